@@ -1,0 +1,33 @@
+# What every target of the house shares: the dialect, the warnings, and the flags that keep the bits.
+
+set(CMAKE_CXX_STANDARD 20)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
+set(CMAKE_POSITION_INDEPENDENT_CODE ON)
+if(NOT CMAKE_BUILD_TYPE)
+    set(CMAKE_BUILD_TYPE Release)
+endif()
+set(CMAKE_RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/bin)
+
+set(PLUMB_SANITIZE "" CACHE STRING "sanitizers to build with, e.g. address,undefined or thread")
+if(PLUMB_SANITIZE)
+    add_compile_options(-fsanitize=${PLUMB_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
+    add_link_options(-fsanitize=${PLUMB_SANITIZE})
+endif()
+
+# Contraction to fused multiply-add changes bits between CPUs; nothing here may allow it.
+if(MSVC)
+    add_compile_options(/fp:precise /utf-8 /permissive-)
+else()
+    add_compile_options(-ffp-contract=off -fno-fast-math)
+endif()
+
+function(set_plumb_warnings target)
+    if(MSVC)
+        target_compile_options(${target} PRIVATE /W4)
+    else()
+        target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Wold-style-cast
+            -Wno-missing-field-initializers -Wno-missing-braces -Werror)
+    endif()
+endfunction()

@@ -1,0 +1,67 @@
+# One target per layer. A layer sees its own headers and those of the layers it DEPENDS on,
+# and nothing else: a forbidden #include is "No such file or directory" at compile time.
+#
+#   add_layer(physics DEPENDS core math)
+#
+# How: every layer gets a private include root in the build folder that holds one link,
+# <root>/physics -> <source>/engine/physics. Linking a layer adds only its root.
+
+function(add_layer name)
+    cmake_parse_arguments(LAYER "" "FOLDER;ROOT_AS" "DEPENDS;LIBRARIES" ${ARGN})
+    if(NOT LAYER_FOLDER)
+        set(LAYER_FOLDER ${name})
+    endif()
+    if(NOT LAYER_ROOT_AS)
+        set(LAYER_ROOT_AS ${LAYER_FOLDER})
+    endif()
+    set(folder ${CMAKE_CURRENT_SOURCE_DIR}/${LAYER_FOLDER})
+    file(GLOB_RECURSE headers CONFIGURE_DEPENDS ${folder}/*.hpp)
+    file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${folder}/*.cpp)
+
+    set(root ${CMAKE_BINARY_DIR}/layers/${name})
+    get_filename_component(parent ${root}/${LAYER_ROOT_AS} DIRECTORY)
+    file(MAKE_DIRECTORY ${parent})
+    file(CREATE_LINK ${folder} ${root}/${LAYER_ROOT_AS} RESULT linked SYMBOLIC)
+    if(NOT linked EQUAL 0)
+        # Windows without developer mode: one common root; the rules test still guards the table.
+        set(root ${CMAKE_CURRENT_SOURCE_DIR})
+    endif()
+
+    # Each header must compile alone: one generated file per header includes nothing else before it.
+    foreach(header IN LISTS headers)
+        file(RELATIVE_PATH path ${folder} ${header})
+        string(REPLACE "/" "_" stem ${path})
+        set(check ${CMAKE_BINARY_DIR}/header_checks/${name}/${stem}.cpp)
+        file(CONFIGURE OUTPUT ${check} CONTENT "#include \"${LAYER_ROOT_AS}/${path}\"\n" @ONLY)
+        list(APPEND checks ${check})
+    endforeach()
+
+    if(sources)
+        add_library(${name} STATIC ${sources} ${headers})
+        set(kind PUBLIC)
+        set_plumb_warnings(${name})
+    else()
+        add_library(${name} INTERFACE)
+        set(kind INTERFACE)
+    endif()
+    add_library(plumb::${name} ALIAS ${name})
+    target_include_directories(${name} ${kind} $<BUILD_INTERFACE:${root}>)
+    foreach(dependency IN LISTS LAYER_DEPENDS)
+        if(NOT TARGET plumb::${dependency})
+            message(FATAL_ERROR "layer ${name} may only depend on layers above it; ${dependency} is not")
+        endif()
+        target_link_libraries(${name} ${kind} ${dependency})
+    endforeach()
+    if(sources)
+        target_link_libraries(${name} PRIVATE ${LAYER_LIBRARIES})
+    endif()
+    if(checks AND PLUMB_TESTS)
+        add_library(${name}_headers OBJECT EXCLUDE_FROM_ALL ${checks})
+        target_link_libraries(${name}_headers PRIVATE ${name} ${LAYER_LIBRARIES})
+        set_property(GLOBAL APPEND PROPERTY PLUMB_HEADER_CHECKS ${name}_headers)
+    endif()
+
+    # The rules test reads this table: one line per layer, "name folder include-name dep dep ...".
+    list(JOIN LAYER_DEPENDS " " dependencies)
+    set_property(GLOBAL APPEND PROPERTY PLUMB_LAYERS "${name} ${folder} ${LAYER_ROOT_AS} ${dependencies}")
+endfunction()

@@ -1,0 +1,22 @@
+# The system's packages, each found once. Debian, vcpkg and Homebrew name some of them differently.
+
+find_package(SDL2 CONFIG REQUIRED)
+find_package(SDL2_image CONFIG REQUIRED)
+find_package(SDL2_mixer CONFIG REQUIRED)
+find_package(nlohmann_json 3.10 CONFIG REQUIRED)
+find_package(PkgConfig QUIET)
+
+find_package(libepoxy CONFIG QUIET)
+if(NOT TARGET epoxy::epoxy)
+    pkg_check_modules(EPOXY REQUIRED IMPORTED_TARGET GLOBAL epoxy)
+    add_library(epoxy::epoxy ALIAS PkgConfig::EPOXY)
+endif()
+
+find_path(STB_INCLUDE_DIR NAMES stb_image.h PATH_SUFFIXES stb REQUIRED)
+add_library(plumb_stb INTERFACE)
+target_include_directories(plumb_stb SYSTEM INTERFACE ${STB_INCLUDE_DIR})
+
+# SDL.h pulls in <immintrin.h> through SDL_cpuinfo.h: 0.54 s -> 0.15 s per file without it.
+add_library(plumb_sdl INTERFACE)
+target_link_libraries(plumb_sdl INTERFACE SDL2::SDL2 SDL2_image::SDL2_image SDL2_mixer::SDL2_mixer)
+target_compile_definitions(plumb_sdl INTERFACE SDL_MAIN_HANDLED SDL_DISABLE_IMMINTRIN_H)

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+// Every limit on data from outside, in one place. A file past one of them is refused with a message.
+namespace plumb::limits {
+
+inline constexpr std::size_t kFileBytes = std::size_t{256} << 20;
+inline constexpr int kJsonDepth = 64;
+inline constexpr std::size_t kTextBytes = std::size_t{1} << 20;
+inline constexpr std::size_t kEntities = std::size_t{1} << 20;
+inline constexpr int kImageSide = 16384;                            ///< px
+inline constexpr std::size_t kImageBytes = std::size_t{512} << 20;  ///< decoded, RGBA
+inline constexpr std::size_t kCompressionRatio = 1000;
+inline constexpr int kTileSide = 16384;  ///< tiles along one side of a grid
+inline constexpr int kPrefabDepth = 16;  ///< prefabs inside prefabs
+
+}  // namespace plumb::limits

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <cmath>
+
+#include "math/portable.hpp"
+#include "math/vec2.hpp"
+
+namespace plumb {
+
+/// The same direction in [-pi, pi].
+inline float wrapAngle(float angle) {
+    if (angle >= -kPi && angle <= kPi) return angle;
+    return angle - kTau * std::floor((angle + kPi) / kTau);
+}
+
+/// From one angle to another the short way round.
+inline float lerpAngle(float from, float to, float t) { return from + wrapAngle(to - from) * t; }
+
+constexpr float degreesFromRadians(float angle) { return angle * (180.0f / kPi); }
+constexpr float radiansFromDegrees(float angle) { return angle * (kPi / 180.0f); }
+
+inline Vec2 rotated(Vec2 v, float angle) {
+    if (angle == 0.0f) return v;
+    const SinCos turn = sinCos(angle);
+    return {turn.cos * v.x - turn.sin * v.y, turn.sin * v.x + turn.cos * v.y};
+}
+
+}  // namespace plumb

@@ -1,0 +1,30 @@
+#pragma once
+
+namespace plumb {
+
+// Functions with the same bits on every machine, compiler and flag: the system's own differ between CPUs.
+// Only + - * / and sqrt are exact everywhere; these are built from nothing else.
+
+inline constexpr float kPi = 3.14159265358979323846f;
+inline constexpr float kTau = 6.28318530717958647692f;
+
+struct SinCos {
+    float sin;
+    float cos;
+};
+
+/// Sine and cosine; |error| <= 1.5e-7 for |angle| <= 1e5 rad, 0 and 1 for NaN, infinity and absurd angles.
+SinCos sinCos(float angle);
+float sine(float angle);
+float cosine(float angle);
+
+/// The angle of (x, y) in [-pi, pi]; 0 for (0, 0). |error| <= 4e-7 rad.
+float arcTangent(float y, float x);
+
+/// e^x, relative error <= 1e-6; 0 below -87, the largest finite float above 88.
+float exponential(float x);
+
+/// The nearest integer below, as an int; clamped to +-2^30, 0 for NaN.
+int floorToInt(float x);
+
+}  // namespace plumb

@@ -1,0 +1,129 @@
+#pragma once
+
+#include <concepts>
+#include <initializer_list>
+#include <memory>
+#include <string_view>
+#include <type_traits>
+#include <utility>
+
+#include "core/fixed_list.hpp"
+#include "math/color.hpp"
+#include "math/rect.hpp"
+#include "math/vec2.hpp"
+#include "reflect/entity_id.hpp"
+#include "reflect/field_types.hpp"
+#include "reflect/type_info.hpp"
+#include "reflect/type_key.hpp"
+
+namespace plumb {
+
+template <class T>
+inline constexpr AssetKind kAssetKind = AssetKind::None;
+template <AssetKind Kind>
+inline constexpr AssetKind kAssetKind<AssetRef<Kind>> = Kind;
+
+template <class T>
+struct ListTraits : std::false_type {};
+template <class T, std::size_t N>
+struct ListTraits<FixedList<T, N>> : std::true_type {
+    using Element = T;
+    static constexpr std::size_t kCapacity = N;
+};
+
+template <class T>
+constexpr FieldKind kindOf() {
+    if constexpr (std::same_as<T, bool>) {
+        return FieldKind::Bool;
+    } else if constexpr (std::is_enum_v<T>) {
+        return FieldKind::Enum;
+    } else if constexpr (std::integral<T>) {
+        return FieldKind::Int;
+    } else if constexpr (std::same_as<T, float>) {
+        return FieldKind::Float;
+    } else if constexpr (std::same_as<T, Vec2>) {
+        return FieldKind::Vec2;
+    } else if constexpr (std::same_as<T, Rect>) {
+        return FieldKind::Rect;
+    } else if constexpr (std::same_as<T, Color>) {
+        return FieldKind::Color;
+    } else if constexpr (std::same_as<T, TextId>) {
+        return FieldKind::Text;
+    } else if constexpr (std::same_as<T, EntityId>) {
+        return FieldKind::Entity;
+    } else if constexpr (kAssetKind<T> != AssetKind::None) {
+        return FieldKind::Asset;
+    } else if constexpr (std::same_as<T, TilesId>) {
+        return FieldKind::Tiles;
+    } else {
+        static_assert(ListTraits<T>::value, "no FieldKind for this type: see reflect/type_info.hpp");
+        return FieldKind::List;
+    }
+}
+
+/// Adds meaning to the field just named: `type.field<&Spin::rate>("rate").unit(...)`.
+class FieldBuilder {
+public:
+    explicit FieldBuilder(FieldInfo& field) : field_{field} {}
+
+    FieldBuilder& unit(Unit unit) { return field_.unit = unit, *this; }
+    FieldBuilder& range(float min, float max) { return field_.min = min, field_.max = max, *this; }
+    FieldBuilder& doc(std::string_view text) { return field_.doc = text, *this; }
+    /// The field's name in older files, so that they still load.
+    FieldBuilder& was(std::string_view oldName) { return field_.was = oldName, *this; }
+    /// State of the running game: shown and hashed, not saved.
+    FieldBuilder& transient() { return field_.transient = true, *this; }
+    FieldBuilder& names(std::initializer_list<EnumName> names) { return field_.names = names, *this; }
+
+private:
+    FieldInfo& field_;
+};
+
+/// Fills a TypeInfo from a type's own `describe` function.
+template <class T>
+class TypeBuilder {
+    static_assert(std::is_trivially_copyable_v<T>, "components are plain data; hold what has a length by id");
+
+public:
+    explicit TypeBuilder(TypeInfo& type) : type_{type} {
+        type_.key = typeKey<T>();
+        type_.size = kIsTag<T> ? 0 : sizeof(T);
+        type_.alignment = alignof(T);
+        type_.construct = [](void* memory) { std::construct_at(static_cast<T*>(memory)); };
+    }
+
+    TypeBuilder& name(std::string_view name) { return type_.name = name, *this; }
+    TypeBuilder& doc(std::string_view text) { return type_.doc = text, *this; }
+
+    template <auto Member>
+    FieldBuilder field(std::string_view name) {
+        using Value = std::remove_reference_t<decltype(std::declval<T&>().*Member)>;
+        FieldInfo& field = type_.fields.emplace_back();
+        field.name = name;
+        field.kind = kindOf<Value>();
+        field.size = sizeof(Value);
+        field.asset = kAssetKind<Value>;
+        field.address = [](void* object) -> void* { return &(static_cast<T*>(object)->*Member); };
+        if constexpr (std::integral<Value>) {
+            field.isSigned = std::is_signed_v<Value>;
+        }
+        if constexpr (ListTraits<Value>::value) {
+            using Element = typename ListTraits<Value>::Element;
+            field.element = kindOf<Element>();
+            field.elementSize = sizeof(Element);
+            field.capacity = ListTraits<Value>::kCapacity;
+            field.asset = kAssetKind<Element>;
+            field.listCount = [](void* list) { return &static_cast<Value*>(list)->count; };
+        }
+        return FieldBuilder{field};
+    }
+
+private:
+    TypeInfo& type_;
+};
+
+/// A type that says what it is made of.
+template <class T>
+concept Described = requires(TypeBuilder<T>& builder) { T::describe(builder); };
+
+}  // namespace plumb

@@ -1,0 +1,64 @@
+#include "core/file.hpp"
+
+#include <unistd.h>
+
+#include <gtest/gtest.h>
+
+namespace plumb {
+namespace {
+
+class FileTest : public ::testing::Test {
+protected:
+    void SetUp() override {
+        root_ = std::filesystem::temp_directory_path() / ("plumb_file_test_" + std::to_string(::getpid()));
+        std::filesystem::create_directories(root_ / "inside");
+    }
+    void TearDown() override { std::filesystem::remove_all(root_); }
+
+    Path root_;
+};
+
+TEST_F(FileTest, whatIsWrittenReadsBackAndNoTemporaryFileStays) {
+    const std::string bytes{"a\0b\n", 4};
+    ASSERT_TRUE(writeFile(root_ / "new" / "file.bin", bytes).ok());
+
+    EXPECT_EQ(*readFile(root_ / "new" / "file.bin"), bytes);
+    EXPECT_EQ(filesBelow(root_, ""), std::vector<std::string>{"new/file.bin"});
+}
+
+TEST_F(FileTest, aMissingAFolderAndATooLargeFileSayWhatWasFoundAndWhatToDo) {
+    ASSERT_TRUE(writeFile(root_ / "ten", "0123456789").ok());
+
+    for (const auto& result : {readFile(root_ / "none"), readFile(root_ / "inside"), readFile(root_ / "ten", 9)}) {
+        ASSERT_FALSE(result.ok());
+        EXPECT_FALSE(result.error().where.empty());
+        EXPECT_FALSE(result.error().what.empty());
+        EXPECT_FALSE(result.error().remedy.empty());
+    }
+    EXPECT_TRUE(readFile(root_ / "ten", 10).ok());
+}
+
+TEST_F(FileTest, pathsThatLeaveTheProjectAreRefusedAndThoseInsideAreNot) {
+    std::filesystem::create_symlink("/etc", root_ / "link");
+    std::filesystem::create_symlink("inside", root_ / "good");
+    for (const char* outside : {"../x", "a/../../x", "/etc/passwd", "", "C:/x", "a\\b", "\\\\host\\share", "link/passwd",
+                                "link", "a\nb", "..", "inside/..", "\x7f", "\xff\xfe", "//x"}) {
+        EXPECT_FALSE(pathInside(root_, outside).ok()) << outside;
+    }
+    for (const char* inside : {"x", "inside/x", "inside/./x", "good/x", "with space/é.png", "...", "a..b"}) {
+        EXPECT_TRUE(pathInside(root_, inside).ok()) << inside;
+    }
+}
+
+TEST_F(FileTest, anUnwritablePlaceIsAnErrorAndLeavesNothingBehind) {
+    ASSERT_TRUE(writeFile(root_ / "file", "old").ok());
+
+    EXPECT_FALSE(writeFile(root_ / "file" / "below", "new").ok());
+    EXPECT_FALSE(writeFile(root_ / "inside", "new").ok());
+
+    EXPECT_EQ(*readFile(root_ / "file"), "old");
+    EXPECT_EQ(filesBelow(root_, ""), std::vector<std::string>{"file"});
+}
+
+}  // namespace
+}  // namespace plumb
