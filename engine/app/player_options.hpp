@@ -1,0 +1,36 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+
+#include "core/result.hpp"
+
+namespace plumb {
+
+/// What a person asked the player for on its command line.
+struct PlayerOptions {
+    std::string project = "projects/platformer";
+    std::string scene;           ///< empty: the project's start scene
+    bool headless = false;       ///< no window, no GL, no audio
+    std::int64_t frames = -1;    ///< ticks to play; -1 until closed
+    bool hash = false;           ///< print `hash: …` of the whole state last
+    std::int64_t hashEvery = 0;  ///< print it every so many ticks
+    std::string screenshot;      ///< PNG of the last frame
+    std::string capture;         ///< folder for a PNG of every frame
+    std::string record;
+    std::string replay;
+    bool effects = false;  ///< list what the scene calls for
+    bool benchmark = false;
+    std::uint64_t seed = 1;
+    int scale = 0;  ///< window size in multiples of the game's resolution; 0: the project's window
+    bool fullscreen = false;
+    bool help = false;
+};
+
+/// @error an unknown option, a missing or wrong value; the remedy names the closest option
+Result<PlayerOptions> parsePlayerOptions(std::span<const char* const> arguments);
+
+std::string playerUsage();
+
+}  // namespace plumb

@@ -1,0 +1,49 @@
+#include "app/player_options.hpp"
+
+#include <vector>
+
+#include <gtest/gtest.h>
+
+namespace plumb {
+namespace {
+
+Result<PlayerOptions> parsed(const std::vector<const char*>& arguments) { return parsePlayerOptions(arguments); }
+
+TEST(PlayerOptions, everyOptionIsReadWithItsValueBehindItOrAfterAnEqualsSign) {
+    const auto options = parsed({"projects/mine", "--frames", "600", "--seed=7", "--headless", "--hash", "--scale", "3"});
+
+    ASSERT_TRUE(options.ok());
+    EXPECT_EQ(options->project, "projects/mine");
+    EXPECT_EQ(options->frames, 600);
+    EXPECT_EQ(options->seed, 7u);
+    EXPECT_TRUE(options->headless);
+    EXPECT_TRUE(options->hash);
+    EXPECT_EQ(options->scale, 3);
+}
+
+TEST(PlayerOptions, aMistypedOptionNamesTheClosestOne) {
+    const auto options = parsed({"--headles"});
+
+    ASSERT_FALSE(options.ok());
+    EXPECT_EQ(options.error().text(), "command line: there is no option \"--headles\"; did you mean --headless?");
+}
+
+TEST(PlayerOptions, wrongAndMissingValuesAreErrorsWithARemedy) {
+    for (const auto& wrong : std::vector<std::vector<const char*>>{
+             {"--frames", "many"}, {"--frames", "-1"}, {"--frames"}, {"--scale", "17"}, {"--hash-every", "0"},
+             {"--seed", "-3"}, {"--screenshot", ""}, {"a", "b"}}) {
+        const auto options = parsed(wrong);
+        ASSERT_FALSE(options.ok()) << wrong.front();
+        EXPECT_FALSE(options.error().remedy.empty());
+    }
+}
+
+TEST(PlayerOptions, theUsageListsEveryOption) {
+    for (const char* name : {"--scene", "--headless", "--frames", "--hash", "--hash-every", "--screenshot", "--capture",
+                             "--record", "--replay", "--effects", "--benchmark", "--seed", "--scale", "--fullscreen"}) {
+        EXPECT_NE(playerUsage().find(name), std::string::npos) << name;
+    }
+}
+
+}  // namespace
+}  // namespace plumb
