@@ -1,0 +1,157 @@
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+#include "core/text.hpp"
+#include "reflect/json.hpp"
+#include "reflect/json_text.hpp"
+
+namespace plumb {
+namespace {
+
+constexpr std::size_t kLineWidth = 110;  // characters
+constexpr std::size_t kShortText =
+    16;  // bytes; longer ones, such as rows of tiles, stand on lines of their own
+
+void writeText(std::string& out, std::string_view text) {
+    out += '"';
+    for (const char c : text) {
+        switch (c) {
+            case '"': out += "\\\""; break;
+            case '\\': out += "\\\\"; break;
+            case '\n': out += "\\n"; break;
+            case '\r': out += "\\r"; break;
+            case '\t': out += "\\t"; break;
+            default:
+                if (static_cast<unsigned char>(c) < 0x20) {
+                    out += "\\u" + hexText(static_cast<unsigned char>(c)).substr(12);
+                } else {
+                    out += c;
+                }
+        }
+    }
+    out += '"';
+}
+
+/// Reading goes through double, so the float's own shortest text serves only where that leads back to it.
+void writeReal(std::string& out, double value) {
+    if (!std::isfinite(value)) {
+        out += "null";
+        return;
+    }
+    const auto narrow = static_cast<float>(value);
+    if (static_cast<double>(narrow) == value) {
+        const std::string text = shortestText(narrow);
+        double read = 0.0;
+        std::from_chars(text.data(), text.data() + text.size(), read);
+        if (static_cast<float>(read) == narrow) {
+            out += text;
+            return;
+        }
+    }
+    out += shortestText(value);
+}
+
+void writeScalar(std::string& out, const Json& json) {
+    switch (json.type()) {
+        case Json::value_t::boolean: out += json.get<bool>() ? "true" : "false"; break;
+        case Json::value_t::number_integer: out += format("{}", json.get<long long>()); break;
+        case Json::value_t::number_unsigned: out += format("{}", json.get<unsigned long long>()); break;
+        case Json::value_t::number_float: writeReal(out, json.get<double>()); break;
+        case Json::value_t::string: writeText(out, *json.get_ptr<const std::string*>()); break;
+        default: out += "null"; break;
+    }
+}
+
+/// Numbers and short words, or arrays of them such as the corners of a polygon.
+bool mayStandInline(const Json& array, int depth = 0) {
+    return std::all_of(array.begin(), array.end(), [depth](const Json& item) {
+        if (item.is_array()) return depth < 1 && mayStandInline(item, depth + 1);
+        if (item.is_string()) return item.get_ptr<const std::string*>()->size() <= kShortText;
+        return !item.is_object();
+    });
+}
+
+void writeInline(std::string& out, const Json& array) {
+    out += '[';
+    bool first = true;
+    for (const Json& item : array) {
+        if (!first) out += ", ";
+        first = false;
+        item.is_array() ? writeInline(out, item) : writeScalar(out, item);
+    }
+    out += ']';
+}
+
+class JsonWriter {
+public:
+    std::string out;
+
+    void write(const Json& json, std::size_t indent) {
+        if (json.is_object()) {
+            writeObject(json, indent);
+        } else if (json.is_array()) {
+            writeArray(json, indent);
+        } else {
+            writeScalar(out, json);
+        }
+    }
+
+private:
+    void startLine(std::size_t indent) {
+        out += '\n';
+        out.append(indent, ' ');
+        lineStart_ = out.size() - indent;
+    }
+
+    void writeObject(const Json& object, std::size_t indent) {
+        out += '{';
+        bool first = true;
+        for (const auto& [key, value] : *object.get_ptr<const Json::object_t*>()) {
+            if (!first) out += ',';
+            first = false;
+            startLine(indent + 2);
+            writeText(out, key);
+            out += ": ";
+            write(value, indent + 2);
+        }
+        if (!first) startLine(indent);
+        out += '}';
+    }
+
+    void writeArray(const Json& array, std::size_t indent) {
+        const std::size_t start = out.size();
+        // Two characters an item at least: what cannot fit is not tried.
+        if (array.size() <= kLineWidth / 2 && mayStandInline(array)) {
+            writeInline(out, array);
+            if (array.empty() || out.size() - lineStart_ <= kLineWidth) return;
+            out.resize(start);
+        }
+        out += '[';
+        bool first = true;
+        for (const Json& item : array) {
+            if (!first) out += ',';
+            first = false;
+            startLine(indent + 2);
+            write(item, indent + 2);
+        }
+        startLine(indent);
+        out += ']';
+    }
+
+    std::size_t lineStart_ = 0;
+};
+
+}  // namespace
+
+std::string writeJson(const Json& json) {
+    JsonWriter writer;
+    writer.write(json, 0);
+    writer.out += '\n';
+    return std::move(writer.out);
+}
+
+}  // namespace plumb
