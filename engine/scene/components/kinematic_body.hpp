@@ -1,0 +1,18 @@
+#pragma once
+
+#include "math/vec2.hpp"
+#include "reflect/type_builder.hpp"
+
+namespace plumb {
+
+/// A body that moves as told and pushes others: platforms, doors, lifts.
+struct KinematicBody {
+    Vec2 velocity;  ///< px/s
+
+    static void describe(TypeBuilder<KinematicBody>& type) {
+        type.name("KinematicBody").doc("Moves as told and pushes others: platforms, doors, lifts.");
+        type.field<&KinematicBody::velocity>("velocity").unit(Unit::PixelsPerSecond);
+    }
+};
+
+}  // namespace plumb
