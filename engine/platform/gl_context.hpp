@@ -1,0 +1,30 @@
+#pragma once
+
+#include "core/result.hpp"
+
+struct SDL_Window;
+
+namespace plumb {
+
+/// An OpenGL 3.3 core context of one window. Current on its thread from its making to its end.
+class GlContext {
+public:
+    GlContext() = default;
+    ~GlContext();
+    GlContext(GlContext&& other) noexcept;
+    GlContext& operator=(GlContext&& other) noexcept;
+    GlContext(const GlContext&) = delete;
+    GlContext& operator=(const GlContext&) = delete;
+
+    /// Asks for 3.3 core, before the window is made: the window's pixel format depends on it.
+    static void request();
+    /// @error the driver has no OpenGL 3.3
+    static Result<GlContext> create(SDL_Window* window);
+
+    void setVsync(bool on);
+
+private:
+    void* context_ = nullptr;
+};
+
+}  // namespace plumb

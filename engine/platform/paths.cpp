@@ -1,0 +1,54 @@
+#include "platform/paths.hpp"
+
+#include <array>
+#include <cstdlib>
+#include <system_error>
+
+#include <SDL.h>
+
+namespace plumb {
+namespace {
+
+/// SDL's answer as a path; empty when it has none. SDL hands its texts over to be freed.
+Path takePath(char* text) {
+    Path path = text != nullptr ? Path{text} : Path{};
+    SDL_free(text);
+    return path;
+}
+
+Path findEngineAssets() {
+    std::error_code ignored;
+    const char* chosen = std::getenv("PLUMB_ASSETS");
+    const Path beside = executableFolder();
+    const std::array candidates{
+        Path{chosen != nullptr ? chosen : ""},
+        beside / "assets",
+        beside / "../../../assets",  // build/<preset>/bin/plumb-player
+        Path{PLUMB_SOURCE_ASSETS},
+    };
+    for (const Path& candidate : candidates) {
+        if (!candidate.empty() && std::filesystem::is_directory(candidate / "fonts", ignored)) {
+            return std::filesystem::weakly_canonical(candidate, ignored);
+        }
+    }
+    return beside / "assets";
+}
+
+}  // namespace
+
+Path executableFolder() {
+    static const Path folder = takePath(SDL_GetBasePath());
+    return folder.empty() ? Path{"."} : folder;
+}
+
+const Path& engineAssets() {
+    static const Path folder = findEngineAssets();
+    return folder;
+}
+
+Path settingsFolder() {
+    Path folder = takePath(SDL_GetPrefPath("", "plumb"));
+    return folder.empty() ? Path{"."} : folder;
+}
+
+}  // namespace plumb

@@ -1,0 +1,18 @@
+#pragma once
+
+#include "core/file.hpp"
+
+namespace plumb {
+
+/// The folder that holds the running program; the current one when the system does not say.
+Path executableFolder();
+
+/// The engine's own assets (fonts, icons): what `engine:` in an asset's path stands for. The first that
+/// exists of PLUMB_ASSETS, assets/ beside the program (an exported game), assets/ of the tree it was built
+/// in.
+const Path& engineAssets();
+
+/// Where the person's settings belong; made when missing. `$XDG_DATA_HOME/plumb` on Linux.
+Path settingsFolder();
+
+}  // namespace plumb

@@ -1,0 +1,87 @@
+#include "render/draw_list.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "math/angle.hpp"
+
+namespace plumb {
+namespace {
+
+constexpr std::uint32_t kYSteps = 65535;
+
+std::uint16_t quarterTexels(float texels) {
+    return static_cast<std::uint16_t>(std::clamp(texels * kUvPerTexel, 0.0f, 65535.0f) + 0.5f);
+}
+
+/// Left, top, right, bottom; a flip is an exchange of two ends.
+std::array<std::uint16_t, 4> sourceCorners(const SpriteQuad& quad) {
+    std::array<std::uint16_t, 4> uv{quarterTexels(quad.source.x), quarterTexels(quad.source.y),
+                                    quarterTexels(quad.source.x + quad.source.width),
+                                    quarterTexels(quad.source.y + quad.source.height)};
+    if (quad.flipX) std::swap(uv[0], uv[2]);
+    if (quad.flipY) std::swap(uv[1], uv[3]);
+    return uv;
+}
+
+}  // namespace
+
+Vec2 quadCenter(Vec2 origin, Vec2 pivot, Vec2 size, float rotation) {
+    const Vec2 fromOrigin = scaled(Vec2{0.5f, 0.5f} - pivot, size);
+    return origin + rotated(fromOrigin, rotation);
+}
+
+void DrawList::begin(const View& view, TextureGrouping grouping) {
+    view_ = view;
+    visible_ = visibleBox(view);
+    // Sprites are sorted by y as finely as 65536 steps over three screens allow: what stands just outside may
+    // reach in.
+    const float height = std::max(visible_.size().y, 1.0f);
+    yStart_ = visible_.min.y - height;
+    yScale_ = static_cast<float>(kYSteps) / (3.0f * height);
+    groupMask_ = grouping == TextureGrouping::Group ? 31u : 0u;
+    culled_ = 0;
+    items_.clear();
+    instances_.clear();
+    retained_.clear();
+    triangles_.clear();
+    vertices_.clear();
+}
+
+bool DrawList::sees(Vec2 center, Vec2 half, float rotation) const {
+    Vec2 reach{std::abs(half.x), std::abs(half.y)};
+    if (rotation != 0.0f) reach.x = reach.y = reach.x + reach.y;
+    // Written so that NaN is not seen.
+    return center.x + reach.x > visible_.min.x && center.x - reach.x < visible_.max.x &&
+           center.y + reach.y > visible_.min.y && center.y - reach.y < visible_.max.y;
+}
+
+std::uint32_t DrawList::yKey(float y) const {
+    if (y == kNoSortY) return 0;
+    const float steps = (y - yStart_) * yScale_;
+    return steps > 1.0f ? static_cast<std::uint32_t>(std::min(steps, static_cast<float>(kYSteps))) : 1u;
+}
+
+void DrawList::sprite(const SpriteQuad& quad) {
+    if (!sees(quad.center, quad.half, quad.rotation)) {
+        ++culled_;
+        return;
+    }
+    const std::uint32_t group = (quad.texture.index / static_cast<std::uint32_t>(kTextureSlots)) & groupMask_;
+    add(Kind::Sprite, instances_.size(), drawKey(quad.layer, yKey(quad.sortY), group));
+    instances_.push_back({quad.center, quad.half, quad.rotation, sourceCorners(quad), quad.tint,
+                          quad.texture.index << kTextureShift | (quad.additive ? kSpriteAdditive : 0u)});
+}
+
+void DrawList::retained(const RetainedSprites& sprites) {
+    if (sprites.count == 0) return;
+    if (!intersects({sprites.bounds.min + sprites.offset, sprites.bounds.max + sprites.offset}, visible_)) {
+        ++culled_;
+        return;
+    }
+    add(Kind::Retained, retained_.size(), drawKey(sprites.layer, 0, 0));
+    retained_.push_back(sprites);
+}
+
+}  // namespace plumb

@@ -1,0 +1,129 @@
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <vector>
+
+#include "math/color.hpp"
+#include "math/rect.hpp"
+#include "render/draw_order.hpp"
+#include "render/render_device.hpp"
+#include "render/view.hpp"
+
+namespace plumb {
+
+/// The sortY of what takes no part in the y order: drawn first in its layer, in the order it was added.
+inline constexpr float kNoSortY = std::numeric_limits<float>::lowest();
+
+/// A picture in the world.
+struct SpriteQuad {
+    Vec2 center;            ///< px, world
+    Vec2 half;              ///< px, half of the drawn size
+    float rotation = 0.0f;  ///< rad about the center, clockwise on screen
+    TextureHandle texture;
+    Rect source;  ///< texels: which part of the texture
+    Color tint;
+    int layer = 0;           ///< higher is nearer
+    float sortY = kNoSortY;  ///< px, world: within a layer, lower on screen is nearer
+    bool flipX = false;
+    bool flipY = false;
+    bool additive = false;  ///< adds light instead of covering
+};
+
+/// The center of a quad whose top left corner, before turning, lies at `origin - pivot * size`, turned about
+/// `origin`.
+Vec2 quadCenter(Vec2 origin, Vec2 pivot, Vec2 size, float rotation);
+
+/// Sprites that stay in the device's memory, e.g. one chunk of a tile layer.
+struct RetainedSprites {
+    InstanceBufferHandle buffer;
+    std::size_t count = 0;
+    TextureHandle texture;  ///< one for all of them
+    AABB bounds;            ///< px, before `offset`: for culling
+    Vec2 offset;            ///< px, world
+    Color tint;
+    int layer = 0;
+};
+
+/// How lines and shapes look.
+struct ShapeStyle {
+    Color color;
+    float thickness = 1.0f;  ///< px of the picture, whatever the zoom
+    int layer = kHighestLayer;
+};
+
+/// Whether sprites of one layer and y may change places so that those of one texture come together.
+enum class TextureGrouping : std::uint8_t {
+    Keep,   ///< drawn in the order they were added
+    Group,  ///< grouped 16 textures at a time: for worlds with very many textures
+};
+
+/// What is to be drawn with one view. Filled anew every frame; keeps its memory, so a steady frame allocates
+/// nothing. Things that the view cannot see are dropped when they are added.
+class DrawList {
+public:
+    /// Forgets everything and looks through `view` from now on.
+    void begin(const View& view, TextureGrouping grouping = TextureGrouping::Keep);
+
+    void sprite(const SpriteQuad& quad);
+    void retained(const RetainedSprites& sprites);
+
+    void line(Vec2 from, Vec2 to, const ShapeStyle& style);
+    void arrow(Vec2 from, Vec2 to, const ShapeStyle& style);
+    void rect(const AABB& box, const ShapeStyle& style);
+    void circle(Vec2 center, float radius, const ShapeStyle& style);
+    void polygon(std::span<const Vec2> corners, const ShapeStyle& style);
+    void filledRect(const AABB& box, Color color, int layer = kHighestLayer);
+    void filledCircle(Vec2 center, float radius, Color color, int layer = kHighestLayer);
+    /// @pre the corners go round a convex shape
+    void filledPolygon(std::span<const Vec2> corners, Color color, int layer = kHighestLayer);
+
+    [[nodiscard]] const View& view() const { return view_; }
+    [[nodiscard]] std::size_t spriteCount() const { return instances_.size(); }
+    [[nodiscard]] std::size_t culledCount() const { return culled_; }
+
+    // What the renderer reads. An item's reference is its kind in the top two bits and its index in that
+    // kind's list.
+    enum class Kind : std::uint8_t { Sprite, Retained, Geometry };
+    struct Triangles {
+        std::uint32_t first = 0;
+        std::uint32_t count = 0;  ///< vertices
+    };
+    static Kind kindOf(DrawItem item) { return static_cast<Kind>(item.ref >> kKindShift); }
+    static std::size_t indexOf(DrawItem item) { return item.ref & ((1u << kKindShift) - 1u); }
+    /// In the list, an instance's slot holds its flags and, above them, its texture.
+    static constexpr std::uint32_t kTextureShift = 16;
+    static std::uint32_t textureOf(const SpriteInstance& instance) { return instance.slot >> kTextureShift; }
+
+    [[nodiscard]] std::span<const DrawItem> items() const { return items_; }
+    [[nodiscard]] std::span<const SpriteInstance> instances() const { return instances_; }
+    [[nodiscard]] std::span<const RetainedSprites> retainedSprites() const { return retained_; }
+    [[nodiscard]] std::span<const Triangles> triangles() const { return triangles_; }
+    [[nodiscard]] std::span<const GeometryVertex> vertices() const { return vertices_; }
+
+private:
+    static constexpr std::uint32_t kKindShift = 30;
+
+    [[nodiscard]] bool sees(Vec2 center, Vec2 half, float rotation) const;
+    [[nodiscard]] std::uint32_t yKey(float y) const;
+    void add(Kind kind, std::size_t index, std::uint32_t key) {
+        items_.push_back(
+            {key, static_cast<std::uint32_t>(kind) << kKindShift | static_cast<std::uint32_t>(index)});
+    }
+    void fan(std::span<const Vec2> corners, Color color, int layer);
+
+    View view_;
+    AABB visible_;
+    float yStart_ = 0.0f;
+    float yScale_ = 1.0f;
+    std::uint32_t groupMask_ = 0;
+    std::size_t culled_ = 0;
+    std::vector<DrawItem> items_;
+    std::vector<SpriteInstance> instances_;
+    std::vector<RetainedSprites> retained_;
+    std::vector<Triangles> triangles_;
+    std::vector<GeometryVertex> vertices_;
+};
+
+}  // namespace plumb

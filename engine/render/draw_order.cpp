@@ -1,0 +1,63 @@
+#include "render/draw_order.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+
+namespace plumb {
+namespace {
+
+constexpr unsigned kDigitBits = 11;
+constexpr std::size_t kDigitValues = std::size_t{1} << kDigitBits;
+constexpr std::size_t kDigits = 3;
+using Counts = std::array<std::array<std::uint32_t, kDigitValues>, kDigits>;
+
+std::size_t digitOf(std::uint32_t key, std::size_t digit) {
+    return (key >> (digit * kDigitBits)) & (kDigitValues - 1);
+}
+
+/// Counts every digit value in one pass. @return true when the keys are in order already
+bool countDigits(std::span<const DrawItem> items, Counts& counts) {
+    bool ordered = true;
+    std::uint32_t before = 0;
+    for (const DrawItem& item : items) {
+        for (std::size_t digit = 0; digit < kDigits; ++digit) ++counts[digit][digitOf(item.key, digit)];
+        ordered = ordered && before <= item.key;
+        before = item.key;
+    }
+    return ordered;
+}
+
+void startsFromCounts(std::array<std::uint32_t, kDigitValues>& counts) {
+    std::uint32_t start = 0;
+    for (std::uint32_t& count : counts) {
+        const std::uint32_t here = count;
+        count = start;
+        start += here;
+    }
+}
+
+}  // namespace
+
+std::uint32_t drawKey(int layer, std::uint32_t y, std::uint32_t group) {
+    const int place = std::clamp(layer, kLowestLayer, kHighestLayer) - kLowestLayer;
+    return static_cast<std::uint32_t>(place) << 21 | std::min(y, 65535u) << 5 | std::min(group, 31u);
+}
+
+std::span<const DrawItem> DrawOrder::sort(std::span<const DrawItem> items) {
+    sorted_.assign(items.begin(), items.end());
+    Counts counts{};
+    if (items.empty() || countDigits(items, counts)) return sorted_;
+
+    spare_.resize(items.size());
+    for (std::size_t digit = 0; digit < kDigits; ++digit) {
+        auto& starts = counts[digit];
+        if (starts[digitOf(items.front().key, digit)] == items.size()) continue;
+        startsFromCounts(starts);
+        for (const DrawItem& item : sorted_) spare_[starts[digitOf(item.key, digit)]++] = item;
+        sorted_.swap(spare_);
+    }
+    return sorted_;
+}
+
+}  // namespace plumb

@@ -1,0 +1,79 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "core/result.hpp"
+#include "render/gl/gl_program.hpp"
+#include "render/render_device.hpp"
+
+namespace plumb {
+
+/// Draws with OpenGL 3.3 core, in the context that is current when it is made and whenever it is used.
+class GlDevice final : public RenderDevice {
+public:
+    /// @error the context is older than 3.3
+    static Result<std::unique_ptr<GlDevice>> create();
+    ~GlDevice() override;
+    GlDevice(const GlDevice&) = delete;
+    GlDevice& operator=(const GlDevice&) = delete;
+
+    TextureHandle createTexture(const Image& image, TextureFilter filter) override;
+    void updateTexture(TextureHandle texture, int x, int y, const Image& image) override;
+    void destroyTexture(TextureHandle texture) override;
+    [[nodiscard]] PixelSize textureSize(TextureHandle texture) const override;
+    [[nodiscard]] std::uintptr_t nativeTexture(TextureHandle texture) const override;
+    TargetHandle createTarget(int width, int height) override;
+    void destroyTarget(TargetHandle target) override;
+    [[nodiscard]] TextureHandle targetTexture(TargetHandle target) const override;
+    InstanceBufferHandle createInstances(std::span<const SpriteInstance> instances) override;
+    void destroyInstances(InstanceBufferHandle buffer) override;
+    void setWindowSize(PixelSize size) override { windowSize_ = size; }
+    void setViewport(const Viewport& viewport) override;
+    void clear(Color color) override;
+    std::span<SpriteInstance> mapInstances(std::size_t count) override;
+    void unmapInstances() override;
+    void drawSprites(const SpriteBatch& batch) override;
+    void drawGeometry(const GeometryBatch& batch) override;
+    [[nodiscard]] Image readPixels(TargetHandle target) override;
+    [[nodiscard]] std::string description() const override;
+
+private:
+    struct Texture {
+        GlName name = 0;
+        PixelSize size;
+    };
+    struct Target {
+        GlName name = 0;
+        TextureHandle texture;
+    };
+
+    GlDevice() = default;
+    void createState();
+    Result<Done> buildPrograms();
+    const GlProgram& spriteProgramFor(std::size_t textureCount) const;
+    void bindTextures(const SpriteBatch& batch, const GlProgram& program);
+    void setTransform(const GlProgram& program, const ViewTransform& transform) const;
+    [[nodiscard]] TextureHandle keep(Texture texture);
+
+    // Fewer slots cost less to shade where every slot of the switch is sampled, as in software: see
+    // gl_shaders.cpp.
+    std::vector<GlProgram> spritePrograms_;
+    GlProgram geometryProgram_;
+    std::vector<Texture> textures_;
+    std::vector<std::uint32_t> freeTextures_;
+    std::vector<Target> targets_;
+    std::vector<GlName> buffers_;
+    std::vector<std::uint32_t> freeBuffers_;
+    GlName spriteArray_ = 0;
+    GlName geometryArray_ = 0;
+    GlName geometryBuffer_ = 0;
+    std::size_t frameCapacity_ = 0;          ///< instances
+    std::vector<SpriteInstance> ownMemory_;  ///< used when the driver maps nothing
+    std::size_t ownCount_ = 0;
+    PixelSize windowSize_{1, 1};
+    bool flipped_ = false;  ///< targets are drawn upside down, so that their first row is the top one
+    int maxTextureSide_ = 1024;
+};
+
+}  // namespace plumb

@@ -1,0 +1,65 @@
+#pragma once
+
+#include <vector>
+
+#include "render/render_device.hpp"
+
+namespace plumb {
+
+/// Writes down what it is told to draw. Tests and headless runs need no graphics card.
+class RecordingDevice final : public RenderDevice {
+public:
+    struct SpriteDraw {
+        SpriteBatch batch;
+        Viewport viewport;
+        std::vector<SpriteInstance> instances;  ///< what the batch shows, in drawing order
+    };
+    struct GeometryDraw {
+        std::vector<GeometryVertex> vertices;
+        Viewport viewport;
+        std::size_t afterSprites = 0;  ///< how many sprite draws came before
+    };
+
+    std::vector<SpriteDraw> spriteDraws;
+    std::vector<GeometryDraw> geometryDraws;
+    std::size_t texturesCreated = 0;
+    std::size_t buffersCreated = 0;
+
+    [[nodiscard]] std::size_t drawCalls() const { return spriteDraws.size() + geometryDraws.size(); }
+    /// Forgets the draws, keeps textures and buffers.
+    void forgetDraws();
+
+    TextureHandle createTexture(const Image& image, TextureFilter filter) override;
+    void updateTexture(TextureHandle texture, int x, int y, const Image& image) override;
+    void destroyTexture(TextureHandle texture) override;
+    [[nodiscard]] PixelSize textureSize(TextureHandle texture) const override;
+    [[nodiscard]] std::uintptr_t nativeTexture(TextureHandle texture) const override { return texture.index; }
+    TargetHandle createTarget(int width, int height) override;
+    void destroyTarget(TargetHandle target) override;
+    [[nodiscard]] TextureHandle targetTexture(TargetHandle target) const override;
+    InstanceBufferHandle createInstances(std::span<const SpriteInstance> instances) override;
+    void destroyInstances(InstanceBufferHandle buffer) override;
+    void setWindowSize(PixelSize size) override { windowSize_ = size; }
+    void setViewport(const Viewport& viewport) override { viewport_ = viewport; }
+    void clear(Color color) override { cleared_ = color; }
+    std::span<SpriteInstance> mapInstances(std::size_t count) override;
+    void unmapInstances() override {}
+    void drawSprites(const SpriteBatch& batch) override;
+    void drawGeometry(const GeometryBatch& batch) override;
+    /// One color everywhere: that of the last clear.
+    [[nodiscard]] Image readPixels(TargetHandle target) override;
+    [[nodiscard]] std::string description() const override { return "recording"; }
+
+    /// The picture of a texture, as created and updated since.
+    [[nodiscard]] const Image& image(TextureHandle texture) const { return textures_[texture.index]; }
+
+private:
+    std::vector<Image> textures_{Image{1, 1, {255, 255, 255, 255}}};
+    std::vector<TextureHandle> targets_{TextureHandle{}};
+    std::vector<std::vector<SpriteInstance>> buffers_{{}};
+    PixelSize windowSize_;
+    Viewport viewport_;
+    Color cleared_;
+};
+
+}  // namespace plumb

@@ -1,0 +1,134 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+
+#include "math/color.hpp"
+#include "math/rect.hpp"
+#include "math/vec2.hpp"
+#include "platform/image.hpp"
+#include "platform/window.hpp"
+
+namespace plumb {
+
+/// Names a texture of a device; 0 is the device's own white pixel, which is always there.
+struct TextureHandle {
+    std::uint32_t index = 0;
+    friend bool operator==(TextureHandle, TextureHandle) = default;
+};
+/// Names a picture that can be drawn into; 0 is the window.
+struct TargetHandle {
+    std::uint32_t index = 0;
+    friend bool operator==(TargetHandle, TargetHandle) = default;
+};
+/// Names sprites that stay in the device's memory; 0 names none.
+struct InstanceBufferHandle {
+    std::uint32_t index = 0;
+    friend bool operator==(InstanceBufferHandle, InstanceBufferHandle) = default;
+};
+
+enum class TextureFilter : std::uint8_t { Nearest, Linear };
+
+/// Source rectangles are kept in quarter texels: whole texels stay exact in textures of any size.
+inline constexpr float kUvPerTexel = 4.0f;
+
+/// One textured quad as the device reads it. 36 bytes: 50,000 of them are 1.8 MB a frame.
+struct SpriteInstance {
+    Vec2 center;                        ///< px, world
+    Vec2 half;                          ///< px, half of the size
+    float rotation = 0.0f;              ///< rad about the center
+    std::array<std::uint16_t, 4> uv{};  ///< left, top, right, bottom in quarter texels; swapped ends flip
+    Color tint;
+    std::uint32_t slot = 0;  ///< texture slot of the batch (low byte) and the flags below
+};
+static_assert(sizeof(SpriteInstance) == 36, "the vertex layout in gl/ counts on 36 bytes");
+
+inline constexpr std::uint32_t kSpriteDiagonal = 0x100u;  ///< x and y of the source change places (tiles)
+inline constexpr std::uint32_t kSpriteAdditive = 0x200u;  ///< adds light instead of covering
+
+/// A corner of a filled triangle.
+struct GeometryVertex {
+    Vec2 position;  ///< px, world
+    Color color;
+};
+
+/// World to clip space: clip = {dot(x, world) + offset.x, dot(y, world) + offset.y}.
+struct ViewTransform {
+    Vec2 x{1.0f, 0.0f};
+    Vec2 y{0.0f, 1.0f};
+    Vec2 offset;
+    friend bool operator==(const ViewTransform&, const ViewTransform&) = default;
+};
+
+inline constexpr std::size_t kTextureSlots = 16;
+
+/// Sprites of one draw call: consecutive instances that need at most kTextureSlots textures.
+struct SpriteBatch {
+    InstanceBufferHandle buffer;  ///< 0: the frame's own memory, from mapInstances
+    std::size_t first = 0;
+    std::size_t count = 0;
+    std::array<TextureHandle, kTextureSlots> textures{};
+    std::size_t textureCount = 0;
+    ViewTransform transform;
+    Color tint;  ///< multiplies that of every instance: fades a retained layer
+};
+
+struct GeometryBatch {
+    std::span<const GeometryVertex> vertices;  ///< three for each triangle
+    ViewTransform transform;
+};
+
+/// Where the next draws go: a part of a target, px from its top left.
+struct Viewport {
+    TargetHandle target;
+    int x = 0;
+    int y = 0;
+    int width = 0;
+    int height = 0;
+    friend bool operator==(const Viewport&, const Viewport&) = default;
+};
+
+/// What a graphics card can do for us, and no more. One implementation draws with OpenGL, one writes down
+/// what it is told so that tests need no card.
+class RenderDevice {
+public:
+    virtual ~RenderDevice() = default;
+
+    virtual TextureHandle createTexture(const Image& image, TextureFilter filter) = 0;
+    /// Replaces a part; `image` is put at (x, y) and must fit.
+    virtual void updateTexture(TextureHandle texture, int x, int y, const Image& image) = 0;
+    virtual void destroyTexture(TextureHandle texture) = 0;
+    [[nodiscard]] virtual PixelSize textureSize(TextureHandle texture) const = 0;
+    /// The API's own name for it, e.g. for ImGui.
+    [[nodiscard]] virtual std::uintptr_t nativeTexture(TextureHandle texture) const = 0;
+
+    virtual TargetHandle createTarget(int width, int height) = 0;
+    virtual void destroyTarget(TargetHandle target) = 0;
+    /// What was drawn into it, top row first as in every texture.
+    [[nodiscard]] virtual TextureHandle targetTexture(TargetHandle target) const = 0;
+
+    virtual InstanceBufferHandle createInstances(std::span<const SpriteInstance> instances) = 0;
+    virtual void destroyInstances(InstanceBufferHandle buffer) = 0;
+
+    /// The size of the window's picture: targets know theirs.
+    virtual void setWindowSize(PixelSize size) = 0;
+    virtual void setViewport(const Viewport& viewport) = 0;
+    /// Fills the whole target of the viewport.
+    virtual void clear(Color color) = 0;
+
+    /// Memory for `count` instances, to be written front to back and then given back by unmapInstances.
+    /// Its old contents are lost; batches of before keep theirs.
+    virtual std::span<SpriteInstance> mapInstances(std::size_t count) = 0;
+    virtual void unmapInstances() = 0;
+    virtual void drawSprites(const SpriteBatch& batch) = 0;
+    virtual void drawGeometry(const GeometryBatch& batch) = 0;
+
+    /// The pixels of a target or, before the swap, of the window.
+    [[nodiscard]] virtual Image readPixels(TargetHandle target) = 0;
+    [[nodiscard]] virtual std::string description() const = 0;
+};
+
+}  // namespace plumb

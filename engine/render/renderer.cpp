@@ -1,0 +1,112 @@
+#include "render/renderer.hpp"
+
+#include <algorithm>
+
+namespace plumb {
+namespace {
+
+/// The sprites at the front of `order`, up to the first thing of another kind.
+std::span<const DrawItem> leadingSprites(std::span<const DrawItem> order) {
+    std::size_t count = 0;
+    while (count < order.size() && DrawList::kindOf(order[count]) == DrawList::Kind::Sprite) ++count;
+    return order.first(count);
+}
+
+}  // namespace
+
+void Renderer::draw(const DrawList& list, const Viewport& viewport) {
+    device_.setViewport(viewport);
+    counts_.sprites += list.spriteCount();
+    counts_.culled += list.culledCount();
+    if (list.items().empty()) return;
+    steps_.clear();
+    planSprites(list, order_.sort(list.items()), transformOf(list.view()));
+    submit();
+}
+
+void Renderer::planSprites(const DrawList& list, std::span<const DrawItem> order,
+                           const ViewTransform& transform) {
+    const std::size_t sprites = list.spriteCount();
+    const std::span<SpriteInstance> memory =
+        sprites > 0 ? device_.mapInstances(sprites) : std::span<SpriteInstance>{};
+    std::size_t written = 0;
+    while (!order.empty()) {
+        const DrawItem next = order.front();
+        if (DrawList::kindOf(next) == DrawList::Kind::Retained) {
+            addRetained(list.retainedSprites()[DrawList::indexOf(next)], transform);
+            order = order.subspan(1);
+        } else if (DrawList::kindOf(next) == DrawList::Kind::Geometry) {
+            addGeometry(list, list.triangles()[DrawList::indexOf(next)], transform);
+            order = order.subspan(1);
+        } else {
+            SpriteBatch batch;
+            batch.first = written;
+            batch.transform = transform;
+            batch.count = fillRun(list, leadingSprites(order), memory.subspan(written), batch);
+            written += batch.count;
+            order = order.subspan(batch.count);
+            steps_.push_back({DrawList::Kind::Sprite, batch, {}});
+        }
+    }
+    if (sprites > 0) device_.unmapInstances();
+}
+
+/// Writes sprites until they end or need a 17th texture. @return how many
+std::size_t Renderer::fillRun(const DrawList& list, std::span<const DrawItem> run,
+                              std::span<SpriteInstance> out, SpriteBatch& batch) {
+    ++batchNumber_;
+    const std::span<const SpriteInstance> instances = list.instances();
+    constexpr std::uint32_t kFlags = kSpriteDiagonal | kSpriteAdditive;
+    for (std::size_t i = 0; i < run.size(); ++i) {
+        SpriteInstance instance = instances[DrawList::indexOf(run[i])];
+        const std::uint32_t texture = DrawList::textureOf(instance);
+        if (texture >= slots_.size()) slots_.resize(texture + 1);
+        Slot& slot = slots_[texture];
+        if (slot.batch != batchNumber_) {
+            if (batch.textureCount == kTextureSlots) return i;
+            slot = {batchNumber_, static_cast<std::uint32_t>(batch.textureCount)};
+            batch.textures[batch.textureCount++] = {texture};
+        }
+        instance.slot = (instance.slot & kFlags) | slot.slot;
+        out[i] = instance;
+    }
+    return run.size();
+}
+
+void Renderer::addRetained(const RetainedSprites& sprites, const ViewTransform& transform) {
+    Step step{DrawList::Kind::Retained, {}, {}};
+    step.batch.buffer = sprites.buffer;
+    step.batch.count = sprites.count;
+    step.batch.textures[0] = sprites.texture;
+    step.batch.textureCount = 1;
+    step.batch.transform = movedBy(transform, sprites.offset);
+    step.batch.tint = sprites.tint;
+    steps_.push_back(step);
+}
+
+void Renderer::addGeometry(const DrawList& list, const DrawList::Triangles& part,
+                           const ViewTransform& transform) {
+    const std::span<const GeometryVertex> vertices = list.vertices().subspan(part.first, part.count);
+    // Neighbours in the list that are also neighbours in memory share a call.
+    if (!steps_.empty() && steps_.back().kind == DrawList::Kind::Geometry) {
+        std::span<const GeometryVertex>& before = steps_.back().geometry.vertices;
+        if (before.data() + before.size() == vertices.data()) {
+            before = {before.data(), before.size() + vertices.size()};
+            return;
+        }
+    }
+    steps_.push_back({DrawList::Kind::Geometry, {}, {vertices, transform}});
+}
+
+void Renderer::submit() {
+    for (const Step& step : steps_) {
+        if (step.kind == DrawList::Kind::Geometry) {
+            device_.drawGeometry(step.geometry);
+        } else {
+            device_.drawSprites(step.batch);
+        }
+    }
+    counts_.drawCalls += steps_.size();
+}
+
+}  // namespace plumb

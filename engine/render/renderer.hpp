@@ -1,0 +1,61 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "render/draw_list.hpp"
+#include "render/draw_order.hpp"
+#include "render/render_device.hpp"
+
+namespace plumb {
+
+/// What the drawing of one or more lists cost.
+struct RenderCounts {
+    std::size_t drawCalls = 0;
+    std::size_t sprites = 0;  ///< of lists; retained ones are not counted
+    std::size_t culled = 0;
+};
+
+/// Draws lists on a device: sorts, writes the instances in order, cuts them into batches of at most 16
+/// textures.
+class Renderer {
+public:
+    explicit Renderer(RenderDevice& device) : device_{device} {}
+
+    void draw(const DrawList& list, const Viewport& viewport);
+
+    [[nodiscard]] RenderDevice& device() { return device_; }
+    [[nodiscard]] const RenderCounts& counts() const { return counts_; }
+    void resetCounts() { counts_ = {}; }
+
+private:
+    /// One draw call to come: sprites of the frame, retained sprites or triangles.
+    struct Step {
+        DrawList::Kind kind = DrawList::Kind::Sprite;
+        SpriteBatch batch;
+        GeometryBatch geometry;
+    };
+
+    void planSprites(const DrawList& list, std::span<const DrawItem> order, const ViewTransform& transform);
+    std::size_t fillRun(const DrawList& list, std::span<const DrawItem> run, std::span<SpriteInstance> out,
+                        SpriteBatch& batch);
+    void addRetained(const RetainedSprites& sprites, const ViewTransform& transform);
+    void addGeometry(const DrawList& list, const DrawList::Triangles& part, const ViewTransform& transform);
+    void submit();
+
+    RenderDevice& device_;
+    DrawOrder order_;
+    std::vector<Step> steps_;
+    /// By texture: the batch that last gave it a slot, and which; so that no table is cleared between
+    /// batches.
+    struct Slot {
+        std::uint32_t batch = 0;
+        std::uint32_t slot = 0;
+    };
+    std::vector<Slot> slots_;
+    std::uint32_t batchNumber_ = 0;
+    RenderCounts counts_;
+};
+
+}  // namespace plumb

@@ -1,0 +1,47 @@
+#pragma once
+
+#include "math/rect.hpp"
+#include "math/vec2.hpp"
+#include "platform/window.hpp"
+#include "render/render_device.hpp"
+
+namespace plumb {
+
+/// Which part of the world is seen. The one place that turns world into screen and back.
+struct View {
+    Vec2 center;            ///< px, world
+    Vec2 size{1.0f, 1.0f};  ///< px: the picture before it is scaled to the window
+    float zoom = 1.0f;      ///< picture px per world px
+    float rotation = 0.0f;  ///< rad, of the camera: the world turns the other way
+
+    friend bool operator==(const View&, const View&) = default;
+};
+
+/// World px to picture px, from its top left; and back.
+Vec2 toScreen(const View& view, Vec2 world);
+Vec2 toWorld(const View& view, Vec2 screen);
+
+/// The box of the world that holds all that is seen.
+AABB visibleBox(const View& view);
+
+/// The view moved so that world px fall on picture px: pixel art and text stay sharp at whole zooms.
+View snappedToPixels(const View& view);
+
+ViewTransform transformOf(const View& view);
+/// The transform of something drawn at `offset` (px, world), e.g. a parallax layer.
+ViewTransform movedBy(const ViewTransform& transform, Vec2 offset);
+
+/// How a picture of fixed size meets a window of any size.
+enum class WindowScale : unsigned char {
+    Fit,      ///< as large as fits, bars on two sides
+    Integer,  ///< the largest whole factor that fits: every px the same size
+    Stretch,  ///< fills the window, may distort
+    Fill,     ///< fills the window, may cut off two sides
+};
+
+/// Where in the window a picture of `picture` px goes; may reach past the window with Fill.
+Viewport viewportFor(WindowScale scale, Vec2 picture, PixelSize window);
+/// A place in the window (e.g. of the mouse) as a place in the picture.
+Vec2 pictureFromWindow(const Viewport& viewport, Vec2 picture, Vec2 place);
+
+}  // namespace plumb
