@@ -1,0 +1,96 @@
+#include "assets/tileset.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace plumb {
+namespace {
+
+constexpr auto kShapeNames = std::to_array<std::string_view>(
+    {"none", "full", "oneWay", "slopeUp", "slopeDown", "slopeUpLow", "slopeUpHigh", "slopeDownHigh",
+     "slopeDownLow", "halfTop", "halfBottom"});
+
+/// The corners of a slope whose surface goes from `left` to `right` (ratio of the height, from the top).
+std::vector<Vec2> slope(Vec2 size, float left, float right) {
+    std::vector<Vec2> points;
+    if (left < 1.0f) points.push_back({0.0f, left * size.y});
+    if (right < 1.0f) points.push_back({size.x, right * size.y});
+    points.push_back({size.x, size.y});
+    points.push_back({0.0f, size.y});
+    return points;
+}
+
+std::vector<Vec2> box(Vec2 size, float top, float bottom) {
+    return {{0.0f, top * size.y}, {size.x, top * size.y}, {size.x, bottom * size.y}, {0.0f, bottom * size.y}};
+}
+
+}  // namespace
+
+std::span<const std::string_view> tileShapeNames() { return kShapeNames; }
+
+std::string_view Tile::property(std::string_view name) const {
+    for (const TileProperty& property : properties) {
+        if (property.name == name) return property.json;
+    }
+    return {};
+}
+
+const Tile* Tileset::find(int tile) const {
+    const auto at =
+        std::lower_bound(tiles.begin(), tiles.end(), tile, [](const Tile& a, int id) { return a.id < id; });
+    return at != tiles.end() && at->id == tile ? &*at : nullptr;
+}
+
+TileShape Tileset::shapeOf(int tile) const {
+    const Tile* special = find(tile);
+    return special == nullptr ? TileShape::None : special->shape;
+}
+
+const TileImage* Tileset::imageOf(int tile) const {
+    const auto at = std::lower_bound(images.begin(), images.end(), tile,
+                                     [](const TileImage& a, int id) { return a.tile < id; });
+    return at != images.end() && at->tile == tile ? &*at : nullptr;
+}
+
+Rect Tileset::sourceOf(int tile) const {
+    const int wide = std::max(columns, 1);
+    const int column = tile % wide;
+    const int row = tile / wide;
+    return {static_cast<float>(margin + column * (tileWidth + spacing)),
+            static_cast<float>(margin + row * (tileHeight + spacing)), static_cast<float>(tileWidth),
+            static_cast<float>(tileHeight)};
+}
+
+int Tileset::shownTile(int tile, double seconds) const {
+    const Tile* special = find(tile);
+    if (special == nullptr || special->animation.empty() || !(seconds >= 0.0) || seconds > 1e12) return tile;
+    double total = 0.0;
+    for (const TileFrame& frame : special->animation) total += static_cast<double>(frame.seconds);
+    if (!(total > 0.0)) return tile;
+    double rest = seconds - total * static_cast<double>(static_cast<long long>(seconds / total));
+    for (const TileFrame& frame : special->animation) {
+        rest -= static_cast<double>(frame.seconds);
+        if (rest < 0.0) return frame.tile;
+    }
+    return special->animation.front().tile;
+}
+
+std::vector<Vec2> outlineOf(const Tile& tile, Vec2 size) {
+    switch (tile.shape) {
+        case TileShape::None: return {};
+        case TileShape::Full:
+        case TileShape::OneWay: return box(size, 0.0f, 1.0f);
+        case TileShape::SlopeUp: return slope(size, 1.0f, 0.0f);
+        case TileShape::SlopeDown: return slope(size, 0.0f, 1.0f);
+        case TileShape::SlopeUpLow: return slope(size, 1.0f, 0.5f);
+        case TileShape::SlopeUpHigh: return slope(size, 0.5f, 0.0f);
+        case TileShape::SlopeDownHigh: return slope(size, 0.0f, 0.5f);
+        case TileShape::SlopeDownLow: return slope(size, 0.5f, 1.0f);
+        case TileShape::HalfTop: return box(size, 0.0f, 0.5f);
+        case TileShape::HalfBottom: return box(size, 0.5f, 1.0f);
+        case TileShape::Polygon: return tile.polygon;
+    }
+    return {};
+}
+
+}  // namespace plumb

@@ -1,0 +1,238 @@
+#include <algorithm>
+#include <optional>
+#include <set>
+#include <utility>
+
+#include "assets/tileset.hpp"
+#include "core/text.hpp"
+#include "reflect/json.hpp"
+#include "reflect/json_fields.hpp"
+#include "reflect/json_text.hpp"
+
+namespace plumb {
+namespace {
+
+constexpr std::size_t kMaxCorners = 64;
+constexpr int kMaxSide = 4096;  // px of a tile
+constexpr float kMaxPixels = 16384.0f;
+constexpr auto kKnownKeys = {"format", "image",  "tileSize", "margin", "spacing",   "columns",
+                             "count",  "offset", "images",   "tiles",  "properties"};
+
+std::string compact(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
+
+std::vector<TileProperty> readProperties(JsonFields& fields) {
+    std::vector<TileProperty> properties;
+    const Json* json = fields.find("properties");
+    if (json == nullptr) return properties;
+    if (!json->is_object()) {
+        fields.warn("properties", "expected an object, found " + briefText(*json),
+                    "write { \"name\": value }");
+        return properties;
+    }
+    for (const auto& [name, value] : json->items()) properties.push_back({name, compact(value)});
+    return properties;
+}
+
+/// A size or a place in whole px.
+std::pair<int, int> readPair(JsonFields& fields, std::string_view key, int min, int max, int fallback) {
+    const auto kept = static_cast<float>(fallback);
+    const Vec2 pair = fields.vec2(key, {kept, kept});
+    const auto low = static_cast<float>(min);
+    const auto high = static_cast<float>(max);
+    if (pair.x >= low && pair.x <= high && pair.y >= low && pair.y <= high) {
+        return {static_cast<int>(pair.x), static_cast<int>(pair.y)};
+    }
+    fields.warn(key, format("expected two numbers from {} to {}", min, max), "correct them");
+    return {fallback, fallback};
+}
+
+std::vector<Vec2> readPolygon(JsonFields& fields, const Json& json) {
+    std::vector<Vec2> points;
+    bool good = json.size() >= 3 && json.size() <= kMaxCorners;
+    for (const Json& point : json) {
+        good = good && point.is_array() && point.size() == 2 && point[0].is_number() && point[1].is_number();
+        if (!good) break;
+        const auto x = point[0].get<double>();
+        const auto y = point[1].get<double>();
+        good = x >= -kMaxSide && x <= kMaxSide && y >= -kMaxSide && y <= kMaxSide;
+        if (good) points.push_back({static_cast<float>(x), static_cast<float>(y)});
+    }
+    if (good) return points;
+    fields.warn("collision", format("expected 3 to {} points", kMaxCorners),
+                "write [[x, y], [x, y], [x, y]] in px of the tile");
+    return {};
+}
+
+void readCollision(JsonFields& fields, Tile& tile) {
+    const Json* json = fields.find("collision");
+    if (json != nullptr && json->is_array()) {
+        tile.polygon = readPolygon(fields, *json);
+        tile.shape = tile.polygon.empty() ? TileShape::None : TileShape::Polygon;
+    } else {
+        tile.shape = static_cast<TileShape>(fields.choice("collision", 0, tileShapeNames()));
+    }
+}
+
+Tile readTile(JsonFields& fields) {
+    Tile tile;
+    tile.id = fields.whole("id", -1, 0, Tileset::kMaxTiles - 1);
+    readCollision(fields, tile);
+    tile.oneWay = fields.flag("oneWay", false);
+    tile.friction = fields.number("friction", -1.0f, 0.0f, 10.0f);
+    tile.bounciness = fields.number("bounciness", -1.0f, 0.0f, 1.0f);
+    tile.material = fields.text("material");
+    for (JsonFields& item : fields.objects("animation", 1024)) {
+        TileFrame frame;
+        frame.tile = item.whole("tile", 0, 0, Tileset::kMaxTiles - 1);
+        frame.seconds = item.number("seconds", 0.1f, 0.001f, 3600.0f);
+        item.warnUnknown();
+        tile.animation.push_back(frame);
+    }
+    tile.properties = readProperties(fields);
+    fields.warnUnknown();
+    return tile;
+}
+
+TileImage readImage(JsonFields& fields) {
+    TileImage image;
+    image.tile = fields.whole("tile", -1, 0, Tileset::kMaxTiles - 1);
+    image.path = fields.text("image");
+    image.texture = {textId(image.path)};
+    if (const Json* source = fields.array("source"); source != nullptr) {
+        float numbers[4] = {};
+        bool good = source->size() == 4;
+        for (std::size_t i = 0; good && i < 4; ++i) {
+            const double value = (*source)[i].is_number() ? (*source)[i].get<double>() : -1.0;
+            good = value >= 0.0 && value <= static_cast<double>(kMaxPixels);
+            if (good) numbers[i] = static_cast<float>(value);
+        }
+        if (good) {
+            image.source = {numbers[0], numbers[1], numbers[2], numbers[3]};
+        } else {
+            fields.warn("source", "expected four numbers", "write [x, y, width, height] in px");
+        }
+    }
+    fields.warnUnknown();
+    return image;
+}
+
+/// Puts a list in the order of its numbers and leaves out what has none or repeats one.
+template <class Item>
+void settle(std::vector<Item>& items, int Item::*number, JsonFields& fields, std::string_view key) {
+    const auto unnumbered = [&](const Item& item) { return item.*number < 0; };
+    items.erase(std::remove_if(items.begin(), items.end(), unnumbered), items.end());
+    std::stable_sort(items.begin(), items.end(),
+                     [&](const Item& a, const Item& b) { return a.*number < b.*number; });
+    const auto repeated = std::unique(items.begin(), items.end(),
+                                      [&](const Item& a, const Item& b) { return a.*number == b.*number; });
+    if (repeated != items.end())
+        fields.warn(key, "the same tile stands there twice", "keep one; the first one counts");
+    items.erase(repeated, items.end());
+}
+
+void readGrid(JsonFields& fields, Tileset& tileset) {
+    tileset.image = fields.text("image");
+    tileset.texture = {textId(tileset.image)};
+    std::tie(tileset.tileWidth, tileset.tileHeight) = readPair(fields, "tileSize", 1, kMaxSide, 16);
+    tileset.margin = fields.whole("margin", 0, 0, kMaxSide);
+    tileset.spacing = fields.whole("spacing", 0, 0, kMaxSide);
+    tileset.columns = fields.whole("columns", 1, 1, Tileset::kMaxTiles);
+    tileset.count = fields.whole("count", 0, 0, Tileset::kMaxTiles);
+    tileset.offset = fields.vec2("offset", {});
+}
+
+Json propertiesJson(const std::vector<TileProperty>& properties) {
+    Json json = Json::object();
+    for (const TileProperty& property : properties) {
+        const Result<Json> value = parseJson(property.json, property.name);
+        json[property.name] = value ? *value : Json{};
+    }
+    return json;
+}
+
+Json pointJson(Vec2 point) { return Json::array({point.x, point.y}); }
+
+Json tileJson(const Tile& tile) {
+    Json json = Json::object();
+    json["id"] = tile.id;
+    if (tile.shape == TileShape::Polygon) {
+        Json& points = json["collision"] = Json::array();
+        for (const Vec2 point : tile.polygon) points.push_back(pointJson(point));
+    } else if (tile.shape != TileShape::None) {
+        json["collision"] = std::string{tileShapeNames()[static_cast<std::size_t>(tile.shape)]};
+    }
+    if (tile.oneWay) json["oneWay"] = true;
+    if (tile.friction >= 0.0f) json["friction"] = tile.friction;
+    if (tile.bounciness >= 0.0f) json["bounciness"] = tile.bounciness;
+    if (!tile.material.empty()) json["material"] = tile.material;
+    for (const TileFrame& frame : tile.animation) {
+        Json item = Json::object();
+        item["tile"] = frame.tile;
+        item["seconds"] = frame.seconds;
+        json["animation"].push_back(std::move(item));
+    }
+    if (!tile.properties.empty()) json["properties"] = propertiesJson(tile.properties);
+    return json;
+}
+
+Json imageJson(const TileImage& image) {
+    Json json = Json::object();
+    json["tile"] = image.tile;
+    json["image"] = image.path;
+    if (!image.source.empty()) {
+        json["source"] =
+            Json::array({image.source.x, image.source.y, image.source.width, image.source.height});
+    }
+    return json;
+}
+
+}  // namespace
+
+Result<Tileset> parseTileset(std::string_view text, std::string_view where, std::vector<Error>& problems) {
+    const Result<Json> json = parseJson(text, where, &problems);
+    if (!json) return json.error();
+    if (!json->is_object()) {
+        return Error{std::string{where}, "expected an object, found " + briefText(*json), "write { ... }"};
+    }
+    JsonFields fields{*json, std::string{where}, problems};
+    if (!fields.acceptFormat(Tileset::kFormat)) {
+        Error error = std::move(problems.back());
+        problems.pop_back();
+        return error;
+    }
+    Tileset tileset;
+    readGrid(fields, tileset);
+    for (JsonFields& item : fields.objects("images", Tileset::kMaxTiles))
+        tileset.images.push_back(readImage(item));
+    for (JsonFields& item : fields.objects("tiles", Tileset::kMaxTiles))
+        tileset.tiles.push_back(readTile(item));
+    settle(tileset.images, &TileImage::tile, fields, "images");
+    settle(tileset.tiles, &Tile::id, fields, "tiles");
+    tileset.properties = readProperties(fields);
+    fields.warnUnknown();
+    for (const auto& [key, value] : json->items()) {
+        const auto known = [&key = key](std::string_view name) { return name == key; };
+        if (std::none_of(kKnownKeys.begin(), kKnownKeys.end(), known))
+            tileset.unknown.push_back({key, compact(value)});
+    }
+    return tileset;
+}
+
+std::string writeTileset(const Tileset& tileset) {
+    Json json = Json::object();
+    json["format"] = Tileset::kFormat;
+    if (!tileset.image.empty()) json["image"] = tileset.image;
+    json["tileSize"] = Json::array({tileset.tileWidth, tileset.tileHeight});
+    if (tileset.margin != 0) json["margin"] = tileset.margin;
+    if (tileset.spacing != 0) json["spacing"] = tileset.spacing;
+    json["columns"] = tileset.columns;
+    json["count"] = tileset.count;
+    for (const TileImage& image : tileset.images) json["images"].push_back(imageJson(image));
+    if (tileset.offset != Vec2{}) json["offset"] = pointJson(tileset.offset);
+    for (const Tile& tile : tileset.tiles) json["tiles"].push_back(tileJson(tile));
+    if (!tileset.properties.empty()) json["properties"] = propertiesJson(tileset.properties);
+    for (const auto& [key, value] : propertiesJson(tileset.unknown).items()) json[key] = value;
+    return writeJson(json);
+}
+
+}  // namespace plumb

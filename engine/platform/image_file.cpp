@@ -1,0 +1,133 @@
+#include "platform/image_file.hpp"
+
+#include <cstring>
+#include <memory>
+
+#include <SDL_image.h>
+
+#include "core/limits.hpp"
+#include "core/text.hpp"
+
+#define STB_IMAGE_STATIC
+#define STB_IMAGE_IMPLEMENTATION
+#define STBI_NO_STDIO
+#define STBI_NO_HDR
+#define STBI_NO_LINEAR
+#define STBI_NO_PSD
+#define STBI_NO_PIC
+#define STBI_NO_PNM
+#define STBI_NO_TGA
+#define STB_IMAGE_WRITE_STATIC
+#define STB_IMAGE_WRITE_IMPLEMENTATION
+#define STBI_WRITE_NO_STDIO
+#if defined(__GNUC__)
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wunused-function"
+#endif
+#include <stb_image.h>
+#include <stb_image_write.h>
+#if defined(__GNUC__)
+#pragma GCC diagnostic pop
+#endif
+
+namespace plumb {
+namespace {
+
+/// Decoded pictures below this are never called a bomb: a blank sheet compresses very well.
+constexpr std::size_t kHarmlessBytes = std::size_t{64} << 20;
+
+constexpr std::string_view kRemedy = "save it again as PNG";
+
+using Surface = std::unique_ptr<SDL_Surface, decltype(&SDL_FreeSurface)>;
+
+/// Only files that say what they are in their first bytes; SDL_image alone would also try formats that guess.
+bool hasKnownSignature(std::string_view bytes) {
+    constexpr std::string_view kPng{"\x89PNG\r\n\x1a\n", 8};
+    return startsWith(bytes, kPng) || startsWith(bytes, "\xff\xd8\xff") || startsWith(bytes, "BM") ||
+           startsWith(bytes, "GIF8");
+}
+
+Error imageError(std::string_view where, std::string what, std::string_view remedy = kRemedy) {
+    return {std::string{where}, std::move(what), std::string{remedy}};
+}
+
+Image imageOf(SDL_Surface& surface) {
+    Image image{surface.w, surface.h, {}};
+    const auto rowBytes = static_cast<std::size_t>(surface.w) * 4;
+    image.rgba.resize(rowBytes * static_cast<std::size_t>(surface.h));
+    for (int y = 0; y < surface.h; ++y) {
+        const auto* row =
+            static_cast<const std::uint8_t*>(surface.pixels) + static_cast<std::ptrdiff_t>(y) * surface.pitch;
+        std::memcpy(image.rgba.data() + static_cast<std::size_t>(y) * rowBytes, row, rowBytes);
+    }
+    return image;
+}
+
+}  // namespace
+
+Result<ImageSize> readImageSize(std::string_view bytes, std::string_view where) {
+    if (bytes.empty()) return imageError(where, "the file is empty");
+    if (bytes.size() > limits::kFileBytes)
+        return imageError(where, "the file is too large", "make it smaller");
+    int channels = 0;
+    ImageSize size;
+    const auto* start = reinterpret_cast<const stbi_uc*>(bytes.data());
+    if (!hasKnownSignature(bytes)) return imageError(where, "the file is no PNG, JPEG, BMP or GIF image");
+    if (stbi_info_from_memory(start, static_cast<int>(bytes.size()), &size.width, &size.height, &channels) ==
+            0 ||
+        size.width <= 0 || size.height <= 0) {
+        return imageError(where, "the image has a damaged header");
+    }
+    if (size.width > limits::kImageSide || size.height > limits::kImageSide) {
+        return imageError(where,
+                          format("the image has {}x{} px, the limit is {} a side", size.width, size.height,
+                                 limits::kImageSide),
+                          "make it smaller or cut it into several");
+    }
+    const std::size_t decoded =
+        static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height) * 4;
+    if (decoded > limits::kImageBytes ||
+        (decoded > kHarmlessBytes && decoded / bytes.size() > limits::kCompressionRatio)) {
+        return imageError(
+            where, format("the image would take {} bytes of memory from a file of {}", decoded, bytes.size()),
+            "make it smaller or cut it into several");
+    }
+    return size;
+}
+
+Result<Image> decodeImage(std::string_view bytes, std::string_view where) {
+    const Result<ImageSize> size = readImageSize(bytes, where);
+    if (!size) return size.error();
+    SDL_RWops* stream = SDL_RWFromConstMem(bytes.data(), static_cast<int>(bytes.size()));
+    const Surface loaded{IMG_Load_RW(stream, 1), &SDL_FreeSurface};
+    if (!loaded) return imageError(where, format("the image is damaged or cut off ({})", IMG_GetError()));
+    if (ImageSize{loaded->w, loaded->h} != *size)
+        return imageError(where, "the image contradicts its header");
+    const Surface converted{SDL_ConvertSurfaceFormat(loaded.get(), SDL_PIXELFORMAT_RGBA32, 0),
+                            &SDL_FreeSurface};
+    if (!converted) return imageError(where, format("the image could not be converted ({})", SDL_GetError()));
+    return imageOf(*converted);
+}
+
+Result<std::string> encodePng(const Image& image) {
+    const auto expected = static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height) * 4;
+    if (image.width <= 0 || image.height <= 0 || image.width > limits::kImageSide ||
+        image.height > limits::kImageSide || image.rgba.size() != expected) {
+        return Error{
+            "image",
+            format("{}x{} px with {} bytes is no picture", image.width, image.height, image.rgba.size()),
+            "give it width * height * 4 bytes"};
+    }
+    std::string png;
+    const auto append = [](void* out, void* data, int size) {
+        static_cast<std::string*>(out)->append(static_cast<const char*>(data),
+                                               static_cast<std::size_t>(size));
+    };
+    if (stbi_write_png_to_func(append, &png, image.width, image.height, 4, image.rgba.data(),
+                               image.width * 4) == 0) {
+        return Error{"image", "could not be compressed", "free some memory"};
+    }
+    return png;
+}
+
+}  // namespace plumb

@@ -1,0 +1,152 @@
+#include "reflect/json_fields.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "core/text.hpp"
+#include "reflect/json.hpp"
+#include "reflect/json_text.hpp"
+
+namespace plumb {
+namespace {
+
+const Json& emptyObject() {
+    static const Json empty = Json::object();
+    return empty;
+}
+
+/// A number that a float can hold.
+bool isUsable(const Json& json) {
+    return json.is_number() && std::abs(json.get<double>()) <= std::numeric_limits<float>::max();
+}
+
+}  // namespace
+
+std::string briefText(const Json& json) {
+    if (json.is_array()) return json.empty() ? "[]" : "[...]";
+    if (json.is_object()) return json.empty() ? "{}" : "{...}";
+    std::string text = writeJson(json);
+    text.pop_back();  // the newline
+    return text.size() <= 40 ? text : text.substr(0, 40) + "...";
+}
+
+JsonFields::JsonFields(const Json& object, std::string where, std::vector<Error>& problems)
+    : object_{&object}, where_{std::move(where)}, problems_{&problems} {
+    if (!object.is_object()) {
+        problems.push_back({where_, "expected an object, found " + briefText(object), "write { ... }"});
+        object_ = &emptyObject();
+    }
+}
+
+const Json* JsonFields::find(std::string_view key) {
+    asked_.push_back(key);
+    for (const auto& [name, value] : *object_->get_ptr<const Json::object_t*>()) {
+        if (name == key) return &value;
+    }
+    return nullptr;
+}
+
+std::string JsonFields::text(std::string_view key, std::string_view fallback) {
+    const Json* json = find(key);
+    if (json == nullptr) return std::string{fallback};
+    if (json->is_string()) return json->get<std::string>();
+    warn(key, "expected a text, found " + briefText(*json), "put it in double quotes");
+    return std::string{fallback};
+}
+
+bool JsonFields::flag(std::string_view key, bool fallback) {
+    const Json* json = find(key);
+    if (json == nullptr) return fallback;
+    if (json->is_boolean()) return json->get<bool>();
+    warn(key, "expected true or false, found " + briefText(*json), "write true or false");
+    return fallback;
+}
+
+int JsonFields::whole(std::string_view key, int fallback, int min, int max) {
+    const Json* json = find(key);
+    if (json == nullptr) return fallback;
+    const double value = json->is_number() ? json->get<double>() : std::nan("");
+    if (value >= min && value <= max && value == std::floor(value)) return static_cast<int>(value);
+    warn(key, format("expected a whole number from {} to {}, found {}", min, max, briefText(*json)),
+         "correct it");
+    return fallback;
+}
+
+float JsonFields::number(std::string_view key, float fallback, float min, float max) {
+    const Json* json = find(key);
+    if (json == nullptr) return fallback;
+    if (isUsable(*json)) {
+        if (const auto value = json->get<float>(); value >= min && value <= max) return value;
+    }
+    warn(key, format("expected a number from {} to {}, found {}", min, max, briefText(*json)), "correct it");
+    return fallback;
+}
+
+Vec2 JsonFields::vec2(std::string_view key, Vec2 fallback) {
+    const Json* json = find(key);
+    if (json == nullptr) return fallback;
+    if (json->is_array() && json->size() == 2 && isUsable((*json)[0]) && isUsable((*json)[1])) {
+        return {(*json)[0].get<float>(), (*json)[1].get<float>()};
+    }
+    warn(key, "expected two numbers, found " + briefText(*json), "write [x, y]");
+    return fallback;
+}
+
+std::size_t JsonFields::choice(std::string_view key, std::size_t fallback,
+                               std::span<const std::string_view> names) {
+    const Json* json = find(key);
+    if (json == nullptr) return fallback;
+    const std::string word = json->is_string() ? json->get<std::string>() : std::string{};
+    if (const auto at = std::find(names.begin(), names.end(), word); at != names.end()) {
+        return static_cast<std::size_t>(at - names.begin());
+    }
+    std::string known;
+    for (const std::string_view name : names) known += (known.empty() ? "" : ", ") + std::string{name};
+    warn(key, "found " + briefText(*json), "write one of: " + known);
+    return fallback;
+}
+
+const Json* JsonFields::array(std::string_view key) {
+    const Json* json = find(key);
+    if (json == nullptr || json->is_array()) return json;
+    warn(key, "expected an array, found " + briefText(*json), "write [ ... ]");
+    return nullptr;
+}
+
+std::vector<JsonFields> JsonFields::objects(std::string_view key, std::size_t limit) {
+    std::vector<JsonFields> items;
+    const Json* json = array(key);
+    if (json == nullptr) return items;
+    if (json->size() > limit)
+        warn(key, format("{} items, the limit is {}", json->size(), limit), "remove some");
+    for (const Json& item : *json) {
+        if (items.size() == limit) break;
+        items.emplace_back(item, format("{}.{}[{}]", where_, key, items.size()), *problems_);
+    }
+    return items;
+}
+
+bool JsonFields::acceptFormat(int newest) {
+    const int stated = whole("format", newest, 1, 1'000'000);
+    if (stated <= newest) return true;
+    warn("format", format("the file has format {}, this program reads up to {}", stated, newest),
+         "update the program");
+    return false;
+}
+
+void JsonFields::warn(std::string_view key, std::string what, std::string remedy) {
+    problems_->push_back({format("{}.{}", where_, key), std::move(what), std::move(remedy)});
+}
+
+void JsonFields::warnUnknown() {
+    for (const auto& [name, value] : *object_->get_ptr<const Json::object_t*>()) {
+        if (std::find(asked_.begin(), asked_.end(), name) != asked_.end()) continue;
+        const std::string_view meant = closestName(name, asked_);
+        warn(std::string_view{name}.substr(0, 80), "there is no such property",
+             meant.empty() ? "remove it" : format("did you mean \"{}\"?", meant));
+    }
+}
+
+}  // namespace plumb

@@ -1,0 +1,61 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/result.hpp"
+#include "math/vec2.hpp"
+#include "reflect/json_fwd.hpp"
+
+namespace plumb {
+
+/// Reads the properties of one JSON object of a file. A property that is missing gives its fallback; one that
+/// is wrong gives its fallback too and tells the problem; `warnUnknown` tells those that nobody asked for.
+class JsonFields {
+public:
+    /// @param where  the place of the object, e.g. "tiles.tileset.json: tiles[3]"
+    /// @param object must outlive this; anything but an object is told as a problem and read as an empty one
+    JsonFields(const Json& object, std::string where, std::vector<Error>& problems);
+
+    [[nodiscard]] const std::string& where() const { return where_; }
+
+    /// The property as it stands; null when it is missing.
+    const Json* find(std::string_view key);
+
+    std::string text(std::string_view key, std::string_view fallback = {});
+    bool flag(std::string_view key, bool fallback);
+    int whole(std::string_view key, int fallback, int min, int max);
+    float number(std::string_view key, float fallback, float min, float max);
+    Vec2 vec2(std::string_view key, Vec2 fallback);
+
+    /// One of `names`, as its place in them.
+    std::size_t choice(std::string_view key, std::size_t fallback, std::span<const std::string_view> names);
+
+    /// The items of an array of objects, each with its own place; empty when it is missing or no array.
+    std::vector<JsonFields> objects(std::string_view key, std::size_t limit);
+
+    /// The items of an array of any values; null when it is missing or no array.
+    const Json* array(std::string_view key);
+
+    /// The version that the file states in "format".
+    /// @return false, with a problem told, when this program is too old for it
+    bool acceptFormat(int newest);
+
+    void warn(std::string_view key, std::string what, std::string remedy);
+    void warnUnknown();
+
+private:
+    const Json* object_;
+    std::string where_;
+    std::vector<Error>* problems_;
+    std::vector<std::string_view> asked_;
+};
+
+/// The value as short text for messages: "\"fast\"", "[…]", "12".
+std::string briefText(const Json& json);
+
+}  // namespace plumb
