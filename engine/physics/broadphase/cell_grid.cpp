@@ -1,0 +1,67 @@
+#include "physics/broadphase/cell_grid.hpp"
+
+#include <algorithm>
+
+namespace plumb::physics {
+
+std::int32_t CellGrid::cellAt(float coordinate) const {
+    constexpr float kMost = 1073741824.0f;
+    const float cell = std::clamp(coordinate * perSize_, -kMost, kMost);
+    const auto cut = static_cast<std::int32_t>(cell);
+    return cut - (static_cast<float>(cut) > cell ? 1 : 0);  // std::floor is a call on plain x86-64
+}
+
+CellGrid::Cells CellGrid::cellsOf(const AABB& bounds) const {
+    return {cellAt(bounds.min.x), cellAt(bounds.min.y), cellAt(bounds.max.x), cellAt(bounds.max.y)};
+}
+
+bool CellGrid::isFirstShared(const AABB& a, const AABB& b, std::int32_t x, std::int32_t y) const {
+    return cellAt(std::max(a.min.x, b.min.x)) == x && cellAt(std::max(a.min.y, b.min.y)) == y;
+}
+
+void CellGrid::build(std::span<const std::uint32_t> bodies, std::span<const AABB> bounds, float cellSize,
+                     int most, std::vector<std::uint32_t>& tooLarge) {
+    size_ = cellSize;
+    perSize_ = 1.0f / cellSize;
+    unsorted_.clear();
+    for (const std::uint32_t body : bodies) {
+        const Cells cells = cellsOf(bounds[body]);
+        if (cells.count() > most) {
+            tooLarge.push_back(body);
+            continue;
+        }
+        for (std::int32_t y = cells.minY; y <= cells.maxY; ++y) {
+            for (std::int32_t x = cells.minX; x <= cells.maxX; ++x) {
+                unsorted_.push_back({body, x, y});
+            }
+        }
+    }
+    unsigned bits = 6;
+    while (bits < 22 && (std::size_t{1} << bits) < unsorted_.size()) ++bits;
+    widthBits_ = (bits + 1) / 2;
+    widthMask_ = (1u << widthBits_) - 1;
+    heightMask_ = (1u << (bits - widthBits_)) - 1;
+
+    // Counting sort by slot: entries of a slot keep the order of the bodies.
+    starts_.assign((std::size_t{1} << bits) + 1, 0);
+    for (const CellEntry& entry : unsorted_) ++starts_[slotIndex(entry.x, entry.y) + 1];
+    for (std::size_t i = 1; i < starts_.size(); ++i) starts_[i] += starts_[i - 1];
+    entries_.resize(unsorted_.size());
+    for (const CellEntry& entry : unsorted_) entries_[starts_[slotIndex(entry.x, entry.y)]++] = entry;
+    for (std::size_t i = starts_.size() - 1; i > 0; --i) starts_[i] = starts_[i - 1];
+    starts_[0] = 0;
+}
+
+float cellSizeFor(std::span<const std::uint32_t> bodies, std::span<const AABB> bounds) {
+    double sum = 0.0;
+    for (const std::uint32_t i : bodies) {
+        const Vec2 size = bounds[i].size();
+        sum += std::max(size.x, size.y);
+    }
+    const double usual = bodies.empty() ? 1.0 : 1.5 * sum / static_cast<double>(bodies.size());
+    float size = 1.0f / 64.0f;
+    while (size < usual && size < 65536.0f) size *= 2.0f;
+    return size;
+}
+
+}  // namespace plumb::physics

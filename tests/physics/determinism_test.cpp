@@ -1,0 +1,105 @@
+#include <cstdlib>
+#include <new>
+
+#include "tests/physics/scene_of_bodies.hpp"
+
+namespace {
+std::size_t allocations = 0;
+}
+
+// Counts what the program allocates, so that a test can ask a step for none.
+void* operator new(std::size_t size) {
+    ++allocations;
+    if (void* memory = std::malloc(size == 0 ? 1 : size)) return memory;
+    throw std::bad_alloc{};
+}
+void operator delete(void* memory) noexcept { std::free(memory); }
+void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
+
+namespace plumb::physics {
+namespace {
+
+/// A closed box full of bouncing shapes.
+void fill(Stage60& s, std::uint64_t seed, int count) {
+    Random random = Random::seeded(seed);
+    s.box(BodyKind::Static, {0, 10.5f}, {12, 0.5f});
+    s.box(BodyKind::Static, {0, -10.5f}, {12, 0.5f});
+    s.box(BodyKind::Static, {-10.5f, 0}, {0.5f, 12});
+    s.box(BodyKind::Static, {10.5f, 0}, {0.5f, 12});
+    for (int i = 0; i < count; ++i) {
+        BodyDefinition d;
+        const float half = random.between(0.05f, 0.2f);
+        d.shape = i % 3 == 0 ? Shape::circle(half) : Shape::box({half, half});
+        d.position = {random.between(-9, 9), random.between(-9, 9)};
+        d.velocity = {random.between(-6, 6), random.between(-6, 6)};
+        d.bounciness = random.unit();
+        d.mass = random.between(0.5f, 2);
+        s.add(d);
+    }
+}
+
+TEST(Determinism, twoRunsOfOneWorldGiveOneHash) {
+    Stage60 first;
+    Stage60 second;
+    fill(first, 7, 300);
+    fill(second, 7, 300);
+    std::size_t contacts = 0;
+    for (int i = 0; i < 120; ++i) {
+        first.run(1);
+        second.run(1);
+        contacts += first.world.touching.size();
+        ASSERT_EQ(hashOf(first.world), hashOf(second.world)) << i;
+    }
+    EXPECT_GT(contacts, 1000u);
+}
+
+TEST(Determinism, aRestoredCopyRepeatsWhatFollowed) {
+    Stage60 s;
+    fill(s, 3, 200);
+    s.run(40);
+    const World saved = s.world;
+    std::vector<std::uint64_t> hashes;
+    for (int i = 0; i < 40; ++i) s.run(1), hashes.push_back(hashOf(s.world));
+    s.box(BodyKind::Static, {0, 0}, {1, 1});  // what came later must leave no trace
+    s.run(5);
+    s.world = saved;
+    for (int i = 0; i < 40; ++i) {
+        s.run(1);
+        ASSERT_EQ(hashOf(s.world), hashes[static_cast<std::size_t>(i)]) << i;
+    }
+}
+
+TEST(Determinism, theHashSeesEveryBody) {
+    Stage60 s;
+    fill(s, 1, 20);
+    const std::uint64_t before = hashOf(s.world);
+    s.world.bodies.velocity[13].x += 1e-3f;
+    EXPECT_NE(hashOf(s.world), before);
+}
+
+TEST(Determinism, aSteadyStepAllocatesNothing) {
+    Stage60 s;
+    fill(s, 5, 500);
+    s.run(300);
+    const std::size_t before = allocations;
+    s.run(60);
+    EXPECT_EQ(allocations, before);
+}
+
+TEST(Determinism, bodiesStayFiniteAndInside) {
+    for (std::uint64_t seed = 0; seed < 20; ++seed) {
+        SCOPED_TRACE(seed);
+        Stage60 s;
+        fill(s, seed, 150);
+        s.run(120);
+        for (std::size_t i = 4; i < s.world.bodies.size(); ++i) {
+            const Vec2 at = s.world.bodies.position[i];
+            ASSERT_TRUE(isFinite(at));
+            ASSERT_LT(std::abs(at.x), 10.2f);
+            ASSERT_LT(std::abs(at.y), 10.2f);
+        }
+    }
+}
+
+}  // namespace
+}  // namespace plumb::physics
