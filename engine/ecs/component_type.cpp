@@ -1,0 +1,84 @@
+#include "ecs/component_type.hpp"
+
+#include <cstring>
+#include <deque>
+#include <mutex>
+
+namespace plumb {
+
+const ComponentType& componentTypeOf(const TypeInfo& info) {
+    static std::mutex mutex;
+    static std::deque<ComponentType> known;
+    const std::lock_guard lock{mutex};
+    for (const ComponentType& type : known) {
+        if (type.info.key == info.key) return type;
+    }
+    ComponentType& type = known.emplace_back();
+    type.info = info;
+    type.name = info.name;
+    type.info.name = type.name;
+    type.nameHash = hashText(type.name);
+    return type;
+}
+
+namespace {
+
+std::uint64_t readWord(const void* at, std::size_t size) {
+    std::uint64_t word = 0;
+    std::memcpy(&word, at, size < 8 ? size : 8);  // little-endian machines only, as everywhere in the engine
+    return word;
+}
+
+void hashFloats(Hasher& hasher, const void* at, std::size_t count) {
+    for (std::size_t i = 0; i < count; ++i) {
+        float value = 0.0f;
+        std::memcpy(&value, static_cast<const std::byte*>(at) + i * sizeof(float), sizeof(float));
+        hasher.add(value);
+    }
+}
+
+void hashValue(Hasher& hasher, FieldKind kind, const void* at, std::size_t size) {
+    switch (kind) {
+        case FieldKind::Float:
+        case FieldKind::Vec2:
+        case FieldKind::Rect: hashFloats(hasher, at, size / sizeof(float)); return;
+        case FieldKind::Bool:
+        case FieldKind::Int:
+        case FieldKind::Enum:
+        case FieldKind::Color:
+        case FieldKind::Text:
+        case FieldKind::Entity:
+        case FieldKind::Asset:
+        case FieldKind::Tiles: hasher.add(readWord(at, size)); return;
+        case FieldKind::List: return;  // lists of lists do not exist
+    }
+}
+
+void hashField(Hasher& hasher, const FieldInfo& field, const void* component) {
+    const void* at = field.in(component);
+    if (field.kind != FieldKind::List) {
+        hashValue(hasher, field.kind, at, field.size);
+        return;
+    }
+    const std::uint32_t count = *field.listCount(const_cast<void*>(at));
+    hasher.add(std::uint64_t{count});
+    for (std::uint32_t i = 0; i < count && i < field.capacity; ++i) {
+        hashValue(hasher, field.element, static_cast<const std::byte*>(at) + i * field.elementSize,
+                  field.elementSize);
+    }
+}
+
+}  // namespace
+
+void hashComponent(Hasher& hasher, const TypeInfo& type, const void* component) {
+    if (type.size == 0) return;
+    if (type.fields.empty()) {
+        hasher.addBytes(component, type.size);
+        return;
+    }
+    for (const FieldInfo& field : type.fields) {
+        hashField(hasher, field, component);
+    }
+}
+
+}  // namespace plumb

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <compare>
+
+#include "reflect/entity_id.hpp"
+
+namespace plumb {
+
+class World;
+
+/// A handle to one entity of one world: small, copied freely, and checked. The handle of a destroyed entity
+/// stays what it is: alive() is false, find() gives nullptr, and get() says in words what went wrong.
+/// The functions are defined in ecs/world.hpp.
+class Entity {
+public:
+    Entity() = default;
+    Entity(World& world, EntityId id) : world_{&world}, id_{id} {}
+
+    /// Adds a component, or replaces the one that is there. A constructor of T may take World& first.
+    template <class T, class... Arguments>
+    T& addComponent(Arguments&&... arguments) const;
+    template <class T>
+    void removeComponent() const;
+    template <class T>
+    [[nodiscard]] bool hasComponent() const;
+    /// @pre the entity is alive and has the component
+    template <class T>
+    T& get() const;
+    /// nullptr when the entity is gone or has no such component.
+    template <class T>
+    [[nodiscard]] T* find() const;
+
+    void destroy() const;
+    [[nodiscard]] bool alive() const;
+    explicit operator bool() const { return alive(); }
+
+    [[nodiscard]] EntityId id() const { return id_; }
+    operator EntityId() const { return id_; }
+    [[nodiscard]] World& world() const { return *world_; }
+
+    friend bool operator==(Entity a, Entity b) { return a.world_ == b.world_ && a.id_ == b.id_; }
+    /// By index, then generation: an order that does not depend on addresses.
+    friend std::strong_ordering operator<=>(Entity a, Entity b) { return a.id_ <=> b.id_; }
+
+private:
+    World* world_ = nullptr;
+    EntityId id_;
+};
+
+}  // namespace plumb

@@ -1,0 +1,83 @@
+#pragma once
+
+#include <cstdint>
+
+#include "ecs/entity.hpp"
+#include "ecs/world.hpp"
+#include "reflect/type_builder.hpp"
+
+namespace plumb {
+
+/// Says whose child an entity is, and stands between its siblings. Written by setParent only.
+struct Parent {
+    EntityId entity;
+    EntityId previous;  ///< the sibling before; nobody for the first
+    EntityId next;      ///< the sibling after; nobody for the last
+
+    static void describe(TypeBuilder<Parent>& type) {
+        type.name("Parent").doc("Moves with another entity, and is destroyed with it.");
+        type.field<&Parent::entity>("entity").doc("the parent");
+        type.field<&Parent::previous>("previous").transient();
+        type.field<&Parent::next>("next").transient();
+    }
+};
+
+/// The children of an entity, in the order in which they got it as parent. Written by setParent only.
+struct Children {
+    EntityId first;
+    EntityId last;
+    std::uint32_t count = 0;
+
+    static void describe(TypeBuilder<Children>& type) {
+        type.name("Children").doc("The entities that have this one as parent.");
+        type.field<&Children::first>("first").transient();
+        type.field<&Children::last>("last").transient();
+        type.field<&Children::count>("count").transient();
+    }
+};
+
+/// Makes `child` the last child of `parent`; nobody as parent sets it free.
+/// @return false, and nothing happens, when that would close a circle or one of the two is gone
+bool setParent(World& world, EntityId child, EntityId parent);
+
+/// The parent, or the empty handle.
+[[nodiscard]] Entity parentOf(World& world, EntityId child);
+[[nodiscard]] EntityId parentOf(const World& world, EntityId child);
+
+/// Whether `ancestor` is a parent of `entity`, or of its parent, and so on.
+[[nodiscard]] bool isAncestor(const World& world, EntityId ancestor, EntityId entity);
+
+/// The children in order, for range-for: `for (Entity child : childrenOf(world, parent))`.
+/// The child in hand may be destroyed or given to another parent.
+class ChildList {
+public:
+    class Iterator {
+    public:
+        Iterator(World& world, EntityId at);
+        Entity operator*() const { return {*world_, at_}; }
+        Iterator& operator++();
+        bool operator!=(const Iterator& other) const { return at_ != other.at_; }
+
+    private:
+        World* world_;
+        EntityId at_;
+        EntityId next_;
+    };
+
+    ChildList(World& world, EntityId parent) : world_{&world}, parent_{parent} {}
+    [[nodiscard]] Iterator begin() const;
+    [[nodiscard]] Iterator end() const { return {*world_, {}}; }
+    [[nodiscard]] std::size_t size() const;
+    [[nodiscard]] bool empty() const { return size() == 0; }
+
+private:
+    World* world_;
+    EntityId parent_;
+};
+
+[[nodiscard]] inline ChildList childrenOf(World& world, EntityId parent) { return {world, parent}; }
+
+/// What World::destroy does first: destroys the children and takes the entity from its parent.
+void leaveFamily(World& world, EntityId id);
+
+}  // namespace plumb

@@ -1,0 +1,130 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <vector>
+
+#include "ecs/address_range.hpp"
+#include "ecs/component_type.hpp"
+#include "reflect/entity_id.hpp"
+
+namespace plumb {
+
+/// Where a pool keeps the component of one entity. `check` is the inverted generation of the entity, so
+/// that a fresh zero page means "nobody" and one load answers both "is it there" and "is it still the same".
+struct Slot {
+    std::uint32_t check = 0;
+    std::uint32_t position = 0;
+};
+
+/// Changes are noted per block of this many components, which costs nothing measurable.
+inline constexpr std::uint32_t kStampShift = 8;
+
+/// All components of one type: a sparse array from entity to position, the entities in order of position,
+/// and the components in one column that never moves. Tags have no column.
+///
+/// A part of Storage, which keeps the invariants: for each position p below `count` that is no hole,
+/// sparse[dense[p]].position == p. Holes (dense == 0) exist only while somebody iterates.
+struct Pool {
+    Pool(const ComponentType& componentType, std::uint32_t bitOrdinal, std::uint32_t maxEntities);
+
+    Slot* sparse = nullptr;
+    std::uint32_t* dense = nullptr;
+    std::byte* column = nullptr;
+    std::uint64_t* stamps = nullptr;  ///< per block: when it was last written
+    std::uint32_t count = 0;          ///< positions in use, holes among them
+    std::uint32_t stride = 0;         ///< bytes; 0 for tags
+    std::uint32_t capacity = 0;       ///< positions that may be written
+    std::uint32_t indexCapacity = 0;  ///< entities that may be looked up
+    std::uint64_t version = 1;        ///< counts changes of who is where; only grows
+    std::uint64_t bit = 0;            ///< in EntityRecord::mask; the overflow bit for all past the 63rd
+    std::uint32_t ordinal = 0;
+    std::uint32_t disorder = 0;  ///< changes since the last clustering
+    const ComponentType* type = nullptr;
+    std::vector<std::uint32_t> holes;  ///< positions
+
+    [[nodiscard]] bool has(EntityId id) const {
+        return id.index < indexCapacity && sparse[id.index].check == ~id.generation;
+    }
+    /// Whether any entity at this index has one.
+    [[nodiscard]] bool holds(std::uint32_t index) const {
+        return index < indexCapacity && sparse[index].check != 0;
+    }
+    [[nodiscard]] std::uint32_t size() const { return count - static_cast<std::uint32_t>(holes.size()); }
+    [[nodiscard]] std::byte* at(std::uint32_t position) const {
+        return column + std::size_t{stride} * position;
+    }
+
+    /// A position at the end for an entity that has none yet.
+    std::uint32_t append(EntityId id, std::uint64_t clock) {
+        if (count == capacity || id.index >= indexCapacity) [[unlikely]]
+            grow(id.index);
+        const std::uint32_t position = count++;
+        dense[position] = id.index;
+        sparse[id.index] = {~id.generation, position};
+        stamps[position >> kStampShift] = clock;
+        ++version;
+        return position;
+    }
+
+    /// Takes the component out and moves the last one into its place.
+    void erase(std::uint32_t index, std::uint32_t bytes, std::uint64_t clock) {
+        const std::uint32_t position = sparse[index].position;
+        const std::uint32_t last = --count;
+        sparse[index] = {};
+        if (position != last) {
+            const std::uint32_t moved = dense[last];
+            dense[position] = moved;
+            sparse[moved].position = position;
+            move(position, last, bytes);
+            stamps[position >> kStampShift] = clock;
+        }
+        ++version;
+        ++disorder;
+    }
+
+    /// Takes the component out and leaves a hole for `compact`.
+    void punch(std::uint32_t index) {
+        const std::uint32_t position = sparse[index].position;
+        sparse[index] = {};
+        dense[position] = 0;
+        holes.push_back(position);
+        ++version;
+        ++disorder;
+    }
+
+    /// Fills the holes from the end.
+    void compact(std::uint64_t clock);
+
+    /// Notes a write to `length` positions from `first` on.
+    void stamp(std::uint32_t first, std::uint32_t length, std::uint64_t clock) const {
+        const std::uint32_t end = (first + length - 1) >> kStampShift;
+        for (std::uint32_t block = first >> kStampShift; block <= end; ++block) {
+            stamps[block] = clock;
+        }
+    }
+    [[nodiscard]] bool writtenSince(std::uint64_t mark) const;
+    void stampAll(std::uint64_t clock) const {
+        if (count > 0) stamp(0, count, clock);
+    }
+
+    /// Makes room until positions up to `positions` and entities up to `index` fit.
+    void reserve(std::uint32_t positions, std::uint32_t index);
+
+private:
+    void move(std::uint32_t to, std::uint32_t from, std::uint32_t bytes) const {
+        if (bytes == 8) {  // most components are small, and a call to memcpy is not
+            std::memcpy(column + std::size_t{8} * to, column + std::size_t{8} * from, 8);
+        } else {
+            std::memcpy(column + std::size_t{bytes} * to, column + std::size_t{bytes} * from, bytes);
+        }
+    }
+    void grow(std::uint32_t index);
+
+    AddressRange memory_;
+    std::uint32_t limit_ = 0;
+    std::size_t sparseAt_ = 0, denseAt_ = 0, columnAt_ = 0;  // bytes into memory_, on huge page borders
+};
+
+}  // namespace plumb

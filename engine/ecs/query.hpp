@@ -1,0 +1,317 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <tuple>
+#include <type_traits>
+#include <utility>
+
+#include "ecs/entity.hpp"
+#include "ecs/storage.hpp"
+
+namespace plumb {
+
+/// In a query: only entities that have all of these as well, `query<A>(with<B, Tag>)`.
+template <class... T>
+struct With {};
+template <class... T>
+inline constexpr With<T...> with{};
+
+/// In a query: only entities that have none of these, `query<A>(without<B, C>)`.
+template <class... T>
+struct Without {};
+template <class... T>
+inline constexpr Without<T...> without{};
+
+std::uint32_t nextQueryKey();
+template <class... T>
+inline const std::uint32_t kQueryKey = nextQueryKey();
+
+/// The one object that all holders of a tag share, so that tags can stand in a query like components.
+template <class T>
+inline std::remove_const_t<T> kTagInstance{};
+
+/// A column of a query; of a tag there is nothing to step through.
+template <class T>
+T& itemOf(T* column, std::uint32_t i) {
+    if constexpr (kIsTag<T>) {
+        static_cast<void>(i);
+        return *column;
+    } else {
+        return column[i];
+    }
+}
+
+template <class T>
+T* columnOf(const Pool& pool) {
+    if constexpr (kIsTag<T>) {
+        return &kTagInstance<T>;
+    } else {
+        return reinterpret_cast<T*>(pool.column);
+    }
+}
+
+template <class T>
+T* advanced(T* column, std::uint32_t by) {
+    return kIsTag<T> ? column : column + by;
+}
+
+/// What a range-for over a query takes apart: the entity and its components.
+/// Its destructor says to compilers that a loop which only counts leaves nothing unused.
+template <class... T>
+struct Row : std::tuple<Entity, T&...> {
+    using std::tuple<Entity, T&...>::tuple;
+    Row(const Row&) = default;
+    Row& operator=(const Row&) = delete;
+    ~Row() {}
+};
+
+/// A loop over the entities of a query: the state behind range-for. Entities that stop matching while it
+/// runs are skipped; those that start to match are not visited by this loop.
+template <class... T>
+class Cursor {
+    static constexpr std::uint32_t kColumns = sizeof...(T);
+
+public:
+    struct End {};
+
+    Cursor(World& world, Storage& storage, QueryCache& wanted)
+        : world_{&world}, storage_{&storage}, cache_{&storage.beginIteration(wanted)} {
+        structure_ = storage.structure();
+        run_ = cache_->runs.data();
+        end_ = run_ + cache_->runs.size();
+        if (run_ != end_) enterRun();
+    }
+    ~Cursor() { storage_->endIteration(*cache_); }
+    Cursor(const Cursor&) = delete;
+    Cursor& operator=(const Cursor&) = delete;
+
+    [[nodiscard]] bool done() const { return run_ == end_; }
+    bool operator!=(End) const { return !done(); }
+
+    Cursor& operator++() {
+        step();
+        if (storage_->structure() != structure_) [[unlikely]]
+            skipGone();
+        return *this;
+    }
+    [[nodiscard]] Row<T...> operator*() const { return row(std::index_sequence_for<T...>{}); }
+
+private:
+    template <std::size_t... I>
+    Row<T...> row(std::index_sequence<I...>) const {
+        return Row<T...>{Entity{*world_, storage_->idAt(entities_[at_])},
+                         itemOf(std::get<I>(items_), at_)...};
+    }
+    void step() {
+        if (++at_ == length_) [[unlikely]] {
+            run_ += cache_->step();
+            at_ = 0;
+            if (run_ != end_) enterRun();
+        }
+    }
+    void skipGone() {
+        while (!done() && !cache_->stillThere(storage_->records(), run_, at_)) step();
+    }
+    void enterRun() { enterRun(std::index_sequence_for<T...>{}); }
+    template <std::size_t... I>
+    void enterRun(std::index_sequence<I...>) {
+        length_ = cache_->indexed ? 1 : run_[kColumns];
+        entities_ = cache_->included[0]->dense + run_[0];
+        ((std::get<I>(items_) = advanced(columnOf<T>(*cache_->included[I]), run_[I])), ...);
+        ((std::is_const_v<T> ? void() : cache_->included[I]->stamp(run_[I], length_, storage_->clock())),
+         ...);
+    }
+
+    World* world_;
+    Storage* storage_;
+    QueryCache* cache_;
+    const std::uint32_t* run_ = nullptr;
+    const std::uint32_t* end_ = nullptr;
+    const std::uint32_t* entities_ = nullptr;
+    std::uint32_t at_ = 0;
+    std::uint32_t length_ = 0;
+    std::uint64_t structure_ = 0;
+    std::tuple<T*...> items_;
+};
+
+/// The entities that have all of T. Cheap to make; the answer is looked up when a loop begins.
+///
+///     for (auto [entity, body, transform] : world.query<const RigidBody, Transform>(without<Asleep>)) …
+///
+/// Entities may be created and destroyed and components added and removed inside the loop.
+template <class... T>
+class Query {
+    static_assert(sizeof...(T) > 0, "a query names at least one component");
+
+public:
+    Query(World& world, Storage& storage, QueryCache& cache)
+        : world_{world}, storage_{storage}, cache_{cache} {}
+
+    [[nodiscard]] Cursor<T...> begin() const { return {world_, storage_, cache_}; }
+    [[nodiscard]] typename Cursor<T...>::End end() const { return {}; }
+
+    [[nodiscard]] std::size_t count() const {
+        QueryCache& cache = storage_.beginIteration(cache_);
+        const std::size_t total = cache.total;
+        storage_.endIteration(cache);
+        return total;
+    }
+    [[nodiscard]] bool empty() const { return count() == 0; }
+    /// The first entity, or the empty handle.
+    [[nodiscard]] Entity first() const {
+        QueryCache& cache = storage_.beginIteration(cache_);
+        const Entity found = cache.total == 0
+                                 ? Entity{}
+                                 : Entity{world_, storage_.idAt(cache.included[0]->dense[cache.runs[0]])};
+        storage_.endIteration(cache);
+        return found;
+    }
+
+    /// Calls `f(T&...)`, or `f(Entity, T&...)`, for each entity. The fastest loop: without the entity it
+    /// becomes a plain one over arrays that the compiler can vectorise.
+    template <class F>
+    void each(F&& f) const {
+        Loop loop{*this};
+        for (const std::uint32_t* run = loop.begin; run != loop.end; run += loop.step) {
+            const std::uint32_t length = loop.length(run);
+            stampRun(loop, run, length, Columns{});
+            std::uint32_t i = loop.changed() ? 0 : eachPlain(f, loop, run, length, Columns{});
+            for (; i < length; ++i) {
+                if (loop.cache.stillThere(storage_.records(), run, i)) callOne(f, loop, run, i, Columns{});
+            }
+        }
+    }
+
+    /// Calls `f(count, T*...)` for arrays of entities that follow one another. Not for tags.
+    template <class F>
+    void chunks(F&& f) const {
+        Loop loop{*this};
+        const auto call = [&]<std::size_t... I>(const std::uint32_t* run, std::uint32_t at,
+                                                std::uint32_t length, std::index_sequence<I...>) {
+            f(std::size_t{length}, (columnOf<T>(*loop.cache.included[I]) + run[I] + at)...);
+        };
+        for (const std::uint32_t* run = loop.begin; run != loop.end; run += loop.step) {
+            const std::uint32_t length = loop.length(run);
+            stampRun(loop, run, length, Columns{});
+            if (!loop.changed()) {
+                call(run, 0, length, Columns{});
+                continue;
+            }
+            for (std::uint32_t i = 0; i < length; ++i) {
+                if (loop.cache.stillThere(storage_.records(), run, i)) call(run, i, 1, Columns{});
+            }
+        }
+    }
+
+private:
+    using Columns = std::index_sequence_for<T...>;
+
+    /// An iteration that ends with its scope.
+    struct Loop {
+        explicit Loop(const Query& query)
+            : storage{query.storage_},
+              cache{query.storage_.beginIteration(query.cache_)},
+              structure{storage.structure()} {
+            begin = cache.runs.data();
+            end = begin + cache.runs.size();
+            step = cache.step();
+        }
+        ~Loop() { storage.endIteration(cache); }
+        Loop(const Loop&) = delete;
+        Loop& operator=(const Loop&) = delete;
+
+        [[nodiscard]] bool changed() const { return storage.structure() != structure; }
+        [[nodiscard]] std::uint32_t length(const std::uint32_t* run) const {
+            return cache.indexed ? 1 : run[sizeof...(T)];
+        }
+
+        Storage& storage;
+        QueryCache& cache;
+        std::uint64_t structure;
+        const std::uint32_t* begin;
+        const std::uint32_t* end;
+        std::uint32_t step;
+    };
+
+    template <std::size_t... I>
+    static void stampRun(const Loop& loop, const std::uint32_t* run, std::uint32_t length,
+                         std::index_sequence<I...>) {
+        ((std::is_const_v<T> ? void() : loop.cache.included[I]->stamp(run[I], length, loop.storage.clock())),
+         ...);
+    }
+
+    template <class F, std::size_t... I>
+    std::uint32_t eachPlain(F& f, const Loop& loop, const std::uint32_t* run, std::uint32_t length,
+                            std::index_sequence<I...>) const {
+        if constexpr (std::is_invocable_v<F&, T&...>) {
+            return plainLoop(f, loop.storage.structure(), length,
+                             advanced(columnOf<T>(*loop.cache.included[I]), run[I])...);
+        } else {
+            for (std::uint32_t i = 0; i < length; ++i) {
+                callOne(f, loop, run, i, std::index_sequence<I...>{});
+                if (loop.changed()) return i + 1;
+            }
+            return length;
+        }
+    }
+    /// @return how many were visited before the world changed under the loop
+    template <class F>
+    static std::uint32_t plainLoop(F& f, const std::uint64_t& structure, std::uint32_t length,
+                                   T* __restrict... items) {
+        const std::uint64_t before = structure;
+        for (std::uint32_t i = 0; i < length; ++i) {
+            f(itemOf(items, i)...);
+            if (structure != before) [[unlikely]]
+                return i + 1;
+        }
+        return length;
+    }
+    template <class F, std::size_t... I>
+    void callOne(F& f, const Loop& loop, const std::uint32_t* run, std::uint32_t i,
+                 std::index_sequence<I...>) const {
+        const auto item = [&]<std::size_t K>(std::integral_constant<std::size_t, K>) -> auto& {
+            using Component = std::tuple_element_t<K, std::tuple<T...>>;
+            return itemOf(advanced(columnOf<Component>(*loop.cache.included[K]), run[K]), i);
+        };
+        if constexpr (std::is_invocable_v<F&, T&...>) {
+            f(item(std::integral_constant<std::size_t, I>{})...);
+        } else {
+            const EntityId id = storage_.idAt(loop.cache.included[0]->dense[run[0] + i]);
+            f(Entity{world_, id}, item(std::integral_constant<std::size_t, I>{})...);
+        }
+    }
+
+    World& world_;
+    Storage& storage_;
+    QueryCache& cache_;
+};
+
+template <class... T>
+void addTerms(With<T...>, Storage& storage, QueryCache& cache) {
+    (cache.included.push_back(&storage.pool<T>()), ...);
+}
+template <class... T>
+void addTerms(Without<T...>, Storage& storage, QueryCache& cache) {
+    (cache.excluded.push_back(&storage.pool<T>()), ...);
+}
+
+/// The cache of a query in a storage, made on first use.
+template <class... T, class... Filters>
+QueryCache& queryCache(Storage& storage, Filters... filters) {
+    QueryCache& cache = storage.cache(kQueryKey<With<std::remove_const_t<T>...>, Filters...>);
+    if (!cache.prepared) [[unlikely]] {
+        addTerms(With<std::remove_const_t<T>...>{}, storage, cache);
+        cache.columns = sizeof...(T);
+        (addTerms(filters, storage, cache), ...);
+        cache.prepare();
+    }
+    return cache;
+}
+
+}  // namespace plumb
+
+template <class... T>
+struct std::tuple_size<plumb::Row<T...>> : std::tuple_size<std::tuple<plumb::Entity, T&...>> {};
+template <std::size_t I, class... T>
+struct std::tuple_element<I, plumb::Row<T...>> : std::tuple_element<I, std::tuple<plumb::Entity, T&...>> {};

@@ -1,0 +1,179 @@
+#include "ecs/world.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <cstring>
+#include <memory>
+
+#include "core/assert.hpp"
+#include "core/log.hpp"
+#include "core/text.hpp"
+#include "ecs/hierarchy.hpp"
+
+namespace plumb {
+
+namespace {
+
+/// Worlds up to this size are tidied while they run; larger ones would be felt (a pass takes about 10 ns
+/// per component) and are tidied when they are loaded.
+constexpr std::size_t kTidyEntities = 32768;
+
+}  // namespace
+
+std::uint32_t nextQueryKey() {
+    static std::atomic<std::uint32_t> next{0};
+    return next++;
+}
+
+void World::destroy(EntityId id) {
+    if (!storage_.alive(id)) return;
+    if (has<Parent>(id) || has<Children>(id)) leaveFamily(*this, id);
+    storage_.destroy(id);
+}
+
+void World::beginTick() {
+    ++tick;
+    events_.clear();
+    if (!storage_.iterating() && entityCount() <= kTidyEntities && storage_.fragmented()) storage_.cluster();
+}
+
+// types known at run time
+
+namespace {
+
+/// Tags have no memory, yet callers want to see that they are there.
+std::byte tagAddress;
+
+}  // namespace
+
+void* World::find(const TypeInfo& type, EntityId id) {
+    Pool* const pool = storage_.findPool(type.key);
+    if (pool == nullptr || !pool->has(id)) return nullptr;
+    if (pool->stride == 0) return &tagAddress;
+    const std::uint32_t position = pool->sparse[id.index].position;
+    pool->stamp(position, 1, storage_.clock());
+    return pool->at(position);
+}
+
+const void* World::find(const TypeInfo& type, EntityId id) const {
+    const Pool* const pool = storage_.findPool(type.key);
+    if (pool == nullptr || !pool->has(id)) return nullptr;
+    return pool->stride == 0 ? &tagAddress : pool->at(pool->sparse[id.index].position);
+}
+
+bool World::has(const TypeInfo& type, EntityId id) const {
+    const Pool* const pool = storage_.findPool(type.key);
+    return pool != nullptr && pool->has(id);
+}
+
+void* World::add(const TypeInfo& type, EntityId id) {
+    Pool& pool = storage_.pool(type);
+    if (!storage_.alive(id)) return missing(*pool.type, id);
+    if (!pool.has(id)) storage_.append(pool, id);
+    if (pool.stride == 0) return &tagAddress;
+    void* const memory = find(type, id);
+    PLUMB_ASSERT(type.construct != nullptr, "a component that is added by its TypeInfo needs defaults");
+    std::memset(memory, 0, pool.stride);
+    if (type.construct != nullptr) type.construct(memory);
+    return memory;
+}
+
+void World::remove(const TypeInfo& type, EntityId id) {
+    Pool* const pool = storage_.findPool(type.key);
+    if (pool != nullptr && pool->has(id)) storage_.erase(*pool, id, pool->stride);
+}
+
+void* World::missing(const ComponentType& type, EntityId id) const {
+    const char* const reason = id.index == 0 ? "the empty handle"
+                               : !storage_.alive(id)
+                                   ? "a destroyed entity; its handle is stale: ask alive() or use find()"
+                                   : "an entity that has none; ask hasComponent() or use find()";
+    const std::string text =
+        format("{} was asked of entity {} (generation {}), {}", type.name, id.index, id.generation, reason);
+    PLUMB_ASSERT(false, text.c_str());
+    logError("World", Error{"entity handle", text, ""});
+    blank_.assign(std::max<std::size_t>(type.info.size, 1) + type.info.alignment, std::byte{});
+    void* memory = blank_.data();
+    std::size_t room = blank_.size();
+    std::align(type.info.alignment, type.info.size, memory, room);
+    if (type.info.construct != nullptr) type.info.construct(memory);
+    return memory;
+}
+
+// services
+
+void World::provide(TypeKey key, void* service) {
+    for (auto& [known, pointer] : services_) {
+        if (known == key) {
+            pointer = service;
+            return;
+        }
+    }
+    services_.emplace_back(key, service);
+}
+
+void* World::findService(TypeKey key) const {
+    for (const auto& [known, pointer] : services_) {
+        if (known == key) return pointer;
+    }
+    return nullptr;
+}
+
+// copies
+
+Snapshot World::save() const {
+    Snapshot snapshot;
+    save(snapshot);
+    return snapshot;
+}
+
+void World::save(Snapshot& snapshot) const {
+    storage_.save(snapshot.storage_);
+    snapshot.resources_.assign(resources_);
+    snapshot.tiles_ = tiles_;
+    // Texts only grow, so as many as before are the same as before.
+    if (snapshot.source_ != this || snapshot.texts_.size() != texts_.size()) snapshot.texts_ = texts_;
+    snapshot.source_ = this;
+    snapshot.tick_ = tick;
+}
+
+void World::restore(const Snapshot& snapshot) {
+    storage_.restore(snapshot.storage_);
+    resources_.assign(snapshot.resources_);
+    tiles_ = snapshot.tiles_;
+    if (snapshot.source_ != this) texts_ = snapshot.texts_;  // adds those that are missing
+    tick = snapshot.tick_;
+    events_.clear();
+    commands_.clear();
+}
+
+std::uint64_t World::hash() const {
+    Hasher hasher;
+    hasher.add(tick);
+    hasher.add(std::uint64_t{storage_.entityCount()});
+    for (std::uint32_t index = 1; index <= storage_.usedIndices(); ++index) {
+        const EntityId id = storage_.idAt(index);
+        if (storage_.alive(id)) hasher.add(std::uint64_t{id.generation} << 32 | index);
+    }
+    std::vector<const Pool*> pools;
+    for (const auto& pool : storage_.pools()) {
+        if (pool->size() > 0) pools.push_back(pool.get());
+    }
+    std::sort(pools.begin(), pools.end(), [](const Pool* a, const Pool* b) {
+        return a->type->nameHash != b->type->nameHash ? a->type->nameHash < b->type->nameHash
+                                                      : a->ordinal < b->ordinal;
+    });
+    for (const Pool* pool : pools) {
+        hasher.add(pool->type->nameHash);
+        for (std::uint32_t index = 1; index <= storage_.usedIndices(); ++index) {
+            if (!pool->holds(index)) continue;
+            hasher.add(std::uint64_t{index});
+            hashComponent(hasher, pool->type->info, pool->at(pool->sparse[index].position));
+        }
+    }
+    tiles_.addTo(hasher);
+    resources_.addTo(hasher);
+    return hasher.value();
+}
+
+}  // namespace plumb

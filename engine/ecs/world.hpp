@@ -1,0 +1,225 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string_view>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include "core/text_store.hpp"
+#include "ecs/command_buffer.hpp"
+#include "ecs/entity.hpp"
+#include "ecs/events.hpp"
+#include "ecs/query.hpp"
+#include "ecs/resources.hpp"
+#include "ecs/schedule.hpp"
+#include "ecs/snapshot.hpp"
+#include "ecs/storage.hpp"
+#include "ecs/tile_store.hpp"
+
+namespace plumb {
+
+class TypeRegistry;
+
+/// A game's state: entities with components, one-of-a-kind resources, texts, tile grids, and the systems
+/// that change them. The same operations give the same world, in the same order, on any machine.
+/// It stays at one address, so handles may point to it.
+class World {
+public:
+    World() = default;
+    /// With the types that tools may ask for by name; the registry outlives the world.
+    explicit World(const TypeRegistry& types) : types_{&types} {}
+    World(const World&) = delete;
+    World& operator=(const World&) = delete;
+
+    std::uint64_t tick = 0;  ///< fixed updates since the start; counted by beginTick
+
+    // entities
+
+    Entity createEntity() { return {*this, storage_.create()}; }
+    /// One entity per handle, each with a copy of the given components; much faster than one by one.
+    template <class... T>
+    void createEntities(std::span<EntityId> ids, const T&... components);
+    [[nodiscard]] Entity entity(EntityId id) { return {*this, id}; }
+    [[nodiscard]] bool alive(EntityId id) const { return storage_.alive(id); }
+    /// Destroys the entity, its components and its children. Nothing happens when it is gone already.
+    void destroy(EntityId id);
+    [[nodiscard]] std::size_t entityCount() const { return storage_.entityCount(); }
+    /// Destroys all entities. Resources, services, systems, texts and tiles stay.
+    void clear() { storage_.clear(); }
+
+    // components
+
+    /// nullptr when the entity is gone or has no T. Counts as a write of T; ask for `const T` to read.
+    template <class T>
+    [[nodiscard]] T* find(EntityId id);
+    template <class T>
+    [[nodiscard]] const T* find(EntityId id) const;
+    /// @pre has<T>(id)
+    template <class T>
+    T& get(EntityId id);
+    template <class T>
+    const T& get(EntityId id) const;
+    template <class T>
+    [[nodiscard]] bool has(EntityId id) const;
+    /// Adds a component, or replaces the one that is there. @pre alive(id)
+    template <class T, class... Arguments>
+    T& add(EntityId id, Arguments&&... arguments);
+    /// Nothing happens when there is none.
+    template <class T>
+    void remove(EntityId id);
+    /// How many entities have a T.
+    template <class T>
+    [[nodiscard]] std::size_t count() const;
+
+    // the same for types known only at run time; tags give an address that must not be written to
+
+    [[nodiscard]] void* find(const TypeInfo& type, EntityId id);
+    [[nodiscard]] const void* find(const TypeInfo& type, EntityId id) const;
+    [[nodiscard]] bool has(const TypeInfo& type, EntityId id) const;
+    /// Adds a component with its defaults, or resets the one that is there to them. @pre alive(id)
+    void* add(const TypeInfo& type, EntityId id);
+    void remove(const TypeInfo& type, EntityId id);
+    [[nodiscard]] const TypeRegistry* types() const { return types_; }
+
+    // queries
+
+    /// The entities that have all of T: see Query. Filters: `with<A>`, `without<B, C>`.
+    template <class... T, class... Filters>
+    [[nodiscard]] Query<T...> query(Filters... filters) {
+        return {*this, storage_, queryCache<T...>(storage_, filters...)};
+    }
+    /// For reading: all of T must be const. Not to be called from two threads at a time.
+    template <class... T, class... Filters>
+    [[nodiscard]] Query<T...> query(Filters... filters) const {
+        static_assert((std::is_const_v<T> && ...), "a const World gives const components: query<const T>");
+        return const_cast<World*>(this)->query<T...>(filters...);
+    }
+    template <class... T, class F>
+    void each(F&& f) {
+        query<T...>().each(std::forward<F>(f));
+    }
+    template <class... T, class F>
+    void each(F&& f) const {
+        query<T...>().each(std::forward<F>(f));
+    }
+    template <class... T, class F>
+    void chunks(F&& f) {
+        query<T...>().chunks(std::forward<F>(f));
+    }
+    /// The first entity that has all of T, or the empty handle.
+    template <class... T>
+    [[nodiscard]] Entity first() {
+        return query<T...>().first();
+    }
+
+    // changes
+
+    /// A mark in time: writes from now on are newer than it.
+    std::uint64_t markChanges() { return storage_.advanceClock(); }
+    /// Whether the entity's T, or one near it in memory, may have been written since the mark. Never misses
+    /// a write through find, get, add or a query that names T without const.
+    template <class T>
+    [[nodiscard]] bool changedSince(EntityId id, std::uint64_t mark) const;
+    /// Whether any T may have been written since the mark.
+    template <class T>
+    [[nodiscard]] bool changedSince(std::uint64_t mark) const;
+
+    // one of a kind
+
+    template <class T>
+    T& resource() {
+        return resources_.get<T>();
+    }
+    template <class T>
+    [[nodiscard]] T* findResource() const {
+        return resources_.find<T>();
+    }
+    /// Lends a thing that lives outside the world, e.g. the AssetStore. Not in snapshots, not in the hash.
+    template <class T>
+    void provide(T& service) {
+        provide(typeKey<T>(), const_cast<std::remove_const_t<T>*>(&service));
+    }
+    /// What was lent, or nullptr.
+    template <class T>
+    [[nodiscard]] T* service() const {
+        return static_cast<T*>(findService(typeKey<T>()));
+    }
+    [[nodiscard]] TextStore& texts() { return texts_; }
+    [[nodiscard]] const TextStore& texts() const { return texts_; }
+    [[nodiscard]] TileStore& tiles() { return tiles_; }
+    [[nodiscard]] const TileStore& tiles() const { return tiles_; }
+
+    // events
+
+    template <class E>
+    void emit(E event) {
+        events_.emit(std::move(event));
+    }
+    /// What was emitted since the last beginTick, in order.
+    template <class E>
+    [[nodiscard]] std::span<const E> events() const {
+        return events_.of<E>();
+    }
+
+    // systems
+
+    /// Adds a system; one that is there already stays as it is and is returned.
+    template <class S, class... Arguments>
+    S& addSystem(Arguments&&... arguments) {
+        return schedule_.add<S>(std::forward<Arguments>(arguments)...);
+    }
+    template <class S>
+    [[nodiscard]] bool hasSystem() const {
+        return schedule_.find<S>() != nullptr;
+    }
+    template <class S>
+    [[nodiscard]] S* findSystem() const {
+        return schedule_.find<S>();
+    }
+    /// Systems named here (S::kName, or the type's name) run in this order, the others after them.
+    void setSystemOrder(std::span<const std::string_view> names) { schedule_.setOrder(names); }
+    [[nodiscard]] std::vector<std::string_view> systemNames() const { return schedule_.names(); }
+    [[nodiscard]] CommandBuffer& commands() { return commands_; }
+
+    /// Starts a fixed update: counts the tick, forgets the events, tidies small worlds that are in disorder.
+    void beginTick();
+    /// Runs all systems in order; commands are applied after each.
+    /// @param dt  s
+    void update(float dt) { schedule_.run(*this, dt, service<Profile>()); }
+
+    // copies
+
+    [[nodiscard]] Snapshot save() const;
+    void save(Snapshot& snapshot) const;
+    void restore(const Snapshot& snapshot);
+    /// A number for the whole state: entities, components, tiles, resources with `addTo`, and the tick.
+    /// How the state came about does not matter, only what it is.
+    [[nodiscard]] std::uint64_t hash() const;
+    /// Sorts components by which others their entities have, so that every query becomes a few long runs.
+    /// Changes the order of queries. Call it after loading; it costs 5-14 ns per component.
+    void cluster() { storage_.cluster(); }
+
+private:
+    void provide(TypeKey key, void* service);
+    [[nodiscard]] void* findService(TypeKey key) const;
+    /// Says in words that a handle is stale or that a component is missing; gives a harmless one in release.
+    void* missing(const ComponentType& type, EntityId id) const;
+
+    Storage storage_;
+    Resources resources_;
+    TextStore texts_;
+    TileStore tiles_;
+    Events events_;
+    CommandBuffer commands_;
+    Schedule schedule_;
+    std::vector<std::pair<TypeKey, void*>> services_;
+    const TypeRegistry* types_ = nullptr;
+    mutable std::vector<std::byte> blank_;  // what missing() gives
+};
+
+}  // namespace plumb
+
+#include "ecs/world_templates.hpp"

@@ -1,0 +1,183 @@
+#pragma once
+
+// The bodies of the templates of World, Entity and CommandBuffer. Include ecs/world.hpp.
+
+#include <cstddef>
+#include <cstring>
+#include <memory>
+#include <new>
+#include <type_traits>
+#include <utility>
+
+#include "ecs/world.hpp"
+
+namespace plumb {
+
+/// Makes a T in place, from (World&, arguments...) where it has such a constructor.
+template <class T, class... Arguments>
+T* constructComponent(void* memory, World& world, Arguments&&... arguments) {
+    T* const place = static_cast<T*>(memory);
+    if constexpr (std::is_constructible_v<T, World&, Arguments...>) {
+        return std::construct_at(place, world, std::forward<Arguments>(arguments)...);
+    } else if constexpr (std::is_constructible_v<T, Arguments...>) {
+        return std::construct_at(place, std::forward<Arguments>(arguments)...);
+    } else {
+        return ::new (memory) T{std::forward<Arguments>(arguments)...};  // an aggregate
+    }
+}
+
+template <class T, class... Arguments>
+T& World::add(EntityId id, Arguments&&... arguments) {
+    static_assert(!std::is_const_v<T>);
+    Pool& pool = storage_.pool<T>();
+    if (!storage_.alive(id)) [[unlikely]]
+        return *static_cast<T*>(missing(*pool.type, id));
+    if constexpr (kIsTag<T>) {
+        if (!pool.has(id)) storage_.append(pool, id);
+        return kTagInstance<T>;
+    } else {
+        if (pool.has(id)) [[unlikely]] {
+            // Made aside first: the arguments may be parts of the component that is replaced.
+            alignas(T) std::byte made[sizeof(T)] = {};
+            constructComponent<T>(made, *this, std::forward<Arguments>(arguments)...);
+            T* const there = find<T>(id);
+            std::memcpy(static_cast<void*>(there), made, sizeof(T));
+            return *there;
+        }
+        // A constructor that takes the World may add entities, even this component; so the place comes first.
+        void* const memory = pool.at(storage_.append(pool, id));
+        return *constructComponent<T>(memory, *this, std::forward<Arguments>(arguments)...);
+    }
+}
+
+template <class... T>
+void World::createEntities(std::span<EntityId> ids, const T&... components) {
+    if (ids.empty()) return;
+    storage_.createFresh(ids, (std::uint64_t{0} | ... | storage_.pool<T>().bit));
+    const auto fill = [&]<class C>(const C& component) {
+        Pool& pool = storage_.pool<C>();
+        const std::uint32_t start =
+            storage_.appendRange(pool, ids[0], static_cast<std::uint32_t>(ids.size()));
+        if constexpr (!kIsTag<C>) {
+            C* const column = reinterpret_cast<C*>(pool.column) + start;
+            for (std::size_t i = 0; i < ids.size(); ++i) std::construct_at(column + i, component);
+        }
+    };
+    (fill(components), ...);
+}
+
+template <class T>
+T* World::find(EntityId id) {
+    Pool* const pool = storage_.findPool(typeKey<T>());
+    if (pool == nullptr || !pool->has(id)) return nullptr;
+    if constexpr (kIsTag<T>) {
+        return &kTagInstance<T>;
+    } else {
+        const std::uint32_t position = pool->sparse[id.index].position;
+        if constexpr (!std::is_const_v<T>) pool->stamps[position >> kStampShift] = storage_.clock();
+        return reinterpret_cast<T*>(pool->column) + position;
+    }
+}
+
+template <class T>
+const T* World::find(EntityId id) const {
+    return const_cast<World*>(this)->find<const T>(id);
+}
+
+template <class T>
+T& World::get(EntityId id) {
+    T* const found = find<T>(id);
+    if (found == nullptr) [[unlikely]] {
+        return *static_cast<T*>(missing(componentType<std::remove_const_t<T>>(), id));
+    }
+    return *found;
+}
+
+template <class T>
+const T& World::get(EntityId id) const {
+    return const_cast<World*>(this)->get<const T>(id);
+}
+
+template <class T>
+bool World::has(EntityId id) const {
+    const Pool* const pool = storage_.findPool(typeKey<T>());
+    return pool != nullptr && pool->has(id);
+}
+
+template <class T>
+void World::remove(EntityId id) {
+    Pool* const pool = storage_.findPool(typeKey<T>());
+    if (pool != nullptr && pool->has(id)) storage_.erase(*pool, id, kIsTag<T> ? 0 : sizeof(T));
+}
+
+template <class T>
+std::size_t World::count() const {
+    const Pool* const pool = storage_.findPool(typeKey<T>());
+    return pool != nullptr ? pool->size() : 0;
+}
+
+template <class T>
+bool World::changedSince(EntityId id, std::uint64_t mark) const {
+    const Pool* const pool = storage_.findPool(typeKey<T>());
+    return pool != nullptr && pool->has(id) &&
+           pool->stamps[pool->sparse[id.index].position >> kStampShift] > mark;
+}
+
+template <class T>
+bool World::changedSince(std::uint64_t mark) const {
+    const Pool* const pool = storage_.findPool(typeKey<T>());
+    return pool != nullptr && pool->writtenSince(mark);
+}
+
+template <class T, class... Arguments>
+T& Entity::addComponent(Arguments&&... arguments) const {
+    return world_->add<T>(id_, std::forward<Arguments>(arguments)...);
+}
+
+template <class T>
+void Entity::removeComponent() const {
+    if (world_ != nullptr) world_->remove<T>(id_);
+}
+
+template <class T>
+bool Entity::hasComponent() const {
+    return world_ != nullptr && world_->has<T>(id_);
+}
+
+template <class T>
+T& Entity::get() const {
+    return world_->get<T>(id_);
+}
+
+template <class T>
+T* Entity::find() const {
+    return world_ != nullptr ? world_->find<T>(id_) : nullptr;
+}
+
+inline void Entity::destroy() const {
+    if (world_ != nullptr) world_->destroy(id_);
+}
+
+inline bool Entity::alive() const { return world_ != nullptr && world_->alive(id_); }
+
+template <class T>
+void CommandBuffer::add(EntityId id, const T& component) {
+    static_assert(std::is_trivially_copyable_v<T>);
+    const std::size_t at = payload_.size();
+    payload_.resize(at + sizeof(T));
+    std::memcpy(payload_.data() + at, &component, sizeof(T));
+    const auto apply = [](World& world, EntityId to, const std::byte* payload) {
+        alignas(T) std::byte copy[sizeof(T)];
+        std::memcpy(copy, payload, sizeof(T));
+        world.add<T>(to, *std::launder(reinterpret_cast<const T*>(copy)));
+    };
+    commands_.push_back({id, apply, at});
+}
+
+template <class T>
+void CommandBuffer::remove(EntityId id) {
+    commands_.push_back(
+        {id, [](World& world, EntityId from, const std::byte*) { world.remove<T>(from); }, 0});
+}
+
+}  // namespace plumb
