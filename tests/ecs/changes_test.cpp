@@ -1,0 +1,89 @@
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "tests/ecs/parts.hpp"
+
+namespace plumb {
+namespace {
+
+TEST(ChangesTest, writesAreSeenAndReadsAreNot) {
+    World world;
+    fillWithMovers(world, 1000);
+    const EntityId first{1, 1};
+    const EntityId last{1000, 1};
+    std::uint64_t mark = world.markChanges();
+    EXPECT_FALSE(world.changedSince<Position>(mark));
+
+    static_cast<void>(world.get<const Position>(first).x);
+    for (auto [entity, position] : world.query<const Position>()) static_cast<void>(position.x);
+    world.each<const Position, Velocity>([](const Position& p, Velocity& v) { v.x = p.x; });
+    EXPECT_FALSE(world.changedSince<Position>(mark));
+    EXPECT_TRUE(world.changedSince<Velocity>(mark));
+
+    mark = world.markChanges();
+    world.get<Position>(last).x = 1.0f;
+    EXPECT_TRUE(world.changedSince<Position>(last, mark));
+    EXPECT_FALSE(world.changedSince<Position>(first, mark)) << "far away in memory";
+    EXPECT_TRUE(world.changedSince<Position>(mark));
+    EXPECT_FALSE(world.changedSince<Velocity>(mark));
+
+    mark = world.markChanges();
+    for (auto [entity, position] : world.query<Position>()) position.y = 1.0f;
+    EXPECT_TRUE(world.changedSince<Position>(first, mark));
+
+    mark = world.markChanges();
+    world.destroy(EntityId{500, 1});
+    EXPECT_TRUE(world.changedSince<Position>(last, mark)) << "the last one moved into the gap";
+}
+
+TEST(ChangesTest, whatIsAddedAndRestoredIsNew) {
+    World world;
+    fillWithMovers(world, 10);
+    const Snapshot saved = world.save();
+    std::uint64_t mark = world.markChanges();
+    Entity e = world.createEntity();
+    EXPECT_FALSE(world.changedSince<Position>(e, mark));
+    e.addComponent<Position>();
+    EXPECT_TRUE(world.changedSince<Position>(e, mark));
+    mark = world.markChanges();
+    world.restore(saved);
+    EXPECT_TRUE(world.changedSince<Position>(EntityId{1, 1}, mark));
+}
+
+TEST(ClusterTest, keepsEveryComponentWithItsEntity) {
+    World world;
+    fillWithMovers(world, 3000);
+    int i = 0;
+    for (auto [entity, position] : world.query<Position>()) {
+        if (++i % 3 == 0) entity.removeComponent<Velocity>();
+        if (i % 7 == 0) entity.addComponent<Frozen>();
+        if (i % 11 == 0) entity.destroy();
+    }
+    const std::uint64_t before = world.hash();
+    const std::size_t movers = world.query<Position, Velocity>().count();
+
+    world.cluster();
+
+    EXPECT_EQ(world.hash(), before);
+    EXPECT_EQ((world.query<Position, Velocity>().count()), movers);
+    for (auto [entity, position, velocity] : world.query<Position, Velocity>())
+        ASSERT_EQ(position.x, velocity.y);
+    int runs = 0;
+    world.chunks<Position, Velocity>([&](std::size_t, Position*, Velocity*) { ++runs; });
+    EXPECT_LE(runs, 2) << "with and without Frozen";
+}
+
+TEST(ClusterTest, smallWorldsTidyThemselves) {
+    World world;
+    fillWithMovers(world, 2000);
+    for (std::uint32_t index = 1; index <= 2000; index += 2) world.remove<Velocity>(EntityId{index, 1});
+    for (int tick = 0; tick < 2; ++tick) world.beginTick();
+    int runs = 0;
+    world.chunks<const Position, const Velocity>(
+        [&](std::size_t, const Position*, const Velocity*) { ++runs; });
+    EXPECT_EQ(runs, 1);
+}
+
+}  // namespace
+}  // namespace plumb

@@ -1,0 +1,252 @@
+#include "ecs/entity.hpp"
+
+#include <set>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "core/assert.hpp"
+#include "tests/ecs/parts.hpp"
+
+namespace plumb {
+namespace {
+
+struct Remembers {
+    std::uint64_t entities = 0;
+    float scale = 0.0f;
+    Remembers(World& world, float factor) : entities{world.entityCount()}, scale{factor} {}
+};
+
+std::string lastSentence;
+
+/// Collects failed assertions instead of aborting.
+class SentenceCatcher {
+public:
+    SentenceCatcher()
+        : before_{setAssertHandler([](const char* text, const char*, int) { lastSentence = text; })} {
+        lastSentence.clear();
+    }
+    ~SentenceCatcher() { setAssertHandler(before_); }
+
+private:
+    AssertHandler before_;
+};
+
+TEST(EntityTest, componentsAreAddedReadAndRemoved) {
+    World world;
+    Entity e = world.createEntity();
+
+    e.addComponent<Position>(10, 20);
+    EXPECT_TRUE(e.hasComponent<Position>());
+    EXPECT_FLOAT_EQ(e.get<Position>().x, 10.0f);
+    EXPECT_EQ(e.find<Velocity>(), nullptr);
+
+    e.removeComponent<Position>();
+    EXPECT_FALSE(e.hasComponent<Position>());
+    EXPECT_EQ(e.find<Position>(), nullptr);
+    e.removeComponent<Position>();  // nothing happens
+    EXPECT_TRUE(e.alive());
+}
+
+TEST(EntityTest, addingAgainReplaces) {
+    World world;
+    Entity e = world.createEntity();
+    e.addComponent<Position>(1.0f, 2.0f);
+
+    Position& replaced = e.addComponent<Position>(e.get<Position>().y, e.get<Position>().x);
+
+    EXPECT_EQ(replaced.x, 2.0f);
+    EXPECT_EQ(replaced.y, 1.0f);
+    EXPECT_EQ(world.count<Position>(), 1u);
+}
+
+TEST(EntityTest, constructorsMayAskForTheWorld) {
+    World world;
+    world.createEntity();
+    Entity e = world.createEntity();
+
+    EXPECT_EQ(e.addComponent<Remembers>(2.0f).entities, 2u);
+    EXPECT_EQ(e.get<Remembers>().scale, 2.0f);
+    EXPECT_EQ(e.addComponent<Velocity>(3.0f, 4.0f).y, 4.0f);  // an aggregate
+}
+
+TEST(EntityTest, theEmptyHandleIsNobody) {
+    World world;
+    const Entity nobody;
+    EXPECT_FALSE(nobody);
+    EXPECT_FALSE(nobody.hasComponent<Position>());
+    EXPECT_EQ(nobody.find<Position>(), nullptr);
+    nobody.destroy();
+    world.createEntity().addComponent<Position>();
+    EXPECT_EQ(world.find<Position>(EntityId{}), nullptr);
+    EXPECT_EQ(world.find<Position>(EntityId{1, 0}), nullptr);
+    EXPECT_EQ(world.find<Position>(EntityId{4000000000u, 1}), nullptr);
+    EXPECT_FALSE(world.alive(EntityId{}));
+    EXPECT_FALSE(world.alive(EntityId{7, 0}));
+}
+
+TEST(EntityTest, aStaleHandleNeverMeansSomebodyElse) {
+    World world;
+    Entity first = world.createEntity();
+    first.addComponent<Position>(1.0f, 1.0f);
+    first.destroy();
+    EXPECT_FALSE(first.alive());
+
+    Entity second = world.createEntity();
+    second.addComponent<Position>(2.0f, 2.0f);
+
+    ASSERT_EQ(second.id().index, first.id().index) << "places are used again";
+    EXPECT_NE(first, second);
+    EXPECT_FALSE(first.alive());
+    EXPECT_EQ(first.find<Position>(), nullptr);
+    EXPECT_FALSE(first.hasComponent<Position>());
+    first.destroy();
+    first.removeComponent<Position>();
+    EXPECT_EQ(second.get<Position>().x, 2.0f);
+}
+
+TEST(EntityTest, aStaleHandleSaysWhatIsWrong) {
+    World world;
+    Entity e = world.createEntity();
+    e.addComponent<Position>(5.0f, 5.0f);
+    e.destroy();
+    const SentenceCatcher catcher;
+
+    EXPECT_EQ(e.get<Position>().x, 0.0f) << "a blank component, not somebody's";
+#if !defined(NDEBUG) || defined(PLUMB_ASSERTS)
+    EXPECT_NE(lastSentence.find("Position was asked of entity 1 (generation 1)"), std::string::npos)
+        << lastSentence;
+    EXPECT_NE(lastSentence.find("stale"), std::string::npos) << lastSentence;
+#endif
+    EXPECT_EQ(world.count<Position>(), 0u);
+}
+
+TEST(EntityTest, aMissingComponentSaysWhatIsWrong) {
+    World world;
+    Entity e = world.createEntity();
+    const SentenceCatcher catcher;
+    e.get<Velocity>().x = 1.0f;
+#if !defined(NDEBUG) || defined(PLUMB_ASSERTS)
+    EXPECT_NE(lastSentence.find("Velocity"), std::string::npos) << lastSentence;
+    EXPECT_NE(lastSentence.find("an entity that has none"), std::string::npos) << lastSentence;
+#endif
+    EXPECT_FALSE(e.hasComponent<Velocity>());
+}
+
+TEST(EntityTest, handlesCompareByIndexAndGeneration) {
+    World world;
+    Entity a = world.createEntity();
+    Entity b = world.createEntity();
+    EXPECT_LT(a, b);
+    EXPECT_TRUE(b >= a);
+    EXPECT_EQ(a, world.entity(a.id()));
+    EXPECT_EQ(std::set<Entity>({b, a, b}).size(), 2u);
+    EXPECT_EQ(a, EntityId(a));
+}
+
+TEST(EntityTest, columnsNeverMove) {
+    World world;
+    Entity first = world.createEntity();
+    const Position* place = &first.addComponent<Position>(7.0f, 0.0f);
+    fillWithMovers(world, 100000);
+    EXPECT_EQ(first.find<Position>(), place);
+    EXPECT_EQ(place->x, 7.0f);
+}
+
+TEST(EntityTest, tagsTakeNoMemory) {
+    World world;
+    Entity e = world.createEntity();
+    e.addComponent<Frozen>();
+    EXPECT_TRUE(e.hasComponent<Frozen>());
+    EXPECT_NE(e.find<Frozen>(), nullptr);
+    EXPECT_EQ(componentType<Frozen>().info.size, 0u);
+    EXPECT_EQ(&e.get<Frozen>(), &world.createEntity().addComponent<Frozen>()) << "all share one";
+    e.removeComponent<Frozen>();
+    EXPECT_FALSE(e.hasComponent<Frozen>());
+}
+
+template <int... N>
+void addAll(Entity entity, std::integer_sequence<int, N...>) {
+    (entity.addComponent<Numbered<N>>(), ...);
+}
+
+template <int... N>
+int countAll(Entity entity, std::integer_sequence<int, N...>) {
+    return ((entity.hasComponent<Numbered<N>>() && entity.get<Numbered<N>>().value == N ? 1 : 0) + ...);
+}
+
+TEST(EntityTest, moreThanSixtyFourComponentTypesWork) {
+    using All = std::make_integer_sequence<int, 100>;
+    World world;
+    Entity e = world.createEntity();
+    Entity other = world.createEntity();
+    addAll(e, All{});
+    addAll(other, All{});
+    EXPECT_EQ(countAll(e, All{}), 100);
+
+    e.removeComponent<Numbered<80>>();
+    e.removeComponent<Numbered<3>>();
+    EXPECT_EQ(countAll(e, All{}), 98);
+    EXPECT_EQ((world.query<Numbered<2>, Numbered<80>>().count()), 1u);
+    EXPECT_EQ(world.query<Numbered<2>>(without<Numbered<80>>).first(), e);
+    EXPECT_EQ(world.query<Numbered<90>>(without<Numbered<3>>).first(), e);
+    world.cluster();
+    EXPECT_EQ(countAll(other, All{}), 100);
+
+    e.destroy();
+    EXPECT_EQ(world.count<Numbered<99>>(), 1u);
+    EXPECT_EQ(world.count<Numbered<10>>(), 1u);
+    EXPECT_EQ(countAll(other, All{}), 100);
+    EXPECT_EQ(countAll(world.createEntity(), All{}), 0) << "the new one at the same place has nothing";
+}
+
+TEST(EntityTest, manyAreCreatedAtOnce) {
+    World world;
+    world.createEntity().destroy();
+    std::vector<EntityId> ids(1000);
+    world.createEntities(ids, Position{1.0f, 2.0f}, Velocity{3.0f, 4.0f}, Frozen{});
+    EXPECT_EQ(world.entityCount(), 1000u);
+    EXPECT_EQ((world.query<Position, Velocity, Frozen>().count()), 1000u);
+    EXPECT_EQ(world.get<Velocity>(ids[999]).y, 4.0f);
+    world.destroy(ids[500]);
+    EXPECT_FALSE(world.alive(ids[500]));
+    EXPECT_EQ(world.count<Velocity>(), 999u);
+}
+
+TEST(EntityTest, clearDestroysAllAndMakesHandlesStale) {
+    World world;
+    fillWithMovers(world, 300);
+    Entity e = world.query<Position>().first();
+    world.clear();
+    EXPECT_EQ(world.entityCount(), 0u);
+    EXPECT_FALSE(e.alive());
+    EXPECT_EQ(world.count<Position>(), 0u);
+    fillWithMovers(world, 10);
+    EXPECT_FALSE(e.alive());
+    EXPECT_EQ((world.query<Position, Velocity>().count()), 10u);
+}
+
+TEST(EntityTest, reflectedAccessSeesTheSameComponents) {
+    World world;
+    Entity e = world.createEntity();
+    const TypeInfo& type = componentType<Position>().info;
+    const TypeInfo& tag = componentType<Frozen>().info;
+
+    static_cast<Position*>(world.add(type, e))->x = 4.0f;
+    world.add(tag, e);
+
+    EXPECT_EQ(e.get<Position>().x, 4.0f);
+    EXPECT_TRUE(e.hasComponent<Frozen>());
+    EXPECT_NE(world.find(tag, e), nullptr);
+    EXPECT_EQ(world.find(type, e), e.find<Position>());
+    world.add(type, e);
+    EXPECT_EQ(e.get<Position>().x, 0.0f) << "added again, it has its defaults";
+    world.remove(type, e);
+    world.remove(tag, e);
+    EXPECT_FALSE(world.has(type, e));
+    EXPECT_FALSE(e.hasComponent<Frozen>());
+}
+
+}  // namespace
+}  // namespace plumb

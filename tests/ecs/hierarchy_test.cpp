@@ -1,0 +1,137 @@
+#include "ecs/hierarchy.hpp"
+
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "core/random.hpp"
+#include "tests/ecs/parts.hpp"
+
+namespace plumb {
+namespace {
+
+std::vector<EntityId> listed(World& world, EntityId parent) {
+    std::vector<EntityId> children;
+    for (Entity child : childrenOf(world, parent)) children.push_back(child);
+    return children;
+}
+
+TEST(HierarchyTest, childrenStandInOrder) {
+    World world;
+    Entity parent = world.createEntity();
+    Entity a = world.createEntity();
+    Entity b = world.createEntity();
+    Entity c = world.createEntity();
+    for (Entity child : {a, b, c}) EXPECT_TRUE(setParent(world, child, parent));
+    EXPECT_EQ(listed(world, parent), (std::vector<EntityId>{a, b, c}));
+    EXPECT_EQ(childrenOf(world, parent).size(), 3u);
+    EXPECT_EQ(parentOf(world, b), parent);
+
+    setParent(world, b, {});
+    EXPECT_EQ(listed(world, parent), (std::vector<EntityId>{a, c}));
+    EXPECT_FALSE(parentOf(world, b));
+    setParent(world, a, b);
+    EXPECT_EQ(listed(world, parent), (std::vector<EntityId>{c}));
+    EXPECT_EQ(listed(world, b), (std::vector<EntityId>{a}));
+    c.destroy();
+    EXPECT_TRUE(childrenOf(world, parent).empty());
+    EXPECT_FALSE(parent.hasComponent<Children>());
+}
+
+TEST(HierarchyTest, destroyingAParentDestroysItsChildren) {
+    World world;
+    std::vector<Entity> chain;
+    for (int i = 0; i < 10; ++i) {
+        chain.push_back(world.createEntity());
+        if (i > 0) setParent(world, chain.back(), chain[static_cast<std::size_t>(i) - 1]);
+    }
+    Entity sibling = world.createEntity();
+    setParent(world, sibling, chain[0]);
+
+    chain[1].destroy();
+
+    EXPECT_EQ(world.entityCount(), 2u);
+    EXPECT_TRUE(chain[0].alive());
+    EXPECT_TRUE(sibling.alive());
+    EXPECT_EQ(listed(world, chain[0]), std::vector<EntityId>{sibling});
+}
+
+TEST(HierarchyTest, circlesAndTheGoneAreRefused) {
+    World world;
+    Entity a = world.createEntity();
+    Entity b = world.createEntity();
+    Entity c = world.createEntity();
+    EXPECT_TRUE(setParent(world, b, a));
+    EXPECT_TRUE(setParent(world, c, b));
+    EXPECT_FALSE(setParent(world, a, c));
+    EXPECT_FALSE(setParent(world, a, a));
+    EXPECT_TRUE(isAncestor(world, a, c));
+    EXPECT_FALSE(isAncestor(world, c, a));
+    Entity gone = world.createEntity();
+    gone.destroy();
+    EXPECT_FALSE(setParent(world, a, gone));
+    EXPECT_FALSE(setParent(world, gone, a));
+    EXPECT_FALSE(parentOf(world, a));
+}
+
+TEST(HierarchyTest, childrenMayBeDestroyedWhileTheyAreListed) {
+    World world;
+    Entity parent = world.createEntity();
+    for (int i = 0; i < 10; ++i) setParent(world, world.createEntity(), parent);
+    int at = 0;
+    for (Entity child : childrenOf(world, parent)) {
+        if (at++ % 2 == 0) child.destroy();
+    }
+    EXPECT_EQ(at, 10);
+    EXPECT_EQ(childrenOf(world, parent).size(), 5u);
+}
+
+TEST(HierarchyTest, familiesMayBeDestroyedInALoop) {
+    World world;
+    Entity parent = world.createEntity();
+    for (int i = 0; i < 10; ++i) {
+        Entity child = world.createEntity();
+        child.addComponent<Position>();
+        setParent(world, child, parent);
+    }
+    int visited = 0;
+    for (auto [entity, position] : world.query<Position>()) {
+        ++visited;
+        parent.destroy();
+    }
+    EXPECT_EQ(visited, 1);
+    EXPECT_EQ(world.entityCount(), 0u);
+    EXPECT_EQ(world.count<Parent>(), 0u);
+}
+
+TEST(HierarchyTest, propertyListsAndParentsAgree) {
+    for (std::uint64_t seed = 1; seed <= 50; ++seed) {
+        SCOPED_TRACE(seed);
+        Random random = Random::seeded(seed);
+        World world;
+        std::vector<Entity> all;
+        for (int i = 0; i < 30; ++i) all.push_back(world.createEntity());
+        for (int step = 0; step < 200; ++step) {
+            const Entity child = all[random.below(30)];
+            const Entity parent = all[random.below(30)];
+            const std::uint32_t what = random.below(200);
+            if (what == 0)
+                child.destroy();
+            else
+                setParent(world, child, what < 5 ? EntityId{} : parent.id());
+        }
+        std::size_t linked = 0;
+        for (const Entity parent : all) {
+            for (Entity child : childrenOf(world, parent)) {
+                ASSERT_EQ(parentOf(world, child), parent);
+                ASSERT_FALSE(isAncestor(world, child, parent));
+                ++linked;
+            }
+        }
+        EXPECT_EQ(linked, world.count<Parent>());
+        EXPECT_GT(linked, 0u);
+    }
+}
+
+}  // namespace
+}  // namespace plumb

@@ -1,0 +1,245 @@
+#include "ecs/query.hpp"
+
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "tests/ecs/parts.hpp"
+
+namespace plumb {
+namespace {
+
+TEST(QueryTest, visitsThoseThatHaveAll) {
+    World world;
+    Entity e1 = world.createEntity();
+    Entity e2 = world.createEntity();
+    e1.addComponent<Position>();
+    e1.addComponent<Velocity>(1.0f, 2.0f);
+    e2.addComponent<Position>();
+
+    int count = 0;
+    for (auto [entity, position, velocity] : world.query<Position, Velocity>()) {
+        count++;
+    }
+    EXPECT_EQ(count, 1);
+    for (auto [entity, position, velocity] : world.query<Position, const Velocity>()) {
+        EXPECT_EQ(entity, e1);
+        position.x += velocity.x;
+    }
+    EXPECT_EQ(e1.get<Position>().x, 1.0f);
+}
+
+TEST(QueryTest, filtersAndTagsNarrowIt) {
+    World world;
+    fillWithMovers(world, 100);
+    int i = 0;
+    for (auto [entity, position] : world.query<Position>()) {
+        if (i % 2 == 0) entity.addComponent<Frozen>();
+        if (i % 5 == 0) entity.addComponent<Player>();
+        ++i;
+    }
+    EXPECT_EQ(world.query<Position>(without<Frozen>).count(), 50u);
+    EXPECT_EQ((world.query<Position>(without<Frozen, Player>).count()), 40u);
+    EXPECT_EQ(world.query<Position>(with<Frozen>, without<Player>).count(), 40u);
+    EXPECT_EQ((world.query<const Position, Frozen>(with<Player>).count()), 10u);
+    EXPECT_EQ(world.query<Player>().count(), 20u);
+    for (auto [entity, position, frozen] : world.query<const Position, const Frozen>(with<Player>)) {
+        EXPECT_EQ(static_cast<int>(position.x) % 10, 0);
+    }
+    world.query<const Position>(without<Frozen>).each([](const Position& position) {
+        EXPECT_EQ(static_cast<int>(position.x) % 2, 1);
+    });
+}
+
+TEST(QueryTest, allWaysToLoopVisitTheSame) {
+    World world;
+    fillWithMovers(world, 1000);
+    std::vector<EntityId> gone;
+    for (auto [entity, velocity] : world.query<const Velocity>()) {
+        if (static_cast<int>(velocity.y) % 3 == 0) gone.push_back(entity);
+    }
+    for (const EntityId id : gone) world.remove<Velocity>(id);
+
+    for (int round = 0; round < 3; ++round) {
+        SCOPED_TRACE(round);
+        float byRange = 0.0f;
+        float byEach = 0.0f;
+        float byEntity = 0.0f;
+        float byChunks = 0.0f;
+        for (auto [entity, p, v] : world.query<const Position, const Velocity>()) byRange += p.x + v.x;
+        world.each<const Position, const Velocity>(
+            [&](const Position& p, const Velocity& v) { byEach += p.x + v.x; });
+        world.each<const Position, const Velocity>([&](EntityId id, const Position& p, const Velocity& v) {
+            EXPECT_EQ(world.find<const Position>(id), &p);
+            byEntity += p.x + v.x;
+        });
+        world.chunks<const Position, const Velocity>(
+            [&](std::size_t n, const Position* p, const Velocity* v) {
+                for (std::size_t i = 0; i < n; ++i) byChunks += p[i].x + v[i].x;
+            });
+        EXPECT_GT(byRange, 0.0f);
+        EXPECT_EQ(byRange, byEach);
+        EXPECT_EQ(byRange, byEntity);
+        EXPECT_EQ(byRange, byChunks);
+        EXPECT_EQ((world.query<Position, Velocity>().count()), 666u);
+        if (round == 1)
+            world.cluster();
+        else
+            world.createEntity().addComponent<Position>();
+    }
+}
+
+TEST(QueryTest, aConstWorldIsReadWithConstComponents) {
+    World world;
+    fillWithMovers(world, 5);
+    const World& reader = world;
+    float sum = 0.0f;
+    for (auto [entity, position] : reader.query<const Position>()) sum += position.x;
+    reader.each<const Position>([&](const Position& position) { sum += position.x; });
+    EXPECT_EQ(sum, 20.0f);
+}
+
+TEST(QueryTest, theFirstIsFoundAndNobodyIsEmpty) {
+    World world;
+    EXPECT_FALSE(world.first<Position>());
+    fillWithMovers(world, 3);
+    EXPECT_EQ((world.first<Position, Velocity>().id().index), 1u);
+    EXPECT_TRUE(world.query<Health>().empty());
+}
+
+TEST(QueryTest, anEntityMayDestroyItselfInTheLoop) {
+    World world;
+    fillWithMovers(world, 1000);
+    int visited = 0;
+    for (auto [entity, position, velocity] : world.query<Position, Velocity>()) {
+        ++visited;
+        if (static_cast<int>(position.x) % 2 == 0) entity.destroy();
+    }
+    EXPECT_EQ(visited, 1000);
+    EXPECT_EQ(world.entityCount(), 500u);
+    for (auto [entity, position] : world.query<Position>()) EXPECT_EQ(static_cast<int>(position.x) % 2, 1);
+    EXPECT_EQ((world.query<Position, Velocity>().count()), 500u);
+}
+
+TEST(QueryTest, aDestroyedEntityIsNotVisitedAnyMore) {
+    World world;
+    fillWithMovers(world, 100);
+    std::vector<Entity> all;
+    for (auto [entity, position] : world.query<Position>()) all.push_back(entity);
+
+    int visited = 0;
+    for (auto [entity, position] : world.query<Position>()) {
+        ++visited;
+        ASSERT_TRUE(entity.alive());
+        const std::size_t at = static_cast<std::size_t>(position.x);
+        if (at + 1 < all.size()) all[at + 1].destroy();
+    }
+    EXPECT_EQ(visited, 50);
+
+    visited = 0;
+    world.each<Position>([&](Position&) {
+        if (++visited == 10) world.clear();
+    });
+    EXPECT_EQ(visited, 10);
+    EXPECT_EQ(world.entityCount(), 0u);
+    EXPECT_EQ(world.count<Position>(), 0u);
+}
+
+TEST(QueryTest, anEntityThatStopsMatchingIsSkipped) {
+    World world;
+    fillWithMovers(world, 10);
+    std::vector<Entity> all;
+    for (auto [entity, position] : world.query<Position>()) all.push_back(entity);
+
+    int visited = 0;
+    for (auto [entity, position, velocity] : world.query<Position, Velocity>(without<Frozen>)) {
+        ++visited;
+        all[3].removeComponent<Velocity>();
+        all[4].addComponent<Frozen>();
+        all[5].removeComponent<Velocity>();
+        all[5].addComponent<Velocity>();  // another one: this loop has not seen it
+    }
+    EXPECT_EQ(visited, 7);
+    EXPECT_TRUE(all[5].hasComponent<Velocity>());
+    EXPECT_EQ((world.query<Position, Velocity>().count()), 9u);
+}
+
+TEST(QueryTest, whatIsAddedInTheLoopIsThereAtOnceAndVisitedNextTime) {
+    World world;
+    fillWithMovers(world, 10);
+    int visited = 0;
+    for (auto [entity, position] : world.query<Position>()) {
+        ++visited;
+        Entity child = world.createEntity();
+        child.addComponent<Position>(position.x, 1.0f);
+        EXPECT_EQ(child.get<Position>().x, position.x);
+    }
+    EXPECT_EQ(visited, 10);
+    EXPECT_EQ(world.query<Position>().count(), 20u);
+}
+
+TEST(QueryTest, loopsInsideLoopsSeeTheWorldAsItIs) {
+    World world;
+    fillWithMovers(world, 20);
+    int pairs = 0;
+    int outer = 0;
+    for (auto [a, positionA] : world.query<Position>()) {
+        ++outer;
+        for (auto [b, positionB] : world.query<Position>()) {
+            ++pairs;
+            if (b != a) {
+                b.destroy();  // all others go in the first round
+            }
+        }
+        EXPECT_EQ(world.query<Position>().count(), 1u);
+    }
+    EXPECT_EQ(outer, 1);
+    EXPECT_EQ(pairs, 20);
+    EXPECT_EQ(world.count<Position>(), 1u);
+    EXPECT_EQ(world.query<Position>().count(), 1u);
+}
+
+TEST(QueryTest, leavingALoopEarlyTidiesUp) {
+    World world;
+    fillWithMovers(world, 10);
+    for (auto [entity, position] : world.query<Position>()) {
+        entity.destroy();
+        if (position.x >= 4.0f) break;
+    }
+    EXPECT_EQ(world.count<Position>(), 5u);
+    int visited = 0;
+    for (auto [entity, position] : world.query<Position>()) {
+        EXPECT_GT(position.x, 4.0f);
+        ++visited;
+    }
+    EXPECT_EQ(visited, 5);
+}
+
+TEST(QueryTest, scatteredEntitiesAreFoundAfterEveryChange) {
+    World world;
+    fillWithMovers(world, 2000);
+    std::vector<Entity> all;
+    for (auto [entity, position] : world.query<Position>()) all.push_back(entity);
+    std::size_t expected = 2000;
+    for (std::size_t round = 0; round < 50; ++round) {
+        SCOPED_TRACE(round);
+        for (std::size_t i = round; i < all.size(); i += 50) {
+            if ((i / 50) % 2 == 0) {
+                all[i].removeComponent<Velocity>();
+                --expected;
+            }
+        }
+        std::size_t seen = 0;
+        world.each<Position, const Velocity>([&](Position&, const Velocity&) { ++seen; });
+        ASSERT_EQ(seen, expected);
+        seen = 0;
+        for (auto [entity, p, v] : world.query<Position, const Velocity>()) {
+            ASSERT_EQ(p.x, v.y) << "both belong to one entity";
+            ++seen;
+        }
+        ASSERT_EQ(seen, expected);
+    }
+}
+
+}  // namespace
+}  // namespace plumb
