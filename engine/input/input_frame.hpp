@@ -1,0 +1,66 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <type_traits>
+
+#include "core/hash.hpp"
+#include "math/vec2.hpp"
+#include "platform/events.hpp"
+#include "platform/key.hpp"
+
+namespace plumb {
+
+/// One gamepad for one tick.
+struct PadFrame {
+    std::uint16_t buttons = 0;                       ///< bits by PadButton
+    std::array<std::int16_t, kPadAxisCount> axes{};  ///< by PadAxis, -32767..32767, no dead zone applied
+
+    [[nodiscard]] bool has(PadButton button) const {
+        return (buttons >> static_cast<unsigned>(button) & 1) != 0;
+    }
+    [[nodiscard]] float axis(PadAxis which) const {
+        return static_cast<float>(axes[static_cast<std::size_t>(which)]) / 32767.0f;
+    }
+
+    friend bool operator==(const PadFrame&, const PadFrame&) = default;
+};
+
+/// All that a tick may know of the player's hands: what is held, not what changed. Plain data of a fixed
+/// size, so it can be recorded, replayed and sent; the same frames give the same game.
+struct InputFrame {
+    std::array<std::uint32_t, 4> keys{};  ///< bits by Key
+    std::int16_t mouseX = 0;              ///< px in the window
+    std::int16_t mouseY = 0;              ///< px in the window
+    std::int16_t wheelX = 0;              ///< 1/120 notches turned in this tick
+    std::int16_t wheelY = 0;          ///< 1/120 notches turned in this tick, away from the hand is positive
+    std::uint16_t mouseButtons = 0;   ///< bits by MouseButton
+    std::uint16_t connectedPads = 0;  ///< bits by place
+    std::array<PadFrame, kPadCount> pads{};
+
+    [[nodiscard]] bool has(Key key) const {
+        const auto bit = static_cast<std::size_t>(key);
+        return (keys[bit / 32] >> bit % 32 & 1) != 0;
+    }
+    [[nodiscard]] bool has(MouseButton button) const {
+        return (mouseButtons >> static_cast<unsigned>(button) & 1) != 0;
+    }
+    void set(Key key, bool held) {
+        const auto bit = static_cast<std::size_t>(key);
+        const std::uint32_t mask = std::uint32_t{1} << bit % 32;
+        keys[bit / 32] = held ? keys[bit / 32] | mask : keys[bit / 32] & ~mask;
+    }
+    [[nodiscard]] Vec2 mouse() const { return {static_cast<float>(mouseX), static_cast<float>(mouseY)}; }
+
+    void addTo(Hasher& hasher) const { hasher.addBytes(this, sizeof *this); }
+
+    friend bool operator==(const InputFrame&, const InputFrame&) = default;
+};
+
+static_assert(kKeyCount <= 128, "InputFrame needs another word of keys");
+static_assert(kPadButtonCount <= 16, "PadFrame needs more bits for buttons");
+static_assert(std::is_trivially_copyable_v<InputFrame>);
+static_assert(std::has_unique_object_representations_v<InputFrame>, "it is hashed as bytes: no padding");
+
+}  // namespace plumb

@@ -1,0 +1,98 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/file.hpp"
+#include "core/result.hpp"
+#include "input/input_frame.hpp"
+
+namespace plumb {
+
+/// The same input for a number of ticks.
+struct InputRun {
+    InputFrame frame;
+    std::uint64_t ticks = 0;
+
+    friend bool operator==(const InputRun&, const InputRun&) = default;
+};
+
+/// The hash of the world after a tick, to find the first one that differs.
+struct Checkpoint {
+    std::uint64_t tick = 0;
+    std::uint64_t hash = 0;
+
+    friend bool operator==(const Checkpoint&, const Checkpoint&) = default;
+};
+
+/// A played game: where it began, and the input of every tick. Its file `*.replay` is text, one line for each
+/// change.
+struct Replay {
+    static constexpr int kFormat = 1;
+    static constexpr std::uint64_t kMaxTicks = std::uint64_t{60} * 3600 * 24;  ///< a day of play
+    static constexpr std::size_t kMaxRuns = std::size_t{1} << 20;
+    static constexpr std::size_t kMaxCheckpoints = std::size_t{1} << 20;
+    static constexpr std::size_t kMaxBytes = std::size_t{64} << 20;
+
+    std::string project;  ///< its name
+    std::string engine;   ///< version that recorded it
+    std::string scene;    ///< path of the first scene
+    std::uint64_t seed = 0;
+    std::vector<InputRun> runs;
+    std::vector<Checkpoint> checkpoints;  ///< by tick
+
+    [[nodiscard]] std::uint64_t ticks() const;
+
+    friend bool operator==(const Replay&, const Replay&) = default;
+};
+
+/// Writes down the input of a running game. Allocates only when the input changes.
+class Recorder {
+public:
+    Replay replay;  ///< its header is the caller's to fill
+
+    /// The input of the next tick. Past the limits of a replay nothing more is recorded.
+    void record(const InputFrame& frame);
+
+    /// The world's hash after the last recorded tick.
+    void check(std::uint64_t hash);
+
+    [[nodiscard]] std::uint64_t ticks() const { return ticks_; }
+
+private:
+    std::uint64_t ticks_ = 0;
+};
+
+/// Gives the frames of a replay back, one a tick.
+class ReplayPlayer {
+public:
+    /// @param replay  must outlive this
+    explicit ReplayPlayer(const Replay& replay) : replay_{&replay} {}
+
+    /// The input of the next tick; null at the end.
+    const InputFrame* next();
+
+    /// The recorded hash after the tick that `next` gave last; null when there is none.
+    [[nodiscard]] const Checkpoint* checkpoint() const;
+
+    [[nodiscard]] std::uint64_t tick() const { return tick_; }  ///< how many were given
+
+private:
+    const Replay* replay_;
+    std::size_t run_ = 0;
+    std::uint64_t inRun_ = 0;
+    std::uint64_t tick_ = 0;
+};
+
+std::string writeReplay(const Replay& replay);
+
+/// @error  not a replay, of a newer format, past a limit, or a line that says nothing; with its number
+Result<Replay> parseReplay(std::string_view text, std::string_view where);
+
+Result<Done> saveReplay(const Replay& replay, const Path& path);
+Result<Replay> loadReplay(const Path& path);
+
+}  // namespace plumb

@@ -1,0 +1,332 @@
+#include <array>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "core/text.hpp"
+#include "input/recorder.hpp"
+
+// A replay file is text, so that a difference shows what the player did:
+//
+//     plumb-replay 1
+//     project Sky Caves
+//     engine 0.1.0
+//     scene scenes/title.scene.json
+//     seed 000000000000002a
+//     30                        30 ticks of nothing
+//     12 +Right                 12 ticks with Right held
+//     1 +Space mouse=120,44     … then Space too, and the mouse elsewhere
+//     check 60 9f3c1a77d2e0b154
+//     end 43
+//
+// Each line of ticks names what changed since the one before: +Key -Key, +Mouse.Left, wheel=0,120, +Gamepad1
+// (connected), +Gamepad1.A, Gamepad1.LeftX=-32767. The seed is in hex.
+
+namespace plumb {
+namespace {
+
+constexpr std::string_view kMark = "plumb-replay";
+
+// ---- writing ------------------------------------------------------------------------------------
+
+void writeBit(std::string& out, bool before, bool now, std::string_view prefix, std::string_view name) {
+    if (before == now) return;
+    out += now ? " +" : " -";
+    out += prefix;
+    out += name;
+}
+
+void writePair(std::string& out, std::string_view name, std::pair<int, int> before, std::pair<int, int> now) {
+    if (before != now) out += format(" {}={},{}", name, now.first, now.second);
+}
+
+void writePad(std::string& out, const PadFrame& before, const PadFrame& now, std::string_view prefix) {
+    for (std::size_t i = 0; i < kPadButtonCount; ++i) {
+        const auto button = static_cast<PadButton>(i);
+        writeBit(out, before.has(button), now.has(button), prefix, nameOf(button));
+    }
+    for (std::size_t i = 0; i < kPadAxisCount; ++i) {
+        if (before.axes[i] == now.axes[i]) continue;
+        out += format(" {}{}={}", prefix, nameOf(static_cast<PadAxis>(i)), static_cast<int>(now.axes[i]));
+    }
+}
+
+void writeChanges(std::string& out, const InputFrame& before, const InputFrame& now) {
+    for (std::size_t i = 1; i < kKeyCount; ++i) {
+        const auto key = static_cast<Key>(i);
+        writeBit(out, before.has(key), now.has(key), "", nameOf(key));
+    }
+    for (std::size_t i = 0; i < kMouseButtonCount; ++i) {
+        const auto button = static_cast<MouseButton>(i);
+        writeBit(out, before.has(button), now.has(button), "Mouse.", nameOf(button));
+    }
+    writePair(out, "mouse", {before.mouseX, before.mouseY}, {now.mouseX, now.mouseY});
+    writePair(out, "wheel", {before.wheelX, before.wheelY}, {now.wheelX, now.wheelY});
+    for (std::size_t i = 0; i < now.pads.size(); ++i) {
+        // Not "Pad1": that is a key of the number pad.
+        const std::string prefix = format("Gamepad{}", i + 1);
+        const auto connected = [&](const InputFrame& frame) { return (frame.connectedPads >> i & 1) != 0; };
+        writeBit(out, connected(before), connected(now), prefix, "");
+        writePad(out, before.pads[i], now.pads[i], prefix + ".");
+    }
+}
+
+// ---- reading ------------------------------------------------------------------------------------
+
+std::optional<std::uint64_t> parseCount(std::string_view text, std::uint64_t limit) {
+    const std::optional<std::int64_t> value = parseInt(text);
+    if (!value || *value < 0 || static_cast<std::uint64_t>(*value) > limit) return std::nullopt;
+    return static_cast<std::uint64_t>(*value);
+}
+
+std::optional<std::int16_t> parseShort(std::string_view text) {
+    const std::optional<std::int64_t> value = parseInt(text);
+    if (!value || *value < -32767 || *value > 32767) return std::nullopt;
+    return static_cast<std::int16_t>(*value);
+}
+
+template <class Word>
+bool setBit(Word& word, unsigned bit, bool on) {
+    const auto mask = static_cast<Word>(Word{1} << bit);
+    if (((word & mask) != 0) == on) return false;  // a change that changes nothing is a mistake in the file
+    word = static_cast<Word>(word ^ mask);
+    return true;
+}
+
+/// "Gamepad1" or "Gamepad1.A": the place, and what stands behind the point.
+struct PadName {
+    unsigned place = 0;
+    std::string_view part;
+};
+
+std::optional<PadName> padNameOf(std::string_view name) {
+    constexpr std::string_view kPad = "Gamepad";
+    if (!startsWith(name, kPad) || name.size() <= kPad.size()) return std::nullopt;
+    const char digit = name[kPad.size()];
+    if (digit < '1' || digit >= '1' + kPadCount) return std::nullopt;
+    const std::string_view rest = name.substr(kPad.size() + 1);
+    if (!rest.empty() && (rest.front() != '.' || rest.size() == 1)) return std::nullopt;
+    return PadName{static_cast<unsigned>(digit - '1'), rest.empty() ? rest : rest.substr(1)};
+}
+
+bool readBit(std::string_view name, bool on, InputFrame& frame) {
+    constexpr std::string_view kMouse = "Mouse.";
+    if (const std::optional<Key> key = keyFromName(name)) {
+        if (frame.has(*key) == on) return false;
+        frame.set(*key, on);
+        return true;
+    }
+    if (startsWith(name, kMouse)) {
+        const auto button = mouseButtonFromName(name.substr(kMouse.size()));
+        return button && setBit(frame.mouseButtons, static_cast<unsigned>(*button), on);
+    }
+    const std::optional<PadName> pad = padNameOf(name);
+    if (!pad) return false;
+    if (pad->part.empty()) return setBit(frame.connectedPads, pad->place, on);
+    const auto button = padButtonFromName(pad->part);
+    return button && setBit(frame.pads[pad->place].buttons, static_cast<unsigned>(*button), on);
+}
+
+bool readPair(std::string_view value, std::int16_t& x, std::int16_t& y) {
+    const std::size_t comma = value.find(',');
+    if (comma == std::string_view::npos) return false;
+    const auto first = parseShort(value.substr(0, comma));
+    const auto second = parseShort(value.substr(comma + 1));
+    if (!first || !second) return false;
+    x = *first;
+    y = *second;
+    return true;
+}
+
+bool readValue(std::string_view name, std::string_view value, InputFrame& frame) {
+    if (name == "mouse") return readPair(value, frame.mouseX, frame.mouseY);
+    if (name == "wheel") return readPair(value, frame.wheelX, frame.wheelY);
+    const std::optional<PadName> pad = padNameOf(name);
+    const auto axis = pad ? padAxisFromName(pad->part) : std::nullopt;
+    const auto number = parseShort(value);
+    if (!axis || !number) return false;
+    frame.pads[pad->place].axes[static_cast<std::size_t>(*axis)] = *number;
+    return true;
+}
+
+bool readChange(std::string_view word, InputFrame& frame) {
+    if (word.size() < 2) return false;
+    if (word.front() == '+' || word.front() == '-')
+        return readBit(word.substr(1), word.front() == '+', frame);
+    const std::size_t equals = word.find('=');
+    return equals != std::string_view::npos &&
+           readValue(word.substr(0, equals), word.substr(equals + 1), frame);
+}
+
+/// Reads line by line; every read function returns what is wrong, or nothing.
+class ReplayReader {
+public:
+    ReplayReader(std::string_view text, std::string_view where) : text_{text}, where_{where} {}
+
+    Result<Replay> read() {
+        if (text_.size() > Replay::kMaxBytes) return failure("the file is too large", "record less");
+        if (!isUtf8(text_)) return failure("the text is not UTF-8", "record it again");
+        if (std::string problem = readMark(); !problem.empty())
+            return failure(std::move(problem), "record it again");
+        while (!ended_ && !text_.empty()) {
+            if (std::string problem = readLine(takeLine()); !problem.empty()) {
+                return failure(std::move(problem), "record it again, or correct the line");
+            }
+        }
+        if (!ended_) return failure("the file is cut off", "record it again");
+        if (!trimmed(text_).empty()) return failure("something follows the end", "remove it");
+        return std::move(replay_);
+    }
+
+private:
+    std::string_view takeLine() {
+        const std::size_t end = text_.find('\n');
+        std::string_view line = text_.substr(0, end);
+        text_.remove_prefix(end == std::string_view::npos ? text_.size() : end + 1);
+        ++line_;
+        if (!line.empty() && line.back() == '\r') line.remove_suffix(1);
+        return line;
+    }
+
+    [[nodiscard]] Error failure(std::string what, std::string remedy) const {
+        return {format("{}:{}", where_, line_), std::move(what), std::move(remedy)};
+    }
+
+    std::string readMark() {
+        const std::string_view line = takeLine();
+        if (!startsWith(line, kMark) || line.size() <= kMark.size() || line[kMark.size()] != ' ') {
+            return "this is no replay";
+        }
+        const auto version = parseCount(line.substr(kMark.size() + 1), 1'000'000);
+        if (!version || *version == 0) return "the replay has no format";
+        if (*version > Replay::kFormat) {
+            return format("the replay has format {}, this program reads up to {}", *version, Replay::kFormat);
+        }
+        return {};
+    }
+
+    std::string readLine(std::string_view line) {
+        if (line.empty()) return "an empty line";
+        if (line.front() >= '0' && line.front() <= '9') return readRun(line);
+        const std::size_t space = line.find(' ');
+        const std::string_view key = line.substr(0, space);
+        const std::string_view value =
+            space == std::string_view::npos ? std::string_view{} : line.substr(space + 1);
+        if (key == "project") return readHeader(replay_.project, value);
+        if (key == "engine") return readHeader(replay_.engine, value);
+        if (key == "scene") return readHeader(replay_.scene, value);
+        if (key == "seed") return readSeed(value);
+        if (key == "check") return readCheckpoint(value);
+        if (key == "end") return readEnd(value);
+        return format("nothing is called \"{}\"", key.substr(0, 40));
+    }
+
+    static std::string readHeader(std::string& field, std::string_view value) {
+        if (value.size() > 1024) return "a name longer than 1024 characters";
+        field = value;
+        return {};
+    }
+
+    std::string readSeed(std::string_view value) {
+        const std::optional<std::uint64_t> seed = parseHex(value);
+        if (!seed) return "the seed is no hex number";
+        replay_.seed = *seed;
+        return {};
+    }
+
+    std::string readCheckpoint(std::string_view value) {
+        const std::size_t space = value.find(' ');
+        if (space == std::string_view::npos) return "a check needs a tick and a hash";
+        const auto tick = parseCount(value.substr(0, space), Replay::kMaxTicks);
+        const auto hash = parseHex(value.substr(space + 1));
+        if (!tick || !hash) return "a check needs a tick and a hash";
+        if (!replay_.checkpoints.empty() && replay_.checkpoints.back().tick >= *tick)
+            return "checks out of order";
+        if (replay_.checkpoints.size() == Replay::kMaxCheckpoints) return "too many checks";
+        replay_.checkpoints.push_back({*tick, *hash});
+        return {};
+    }
+
+    std::string readEnd(std::string_view value) {
+        ended_ = true;
+        if (parseCount(value, Replay::kMaxTicks) != ticks_)
+            return format("the lines above hold {} ticks", ticks_);
+        return {};
+    }
+
+    std::string readRun(std::string_view line) {
+        std::size_t space = line.find(' ');
+        const auto ticks = parseCount(line.substr(0, space), Replay::kMaxTicks);
+        if (!ticks || *ticks == 0 || ticks_ + *ticks > Replay::kMaxTicks) {
+            return format("expected 1 to {} ticks", Replay::kMaxTicks - ticks_);
+        }
+        while (space != std::string_view::npos) {
+            line.remove_prefix(space + 1);
+            space = line.find(' ');
+            const std::string_view word = line.substr(0, space);
+            if (!readChange(word, frame_))
+                return format("\"{}\" is no change of input here", word.substr(0, 40));
+        }
+        ticks_ += *ticks;
+        if (!replay_.runs.empty() && replay_.runs.back().frame == frame_) {
+            replay_.runs.back().ticks += *ticks;
+            return {};
+        }
+        if (replay_.runs.size() == Replay::kMaxRuns) return "too many changes of input";
+        replay_.runs.push_back({frame_, *ticks});
+        return {};
+    }
+
+    std::string_view text_;
+    std::string_view where_;
+    Replay replay_;
+    InputFrame frame_;
+    std::uint64_t ticks_ = 0;
+    int line_ = 0;
+    bool ended_ = false;
+};
+
+/// Names stand on lines of their own, so they may not break them.
+std::string oneLine(std::string_view text) {
+    std::string line{text.substr(0, 1024)};
+    for (char& c : line) {
+        if (static_cast<unsigned char>(c) < 0x20) c = ' ';
+    }
+    return line;
+}
+
+}  // namespace
+
+std::string writeReplay(const Replay& replay) {
+    std::string out = format("{} {}\n", kMark, Replay::kFormat);
+    out += format("project {}\nengine {}\nscene {}\nseed {}\n", oneLine(replay.project),
+                  oneLine(replay.engine), oneLine(replay.scene), hexText(replay.seed));
+    InputFrame before;
+    for (const InputRun& run : replay.runs) {
+        if (run.ticks == 0) continue;
+        out += format("{}", run.ticks);
+        writeChanges(out, before, run.frame);
+        out += '\n';
+        before = run.frame;
+    }
+    for (const Checkpoint& check : replay.checkpoints)
+        out += format("check {} {}\n", check.tick, hexText(check.hash));
+    out += format("end {}\n", replay.ticks());
+    return out;
+}
+
+Result<Replay> parseReplay(std::string_view text, std::string_view where) {
+    return ReplayReader{text, where}.read();
+}
+
+Result<Done> saveReplay(const Replay& replay, const Path& path) {
+    return writeFile(path, writeReplay(replay));
+}
+
+Result<Replay> loadReplay(const Path& path) {
+    const Result<std::string> text = readFile(path, Replay::kMaxBytes);
+    if (!text) return text.error();
+    return parseReplay(*text, path.generic_string());
+}
+
+}  // namespace plumb

@@ -1,0 +1,181 @@
+#include "input/recorder.hpp"
+
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "core/random.hpp"
+#include "tests/support/temporary_folder.hpp"
+
+namespace plumb {
+namespace {
+
+InputFrame randomFrame(Random& random) {
+    InputFrame frame;
+    for (std::uint32_t n = random.below(4); n > 0; --n)
+        frame.set(static_cast<Key>(1 + random.below(kKeyCount - 1)), true);
+    const auto number = [&] {
+        return static_cast<std::int16_t>(static_cast<int>(random.below(65535)) - 32767);
+    };
+    if (random.below(2) == 0) frame.mouseX = number(), frame.mouseY = number();
+    if (random.below(4) == 0) frame.wheelY = number();
+    frame.mouseButtons = static_cast<std::uint16_t>(random.below(1u << kMouseButtonCount));
+    frame.connectedPads = static_cast<std::uint16_t>(random.below(16));
+    for (PadFrame& pad : frame.pads) {
+        if (random.below(2) == 0) continue;
+        pad.buttons = static_cast<std::uint16_t>(random.below(1u << kPadButtonCount));
+        for (std::int16_t& axis : pad.axes) axis = number();
+    }
+    return frame;
+}
+
+Recorder randomRecording(std::uint64_t seed) {
+    Random random = Random::seeded(seed);
+    Recorder recorder;
+    recorder.replay.project = "Sky Caves";
+    recorder.replay.engine = "0.1.0";
+    recorder.replay.scene = "scenes/title.scene.json";
+    recorder.replay.seed = random.next64();
+    for (std::uint32_t n = random.below(40); n > 0; --n) {
+        const InputFrame frame = randomFrame(random);
+        for (std::uint32_t ticks = 1 + random.below(20); ticks > 0; --ticks) recorder.record(frame);
+        if (random.below(2) == 0) recorder.check(random.next64());
+    }
+    return recorder;
+}
+
+TEST(Recorder, aReplayReadsBackTheSameOverRandomInput) {
+    for (std::uint64_t seed = 0; seed < 60; ++seed) {
+        SCOPED_TRACE(seed);
+        const Replay replay = randomRecording(seed).replay;
+
+        const Result<Replay> read = parseReplay(writeReplay(replay), "x.replay");
+
+        ASSERT_TRUE(read.ok()) << read.error().text();
+        ASSERT_EQ(*read, replay);
+        ASSERT_EQ(writeReplay(*read), writeReplay(replay));
+    }
+}
+
+TEST(Recorder, thePlayerGivesEveryTickItsFrameAndItsCheckpoint) {
+    Recorder recorder;
+    std::vector<InputFrame> frames;
+    Random random = Random::seeded(3);
+    for (int i = 0; i < 500; ++i) {
+        frames.push_back(i % 7 == 0 || frames.empty() ? randomFrame(random) : frames.back());
+        recorder.record(frames.back());
+        if (i % 50 == 49) recorder.check(static_cast<std::uint64_t>(i));
+    }
+
+    ReplayPlayer player{recorder.replay};
+    for (int i = 0; i < 500; ++i) {
+        const InputFrame* frame = player.next();
+        ASSERT_NE(frame, nullptr);
+        ASSERT_EQ(*frame, frames[static_cast<std::size_t>(i)]);
+        const Checkpoint* check = player.checkpoint();
+        ASSERT_EQ(check != nullptr, i % 50 == 49);
+        if (check != nullptr) {
+            EXPECT_EQ(check->hash, static_cast<std::uint64_t>(i));
+        }
+    }
+    EXPECT_EQ(player.next(), nullptr);
+    EXPECT_EQ(recorder.ticks(), 500u);
+}
+
+TEST(Recorder, theFileSaysWhatThePlayerDid) {
+    Recorder recorder;
+    recorder.replay.project = "Sky\nCaves";
+    recorder.replay.seed = 42;
+    InputFrame frame;
+    for (int i = 0; i < 30; ++i) recorder.record(frame);
+    frame.set(Key::Right, true);
+    for (int i = 0; i < 12; ++i) recorder.record(frame);
+    frame.set(Key::Right, false);
+    frame.mouseX = 120;
+    frame.pads[0].axes[0] = -32767;
+    recorder.record(frame);
+
+    EXPECT_EQ(writeReplay(recorder.replay),
+              "plumb-replay 1\nproject Sky Caves\nengine \nscene \nseed 000000000000002a\n"
+              "30\n12 +Right\n1 -Right mouse=120,0 Gamepad1.LeftX=-32767\nend 43\n");
+}
+
+TEST(Recorder, brokenReplaysAreRefusedWithTheLine) {
+    const std::string head = "plumb-replay 1\n";
+    const std::string broken[] = {"",
+                                  "x",
+                                  "plumb-replay",
+                                  "plumb-replay \n",
+                                  "plumb-replay 2\nend 0\n",
+                                  "plumb-replay 0\nend 0\n",
+                                  head,
+                                  head + "end 1\n",
+                                  head + "end\n",
+                                  head + "5 +Right\nend 4\n",
+                                  head + "0 +Right\nend 0\n",
+                                  head + "-1\nend 0\n",
+                                  head + "5 +Nothing\nend 5\n",
+                                  head + "5 -Right\nend 5\n",
+                                  head + "5 +Right\n1 +Right\nend 6\n",
+                                  head + "5  +Right\nend 5\n",
+                                  head + "5 mouse=1\nend 5\n",
+                                  head + "5 mouse=40000,0\nend 5\n",
+                                  head + "5 Gamepad9.LeftX=1\nend 5\n",
+                                  head + "5 Gamepad1.=1\nend 5\n",
+                                  head + "5 +Gamepad1.\nend 5\n",
+                                  head + "\nend 0\n",
+                                  head + "what 5\nend 0\n",
+                                  head + "seed x\nend 0\n",
+                                  head + "check 5\nend 0\n",
+                                  head + "check 5 1\ncheck 5 2\nend 0\n",
+                                  head + "end 0\nmore",
+                                  head + "99999999999\nend 99999999999\n",
+                                  head + "5184000\n1\nend 5184001\n",
+                                  head + "99999999999999999999\nend 0\n",
+                                  head + "project \xff\nend 0\n",
+                                  head + "project " + std::string(2000, 'x') + "\nend 0\n"};
+    for (const std::string& text : broken) {
+        const Result<Replay> result = parseReplay(text, "x.replay");
+        ASSERT_FALSE(result.ok()) << text;
+        EXPECT_EQ(result.error().where.substr(0, 9), "x.replay:");
+        EXPECT_FALSE(result.error().what.empty());
+        EXPECT_FALSE(result.error().remedy.empty());
+    }
+    EXPECT_TRUE(parseReplay(head + "5184000 +Right\r\nend 5184000\n", "x").ok());
+}
+
+TEST(Recorder, everyCutOffReplayIsRefused) {
+    const std::string text = writeReplay(randomRecording(7).replay);
+    for (std::size_t length = 0; length + 1 < text.size(); length += 11) {
+        const Result<Replay> cut = parseReplay(text.substr(0, length), "x");
+        // Cutting digits off the last line may leave another number, which then contradicts the ticks above.
+        ASSERT_FALSE(cut.ok()) << length;
+    }
+}
+
+TEST(Recorder, randomMutationsNeverCrashAndWhatIsReadWritesBack) {
+    const std::string good = writeReplay(randomRecording(11).replay);
+    Random random = Random::seeded(1);
+    for (int i = 0; i < 800; ++i) {
+        std::string text = good;
+        for (std::uint32_t n = 1 + random.below(3); n > 0; --n) {
+            text[random.below(static_cast<std::uint32_t>(text.size()))] =
+                static_cast<char>(random.below(256));
+        }
+        const Result<Replay> read = parseReplay(text, "x");
+        if (!read.ok()) continue;
+        ASSERT_TRUE(parseReplay(writeReplay(*read), "x").ok());
+    }
+}
+
+TEST(Recorder, aSavedReplayLoadsAndAMissingOneSaysSo) {
+    const test::TemporaryFolder folder;
+    const Replay replay = randomRecording(2).replay;
+    ASSERT_TRUE(saveReplay(replay, folder.path / "a" / "run.replay").ok());
+
+    EXPECT_EQ(*loadReplay(folder.path / "a" / "run.replay"), replay);
+    EXPECT_FALSE(loadReplay(folder.path / "none.replay").ok());
+}
+
+}  // namespace
+}  // namespace plumb
