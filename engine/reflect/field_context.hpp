@@ -1,0 +1,36 @@
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+
+#include "core/result.hpp"
+#include "core/text_store.hpp"
+#include "reflect/entity_id.hpp"
+#include "reflect/field_types.hpp"
+#include "reflect/json_fwd.hpp"
+
+namespace plumb {
+
+/// What the ids inside components stand for. Fields hold ids; files hold texts, paths, hex ids and tiles,
+/// and only the one who owns the stores can tell one from the other.
+class FieldContext {
+public:
+    virtual ~FieldContext() = default;
+
+    [[nodiscard]] virtual std::string_view text(TextId id) const = 0;
+    virtual TextId keepText(std::string_view text) = 0;
+
+    /// The lasting id of an entity; 0 when it has none.
+    [[nodiscard]] virtual std::uint64_t stableId(EntityId entity) const = 0;
+    /// The entity with this lasting id; nobody when there is none.
+    [[nodiscard]] virtual EntityId entity(std::uint64_t stableId) const = 0;
+
+    [[nodiscard]] virtual Json tilesToJson(TilesId tiles) const = 0;
+    virtual Result<TilesId> tilesFromJson(const Json& json) = 0;
+    [[nodiscard]] virtual bool sameTiles(TilesId a, TilesId b) const { return a == b; }
+
+    /// Told of values that could be used only after a change, such as a clamp to a range.
+    virtual void warn(Error error) = 0;
+};
+
+}  // namespace plumb
