@@ -119,6 +119,9 @@ void destroyBody(World& world, BodyId body) {
 }
 
 std::uint32_t addField(World& world, std::shared_ptr<const TileField> field) {
+    for (std::uint32_t i = 0; i < world.fields.size(); ++i) {
+        if (world.fields[i] == nullptr) return world.fields[i] = std::move(field), i;
+    }
     world.fields.push_back(std::move(field));
     return static_cast<std::uint32_t>(world.fields.size() - 1);
 }
@@ -217,7 +220,7 @@ void addTo(Hasher& hasher, const World& world) {
         if ((b.flags[i] & kHasTarget) != 0) addVector(b.target[i]);
     }
     for (const std::uint32_t place : world.freePlaces) hasher.add(std::uint64_t{place});
-    for (const auto& field : world.fields) hasher.add(field->contentHash());
+    for (const auto& field : world.fields) hasher.add(field != nullptr ? field->contentHash() : 0);
     for (const ContactEvent& pair : world.touching) {
         hasher.add(std::uint64_t{pair.a.index} << 32 | pair.b.index);
         hasher.add(std::uint64_t{pair.a.generation} << 32 | pair.b.generation);

@@ -67,7 +67,7 @@ Result<BodyId> createBody(World& world, const BodyDefinition& definition);
 /// Removes a body; its contacts end in the next step. A stale id does nothing.
 void destroyBody(World& world, BodyId body);
 
-/// Adds a tile field for shapes of kind Tiles. The number stays valid until the world is gone.
+/// Adds a tile field for shapes of kind Tiles. Replacing it by none frees its number.
 std::uint32_t addField(World& world, std::shared_ptr<const TileField> field);
 void replaceField(World& world, std::uint32_t number, std::shared_ptr<const TileField> field);
 /// The shape of a whole tile field whose top-left corner is the body's position.

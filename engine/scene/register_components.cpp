@@ -4,6 +4,7 @@
 #include "scene/components/animator.hpp"
 #include "scene/components/box_collider.hpp"
 #include "scene/components/camera.hpp"
+#include "scene/components/character_body.hpp"
 #include "scene/components/circle_collider.hpp"
 #include "scene/components/hidden.hpp"
 #include "scene/components/kinematic_body.hpp"
@@ -38,6 +39,7 @@ void registerSceneComponents(TypeRegistry& types) {
     types.add<RigidBody>();
     types.add<StaticBody>();
     types.add<KinematicBody>();
+    types.add<CharacterBody>();
     types.add<BoxCollider>();
     types.add<CircleCollider>();
     types.add<Hidden>();

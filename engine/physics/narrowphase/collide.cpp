@@ -20,11 +20,11 @@ bool sameBefore(const Touch& a, const Touch& b) {
     return a.time != b.time ? a.time < b.time : a.separation < b.separation;
 }
 
-void collideWithField(const World& world, const Mover& mover, std::uint32_t body, const Settings& settings,
-                      Vec2 up, TouchList& touches) {
+void collideWithField(const World& world, const Mover& mover, std::uint32_t body, Vec2 place,
+                      const Settings& settings, Vec2 up, TouchList& touches) {
     const TileField& field = *world.fields[world.bodies.shape[body].field];
     Mover local = mover;
-    local.centre = mover.centre - world.bodies.position[body];
+    local.centre = mover.centre - place;
     const Vec2 end = local.centre + local.path;
     const Vec2 margin = local.half + Vec2{settings.touchDistance, settings.touchDistance};
     const Vec2 low = min(local.centre, end) - margin;
@@ -81,15 +81,15 @@ const Touch* TouchList::first() const {
     return best;
 }
 
-void collide(const World& world, const Mover& mover, std::uint32_t body, const Settings& settings, Vec2 up,
-             TouchList& touches) {
+void collideAt(const World& world, const Mover& mover, std::uint32_t body, Vec2 place,
+               const Settings& settings, Vec2 up, TouchList& touches) {
     const Shape& shape = world.bodies.shape[body];
     if (shape.kind == ShapeKind::Tiles) {
-        collideWithField(world, mover, body, settings, up, touches);
+        collideWithField(world, mover, body, place, settings, up, touches);
         touches.finish();
         return;
     }
-    const Vec2 centre = world.bodies.position[body] + shape.centre;
+    const Vec2 centre = place + shape.centre;
     const Touch touch = shape.kind == ShapeKind::Circle ? sweepToCircle(mover, centre, shape.half.x, settings)
                                                         : sweepToBox(mover, centre, shape.half, settings);
     if (!touch.hit) return;

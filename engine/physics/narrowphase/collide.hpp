@@ -19,10 +19,16 @@ struct TouchList {
     [[nodiscard]] const Touch* first() const;
 };
 
-/// Finds where a mover touches a body. The mover's path is relative to the body's.
+/// Finds where a mover touches a body that is at `place` (m). The mover's path is relative to the body's.
 /// One-way bodies and cells only answer to what comes from the side of `up`.
-void collide(const World& world, const Mover& mover, std::uint32_t body, const Settings& settings, Vec2 up,
-             TouchList& touches);
+void collideAt(const World& world, const Mover& mover, std::uint32_t body, Vec2 place,
+               const Settings& settings, Vec2 up, TouchList& touches);
+
+/// The same where the body is now.
+inline void collide(const World& world, const Mover& mover, std::uint32_t body, const Settings& settings,
+                    Vec2 up, TouchList& touches) {
+    collideAt(world, mover, body, world.bodies.position[body], settings, up, touches);
+}
 
 /// The mover that a body is in this step. @pre its shape is a box or a circle
 Mover moverOf(const World& world, std::uint32_t body, Vec2 path);

@@ -10,6 +10,7 @@ namespace plumb::physics {
 
 namespace {
 
+constexpr float kAlong = 1e-4f;
 constexpr float kRayHalf = 1e-5f;  // m: a ray is a circle too small to see
 
 bool sees(const World& world, const Filter& filter, std::uint32_t i) {
@@ -24,6 +25,12 @@ bool reaches(const AABB& a, const AABB& b) {
     return a.max.x >= b.min.x && a.min.x <= b.max.x && a.max.y >= b.min.y && a.min.y <= b.max.y;
 }
 
+/// Where a query sees a body: a kinematic one where this tick takes it, since its owner moves it before
+/// others.
+Vec2 placeOf(const World& world, std::uint32_t i) {
+    return (world.bodies.flags[i] & kHasTarget) != 0 ? world.bodies.target[i] : world.bodies.position[i];
+}
+
 /// Every body that the query sees and whose bounds reach the box.
 template <class Visit>
 void forEachSeen(World& world, const AABB& box, const Filter& filter, Visit visit) {
@@ -35,7 +42,7 @@ void forEachSeen(World& world, const AABB& box, const Filter& filter, Visit visi
     for (std::uint32_t i = 0; i < world.bodies.size(); ++i) {
         const BodyKind kind = world.bodies.kind[i];
         if (kind == BodyKind::None || kind == BodyKind::Static || !sees(world, filter, i)) continue;
-        if (reaches(box, world.bodies.shape[i].boundsAt(world.bodies.position[i]))) visit(i);
+        if (reaches(box, world.bodies.shape[i].boundsAt(placeOf(world, i)))) visit(i);
     }
 }
 
@@ -52,10 +59,12 @@ std::optional<CastHit> shapeCast(World& world, const Mover& mover, const Setting
     const Vec2 up = filter.oneWay ? upOf(settings) : Vec2{};
     forEachSeen(world, boundsOf(mover, settings.touchDistance), filter, [&](std::uint32_t i) {
         TouchList touches;
-        collide(world, mover, i, settings, up, touches);
+        collideAt(world, mover, i, placeOf(world, i), settings, up, touches);
         for (int k = 0; k < touches.count; ++k) {
             const Touch& touch = touches.items[k];
-            if (mover.path != Vec2{} && dot(touch.normal, mover.path) >= 0.0f) continue;
+            // Along a surface, rounding decides whether the way leads into it; that much does not count.
+            if (dot(touch.normal, mover.path) >= -kAlong * length(mover.path) && mover.path != Vec2{})
+                continue;
             if (best && (best->touch.time < touch.time ||
                          (best->touch.time == touch.time && best->touch.separation <= touch.separation))) {
                 continue;
@@ -81,7 +90,7 @@ void overlap(World& world, Mover mover, const Settings& settings, const Filter& 
     exact.touchDistance = exact.seamDistance = 0.0f;
     forEachSeen(world, boundsOf(mover, 0.0f), filter, [&](std::uint32_t i) {
         TouchList touches;
-        collide(world, mover, i, exact, upOf(settings), touches);
+        collideAt(world, mover, i, placeOf(world, i), exact, upOf(settings), touches);
         const Touch* touch = touches.first();
         if (touch != nullptr && touch->separation < 0.0f) found.push_back({i, world.bodies.generation[i]});
     });

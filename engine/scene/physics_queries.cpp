@@ -1,0 +1,58 @@
+#include "scene/physics_queries.hpp"
+
+#include "physics/queries/cast.hpp"
+#include "scene/body_sync.hpp"
+#include "scene/physics_bridge.hpp"
+#include "scene/physics_state.hpp"
+#include "scene/physics_units.hpp"
+
+namespace plumb {
+
+namespace {
+
+physics::Filter filterFrom(World& world, const QueryFilter& filter) {
+    physics::Filter out;
+    out.layers = filter.layers;
+    out.mask = filter.mask;
+    out.except = filter.except ? bodyOf(world, filter.except) : physics::BodyId{};
+    out.triggers = filter.triggers;
+    out.oneWay = filter.oneWay;
+    out.movers = filter.movers;
+    return out;
+}
+
+std::optional<QueryHit> hitFrom(const PhysicsState& state, const std::optional<physics::CastHit>& hit) {
+    if (!hit) return std::nullopt;
+    return QueryHit{state.links[hit->body.index].entity, hit->touch.normal, toPixels(hit->point),
+                    hit->touch.time, hit->touch.separation * kPixelsPerMetre};
+}
+
+physics::Mover moverFrom(const AABB& box, Vec2 way) {
+    return {physics::ShapeKind::Box, toMetres(box.center()), toMetres(box.size() * 0.5f), toMetres(way),
+            0.0f};
+}
+
+}  // namespace
+
+std::optional<QueryHit> castBox(World& world, const AABB& box, Vec2 way, const QueryFilter& filter) {
+    PhysicsState& state = world.resource<PhysicsState>();
+    return hitFrom(state, physics::shapeCast(state.world, moverFrom(box, way), physicsSettingsOf(world),
+                                             filterFrom(world, filter)));
+}
+
+std::optional<QueryHit> castRay(World& world, Vec2 from, Vec2 way, const QueryFilter& filter) {
+    PhysicsState& state = world.resource<PhysicsState>();
+    return hitFrom(state, physics::rayCast(state.world, toMetres(from), toMetres(way),
+                                           physicsSettingsOf(world), filterFrom(world, filter)));
+}
+
+void overlapBox(World& world, const AABB& box, const QueryFilter& filter, std::vector<EntityId>& found) {
+    PhysicsState& state = world.resource<PhysicsState>();
+    std::vector<physics::BodyId> bodies;
+    physics::overlap(state.world, moverFrom(box, {}), physicsSettingsOf(world), filterFrom(world, filter),
+                     bodies);
+    found.clear();
+    for (const physics::BodyId body : bodies) found.push_back(state.links[body.index].entity);
+}
+
+}  // namespace plumb

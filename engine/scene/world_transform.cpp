@@ -1,0 +1,49 @@
+#include "scene/world_transform.hpp"
+
+#include "ecs/hierarchy.hpp"
+#include "math/angle.hpp"
+
+namespace plumb {
+namespace {
+
+Vec2 divided(Vec2 a, Vec2 b) { return {b.x != 0.0f ? a.x / b.x : 0.0f, b.y != 0.0f ? a.y / b.y : 0.0f}; }
+
+}  // namespace
+
+Pose interpolated(const Transform& transform, float alpha) {
+    if (alpha >= 1.0f) return {transform.position, transform.rotation, transform.scale};
+    Pose pose;
+    pose.position = lerp(transform.previousPosition, transform.position, alpha);
+    pose.rotation = transform.rotation == transform.previousRotation
+                        ? transform.rotation
+                        : lerpAngle(transform.previousRotation, transform.rotation, alpha);
+    pose.scale = lerp(transform.previousScale, transform.scale, alpha);
+    return pose;
+}
+
+Pose composed(const Pose& parent, const Pose& child) {
+    return {parent.position + rotated(scaled(child.position, parent.scale), parent.rotation),
+            parent.rotation + child.rotation, scaled(parent.scale, child.scale)};
+}
+
+Pose relativeTo(const Pose& parent, const Pose& child) {
+    return {divided(rotated(child.position - parent.position, -parent.rotation), parent.scale),
+            child.rotation - parent.rotation, divided(child.scale, parent.scale)};
+}
+
+Pose worldPose(const World& world, EntityId entity, float alpha) {
+    const auto* transform = world.find<Transform>(entity);
+    const Pose own = transform != nullptr ? interpolated(*transform, alpha) : Pose{};
+    const EntityId parent = parentOf(world, entity);
+    return parent ? composed(worldPose(world, parent, alpha), own) : own;
+}
+
+void storePreviousTransforms(World& world) {
+    world.each<Transform>([](Transform& transform) {
+        transform.previousPosition = transform.position;
+        transform.previousRotation = transform.rotation;
+        transform.previousScale = transform.scale;
+    });
+}
+
+}  // namespace plumb

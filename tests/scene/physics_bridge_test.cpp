@@ -1,0 +1,301 @@
+#include <limits>
+
+#include <gtest/gtest.h>
+
+#include "core/log.hpp"
+#include "core/random.hpp"
+#include "ecs/hierarchy.hpp"
+#include "scene/components/box_collider.hpp"
+#include "scene/components/circle_collider.hpp"
+#include "scene/components/kinematic_body.hpp"
+#include "scene/components/rigid_body.hpp"
+#include "scene/components/static_body.hpp"
+#include "scene/components/tile_collider.hpp"
+#include "scene/components/tile_layer.hpp"
+#include "scene/components/transform.hpp"
+#include "scene/contact_events.hpp"
+#include "scene/physics_queries.hpp"
+#include "scene/physics_state.hpp"
+#include "scene/systems/physics_system.hpp"
+
+namespace plumb {
+namespace {
+
+constexpr float kTick = 1.0f / 60.0f;  // s
+
+void run(World& world, int ticks) {
+    for (int i = 0; i < ticks; ++i) {
+        world.beginTick();
+        world.update(kTick);
+    }
+}
+
+Entity falling(World& world, Vec2 at, float size = 10) {
+    Entity entity = world.createEntity();
+    entity.addComponent<Transform>(at.x, at.y);
+    entity.addComponent<RigidBody>();
+    entity.addComponent<BoxCollider>(size, size);
+    return entity;
+}
+
+Entity ground(World& world, Vec2 at, float width, float height) {
+    Entity entity = world.createEntity();
+    entity.addComponent<Transform>(at.x, at.y);
+    entity.addComponent<BoxCollider>(width, height);
+    entity.addComponent<StaticBody>();
+    return entity;
+}
+
+TEST(PhysicsBridge, aBodyFallsAndLandsWithoutAnybodyCallingForIt) {
+    World world;
+    world.addSystem<PhysicsSystem>();
+    const Entity ball = falling(world, {100, 0});
+    ground(world, {0, 500}, 1000, 20);
+    run(world, 300);
+    EXPECT_NEAR(ball.get<Transform>().position.y, 490.0f, 0.1f);
+    EXPECT_TRUE(ball.get<RigidBody>().grounded);
+    EXPECT_EQ(ball.get<RigidBody>().velocity, (Vec2{}));
+}
+
+TEST(PhysicsBridge, theThreeSystemsOfTheSampleAreOneStep) {
+    World world;
+    world.addSystem<GravitySystem>();
+    world.addSystem<MovementSystem>();
+    world.addSystem<CollisionSystem>();
+    const Entity ball = falling(world, {100, 0});
+    ground(world, {0, 500}, 1000, 20);
+    run(world, 30);
+    EXPECT_NEAR(ball.get<RigidBody>().velocity.y, PhysicsSettings::kGravity.y * 0.5f, 0.5f);
+    run(world, 240);
+    EXPECT_TRUE(ball.get<RigidBody>().grounded);
+}
+
+TEST(PhysicsBridge, whatIsNotCalledForDoesNotHappen) {
+    World world;
+    world.addSystem<MovementSystem>();
+    const Entity ball = falling(world, {100, 0});
+    ball.get<RigidBody>().velocity = {60, 0};
+    ground(world, {105, -50}, 20, 100);
+    run(world, 60);
+    EXPECT_FLOAT_EQ(ball.get<Transform>().position.x, 160.0f) << "no contacts: it goes through the wall";
+    EXPECT_FLOAT_EQ(ball.get<Transform>().position.y, 0.0f) << "no gravity";
+    EXPECT_TRUE(world.resource<PhysicsState>().world.work.pairs.empty());
+}
+
+TEST(PhysicsBridge, pixelsComeBackBitForBit) {
+    World world;
+    world.addSystem<PhysicsSystem>();
+    Random random = Random::seeded(4);
+    std::vector<std::pair<Entity, Vec2>> still;
+    for (int i = 0; i < 500; ++i) {
+        const Vec2 at{random.between(-5000, 5000), random.between(-5000, 5000)};
+        Entity entity = falling(world, at, 1);
+        entity.get<RigidBody>().gravityScale = 0;
+        entity.get<BoxCollider>().mask = 0;
+        still.emplace_back(entity, at);
+    }
+    run(world, 10);
+    for (const auto& [entity, at] : still) EXPECT_EQ(entity.get<Transform>().position, at);
+}
+
+TEST(PhysicsBridge, bodiesComeAndGoWithTheirComponents) {
+    World world;
+    world.addSystem<PhysicsSystem>();
+    const Entity ball = falling(world, {0, 0});
+    const Entity floor = ground(world, {-50, 20}, 100, 10);
+    run(world, 30);
+    EXPECT_EQ(physics::bodyCount(world.resource<PhysicsState>().world), 2u);
+    floor.removeComponent<BoxCollider>();
+    run(world, 30);
+    EXPECT_GT(ball.get<Transform>().position.y, 20.0f);
+    EXPECT_EQ(physics::bodyCount(world.resource<PhysicsState>().world), 1u);
+    ball.destroy();
+    run(world, 1);
+    EXPECT_EQ(physics::bodyCount(world.resource<PhysicsState>().world), 0u);
+}
+
+TEST(PhysicsBridge, aColliderWithoutAnyBodyIsGround) {
+    World world;
+    world.addSystem<PhysicsSystem>();
+    const Entity ball = falling(world, {0, 0});
+    Entity wall = world.createEntity();
+    wall.addComponent<Transform>(-50.0f, 50.0f);
+    wall.addComponent<BoxCollider>(100, 10);
+    run(world, 120);
+    EXPECT_NEAR(ball.get<Transform>().position.y, 40.0f, 0.1f);
+}
+
+TEST(PhysicsBridge, movingATransformMovesTheBody) {
+    World world;
+    world.addSystem<PhysicsSystem>();
+    const Entity ball = falling(world, {0, 0});
+    const Entity floor = ground(world, {-50, 20}, 100, 10);
+    run(world, 60);
+    teleport(ball.get<Transform>(), {0, -200});
+    run(world, 1);
+    EXPECT_NEAR(ball.get<Transform>().position.y, -200.0f, 1.0f);
+    floor.get<Transform>().position.y = -100;
+    run(world, 120);
+    EXPECT_NEAR(ball.get<Transform>().position.y, -110.0f, 0.1f);
+}
+
+TEST(PhysicsBridge, contactsBeginOnceStayAndEnd) {
+    World world;
+    world.addSystem<PhysicsSystem>();
+    const Entity ball = falling(world, {0, 0});
+    const Entity floor = ground(world, {-50, 20}, 100, 10);
+    int began = 0;
+    int stayed = 0;
+    for (int i = 0; i < 60; ++i) {
+        run(world, 1);
+        for (const ContactBegan& event : world.events<ContactBegan>()) {
+            ++began;
+            const bool ballFirst = event.a == ball.id();
+            EXPECT_EQ(ballFirst ? event.b : event.a, floor.id());
+            EXPECT_NEAR(event.normal.y, ballFirst ? 1.0f : -1.0f, 1e-5f);
+            EXPECT_NEAR(event.point.y, 20.0f, 0.1f);
+        }
+        stayed += static_cast<int>(world.events<ContactStayed>().size());
+    }
+    EXPECT_EQ(began, 1);
+    EXPECT_GT(stayed, 30);
+    floor.destroy();
+    run(world, 1);
+    EXPECT_EQ(world.events<ContactEnded>().size(), 1u);
+}
+
+TEST(PhysicsBridge, triggersTellWhoEntersAndLeaves) {
+    World world;
+    world.addSystem<PhysicsSystem>();
+    const Entity ball = falling(world, {0, 0});
+    Entity coin = world.createEntity();
+    coin.addComponent<Transform>(5.0f, 50.0f);
+    coin.addComponent<CircleCollider>(4.0f).isTrigger = true;
+    int entered = 0;
+    int left = 0;
+    for (int i = 0; i < 60; ++i) {
+        run(world, 1);
+        for (const TriggerEntered& event : world.events<TriggerEntered>()) {
+            ++entered;
+            EXPECT_EQ(event.trigger, coin.id());
+            EXPECT_EQ(event.other, ball.id());
+        }
+        left += static_cast<int>(world.events<TriggerLeft>().size());
+    }
+    EXPECT_EQ(entered, 1);
+    EXPECT_EQ(left, 1);
+}
+
+TEST(PhysicsBridge, destroyingWhatIsTouchedInsideTheLoopIsSafe) {
+    World world;
+    world.addSystem<PhysicsSystem>();
+    for (int i = 0; i < 50; ++i) falling(world, {static_cast<float>(i) * 12.0f, 0});
+    ground(world, {-50, 20}, 1000, 10);
+    run(world, 30);
+    std::size_t killed = 0;
+    for (int i = 0; i < 60; ++i) {
+        run(world, 1);
+        for (const ContactStayed& event : world.events<ContactStayed>()) {
+            const EntityId body = world.has<RigidBody>(event.a) ? event.a : event.b;
+            if (killed < 50 && world.alive(body)) world.destroy(body), ++killed;
+        }
+    }
+    EXPECT_EQ(killed, 50u);
+    EXPECT_EQ(physics::bodyCount(world.resource<PhysicsState>().world), 1u);
+}
+
+TEST(PhysicsBridge, childrenCollideWhereTheyAreInTheWorld) {
+    World world;
+    world.addSystem<PhysicsSystem>();
+    Entity parent = world.createEntity();
+    parent.addComponent<Transform>(0.0f, 100.0f);
+    const Entity child = ground(world, {-50, 20}, 100, 10);
+    setParent(world, child, parent);
+    const Entity ball = falling(world, {0, 0});
+    run(world, 120);
+    EXPECT_NEAR(ball.get<Transform>().position.y, 110.0f, 0.1f);
+}
+
+TEST(PhysicsBridge, tileLayersAreSolidAndFollowChanges) {
+    World world;
+    world.addSystem<PhysicsSystem>();
+    TileGrid grid{20, 4};
+    for (int x = 0; x < 20; ++x) grid.set(x, 3, cellOf(0));
+    Entity level = world.createEntity();
+    level.addComponent<Transform>(0.0f, 0.0f);
+    level.addComponent<TileLayer>().cells = world.tiles().add(grid);
+    level.addComponent<TileCollider>();
+    const Entity ball = falling(world, {40, 0});
+    run(world, 60);
+    EXPECT_NEAR(ball.get<Transform>().position.y, 38.0f, 0.1f);
+    const auto* before = world.resource<PhysicsState>().world.fields[0].get();
+    run(world, 10);
+    EXPECT_EQ(world.resource<PhysicsState>().world.fields[0].get(), before) << "an unchanged grid is kept";
+    TileGrid& edited = *world.tiles().edit(level.get<TileLayer>().cells);
+    for (int x = 0; x < 20; ++x) edited.set(x, 3, 0);
+    run(world, 30);
+    EXPECT_GT(ball.get<Transform>().position.y, 60.0f);
+}
+
+TEST(PhysicsBridge, aSnapshotRepeatsWhatFollowed) {
+    World world;
+    world.addSystem<PhysicsSystem>();
+    Random random = Random::seeded(9);
+    for (int i = 0; i < 60; ++i) {
+        Entity e = falling(world, {random.between(0, 300), random.between(-300, 0)}, random.between(5, 20));
+        e.get<RigidBody>().bounciness = random.unit();
+    }
+    ground(world, {-50, 20}, 500, 10);
+    run(world, 40);
+    const Snapshot saved = world.save();
+    std::vector<std::uint64_t> hashes;
+    for (int i = 0; i < 60; ++i) run(world, 1), hashes.push_back(world.hash());
+    world.restore(saved);
+    for (int i = 0; i < 60; ++i) {
+        run(world, 1);
+        ASSERT_EQ(world.hash(), hashes[static_cast<std::size_t>(i)]) << i;
+    }
+}
+
+TEST(PhysicsBridge, badNumbersAreToldOnceAndStopNothing) {
+    std::vector<LogLine> lines;
+    const LogSink before = setLogSink([&](const LogLine& line) { lines.push_back(line); });
+    World world;
+    world.addSystem<PhysicsSystem>();
+    const Entity good = falling(world, {0, 0});
+    const Entity bad = falling(world, {0, 0});
+    bad.get<BoxCollider>().mask = 0;
+    run(world, 1);
+    bad.get<Transform>().position.x = std::numeric_limits<float>::quiet_NaN();
+    bad.get<RigidBody>().velocity.x = std::numeric_limits<float>::infinity();
+    const Entity born = falling(world, {std::numeric_limits<float>::infinity(), 0});
+    run(world, 30);
+    setLogSink(before);
+    EXPECT_EQ(lines.size(), 2u);
+    EXPECT_TRUE(isFinite(bad.get<Transform>().position));
+    EXPECT_TRUE(isFinite(bad.get<RigidBody>().velocity));
+    EXPECT_TRUE(isFinite(good.get<Transform>().position));
+    EXPECT_TRUE(born.alive());
+}
+
+TEST(PhysicsBridge, queriesSpeakInPixels) {
+    World world;
+    world.addSystem<PhysicsSystem>();
+    const Entity wall = ground(world, {100, -50}, 20, 100);
+    run(world, 1);
+    syncBodies(world, kTick);
+    const auto ray = castRay(world, {0, 0}, {200, 0});
+    ASSERT_TRUE(ray.has_value());
+    EXPECT_EQ(ray->entity, wall.id());
+    EXPECT_NEAR(ray->point.x, 100.0f, 0.01f);
+    const auto box = castBox(world, {{0, -5}, {10, 5}}, {200, 0});
+    ASSERT_TRUE(box.has_value());
+    EXPECT_NEAR(box->fraction, 0.45f, 1e-3f);
+    std::vector<EntityId> found;
+    overlapBox(world, {{90, 0}, {110, 5}}, {}, found);
+    ASSERT_EQ(found.size(), 1u);
+    EXPECT_EQ(found[0], wall.id());
+}
+
+}  // namespace
+}  // namespace plumb
