@@ -231,7 +231,8 @@ std::string writeTileset(const Tileset& tileset) {
     if (tileset.offset != Vec2{}) json["offset"] = pointJson(tileset.offset);
     for (const Tile& tile : tileset.tiles) json["tiles"].push_back(tileJson(tile));
     if (!tileset.properties.empty()) json["properties"] = propertiesJson(tileset.properties);
-    for (const auto& [key, value] : propertiesJson(tileset.unknown).items()) json[key] = value;
+    const Json unknown = propertiesJson(tileset.unknown);
+    for (const auto& [key, value] : unknown.items()) json[key] = value;
     return writeJson(json);
 }
 
