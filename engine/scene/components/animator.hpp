@@ -21,7 +21,7 @@ struct Animator {
     bool loop = true;                          ///< false stops every clip after one turn
     int frame = 0;                             ///< index in the clip
     float timer = 0.0f;                        ///< s since the frame began
-    int direction = 1;                         ///< of a ping-pong clip: 1 forth, -1 back
+    int direction = 0;                         ///< 1 forth, -1 on the way back; 0 until the clip has begun
     bool ended = false;                        ///< a clip that plays once is over
     int state = 0;                             ///< of the state machine
     FixedList<float, kParameters> parameters;  ///< of the state machine; bools and triggers as 0 and 1

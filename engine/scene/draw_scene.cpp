@@ -1,0 +1,148 @@
+#include "scene/draw_scene.hpp"
+
+#include <cmath>
+
+#include "ecs/hierarchy.hpp"
+#include "math/portable.hpp"
+#include "render/camera_motion.hpp"
+#include "scene/components/camera.hpp"
+#include "scene/components/hidden.hpp"
+#include "scene/components/label.hpp"
+#include "scene/components/parallax_layer.hpp"
+#include "scene/components/sprite.hpp"
+#include "scene/world_transform.hpp"
+
+namespace plumb {
+namespace {
+
+constexpr double kSecondsPerTick = 1.0 / 60.0;
+
+Rect sourceOf(const Sprite& sprite) {
+    if (!sprite.source.empty()) return sprite.source;
+    const auto width = static_cast<float>(sprite.width);
+    const auto height = static_cast<float>(sprite.height);
+    return {static_cast<float>(sprite.frameX) * width, static_cast<float>(sprite.frameY) * height, width,
+            height};
+}
+
+/// The sprite as a quad at a pose. A negative scale mirrors.
+SpriteQuad quadOf(const Sprite& sprite, const Pose& pose, const TextureRegion& picture) {
+    const Vec2 size{static_cast<float>(sprite.width) * pose.scale.x,
+                    static_cast<float>(sprite.height) * pose.scale.y};
+    SpriteQuad quad;
+    quad.center = quadCenter(pose.position, sprite.pivot, size, pose.rotation);
+    quad.half = {std::fabs(size.x) * 0.5f, std::fabs(size.y) * 0.5f};
+    quad.rotation = pose.rotation;
+    quad.texture = picture.texture;
+    quad.source =
+        picture.texture == TextureHandle{} ? Rect{0.0f, 0.0f, 1.0f, 1.0f} : picture.part(sourceOf(sprite));
+    quad.tint = sprite.tint;
+    quad.layer = sprite.layer;
+    quad.flipX = sprite.flipX != (size.x < 0.0f);
+    quad.flipY = sprite.flipY != (size.y < 0.0f);
+    return quad;
+}
+
+Vec2 topLeftOf(const View& view) { return view.center - view.size * (0.5f / view.zoom); }
+
+}  // namespace
+
+View cameraView(World& world, Vec2 picture, float alpha) {
+    View view;
+    view.size = picture;
+    view.center = picture * 0.5f;
+    for (auto [entity, camera] : world.query<const Camera>(without<Hidden>)) {
+        if (!camera.enabled) continue;
+        view.center = worldPose(world, entity, alpha).position;
+        view.zoom = lerp(camera.previousZoom, camera.zoom, alpha);
+        if (!(view.zoom > 0.0f)) view.zoom = 1.0f;
+        const float time = camera.shakeTime + alpha * static_cast<float>(kSecondsPerTick);
+        view.center += shakeOffset(camera.shakeStrength, camera.shakeSeconds, time);
+        break;
+    }
+    return view;
+}
+
+SceneRenderer::SceneRenderer(RenderDevice& device, AssetStore& assets)
+    : assets_{assets},
+      renderer_{device},
+      textures_{device, assets},
+      tiles_{device, assets, textures_},
+      labels_{device, assets} {}
+
+void SceneRenderer::draw(World& world, Vec2 picture, float alpha, const Viewport& viewport,
+                         LabelText labelText) {
+    SceneView how;
+    how.view = snappedToPixels(cameraView(world, picture, alpha));
+    how.alpha = alpha;
+    how.labelText = labelText;
+    labels_.setPixelScale(picture.x > 0.0f ? static_cast<float>(viewport.width) / picture.x : 1.0f);
+    list_.begin(how.view);
+    collect(world, how, list_);
+    renderer_.draw(list_, viewport);
+}
+
+void SceneRenderer::collect(World& world, const SceneView& how, DrawList& list) {
+    textures_.refresh();
+    tiles_.beginFrame(static_cast<double>(world.tick) * kSecondsPerTick);
+    collectBackdrops(world, how, list);
+    collectTiles(world, how, list);
+    collectSprites(world, how, list);
+    collectLabels(world, how, list);
+}
+
+void SceneRenderer::collectSprites(World& world, const SceneView& how, DrawList& list) {
+    // Most sprites have no parent; they skip the walk up.
+    for (auto [entity, sprite, transform] :
+         world.query<const Sprite, const Transform>(without<Hidden, ParallaxLayer, Parent>)) {
+        list.sprite(quadOf(sprite, interpolated(transform, how.alpha), textures_.regionOf(sprite.texture)));
+    }
+    for (auto [entity, sprite] : world.query<const Sprite>(with<Parent>, without<Hidden, ParallaxLayer>)) {
+        list.sprite(quadOf(sprite, worldPose(world, entity, how.alpha), textures_.regionOf(sprite.texture)));
+    }
+}
+
+void SceneRenderer::collectBackdrops(World& world, const SceneView& how, DrawList& list) {
+    const AABB seen = visibleBox(how.view);
+    const Vec2 moved = topLeftOf(how.view) - how.parallaxOrigin;
+    for (auto [entity, sprite, backdrop] : world.query<const Sprite, const ParallaxLayer>(without<Hidden>)) {
+        SpriteQuad quad =
+            quadOf(sprite, worldPose(world, entity, how.alpha), textures_.regionOf(sprite.texture));
+        if (how.parallax)
+            quad.center += {moved.x * (1.0f - backdrop.factor.x), moved.y * (1.0f - backdrop.factor.y)};
+        const Vec2 size = quad.half * 2.0f;
+        if (!(size.x >= 1.0f) || !(size.y >= 1.0f)) continue;
+        // The first copy is the leftmost that is seen; without repetition there is one.
+        const Vec2 first = quad.center;
+        const auto start = [](bool repeats, float center, float step, float from) {
+            return repeats ? center + std::ceil((from - center) / step - 0.5f) * step : center;
+        };
+        const float left = start(backdrop.repeatX, first.x, size.x, seen.min.x);
+        const float top = start(backdrop.repeatY, first.y, size.y, seen.min.y);
+        const float right = backdrop.repeatX ? seen.max.x + quad.half.x : left;
+        const float bottom = backdrop.repeatY ? seen.max.y + quad.half.y : top;
+        for (float y = top; y <= bottom; y += size.y) {
+            for (float x = left; x <= right; x += size.x) {
+                quad.center = {x, y};
+                list.sprite(quad);
+            }
+        }
+    }
+}
+
+void SceneRenderer::collectTiles(World& world, const SceneView& how, DrawList& list) {
+    for (auto [entity, layer] : world.query<const TileLayer>(without<Hidden>)) {
+        tiles_.draw(world, entity, layer, worldPose(world, entity, how.alpha), list);
+    }
+}
+
+void SceneRenderer::collectLabels(World& world, const SceneView& how, DrawList& list) {
+    const Vec2 corner = how.parallax ? topLeftOf(how.view) : Vec2{};
+    for (auto [entity, label] : world.query<const Label>(without<Hidden>)) {
+        Pose pose = worldPose(world, entity, how.alpha);
+        if (label.screen) pose.position += corner;
+        labels_.draw(world, label, pose, how.labelText, list);
+    }
+}
+
+}  // namespace plumb

@@ -1,0 +1,57 @@
+#pragma once
+
+#include "assets/asset_store.hpp"
+#include "ecs/world.hpp"
+#include "render/draw_list.hpp"
+#include "render/renderer.hpp"
+#include "render/texture_library.hpp"
+#include "scene/label_drawing.hpp"
+#include "scene/tile_drawing.hpp"
+
+namespace plumb {
+
+/// The view of the first enabled camera between its last two ticks, shake included; without one, the view
+/// whose top-left corner is the world's origin.
+/// @param picture  px, size of the game's picture
+View cameraView(World& world, Vec2 picture, float alpha);
+
+/// How a world is looked at.
+struct SceneView {
+    View view;
+    float alpha = 1.0f;    ///< between the last two ticks (ratio, 0..1)
+    Vec2 parallaxOrigin;   ///< px, world: where the view's top-left corner shows backdrops at their place
+    bool parallax = true;  ///< false draws backdrops where they are, as part of the world
+    LabelText labelText = nullptr;  ///< null shows texts as they are written
+};
+
+/// Turns a world into draw lists: sprites, backdrops, tile layers, texts. Keeps what is costly to make
+/// between frames; changes nothing in the world.
+class SceneRenderer {
+public:
+    SceneRenderer(RenderDevice& device, AssetStore& assets);
+
+    /// Fills `list` with what `how` sees of the world.
+    void collect(World& world, const SceneView& how, DrawList& list);
+
+    /// Collects by the scene's camera and draws. @param picture  px of the game's picture
+    void draw(World& world, Vec2 picture, float alpha, const Viewport& viewport,
+              LabelText labelText = nullptr);
+
+    [[nodiscard]] TextureLibrary& textures() { return textures_; }
+    [[nodiscard]] Renderer& renderer() { return renderer_; }
+
+private:
+    void collectSprites(World& world, const SceneView& how, DrawList& list);
+    void collectBackdrops(World& world, const SceneView& how, DrawList& list);
+    void collectTiles(World& world, const SceneView& how, DrawList& list);
+    void collectLabels(World& world, const SceneView& how, DrawList& list);
+
+    AssetStore& assets_;
+    Renderer renderer_;
+    TextureLibrary textures_;
+    TileDrawing tiles_;
+    LabelDrawing labels_;
+    DrawList list_;
+};
+
+}  // namespace plumb

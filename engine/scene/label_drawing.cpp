@@ -1,0 +1,69 @@
+#include "scene/label_drawing.hpp"
+
+#include "core/log.hpp"
+
+namespace plumb {
+namespace {
+
+constexpr std::string_view kDefaultFont = "engine:fonts/press_start_2p.ttf";
+
+TextShape shapeOf(const Label& label, float scale) {
+    TextShape shape;
+    shape.size = label.size * scale;
+    shape.align = static_cast<TextAlign>(label.align);
+    return shape;
+}
+
+}  // namespace
+
+void LabelDrawing::draw(const World& world, const Label& label, const Pose& pose, LabelText labelText,
+                        DrawList& list) {
+    const Font* font = fontOf(label.font);
+    if (font == nullptr || label.text.empty()) return;
+    fill(world, label, labelText);
+    TextStyle style;
+    style.shape = shapeOf(label, pose.scale.y);
+    style.color = label.color;
+    style.shadow = label.shadow;
+    style.layer = label.layer;
+    painter_.draw(list, *font, text_, pose.position, style);
+}
+
+Vec2 LabelDrawing::measure(const World& world, const Label& label, LabelText labelText) {
+    const Font* font = fontOf(label.font);
+    if (font == nullptr) return {};
+    fill(world, label, labelText);
+    return painter_.measure(*font, text_, shapeOf(label, 1.0f));
+}
+
+const Font* LabelDrawing::fontOf(FontId id) {
+    if (id.empty()) id = FontId{textId(kDefaultFont)};
+    for (const Face& face : faces_) {
+        if (face.id == id && face.revision == assets_.revisionOf(AssetKind::Font, id.path))
+            return face.font.get();
+    }
+    if (assets_.find(id) == nullptr && id.path == textId(kDefaultFont)) assets_.loadFont(kDefaultFont);
+    const FileBytes* file = assets_.find(id);
+    Face& face = faces_.emplace_back();
+    face.id = id;
+    face.revision = assets_.revisionOf(AssetKind::Font, id.path);
+    if (file == nullptr || file->bytes.empty()) return nullptr;
+    Result<Font> font = Font::fromBytes(file->bytes, std::string{assets_.pathOf(id)});
+    if (font) {
+        face.font = std::make_unique<Font>(std::move(*font));
+    } else {
+        logWarning("Assets", font.error());
+    }
+    return face.font.get();
+}
+
+void LabelDrawing::fill(const World& world, const Label& label, LabelText labelText) {
+    const std::string_view written = world.texts().find(label.text);
+    if (labelText != nullptr) {
+        labelText(world, written, text_);
+    } else {
+        text_ = written;
+    }
+}
+
+}  // namespace plumb
