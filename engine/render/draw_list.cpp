@@ -11,15 +11,11 @@ namespace {
 
 constexpr std::uint32_t kYSteps = 65535;
 
-std::uint16_t quarterTexels(float texels) {
-    return static_cast<std::uint16_t>(std::clamp(texels * kUvPerTexel, 0.0f, 65535.0f) + 0.5f);
-}
-
 /// Left, top, right, bottom; a flip is an exchange of two ends.
 std::array<std::uint16_t, 4> sourceCorners(const SpriteQuad& quad) {
-    std::array<std::uint16_t, 4> uv{quarterTexels(quad.source.x), quarterTexels(quad.source.y),
-                                    quarterTexels(quad.source.x + quad.source.width),
-                                    quarterTexels(quad.source.y + quad.source.height)};
+    std::array<std::uint16_t, 4> uv{uvFromTexels(quad.source.x), uvFromTexels(quad.source.y),
+                                    uvFromTexels(quad.source.x + quad.source.width),
+                                    uvFromTexels(quad.source.y + quad.source.height)};
     if (quad.flipX) std::swap(uv[0], uv[2]);
     if (quad.flipY) std::swap(uv[1], uv[3]);
     return uv;
@@ -72,6 +68,17 @@ void DrawList::sprite(const SpriteQuad& quad) {
     add(Kind::Sprite, instances_.size(), drawKey(quad.layer, yKey(quad.sortY), group));
     instances_.push_back({quad.center, quad.half, quad.rotation, sourceCorners(quad), quad.tint,
                           quad.texture.index << kTextureShift | (quad.additive ? kSpriteAdditive : 0u)});
+}
+
+void DrawList::instance(const SpriteInstance& instance, TextureHandle texture, int layer) {
+    if (!sees(instance.center, instance.half, instance.rotation)) {
+        ++culled_;
+        return;
+    }
+    const std::uint32_t group = (texture.index / static_cast<std::uint32_t>(kTextureSlots)) & groupMask_;
+    add(Kind::Sprite, instances_.size(), drawKey(layer, 0, group));
+    instances_.push_back(instance);
+    instances_.back().slot |= texture.index << kTextureShift;
 }
 
 void DrawList::retained(const RetainedSprites& sprites) {

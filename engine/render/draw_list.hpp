@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <limits>
 #include <span>
@@ -39,9 +40,10 @@ Vec2 quadCenter(Vec2 origin, Vec2 pivot, Vec2 size, float rotation);
 struct RetainedSprites {
     InstanceBufferHandle buffer;
     std::size_t count = 0;
-    TextureHandle texture;  ///< one for all of them
-    AABB bounds;            ///< px, before `offset`: for culling
-    Vec2 offset;            ///< px, world
+    std::array<TextureHandle, kTextureSlots> textures{};  ///< by the instances' slots
+    std::size_t textureCount = 1;
+    AABB bounds;  ///< px, before `offset`: for culling
+    Vec2 offset;  ///< px, world
     Color tint;
     int layer = 0;
 };
@@ -68,6 +70,8 @@ public:
 
     void sprite(const SpriteQuad& quad);
     void retained(const RetainedSprites& sprites);
+    /// A quad that is in the device's form already; its slot holds flags only.
+    void instance(const SpriteInstance& instance, TextureHandle texture, int layer);
 
     void line(Vec2 from, Vec2 to, const ShapeStyle& style);
     void arrow(Vec2 from, Vec2 to, const ShapeStyle& style);

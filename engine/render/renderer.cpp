@@ -77,8 +77,8 @@ void Renderer::addRetained(const RetainedSprites& sprites, const ViewTransform& 
     Step step{DrawList::Kind::Retained, {}, {}};
     step.batch.buffer = sprites.buffer;
     step.batch.count = sprites.count;
-    step.batch.textures[0] = sprites.texture;
-    step.batch.textureCount = 1;
+    step.batch.textures = sprites.textures;
+    step.batch.textureCount = sprites.textureCount;
     step.batch.transform = movedBy(transform, sprites.offset);
     step.batch.tint = sprites.tint;
     steps_.push_back(step);

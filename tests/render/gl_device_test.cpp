@@ -120,7 +120,7 @@ TEST_F(GlDeviceTest, flipsAndDiagonalFlipTurnTheSource) {
 
     const std::array<SpriteInstance, 1> tile{SpriteInstance{
         .center = {4.0f, 8.0f}, .half = {4.0f, 8.0f}, .uv = {0, 0, 16, 8}, .slot = kSpriteDiagonal}};
-    RetainedSprites retained{.buffer = device->createInstances(tile), .count = 1, .texture = texture};
+    RetainedSprites retained{.buffer = device->createInstances(tile), .count = 1, .textures = {texture}};
     retained.bounds = {{0.0f, 0.0f}, {8.0f, 16.0f}};
     list.begin(view);
     list.retained(retained);

@@ -1,0 +1,104 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "math/tile_grid.hpp"
+#include "render/draw_list.hpp"
+#include "render/texture_atlas.hpp"
+
+namespace plumb {
+
+/// Where the picture of one tile is, now.
+struct TileLook {
+    TextureHandle texture;
+    Rect source;            ///< texels; empty draws nothing
+    bool animated = false;  ///< may look different in the next frame
+};
+
+/// How the tiles of a layer look.
+struct TileSheet {
+    std::span<const TileLook> looks;  ///< by tile
+    Vec2 cellSize{16.0f, 16.0f};  ///< px in the world; larger pictures stand on the cell's lower left corner
+    Vec2 scale{1.0f, 1.0f};       ///< world px per texel
+    Vec2 offset;                  ///< px added to every tile
+    std::uint32_t version = 0;    ///< another number when any look that is not animated changed
+};
+
+/// Where and how a whole layer is drawn.
+struct TilePlacement {
+    Vec2 offset;  ///< px, world: the layer's top left corner
+    Color tint;
+    int layer = 0;
+};
+
+/// Draws a tile layer by chunks of 32x32 tiles that stay on the graphics card. A chunk is made when it is
+/// first seen and made again when one of its tiles changed; what is not seen costs nothing, whatever the size
+/// of the layer.
+class TileChunks {
+public:
+    static constexpr int kSide = 32;               ///< tiles
+    static constexpr std::size_t kMaxKept = 4096;  ///< chunks; beyond, those longest unseen go first
+
+    explicit TileChunks(RenderDevice& device) : device_{device} {}
+    ~TileChunks() { forget(); }
+    TileChunks(const TileChunks&) = delete;
+    TileChunks& operator=(const TileChunks&) = delete;
+
+    /// Adds what the list's view sees of the layer.
+    void draw(DrawList& list, const TileGrid& grid, const TileSheet& sheet, const TilePlacement& placement);
+    /// Gives all memory back; the next draw makes it anew.
+    void forget();
+
+    [[nodiscard]] std::size_t builtCount() const { return built_; }  ///< chunks made since the beginning
+    [[nodiscard]] std::size_t keptCount() const { return kept_; }
+
+private:
+    /// Tiles of a chunk that one draw call can show: at most 16 textures.
+    struct Part {
+        InstanceBufferHandle buffer;
+        std::size_t count = 0;
+        std::array<TextureHandle, kTextureSlots> textures{};
+        std::size_t textureCount = 0;
+    };
+    struct Chunk {
+        bool known = false;
+        std::uint32_t gridVersion = 0;
+        std::uint64_t cellsHash = 0;
+        std::uint64_t lastSeen = 0;
+        AABB bounds;
+        std::vector<Part> parts;
+        std::vector<std::uint32_t> animated;  ///< cells, by place in the grid
+    };
+    struct Range {
+        int left = 0, top = 0, right = 0, bottom = 0;  ///< chunks, the last two excluded
+    };
+
+    void prepare(const TileGrid& grid, const TileSheet& sheet);
+    [[nodiscard]] Range visibleChunks(const AABB& visible, const TileGrid& grid,
+                                      const TileSheet& sheet) const;
+    void refresh(Chunk& chunk, int chunkX, int chunkY, const TileGrid& grid, const TileSheet& sheet);
+    void build(Chunk& chunk, int chunkX, int chunkY, const TileGrid& grid, const TileSheet& sheet);
+    void addTile(Chunk& chunk, const SpriteInstance& instance, TextureHandle texture);
+    void closePart(Chunk& chunk);
+    void drawAnimated(DrawList& list, const Chunk& chunk, const TileGrid& grid, const TileSheet& sheet,
+                      const TilePlacement& placement) const;
+    void release(Chunk& chunk);
+    void dropUnseen();
+
+    RenderDevice& device_;
+    std::vector<Chunk> chunks_;
+    int columns_ = 0;
+    int rows_ = 0;
+    std::uint32_t sheetVersion_ = 0;
+    Vec2 cellSize_;
+    Vec2 overhang_;  ///< px by which the largest picture reaches out of its cell
+    std::uint64_t frame_ = 0;
+    std::size_t built_ = 0;
+    std::size_t kept_ = 0;
+    std::vector<SpriteInstance> scratch_;
+    Part open_;
+};
+
+}  // namespace plumb

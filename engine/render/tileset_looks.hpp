@@ -1,0 +1,31 @@
+#pragma once
+
+#include <vector>
+
+#include "assets/asset_store.hpp"
+#include "render/texture_library.hpp"
+#include "render/tile_chunks.hpp"
+
+namespace plumb {
+
+/// How the tiles of one tileset look on the graphics card, kept from frame to frame.
+class TilesetLooks {
+public:
+    /// @param tileSize  px of a cell in the world; {0, 0} takes the tileset's own
+    /// @param seconds   since the scene began: which frame animated tiles show
+    /// @return          valid until the next call
+    TileSheet sheet(const AssetStore& assets, TextureLibrary& textures, TilesetId id, Vec2 tileSize,
+                    double seconds);
+
+private:
+    void rebuild(const Tileset& tileset, TextureLibrary& textures);
+    void animate(const Tileset& tileset, TextureLibrary& textures, double seconds);
+
+    std::vector<TileLook> looks_;
+    TilesetId id_;
+    std::uint32_t revision_ = 0;
+    std::uint32_t textureVersion_ = 0;
+    std::uint32_t version_ = 0;
+};
+
+}  // namespace plumb
