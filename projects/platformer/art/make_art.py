@@ -1,0 +1,48 @@
+#!/usr/bin/env python3
+"""Draws every picture and plays every sound of the game into ../assets. CC0, standard library only.
+
+    make_art.py            writes the files
+    make_art.py --check    writes nothing; fails when a committed file differs from what would be written
+
+The same bytes come out on every machine: nothing here asks the clock, the system or a random generator.
+"""
+
+import sys
+import tempfile
+from pathlib import Path
+
+sys.dont_write_bytecode = True
+
+import player  # noqa: E402
+import tilesets  # noqa: E402
+
+PAINTERS = [player, tilesets]
+ASSETS = Path(__file__).resolve().parent.parent / "assets"
+
+
+def write_all(folder, only=()):
+    folder.mkdir(parents=True, exist_ok=True)
+    for painter in PAINTERS:
+        if only and painter.__name__ not in only:
+            continue
+        for name, picture in painter.build().items():
+            if isinstance(picture, bytes):
+                (folder / name).write_bytes(picture)
+            else:
+                picture.save(folder / name)
+
+
+def check():
+    """The names of committed files that this script would write differently."""
+    with tempfile.TemporaryDirectory() as scratch:
+        write_all(Path(scratch))
+        return [made.name for made in sorted(Path(scratch).iterdir())
+                if not (ASSETS / made.name).exists() or (ASSETS / made.name).read_bytes() != made.read_bytes()]
+
+
+if __name__ == "__main__":
+    if "--check" in sys.argv:
+        different = check()
+        print("\n".join(f"{name} differs: run make_art.py" for name in different) or "assets are up to date")
+        sys.exit(1 if different else 0)
+    write_all(ASSETS, [name for name in sys.argv[1:] if not name.startswith("-")])

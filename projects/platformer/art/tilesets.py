@@ -1,0 +1,56 @@
+"""Puts each biome's tiles into one picture of 16 columns, and writes what each tile means beside it.
+
+Rows: 0-2 ground in its 47 shapes | 3 variants of the common ones | 4 slopes | 5 planks, thorns |
+6 small things | 8-10 the wall behind in the same 47 shapes.
+"""
+
+import json
+
+from canvas import Canvas
+from decor import ORDER, planks, small_tiles, thorns
+from terrain import BLOB, SIZE, SLOPES, VARIANTS, ground_tiles, wall_tiles
+
+COLUMNS, ROWS = 16, 11
+VARIANT_ROW, SLOPE_ROW, EDGE_ROW, SMALL_ROW, WALL_ROW = 3, 4, 5, 6, 8
+THORN_NAMES = ["thornsUp", "thornsUp2", "thornsDown", "thornsDown2", "thornsRight", "thornsLeft"]
+# The part of a tile that hurts, as a polygon in px: kinder than the picture.
+THORN_SHAPES = {"thornsUp": [[1, 16], [1, 10], [15, 10], [15, 16]], "thornsDown": [[1, 0], [15, 0], [15, 6], [1, 6]],
+                "thornsRight": [[0, 1], [6, 1], [6, 15], [0, 15]], "thornsLeft": [[10, 1], [16, 1], [16, 15], [10, 15]]}
+
+
+def meaning():
+    """{tile number: {"collision": ..., "properties": ...}} for every tile that is more than a picture."""
+    tiles = {k: {"collision": "full"} for k in range(len(BLOB))}
+    tiles.update({VARIANT_ROW * COLUMNS + k: {"collision": "full"} for k in range(len(VARIANTS))})
+    tiles.update({SLOPE_ROW * COLUMNS + k: {"collision": name} for k, name in enumerate(SLOPES)})
+    tiles.update({EDGE_ROW * COLUMNS + k: {"collision": "oneWay"} for k in range(4)})
+    for k, name in enumerate(THORN_NAMES):
+        tiles[EDGE_ROW * COLUMNS + 4 + k] = {"properties": {"name": name, "hazard": True,
+                                                            "shape": THORN_SHAPES[name.rstrip("2")]}}
+    for k, name in enumerate(ORDER):
+        tiles[SMALL_ROW * COLUMNS + k] = {"properties": {"name": name}}
+    return tiles
+
+
+def description(image):
+    tiles = [json.dumps({"id": number, **what}) for number, what in sorted(meaning().items())]
+    head = {"format": 1, "image": f"assets/{image}", "tileSize": [SIZE, SIZE], "margin": 0, "spacing": 0,
+            "columns": COLUMNS, "count": COLUMNS * ROWS}
+    lines = [f"  {json.dumps(key)}: {json.dumps(value)}," for key, value in head.items()]
+    text = "{\n" + "\n".join(lines) + '\n  "tiles": [\n    ' + ",\n    ".join(tiles) + "\n  ]\n}\n"
+    return text.encode()
+
+
+def build():
+    files = {}
+    for biome in ("wood", "cave", "peak"):
+        picture = Canvas(COLUMNS * SIZE, ROWS * SIZE)
+        shapes, variants, slopes = ground_tiles(biome)
+        rows = {0: shapes, VARIANT_ROW: variants, SLOPE_ROW: slopes, EDGE_ROW: planks(biome) + thorns(biome),
+                SMALL_ROW: small_tiles(biome), WALL_ROW: wall_tiles(biome, shapes)}
+        for row, cells in rows.items():
+            for k, cell in enumerate(cells):
+                picture.paste(cell, k % COLUMNS * SIZE, (row + k // COLUMNS) * SIZE)
+        files[f"{biome}.png"] = picture
+        files[f"{biome}.tileset.json"] = description(f"{biome}.png")
+    return files
