@@ -7,6 +7,7 @@
 
 #include "core/result.hpp"
 #include "reflect/field_types.hpp"
+#include "reflect/json_fields.hpp"
 
 namespace plumb {
 
@@ -27,6 +28,8 @@ struct Animation {
     std::string name;
     std::vector<AnimationFrame> frames;
     LoopMode loop = LoopMode::Loop;
+    std::vector<KeptProperty> unknown =
+        {};  ///< what the file said and this program does not know; written back
 
     friend bool operator==(const Animation&, const Animation&) = default;
 };
@@ -87,6 +90,7 @@ struct AnimationSet {
     std::vector<AnimationParameter> parameters;
     std::vector<AnimationState> states;  ///< none: clips are chosen by hand
     std::vector<AnimationTransition> transitions;
+    std::vector<KeptProperty> unknown;
 
     /// Index of what has this name; -1 when nothing has.
     [[nodiscard]] int findClip(std::string_view name) const;

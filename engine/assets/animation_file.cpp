@@ -61,7 +61,7 @@ Animation readClip(JsonFields& fields) {
         fields.warn("frames", "the clip has no frame", "give it one; the sheet's first cell stands in");
         clip.frames.emplace_back();
     }
-    fields.warnUnknown();
+    clip.unknown = fields.keepUnknown();
     return clip;
 }
 
@@ -142,6 +142,7 @@ Json clipJson(const Animation& clip) {
         if (!frame.event.empty()) item["event"] = frame.event;
         json["frames"].push_back(std::move(item));
     }
+    writeKept(json, clip.unknown);
     return json;
 }
 
@@ -202,7 +203,7 @@ Result<AnimationSet> parseAnimationSet(std::string_view text, std::string_view w
     }
     for (JsonFields& item : fields.objects("states", kMaxStates)) readState(item, set);
     for (JsonFields& item : fields.objects("transitions", kMaxTransitions)) readTransition(item, set);
-    fields.warnUnknown();
+    set.unknown = fields.keepUnknown();
     return set;
 }
 
@@ -221,6 +222,7 @@ std::string writeAnimationSet(const AnimationSet& set) {
     for (const AnimationTransition& transition : set.transitions) {
         json["transitions"].push_back(transitionJson(set, transition));
     }
+    writeKept(json, set.unknown);
     return writeJson(json);
 }
 

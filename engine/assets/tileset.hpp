@@ -11,6 +11,7 @@
 #include "math/rect.hpp"
 #include "math/vec2.hpp"
 #include "reflect/field_types.hpp"
+#include "reflect/json_fields.hpp"
 
 namespace plumb {
 
@@ -42,12 +43,7 @@ struct TileFrame {
 };
 
 /// A value that only the game understands, e.g. "hazard": true.
-struct TileProperty {
-    std::string name;
-    std::string json;  ///< the value as JSON text
-
-    friend bool operator==(const TileProperty&, const TileProperty&) = default;
-};
+using TileProperty = KeptProperty;
 
 /// What is special about one tile of a set.
 struct Tile {
@@ -60,6 +56,7 @@ struct Tile {
     std::string material;              ///< a word of the game's own, e.g. "ice", for sounds and particles
     std::vector<TileFrame> animation;  ///< shown instead of the tile, in turns
     std::vector<TileProperty> properties;
+    std::vector<KeptProperty> unknown;  ///< what the file said and this program does not know; written back
 
     /// The property's JSON text; empty when there is none.
     [[nodiscard]] std::string_view property(std::string_view name) const;
@@ -95,7 +92,7 @@ struct Tileset {
     std::vector<TileImage> images;  ///< of a collection, by tile
     std::vector<Tile> tiles;        ///< those with something special, by id
     std::vector<TileProperty> properties;
-    std::vector<TileProperty> unknown;  ///< what the file said and this program does not know; written back
+    std::vector<KeptProperty> unknown;
 
     /// What is special about a tile; null when nothing is. A binary search.
     [[nodiscard]] const Tile* find(int tile) const;

@@ -15,24 +15,6 @@ namespace {
 constexpr std::size_t kMaxCorners = 64;
 constexpr int kMaxSide = 4096;  // px of a tile
 constexpr float kMaxPixels = 16384.0f;
-constexpr auto kKnownKeys = {"format", "image",  "tileSize", "margin", "spacing",   "columns",
-                             "count",  "offset", "images",   "tiles",  "properties"};
-
-std::string compact(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
-
-std::vector<TileProperty> readProperties(JsonFields& fields) {
-    std::vector<TileProperty> properties;
-    const Json* json = fields.find("properties");
-    if (json == nullptr) return properties;
-    if (!json->is_object()) {
-        fields.warn("properties", "expected an object, found " + briefText(*json),
-                    "write { \"name\": value }");
-        return properties;
-    }
-    for (const auto& [name, value] : json->items()) properties.push_back({name, compact(value)});
-    return properties;
-}
-
 /// A size or a place in whole px.
 std::pair<int, int> readPair(JsonFields& fields, std::string_view key, int min, int max, int fallback) {
     const auto kept = static_cast<float>(fallback);
@@ -88,8 +70,8 @@ Tile readTile(JsonFields& fields) {
         item.warnUnknown();
         tile.animation.push_back(frame);
     }
-    tile.properties = readProperties(fields);
-    fields.warnUnknown();
+    tile.properties = fields.kept("properties");
+    tile.unknown = fields.keepUnknown();
     return tile;
 }
 
@@ -141,15 +123,6 @@ void readGrid(JsonFields& fields, Tileset& tileset) {
     tileset.offset = fields.vec2("offset", {});
 }
 
-Json propertiesJson(const std::vector<TileProperty>& properties) {
-    Json json = Json::object();
-    for (const TileProperty& property : properties) {
-        const Result<Json> value = parseJson(property.json, property.name);
-        json[property.name] = value ? *value : Json{};
-    }
-    return json;
-}
-
 Json pointJson(Vec2 point) { return Json::array({point.x, point.y}); }
 
 Json tileJson(const Tile& tile) {
@@ -171,7 +144,8 @@ Json tileJson(const Tile& tile) {
         item["seconds"] = frame.seconds;
         json["animation"].push_back(std::move(item));
     }
-    if (!tile.properties.empty()) json["properties"] = propertiesJson(tile.properties);
+    if (!tile.properties.empty()) writeKept(json["properties"], tile.properties);
+    writeKept(json, tile.unknown);
     return json;
 }
 
@@ -208,13 +182,8 @@ Result<Tileset> parseTileset(std::string_view text, std::string_view where, std:
         tileset.tiles.push_back(readTile(item));
     settle(tileset.images, &TileImage::tile, fields, "images");
     settle(tileset.tiles, &Tile::id, fields, "tiles");
-    tileset.properties = readProperties(fields);
-    fields.warnUnknown();
-    for (const auto& [key, value] : json->items()) {
-        const auto known = [&key = key](std::string_view name) { return name == key; };
-        if (std::none_of(kKnownKeys.begin(), kKnownKeys.end(), known))
-            tileset.unknown.push_back({key, compact(value)});
-    }
+    tileset.properties = fields.kept("properties");
+    tileset.unknown = fields.keepUnknown();
     return tileset;
 }
 
@@ -230,9 +199,8 @@ std::string writeTileset(const Tileset& tileset) {
     for (const TileImage& image : tileset.images) json["images"].push_back(imageJson(image));
     if (tileset.offset != Vec2{}) json["offset"] = pointJson(tileset.offset);
     for (const Tile& tile : tileset.tiles) json["tiles"].push_back(tileJson(tile));
-    if (!tileset.properties.empty()) json["properties"] = propertiesJson(tileset.properties);
-    const Json unknown = propertiesJson(tileset.unknown);
-    for (const auto& [key, value] : unknown.items()) json[key] = value;
+    if (!tileset.properties.empty()) writeKept(json["properties"], tileset.properties);
+    writeKept(json, tileset.unknown);
     return writeJson(json);
 }
 

@@ -22,6 +22,10 @@ bool isUsable(const Json& json) {
     return json.is_number() && std::abs(json.get<double>()) <= std::numeric_limits<float>::max();
 }
 
+std::string compactText(const Json& json) {
+    return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
 }  // namespace
 
 std::string briefText(const Json& json) {
@@ -140,12 +144,36 @@ void JsonFields::warn(std::string_view key, std::string what, std::string remedy
     problems_->push_back({format("{}.{}", where_, key), std::move(what), std::move(remedy)});
 }
 
-void JsonFields::warnUnknown() {
+std::vector<KeptProperty> JsonFields::keepUnknown() {
+    std::vector<KeptProperty> unknown;
     for (const auto& [name, value] : *object_->get_ptr<const Json::object_t*>()) {
         if (std::find(asked_.begin(), asked_.end(), name) != asked_.end()) continue;
         const std::string_view meant = closestName(name, asked_);
         warn(std::string_view{name}.substr(0, 80), "there is no such property",
              meant.empty() ? "remove it" : format("did you mean \"{}\"?", meant));
+        unknown.push_back({name, compactText(value)});
+    }
+    return unknown;
+}
+
+std::vector<KeptProperty> JsonFields::kept(std::string_view key) {
+    std::vector<KeptProperty> properties;
+    const Json* json = find(key);
+    if (json == nullptr) return properties;
+    if (!json->is_object()) {
+        warn(key, "expected an object, found " + briefText(*json), "write { \"name\": value }");
+        return properties;
+    }
+    for (const auto& [name, value] : *json->get_ptr<const Json::object_t*>()) {
+        properties.push_back({name, compactText(value)});
+    }
+    return properties;
+}
+
+void writeKept(Json& object, const std::vector<KeptProperty>& properties) {
+    for (const KeptProperty& property : properties) {
+        const Result<Json> value = parseJson(property.json, property.name);
+        object[property.name] = value ? *value : Json{};
     }
 }
 

@@ -13,6 +13,17 @@
 
 namespace plumb {
 
+/// A property whose meaning is not ours to know: its value as JSON text, kept to be written back.
+struct KeptProperty {
+    std::string name;
+    std::string json;
+
+    friend bool operator==(const KeptProperty&, const KeptProperty&) = default;
+};
+
+/// Puts kept properties back into the object they came from.
+void writeKept(Json& object, const std::vector<KeptProperty>& properties);
+
 /// Reads the properties of one JSON object of a file. A property that is missing gives its fallback; one that
 /// is wrong gives its fallback too and tells the problem; `warnUnknown` tells those that nobody asked for.
 class JsonFields {
@@ -46,7 +57,13 @@ public:
     bool acceptFormat(int newest);
 
     void warn(std::string_view key, std::string what, std::string remedy);
-    void warnUnknown();
+
+    /// Tells the properties that nobody asked for, and gives them to be kept.
+    std::vector<KeptProperty> keepUnknown();
+    void warnUnknown() { static_cast<void>(keepUnknown()); }
+
+    /// The properties of an object inside this one, as they stand: those that only the game understands.
+    std::vector<KeptProperty> kept(std::string_view key);
 
 private:
     const Json* object_;

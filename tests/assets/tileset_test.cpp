@@ -126,12 +126,14 @@ TEST(Tileset, outlinesAreClockwiseAndSlopesMeetAtTheirEdges) {
 
 TEST(Tileset, unknownPropertiesAreToldAndWrittenBack) {
     std::vector<Error> problems;
-    const Tileset tileset = parsed(R"({"format": 1, "colums": 3, "future": {"a": [1, 2]}})", problems);
+    const Tileset tileset = parsed(
+        R"({"format": 1, "colums": 3, "future": {"a": [1, 2]}, "tiles": [{"id": 0, "glow": 3}]})", problems);
 
-    ASSERT_EQ(problems.size(), 2u);
-    EXPECT_EQ(problems[0].remedy, "did you mean \"columns\"?");
+    ASSERT_EQ(problems.size(), 3u);
+    EXPECT_EQ(problems[1].remedy, "did you mean \"columns\"?");
     const std::string text = writeTileset(tileset);
     EXPECT_NE(text.find("\"future\""), std::string::npos);
+    EXPECT_NE(text.find("\"glow\": 3"), std::string::npos);
     EXPECT_NE(text.find("\"colums\": 3"), std::string::npos);
 }
 
