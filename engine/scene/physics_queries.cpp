@@ -46,6 +46,17 @@ std::optional<QueryHit> castRay(World& world, Vec2 from, Vec2 way, const QueryFi
                                            physicsSettingsOf(world), filterFrom(world, filter)));
 }
 
+Vec2 tickMotionOf(World& world, EntityId entity, float dt) {
+    const physics::BodyId body = bodyOf(world, entity);
+    if (!body) return {};
+    const physics::Bodies& bodies = world.resource<PhysicsState>().world.bodies;
+    if ((bodies.flags[body.index] & physics::kHasTarget) != 0) {
+        return toPixels(bodies.target[body.index] - bodies.position[body.index]);
+    }
+    const bool moves = bodies.kind[body.index] != physics::BodyKind::Static;
+    return moves ? toPixels(bodies.velocity[body.index] * dt) : Vec2{};
+}
+
 void overlapBox(World& world, const AABB& box, const QueryFilter& filter, std::vector<EntityId>& found) {
     PhysicsState& state = world.resource<PhysicsState>();
     std::vector<physics::BodyId> bodies;

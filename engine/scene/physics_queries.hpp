@@ -33,6 +33,9 @@ std::optional<QueryHit> castBox(World& world, const AABB& box, Vec2 way, const Q
 /// The first collider on a line from `from` along `way` (px).
 std::optional<QueryHit> castRay(World& world, Vec2 from, Vec2 way, const QueryFilter& filter = {});
 
+/// How far the body of an entity goes in this tick (px), as far as it is known before the step.
+Vec2 tickMotionOf(World& world, EntityId entity, float dt);
+
 /// All entities whose colliders overlap the box, in a fixed order.
 void overlapBox(World& world, const AABB& box, const QueryFilter& filter, std::vector<EntityId>& found);
 

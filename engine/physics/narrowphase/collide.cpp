@@ -10,9 +10,15 @@ namespace {
 
 constexpr float kSameDirection = 0.999f;  // cosine: touches closer than this are one
 
+/// How far a body that is being moved may have come up under somebody's feet in one step (m).
+float riseOf(const World& world, std::uint32_t body) {
+    if ((world.bodies.flags[body] & kHasTarget) == 0) return 0.0f;
+    return length(world.bodies.target[body] - world.bodies.position[body]);
+}
+
 /// A one-way surface holds what stands on it or comes down on it.
-bool holds(const Touch& touch, const Mover& mover, const Settings& settings, Vec2 up) {
-    return dot(touch.normal, up) > 0.7f && touch.separation >= -settings.oneWayDepth &&
+bool holds(const Touch& touch, const Mover& mover, float depth, const Settings& settings, Vec2 up) {
+    return dot(touch.normal, up) > 0.7f && touch.separation >= -depth &&
            dot(mover.path, up) <= settings.touchDistance;
 }
 
@@ -39,7 +45,9 @@ void collideWithField(const World& world, const Mover& mover, std::uint32_t body
             if (!field.isSolid(x, y)) continue;
             if (field.isBox(x, y) && field.coveredSides(x, y) == 15u) continue;
             const Touch touch = sweepToConvex(local, field.outline(x, y), settings);
-            if (!touch.hit || (field.isOneWay(x, y) && !holds(touch, mover, settings, up))) continue;
+            if (!touch.hit ||
+                (field.isOneWay(x, y) && !holds(touch, mover, settings.oneWayDepth, settings, up)))
+                continue;
             touches.add(touch);
         }
     }
@@ -93,7 +101,8 @@ void collideAt(const World& world, const Mover& mover, std::uint32_t body, Vec2 
     const Touch touch = shape.kind == ShapeKind::Circle ? sweepToCircle(mover, centre, shape.half.x, settings)
                                                         : sweepToBox(mover, centre, shape.half, settings);
     if (!touch.hit) return;
-    if ((world.bodies.flags[body] & kOneWay) != 0 && !holds(touch, mover, settings, up)) return;
+    const float depth = settings.oneWayDepth + riseOf(world, body);
+    if ((world.bodies.flags[body] & kOneWay) != 0 && !holds(touch, mover, depth, settings, up)) return;
     touches.add(touch);
 }
 

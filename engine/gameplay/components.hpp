@@ -1,0 +1,22 @@
+#pragma once
+
+// The ready-made parts of games, all of them.
+#include "gameplay/components/bob.hpp"
+#include "gameplay/components/button.hpp"
+#include "gameplay/components/checkpoint.hpp"
+#include "gameplay/components/collectible.hpp"
+#include "gameplay/components/door.hpp"
+#include "gameplay/components/goal.hpp"
+#include "gameplay/components/hazard.hpp"
+#include "gameplay/components/health.hpp"
+#include "gameplay/components/kill_plane.hpp"
+#include "gameplay/components/lifetime.hpp"
+#include "gameplay/components/moving_platform.hpp"
+#include "gameplay/components/patrol.hpp"
+#include "gameplay/components/player_controller.hpp"
+#include "gameplay/components/respawn.hpp"
+#include "gameplay/components/scene_link.hpp"
+#include "gameplay/components/sound_cues.hpp"
+#include "gameplay/components/spin.hpp"
+#include "gameplay/components/spring.hpp"
+#include "gameplay/components/stompable.hpp"
