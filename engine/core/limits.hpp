@@ -9,6 +9,8 @@ namespace plumb::limits {
 inline constexpr std::size_t kFileBytes = std::size_t{256} << 20;
 inline constexpr int kJsonDepth = 64;
 inline constexpr std::size_t kJsonValues = std::size_t{1} << 24;
+inline constexpr int kXmlDepth = 64;
+inline constexpr std::size_t kXmlElements = std::size_t{1} << 20;
 inline constexpr std::size_t kTextBytes = std::size_t{1} << 20;
 inline constexpr std::size_t kEntities = std::size_t{1} << 20;
 inline constexpr int kImageSide = 16384;                            ///< px
