@@ -1,7 +1,7 @@
 #include "ecs/address_range.hpp"
 
-#include <cstdint>
 #include <cstdlib>
+#include <memory>
 #include <utility>
 
 #if defined(_WIN32)
@@ -27,9 +27,9 @@ AddressRange::AddressRange(std::size_t bytes) : mapped_{bytes + kHugePage} {
     mapping_ = std::calloc(mapped_, 1);
 #endif
     if (mapping_ == nullptr) return;
-    const std::uintptr_t address = reinterpret_cast<std::uintptr_t>(mapping_);
-    const std::uintptr_t aligned = (address + kHugePage - 1) & ~(std::uintptr_t{kHugePage} - 1);
-    start_ = static_cast<std::byte*>(mapping_) + (aligned - address);
+    void* aligned = mapping_;
+    std::size_t room = mapped_;
+    start_ = static_cast<std::byte*>(std::align(kHugePage, bytes, aligned, room));
 }
 
 AddressRange::~AddressRange() { release(); }

@@ -1,0 +1,105 @@
+#include "tests/bench/bench.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "core/clock.hpp"
+#include "core/file.hpp"
+#include "core/text.hpp"
+
+namespace plumb::bench {
+
+namespace {
+
+constexpr double kShortestSample = 100e-6;  // s; below it the clock is felt
+constexpr std::size_t kFewestRounds = 15;
+constexpr std::size_t kMostRounds = 300;
+
+/// What reading the clock costs, in s.
+double clockCost() {
+    static const double cost = [] {
+        double best = 1.0;
+        for (int i = 0; i < 1000; ++i) {
+            const double start = threadSeconds();
+            best = std::min(best, threadSeconds() - start);
+        }
+        return best;
+    }();
+    return cost;
+}
+
+/// One contestant with its samples.
+struct Lane {
+    explicit Lane(const Contestant& one) : contestant{one} { calibrate(); }
+
+    double sample() {
+        if (contestant.prepare) contestant.prepare();
+        const double start = threadSeconds();
+        for (int i = 0; i < repeats; ++i) contestant.run();
+        const double seconds = threadSeconds() - start - clockCost();
+        return std::max(seconds, 0.0) / repeats;
+    }
+    /// Runs that need no preparation are repeated until the clock is not felt.
+    void calibrate() {
+        sample();
+        if (contestant.prepare) return;
+        const double once = std::max(sample(), 1e-9);
+        repeats = static_cast<int>(std::clamp(std::ceil(kShortestSample / once), 1.0, 1e6));
+    }
+
+    const Contestant& contestant;
+    int repeats = 1;
+    std::vector<double> samples;
+};
+
+}  // namespace
+
+std::vector<Timing> race(std::span<const Contestant> contestants, const Options& options) {
+    std::vector<Lane> lanes(contestants.begin(), contestants.end());
+    const double budget = (options.quick ? 0.02 : 0.4) * static_cast<double>(lanes.size());  // s
+    const double start = threadSeconds();
+    for (std::size_t round = 0; round < kMostRounds; ++round) {
+        if (round >= (options.quick ? 3 : kFewestRounds) && threadSeconds() - start > budget) break;
+        for (Lane& lane : lanes) lane.samples.push_back(lane.sample());
+    }
+    std::vector<Timing> timings;
+    for (Lane& lane : lanes) {
+        std::sort(lane.samples.begin(), lane.samples.end());
+        timings.push_back({lane.samples.front(), lane.samples[lane.samples.size() / 2]});
+    }
+    return timings;
+}
+
+void printHeader() {
+    std::printf("%-34s %8s %10s %10s %10s %7s %10s\n", "", "n", "ns", "median", "limit", "ratio", "target");
+}
+
+void print(const Row& row) {
+    const auto number = [](double value) { return value == 0.0 ? std::string{"-"} : fixedText(value, 3); };
+    std::printf("%-34s %8zu %10s %10s %10s %7s %10s  %s\n", row.name.c_str(), row.n, number(row.ns).c_str(),
+                number(row.median).c_str(), number(row.limitNs).c_str(),
+                row.limitNs > 0.0 ? fixedText(row.ns / row.limitNs, 2).c_str() : "-",
+                number(row.target).c_str(),
+                row.target == 0.0 ? ""
+                : row.met()       ? "met"
+                                  : "MISSED");
+    std::fflush(stdout);
+}
+
+bool writeRows(const std::string& path, std::span<const Row> rows) {
+    std::string text = "[\n";
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        const Row& row = rows[i];
+        text += format(
+            "  {\"name\": \"{}\", \"n\": {}, \"ns\": {}, \"median\": {}, \"limitNs\": {}, \"target\": {}, "
+            "\"met\": {}}{}\n",
+            row.name, row.n, row.ns, row.median, row.limitNs, row.target, row.met(),
+            i + 1 < rows.size() ? "," : "");
+    }
+    const auto written = writeFile(path, text + "]\n");
+    if (!written) std::fprintf(stderr, "%s\n", written.error().text().c_str());
+    return written.ok();
+}
+
+}  // namespace plumb::bench
