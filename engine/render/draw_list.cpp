@@ -45,14 +45,6 @@ void DrawList::begin(const View& view, TextureGrouping grouping) {
     vertices_.clear();
 }
 
-bool DrawList::sees(Vec2 center, Vec2 half, float rotation) const {
-    Vec2 reach{std::abs(half.x), std::abs(half.y)};
-    if (rotation != 0.0f) reach.x = reach.y = reach.x + reach.y;
-    // Written so that NaN is not seen.
-    return center.x + reach.x > visible_.min.x && center.x - reach.x < visible_.max.x &&
-           center.y + reach.y > visible_.min.y && center.y - reach.y < visible_.max.y;
-}
-
 std::uint32_t DrawList::yKey(float y) const {
     if (y == kNoSortY) return 0;
     const float steps = (y - yStart_) * yScale_;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <span>
@@ -129,5 +130,13 @@ private:
     std::vector<Triangles> triangles_;
     std::vector<GeometryVertex> vertices_;
 };
+
+inline bool DrawList::sees(Vec2 center, Vec2 half, float rotation) const {
+    Vec2 reach{std::abs(half.x), std::abs(half.y)};
+    if (rotation != 0.0f) reach.x = reach.y = reach.x + reach.y;
+    // Written so that NaN is not seen.
+    return center.x + reach.x > visible_.min.x && center.x - reach.x < visible_.max.x &&
+           center.y + reach.y > visible_.min.y && center.y - reach.y < visible_.max.y;
+}
 
 }  // namespace plumb

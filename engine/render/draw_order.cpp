@@ -39,11 +39,6 @@ void startsFromCounts(std::array<std::uint32_t, kDigitValues>& counts) {
 
 }  // namespace
 
-std::uint32_t drawKey(int layer, std::uint32_t y, std::uint32_t group) {
-    const int place = std::clamp(layer, kLowestLayer, kHighestLayer) - kLowestLayer;
-    return static_cast<std::uint32_t>(place) << 21 | std::min(y, 65535u) << 5 | std::min(group, 31u);
-}
-
 std::span<const DrawItem> DrawOrder::sort(std::span<const DrawItem> items) {
     sorted_.assign(items.begin(), items.end());
     Counts counts{};

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -19,7 +20,10 @@ inline constexpr int kHighestLayer = 1023;
 /// Layers outside kLowestLayer..kHighestLayer count as the nearest of them.
 /// @param y        place in the y order, 0..65535
 /// @param group    group of textures, 0..31
-std::uint32_t drawKey(int layer, std::uint32_t y, std::uint32_t group);
+constexpr std::uint32_t drawKey(int layer, std::uint32_t y, std::uint32_t group) {
+    const int place = std::clamp(layer, kLowestLayer, kHighestLayer) - kLowestLayer;
+    return static_cast<std::uint32_t>(place) << 21 | std::min(y, 65535u) << 5 | std::min(group, 31u);
+}
 
 /// Sorts by key and keeps the order of equal keys. Memory is reused from call to call.
 /// Least significant digit first, 3 digits of 11 bits; a digit that all keys share costs nothing, and keys

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <epoxy/gl.h>
+#include <utility>
 
 #include "core/log.hpp"
 #include "render/gl/gl_shaders.hpp"
@@ -75,7 +76,7 @@ Result<std::unique_ptr<GlDevice>> GlDevice::create() {
 void GlDevice::createState() {
     glGetIntegerv(GL_MAX_TEXTURE_SIZE, &maxTextureSide_);
     buffers_.resize(1);
-    glGenBuffers(1, &buffers_.front());
+    for (FrameBuffer& frame : frames_) glGenBuffers(1, &frame.name);
     glGenVertexArrays(1, &spriteArray_);
     glBindVertexArray(spriteArray_);
     for (GLuint i = 0; i < 6; ++i) {
@@ -123,6 +124,10 @@ GlDevice::~GlDevice() {
         if (target.name != 0) glDeleteFramebuffers(1, &target.name);
     }
     glDeleteBuffers(static_cast<GLsizei>(buffers_.size()), buffers_.data());
+    for (const FrameBuffer& frame : frames_) {
+        glDeleteBuffers(1, &frame.name);
+        if (frame.fence != nullptr) glDeleteSync(static_cast<GLsync>(frame.fence));
+    }
     glDeleteBuffers(1, &geometryBuffer_);
     glDeleteVertexArrays(1, &spriteArray_);
     glDeleteVertexArrays(1, &geometryArray_);
@@ -238,16 +243,34 @@ void GlDevice::clear(Color color) {
     glClear(GL_COLOR_BUFFER_BIT);
 }
 
+/// Moves on to the buffer that was written longest ago; gives it other memory if the card still reads the
+/// old. Taking new memory for every list instead costs the clearing of its pages, more than all the rest.
+GlDevice::FrameBuffer& GlDevice::nextFrameBuffer(std::size_t count) {
+    frames_[frame_].fence = glFenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
+    frame_ = (frame_ + 1) % frames_.size();
+    FrameBuffer& frame = frames_[frame_];
+    bool inUse = false;
+    if (frame.fence != nullptr) {
+        const auto fence = static_cast<GLsync>(std::exchange(frame.fence, nullptr));
+        inUse = glClientWaitSync(fence, 0, 0) == GL_TIMEOUT_EXPIRED;
+        glDeleteSync(fence);
+    }
+    glBindBuffer(GL_ARRAY_BUFFER, frame.name);
+    if (inUse || frame.capacity < count) {
+        frame.capacity = std::max(frame.capacity, count + count / 4);
+        const auto bytes = static_cast<GLsizeiptr>(frame.capacity * sizeof(SpriteInstance));
+        glBufferData(GL_ARRAY_BUFFER, bytes, nullptr, GL_STREAM_DRAW);
+    }
+    return frame;
+}
+
 std::span<SpriteInstance> GlDevice::mapInstances(std::size_t count) {
     if (count == 0) return {};
-    frameCapacity_ = std::max(frameCapacity_, count + count / 4);
-    glBindBuffer(GL_ARRAY_BUFFER, buffers_.front());
-    // New memory for every list: the card may still read the old one.
-    glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(frameCapacity_ * sizeof(SpriteInstance)), nullptr,
-                 GL_STREAM_DRAW);
+    nextFrameBuffer(count);
+    // Unsynchronized: the fence has said that nobody reads it.
     void* memory =
         glMapBufferRange(GL_ARRAY_BUFFER, 0, static_cast<GLsizeiptr>(count * sizeof(SpriteInstance)),
-                         GL_MAP_WRITE_BIT | GL_MAP_INVALIDATE_BUFFER_BIT | GL_MAP_UNSYNCHRONIZED_BIT);
+                         GL_MAP_WRITE_BIT | GL_MAP_UNSYNCHRONIZED_BIT);
     ownCount_ = memory == nullptr ? count : 0;
     if (memory != nullptr) return {static_cast<SpriteInstance*>(memory), count};
     ownMemory_.resize(std::max(ownMemory_.size(), count));
@@ -255,7 +278,7 @@ std::span<SpriteInstance> GlDevice::mapInstances(std::size_t count) {
 }
 
 void GlDevice::unmapInstances() {
-    glBindBuffer(GL_ARRAY_BUFFER, buffers_.front());
+    glBindBuffer(GL_ARRAY_BUFFER, frames_[frame_].name);
     if (ownCount_ > 0) {
         glBufferSubData(GL_ARRAY_BUFFER, 0, static_cast<GLsizeiptr>(ownCount_ * sizeof(SpriteInstance)),
                         ownMemory_.data());
@@ -301,7 +324,8 @@ void GlDevice::drawSprites(const SpriteBatch& batch) {
                 static_cast<float>(batch.tint.a) * kScale);
     bindTextures(batch, program);
     glBindVertexArray(spriteArray_);
-    glBindBuffer(GL_ARRAY_BUFFER, buffers_[batch.buffer.index]);
+    const bool retained = batch.buffer.index != 0;
+    glBindBuffer(GL_ARRAY_BUFFER, retained ? buffers_[batch.buffer.index] : frames_[frame_].name);
     pointAtInstances(batch.first);
     glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, static_cast<GLsizei>(batch.count));
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <memory>
 #include <vector>
 
@@ -48,12 +49,19 @@ private:
         TextureHandle texture;
     };
 
+    struct FrameBuffer {
+        GlName name = 0;
+        std::size_t capacity = 0;  ///< instances
+        void* fence = nullptr;     ///< passed when the card has read it
+    };
+
     GlDevice() = default;
     void createState();
     Result<Done> buildPrograms();
     const GlProgram& spriteProgramFor(std::size_t textureCount) const;
     void bindTextures(const SpriteBatch& batch, const GlProgram& program);
     void setTransform(const GlProgram& program, const ViewTransform& transform) const;
+    FrameBuffer& nextFrameBuffer(std::size_t count);
     [[nodiscard]] TextureHandle keep(Texture texture);
 
     // Fewer slots cost less to shade where every slot of the switch is sampled, as in software: see
@@ -63,12 +71,13 @@ private:
     std::vector<Texture> textures_;
     std::vector<std::uint32_t> freeTextures_;
     std::vector<Target> targets_;
-    std::vector<GlName> buffers_;
+    std::vector<GlName> buffers_;  ///< 0 stays empty: it means the frame's own
     std::vector<std::uint32_t> freeBuffers_;
     GlName spriteArray_ = 0;
     GlName geometryArray_ = 0;
     GlName geometryBuffer_ = 0;
-    std::size_t frameCapacity_ = 0;          ///< instances
+    std::array<FrameBuffer, 3> frames_{};
+    std::size_t frame_ = 0;                  ///< the one written last
     std::vector<SpriteInstance> ownMemory_;  ///< used when the driver maps nothing
     std::size_t ownCount_ = 0;
     PixelSize windowSize_{1, 1};
