@@ -13,10 +13,15 @@ from pathlib import Path
 
 sys.dont_write_bytecode = True
 
+import backdrops  # noqa: E402
+import creatures  # noqa: E402
+import pixel_font  # noqa: E402
 import player  # noqa: E402
+import props  # noqa: E402
 import tilesets  # noqa: E402
+import title  # noqa: E402
 
-PAINTERS = [player, tilesets]
+PAINTERS = [player, tilesets, props, creatures, backdrops, pixel_font, title]
 ASSETS = Path(__file__).resolve().parent.parent / "assets"
 
 

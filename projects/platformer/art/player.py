@@ -154,7 +154,7 @@ def flame(height, width, wave):
     cell = Canvas(24, 24)
     for y in range(height):
         part = y / max(height - 1, 1)
-        half = width * math.sin(math.pi * (0.15 + 0.8 * (1 - part))) ** 0.8
+        half = width * math.sin(math.pi * (0.18 + 0.8 * part ** 0.75)) ** 0.9 * (1 - part * 0.35)
         shift = math.sin(part * 4 + wave) * 1.5 * part
         for x in range(24):
             far = abs(x - 12 - shift)
