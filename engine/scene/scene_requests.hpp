@@ -8,7 +8,7 @@ namespace plumb {
 /// What the simulation wants to happen to scenes after this tick. A resource; whoever keeps the scenes reads
 /// and empties it between ticks.
 struct SceneRequests {
-    SceneId next;          ///< the scene to go to, or to lay over the current one
+    TextId next;           ///< path of the scene to go to, or to lay over the current one; empty for none
     bool overlay = false;  ///< keep the current scene beneath, paused
     bool close = false;    ///< take the top overlay away
     bool reload = false;   ///< load the current scene anew

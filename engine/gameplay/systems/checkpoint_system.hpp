@@ -1,0 +1,18 @@
+#pragma once
+
+#include <string_view>
+
+namespace plumb {
+
+class World;
+
+/// Remembers the last checkpoint that a player touched.
+/// Reads: TriggerEntered. Writes: Checkpoint, Respawn, Animator; emits PlaySound.
+/// When: after physics.
+struct CheckpointSystem {
+    static constexpr std::string_view kName = "checkpoint";
+
+    void update(World& world, float dt);
+};
+
+}  // namespace plumb

@@ -1,0 +1,85 @@
+#include "gameplay/systems/door_system.hpp"
+
+#include <algorithm>
+
+#include "ecs/world.hpp"
+#include "gameplay/components/button.hpp"
+#include "gameplay/components/door.hpp"
+#include "gameplay/components/player_controller.hpp"
+#include "gameplay/game_progress.hpp"
+#include "gameplay/sound_cue.hpp"
+#include "gameplay/touches.hpp"
+#include "scene/components/box_collider.hpp"
+#include "scene/components/rigid_body.hpp"
+#include "scene/components/sprite.hpp"
+
+namespace plumb {
+
+namespace {
+
+constexpr int kButtonTicks = 6;     // a button comes up this long after the last foot
+constexpr float kReach = 2.0f;      // px around a door from which a key works
+constexpr std::uint8_t kOpen = 60;  // opacity of an open door
+
+void press(World& world, EntityId id) {
+    Button& button = world.get<Button>(id);
+    button.held = kButtonTicks;
+    if (button.pressed) return;
+    button.pressed = true;
+    setParameter(world, id, "pressed", 1.0f);
+    playCue(world, id, &SoundCues::activate);
+}
+
+void release(World& world) {
+    for (auto [entity, button] : world.query<Button>()) {
+        if (!button.pressed || button.stays || --button.held > 0) continue;
+        button.pressed = false;
+        setParameter(world, entity, "pressed", 0.0f);
+    }
+}
+
+void swing(World& world, EntityId id, bool open) {
+    Door& door = world.get<Door>(id);
+    if (door.open == open) return;
+    door.open = open;
+    if (auto* collider = world.find<BoxCollider>(id)) collider->isTrigger = open;
+    if (auto* sprite = world.find<Sprite>(id)) sprite->tint.a = open ? kOpen : std::uint8_t{255};
+    setParameter(world, id, "open", open ? 1.0f : 0.0f);
+    playCue(world, id, &SoundCues::activate);
+}
+
+bool playerIsNear(World& world, EntityId door) {
+    if (!world.has<BoxCollider>(door)) return false;
+    const AABB near = grown(boxOf(world, door), kReach);
+    for (auto [entity, player] : world.query<const PlayerController>(with<BoxCollider>)) {
+        if (intersects(near, boxOf(world, entity))) return true;
+    }
+    return false;
+}
+
+void tryKeys(World& world, EntityId id, const Door& door) {
+    GameProgress& progress = world.resource<GameProgress>();
+    if (door.open || door.keys <= 0 || progress.keys < door.keys || !playerIsNear(world, id)) return;
+    progress.keys -= door.keys;
+    swing(world, id, true);
+}
+
+}  // namespace
+
+void DoorSystem::update(World& world, float) {
+    if (world.count<Door>() == 0 && world.count<Button>() == 0) return;
+    const auto visit = [&world](EntityId button, EntityId) { press(world, button); };
+    forEachTouch<TriggerEntered, Button, RigidBody>(world, visit);
+    forEachTouch<TriggerStayed, Button, RigidBody>(world, visit);
+    release(world);
+    for (auto [entity, door] : world.query<const Door>()) {
+        const Button* button = std::as_const(world).find<Button>(door.button);
+        if (button != nullptr) {
+            swing(world, entity, button->pressed);
+        } else {
+            tryKeys(world, entity, door);
+        }
+    }
+}
+
+}  // namespace plumb

@@ -1,0 +1,64 @@
+#include "gameplay/systems/goal_system.hpp"
+
+#include <algorithm>
+
+#include "ecs/world.hpp"
+#include "gameplay/components/goal.hpp"
+#include "gameplay/components/player_controller.hpp"
+#include "gameplay/components/respawn.hpp"
+#include "gameplay/components/scene_link.hpp"
+#include "gameplay/game_progress.hpp"
+#include "gameplay/sound_cue.hpp"
+#include "gameplay/touches.hpp"
+#include "input/input.hpp"
+#include "scene/scene_requests.hpp"
+
+namespace plumb {
+
+namespace {
+
+void request(World& world, SceneId scene, bool overlay) {
+    SceneRequests& requests = world.resource<SceneRequests>();
+    requests.next = scene.path;
+    requests.overlay = overlay;
+}
+
+void reach(World& world, EntityId goalId, EntityId player) {
+    Goal& goal = world.get<Goal>(goalId);
+    const Respawn* respawn = std::as_const(world).find<Respawn>(player);
+    if (goal.leaving > 0 || (respawn != nullptr && respawn->waiting > 0)) return;
+    goal.leaving = std::max(static_cast<int>(goal.delay * 60.0f), 1);
+    GameProgress& progress = world.resource<GameProgress>();
+    progress.levelFinished = true;
+    progress.gameFinished = progress.gameFinished || goal.endsGame;
+    setParameter(world, goalId, "active", 1.0f);
+    playCue(world, goalId, &SoundCues::activate);
+}
+
+/// Counts down to the next scene; 1 stays, so that one goal asks once.
+void leave(World& world, Goal& goal) {
+    if (goal.leaving <= 1) return;
+    if (--goal.leaving == 1 && !goal.next.empty()) request(world, goal.next, false);
+}
+
+void follow(World& world, SceneLink& link, bool confirmed, float dt) {
+    const float seconds = static_cast<float>(link.ticks++) * dt;
+    const bool pressed = confirmed && seconds >= link.delay;
+    if (!pressed && (link.after <= 0.0f || seconds < link.after)) return;
+    if (link.scene.empty()) return;
+    if (link.newGame) world.resource<GameProgress>() = {};
+    request(world, link.scene, link.overlay);
+}
+
+}  // namespace
+
+void GoalSystem::update(World& world, float dt) {
+    forEachTouch<TriggerEntered, Goal, PlayerController>(
+        world, [&world](EntityId goal, EntityId player) { reach(world, goal, player); });
+    for (auto [entity, goal] : world.query<Goal>()) leave(world, goal);
+    if (world.count<SceneLink>() == 0) return;
+    const bool confirmed = world.resource<Input>().isPressed(Action::Confirm);
+    for (auto [entity, link] : world.query<SceneLink>()) follow(world, link, confirmed, dt);
+}
+
+}  // namespace plumb

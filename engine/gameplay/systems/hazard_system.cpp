@@ -1,0 +1,92 @@
+#include "gameplay/systems/hazard_system.hpp"
+
+#include <algorithm>
+
+#include "ecs/world.hpp"
+#include "gameplay/components/hazard.hpp"
+#include "gameplay/components/health.hpp"
+#include "gameplay/components/kill_plane.hpp"
+#include "gameplay/components/lifetime.hpp"
+#include "gameplay/components/patrol.hpp"
+#include "gameplay/components/player_controller.hpp"
+#include "gameplay/components/respawn.hpp"
+#include "gameplay/components/stompable.hpp"
+#include "gameplay/harm.hpp"
+#include "gameplay/sound_cue.hpp"
+#include "gameplay/touches.hpp"
+#include "scene/components/box_collider.hpp"
+#include "scene/components/kinematic_body.hpp"
+#include "scene/components/rigid_body.hpp"
+#include "scene/components/transform.hpp"
+
+namespace plumb {
+
+namespace {
+
+constexpr float kStompDepth = 0.6f;  // of the enemy's height: feet above this come from above
+
+/// Feet that come down on the upper part of an enemy stomp it.
+bool comesFromAbove(World& world, EntityId enemy, EntityId player) {
+    if (!world.has<BoxCollider>(enemy) || !world.has<BoxCollider>(player)) return false;
+    const auto* body = std::as_const(world).find<RigidBody>(player);
+    if (body == nullptr || body->velocity.y <= 0.0f) return false;
+    const AABB head = boxOf(world, enemy);
+    const Transform& transform = std::as_const(world).get<Transform>(player);
+    const float rise = transform.position.y - transform.previousPosition.y;
+    return boxOf(world, player).max.y - rise <= head.min.y + head.size().y * kStompDepth;
+}
+
+void stomp(World& world, EntityId enemy, EntityId player) {
+    const Stompable stompable = std::as_const(world).get<Stompable>(enemy);
+    RigidBody& body = world.get<RigidBody>(player);
+    body.velocity.y = -stompable.bounce;
+    body.grounded = false;
+    if (auto* controller = world.find<PlayerController>(player))
+        controller->hold = controller->jumpHoldTicks / 2;
+    playCue(world, enemy, &SoundCues::bounce);
+    setParameter(world, enemy, "stomped", 1.0f);
+    world.remove<BoxCollider>(enemy);
+    world.remove<Patrol>(enemy);
+    world.remove<Hazard>(enemy);
+    world.remove<Stompable>(enemy);
+    if (auto* kinematic = world.find<KinematicBody>(enemy)) kinematic->velocity = {};
+    world.add<Lifetime>(enemy).seconds = stompable.lingers;
+}
+
+void touch(World& world, EntityId hazardId, EntityId other) {
+    if (world.has<PlayerController>(other) && world.has<Stompable>(hazardId) &&
+        comesFromAbove(world, hazardId, other)) {
+        stomp(world, hazardId, other);
+        return;
+    }
+    if (!world.has<PlayerController>(other) && world.has<Stompable>(hazardId))
+        return;  // enemies spare enemies
+    const Hazard hazard = std::as_const(world).get<Hazard>(hazardId);
+    const Transform* mine = std::as_const(world).find<Transform>(hazardId);
+    const Transform* theirs = std::as_const(world).find<Transform>(other);
+    const bool left = mine != nullptr && theirs != nullptr && theirs->position.x < mine->position.x;
+    hurt(world, other, hazard.damage, {left ? -hazard.knockback.x : hazard.knockback.x, hazard.knockback.y});
+}
+
+void killBelow(World& world, float limit) {
+    for (auto [entity, health, transform] : world.query<const Health, const Transform>()) {
+        if (transform.position.y > limit) kill(world, entity);
+    }
+    for (auto [entity, body, transform] :
+         world.query<const RigidBody, const Transform>(without<Health, PlayerController>)) {
+        if (transform.position.y > limit) entity.destroy();
+    }
+}
+
+}  // namespace
+
+void HazardSystem::update(World& world, float) {
+    const auto visit = [&world](EntityId hazard, EntityId other) { touch(world, hazard, other); };
+    forEachTouch<TriggerEntered, Hazard, Health>(world, visit);
+    forEachTouch<TriggerStayed, Hazard, Health>(world, visit);
+    for (auto [entity, transform] : world.query<const Transform>(with<KillPlane>)) {
+        killBelow(world, transform.position.y);
+    }
+}
+
+}  // namespace plumb

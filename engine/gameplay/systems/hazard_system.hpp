@@ -1,0 +1,18 @@
+#pragma once
+
+#include <string_view>
+
+namespace plumb {
+
+class World;
+
+/// Lets hazards hurt, and players stomp.
+/// Reads: TriggerEntered, TriggerStayed, KillPlane. Writes: Health, RigidBody.
+/// When: after physics and springs.
+struct HazardSystem {
+    static constexpr std::string_view kName = "hazard";
+
+    void update(World& world, float dt);
+};
+
+}  // namespace plumb

@@ -1,0 +1,41 @@
+#include "gameplay/systems/motion_decor_system.hpp"
+
+#include "ecs/world.hpp"
+#include "gameplay/components/bob.hpp"
+#include "gameplay/components/lifetime.hpp"
+#include "gameplay/components/spin.hpp"
+#include "math/angle.hpp"
+#include "scene/components/sprite.hpp"
+#include "scene/components/transform.hpp"
+
+namespace plumb {
+
+namespace {
+
+/// The picture is moved by its pivot, so that the collider, and what it costs to move one, stays out of it.
+void showAt(Sprite& sprite, Bob& bob, Vec2 offset) {
+    const Vec2 size{static_cast<float>(sprite.width), static_cast<float>(sprite.height)};
+    if (size.x <= 0.0f || size.y <= 0.0f) return;
+    const Vec2 change = bob.shown - offset;
+    sprite.pivot += {change.x / size.x, change.y / size.y};
+    bob.shown = offset;
+}
+
+}  // namespace
+
+void MotionDecorSystem::update(World& world, float dt) {
+    const float seconds = static_cast<float>(world.tick % 216000u) * dt;
+    world.each<Bob, Sprite>([seconds](Bob& bob, Sprite& sprite) {
+        const float turns = bob.period > 0.0f ? seconds / bob.period + bob.phase : bob.phase;
+        showAt(sprite, bob, bob.amplitude * sine(wrapAngle(turns * kTau)));
+    });
+    world.each<const Spin, Transform>([dt](const Spin& spin, Transform& transform) {
+        transform.rotation = wrapAngle(transform.rotation + spin.rate * dt);
+    });
+    for (auto [entity, lifetime] : world.query<Lifetime>()) {
+        lifetime.seconds -= dt;
+        if (lifetime.seconds <= 0.0f) entity.destroy();
+    }
+}
+
+}  // namespace plumb

@@ -1,0 +1,40 @@
+#include "gameplay/systems/moving_platform_system.hpp"
+
+#include <algorithm>
+
+#include "ecs/world.hpp"
+#include "gameplay/components/moving_platform.hpp"
+#include "scene/components/transform.hpp"
+
+namespace plumb {
+
+namespace {
+
+/// Where on its way a platform is (0 home, 1 the other end) at a part of its period.
+float partOfWay(const MovingPlatform& platform, float seconds) {
+    const float travel = std::max(platform.period * 0.5f, 1.0f / 60.0f);
+    const float half = travel + platform.wait;
+    float t = seconds + platform.phase * half * 2.0f;
+    t -= half * 2.0f * static_cast<float>(static_cast<int>(t / (half * 2.0f)));
+    const bool back = t >= half;
+    const float part = std::min((back ? t - half : t) / travel, 1.0f);
+    const float eased = platform.easing == Easing::Smooth ? part * part * (3.0f - 2.0f * part) : part;
+    return back ? 1.0f - eased : eased;
+}
+
+}  // namespace
+
+void MovingPlatformSystem::update(World& world, float dt) {
+    for (auto [entity, platform, transform] : world.query<MovingPlatform, Transform>()) {
+        if (!platform.started) {
+            platform.started = true;
+            platform.home = transform.position;
+        }
+        // From the count of ticks, not step by step: ten minutes later it is where it was.
+        const std::uint32_t ticks = platform.ticks++;
+        const float seconds = static_cast<float>(ticks) * dt;
+        transform.position = platform.home + platform.way * partOfWay(platform, seconds);
+    }
+}
+
+}  // namespace plumb

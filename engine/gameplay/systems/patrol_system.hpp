@@ -1,0 +1,18 @@
+#pragma once
+
+#include <string_view>
+
+namespace plumb {
+
+class World;
+
+/// Lets enemies walk to and fro.
+/// Reads: colliders. Writes: Patrol, velocity of KinematicBody or RigidBody, Sprite.flipX.
+/// When: before physics.
+struct PatrolSystem {
+    static constexpr std::string_view kName = "patrol";
+
+    void update(World& world, float dt);
+};
+
+}  // namespace plumb

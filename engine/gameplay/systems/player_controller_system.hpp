@@ -1,0 +1,18 @@
+#pragma once
+
+#include <string_view>
+
+namespace plumb {
+
+class World;
+
+/// Moves every PlayerController through the world by what the player presses.
+/// Reads: Input, colliders. Writes: Transform, RigidBody, PlayerController; adds CharacterBody; emits
+/// PlaySound. When: after platforms and patrols, before physics.
+struct PlayerControllerSystem {
+    static constexpr std::string_view kName = "player controller";
+
+    void update(World& world, float dt);
+};
+
+}  // namespace plumb

@@ -1,0 +1,47 @@
+#include "gameplay/systems/progress_system.hpp"
+
+#include <algorithm>
+
+#include "ecs/world.hpp"
+#include "gameplay/components/collectible.hpp"
+#include "gameplay/components/player_controller.hpp"
+#include "gameplay/game_progress.hpp"
+#include "scene/components/scene_entity.hpp"
+
+namespace plumb {
+
+namespace {
+
+int coinsIn(const World& world) {
+    int coins = 0;
+    for (auto [entity, item] : world.query<const Collectible>()) {
+        if (item.kind == CollectibleKind::Coin) coins += item.value;
+    }
+    return coins;
+}
+
+void enterLevel(World& world, GameProgress& progress, TextId level) {
+    progress.level = level;
+    progress.levelCoins = 0;
+    progress.levelCoinsTotal = coinsIn(world);
+    progress.levelFinished = false;
+    progress.keys = 0;
+    const auto& reached = progress.levelsReached;
+    if (std::find(reached.begin(), reached.end(), level) != reached.end() || reached.full()) return;
+    progress.levelsReached.push(level);
+    progress.coinsTotal += progress.levelCoinsTotal;
+}
+
+}  // namespace
+
+void ProgressSystem::update(World& world, float) {
+    const Entity player = world.first<const PlayerController>();
+    if (!player) return;
+    GameProgress& progress = world.resource<GameProgress>();
+    const auto* scene = std::as_const(world).find<SceneEntity>(player);
+    if (scene != nullptr && !(scene->scene.path == progress.level))
+        enterLevel(world, progress, scene->scene.path);
+    if (!progress.levelFinished) ++progress.ticks;
+}
+
+}  // namespace plumb
