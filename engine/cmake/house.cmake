@@ -16,6 +16,11 @@ if(PLUMB_SANITIZE)
     add_link_options(-fsanitize=${PLUMB_SANITIZE})
 endif()
 
+option(PLUMB_FUZZ "build the fuzzers of tests/fuzz; needs clang" OFF)
+if(PLUMB_FUZZ)
+    add_compile_options(-fsanitize=fuzzer-no-link)
+endif()
+
 # Contraction to fused multiply-add changes bits between CPUs; nothing here may allow it.
 if(MSVC)
     add_compile_options(/fp:precise /utf-8 /permissive-)

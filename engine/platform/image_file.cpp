@@ -47,6 +47,18 @@ bool hasKnownSignature(std::string_view bytes) {
            startsWith(bytes, "GIF8");
 }
 
+/// A progressive JPEG may ask for the whole picture to be passed over any number of times.
+constexpr int kMaxScans = 64;
+
+bool hasTooManyScans(std::string_view bytes) {
+    constexpr std::string_view kScan = "\xff\xda";
+    if (!startsWith(bytes, "\xff\xd8")) return false;
+    int scans = 0;
+    for (std::size_t at = bytes.find(kScan); at != std::string_view::npos; at = bytes.find(kScan, at + 2))
+        ++scans;
+    return scans > kMaxScans;
+}
+
 Error imageError(std::string_view where, std::string what, std::string_view remedy = kRemedy) {
     return {std::string{where}, std::move(what), std::string{remedy}};
 }
@@ -98,6 +110,8 @@ Result<ImageSize> readImageSize(std::string_view bytes, std::string_view where) 
 Result<Image> decodeImage(std::string_view bytes, std::string_view where) {
     const Result<ImageSize> size = readImageSize(bytes, where);
     if (!size) return size.error();
+    if (hasTooManyScans(bytes))
+        return imageError(where, format("the JPEG has more than {} scans", kMaxScans));
     SDL_RWops* stream = SDL_RWFromConstMem(bytes.data(), static_cast<int>(bytes.size()));
     const Surface loaded{IMG_Load_RW(stream, 1), &SDL_FreeSurface};
     if (!loaded) return imageError(where, format("the image is damaged or cut off ({})", IMG_GetError()));

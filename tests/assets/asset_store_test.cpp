@@ -235,6 +235,21 @@ TEST_F(AssetStoreTest, brokenFilesOfEveryKindGivePlaceholdersAndErrors) {
     EXPECT_EQ(assets_.errors().size(), 1u);
 }
 
+TEST_F(AssetStoreTest, aPictureThatIsCutOffShowsThePlaceholderOnceItIsDecodedAndRecovers) {
+    const std::string png = pngOf(64, 64);
+    write("cut.png", png.substr(0, png.size() - 20));
+    const TextureId id = assets_.loadTexture("cut.png");
+    EXPECT_TRUE(assets_.errors().empty());
+
+    EXPECT_EQ(assets_.image(id), placeholderImage());
+    EXPECT_EQ(assets_.image(id), placeholderImage());
+    EXPECT_EQ(assets_.errors().size(), 1u);
+
+    write("cut.png", png);
+    EXPECT_EQ(assets_.pollChanges().size(), 1u);
+    EXPECT_EQ(assets_.image(id).width, 64);
+}
+
 TEST_F(AssetStoreTest, aStoreWithoutAProjectHoldsWhatCodeMakes) {
     AssetStore store;
     const AnimationId id = store.addAnimation("hero", animationSetOf(playerAnimations));

@@ -95,6 +95,17 @@ TEST(ImageFile, bombsAreRefusedFromTheHeaderAlone) {
     }
 }
 
+TEST(ImageFile, aJpegThatPassesOverThePictureForeverIsRefused) {
+    std::string jpeg{"\xff\xd8\xff\xc2\x00\x11\x08\x10\x00\x10\x00\x03\x01\x11\x00\x02\x11\x01\x03\x11\x01",
+                     21};
+    for (int i = 0; i < 1000; ++i) jpeg += std::string{"\xff\xda\x00\x08\x01\x01\x00\x00\x00\x00", 10};
+
+    const Result<Image> result = decodeImage(jpeg, "bomb.jpg");
+
+    ASSERT_FALSE(result.ok());
+    EXPECT_NE(result.error().what.find("scans"), std::string::npos) << result.error().text();
+}
+
 TEST(ImageFile, randomBytesAndMutationsNeverCrash) {
     const std::string png = *encodePng(noise(12, 9, 3));
     Random random = Random::seeded(9);
