@@ -26,7 +26,8 @@ public:
     [[nodiscard]] virtual EntityId entity(std::uint64_t stableId) const = 0;
 
     [[nodiscard]] virtual Json tilesToJson(TilesId tiles) const = 0;
-    virtual Result<TilesId> tilesFromJson(const Json& json) = 0;
+    /// The field is named in errors and warnings.
+    virtual Result<TilesId> tilesFromJson(const FieldInfo& field, const Json& json) = 0;
     [[nodiscard]] virtual bool sameTiles(TilesId a, TilesId b) const { return a == b; }
 
     /// Told of values that could be used only after a change, such as a clamp to a range.

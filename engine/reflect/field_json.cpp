@@ -414,13 +414,8 @@ Result<Done> valueFromJson(const FieldInfo& field, void* value, const Json& json
         case FieldKind::Entity: return readEntity(field, value, json, context);
         case FieldKind::Asset: return readAsset(field, value, json, context);
         case FieldKind::Tiles: {
-            Result<TilesId> tiles = context.tilesFromJson(json);
-            if (!tiles) {
-                Error error = tiles.error();
-                error.where =
-                    error.where.empty() ? std::string{field.name} : format("{}.{}", field.name, error.where);
-                return error;
-            }
+            const Result<TilesId> tiles = context.tilesFromJson(field, json);
+            if (!tiles) return tiles.error();
             store(value, *tiles);
             return Done{};
         }

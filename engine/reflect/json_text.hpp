@@ -31,4 +31,7 @@ Result<Json> parseJson(std::string_view text, std::string_view where, std::vecto
 /// shortest text that reads back to it, so reading and writing again changes no byte.
 std::string writeJson(const Json& json);
 
+/// The same without the newline at the end, for a value that stands `indent` spaces deep inside a larger text.
+void appendJson(std::string& out, const Json& json, std::size_t indent);
+
 }  // namespace plumb

@@ -88,7 +88,7 @@ void writeInline(std::string& out, const Json& array) {
 
 class JsonWriter {
 public:
-    std::string out;
+    explicit JsonWriter(std::string& text) : out{text}, lineStart_{text.rfind('\n') + 1} {}
 
     void write(const Json& json, std::size_t indent) {
         if (json.is_object()) {
@@ -142,16 +142,22 @@ private:
         out += ']';
     }
 
-    std::size_t lineStart_ = 0;
+    std::string& out;
+    std::size_t lineStart_;  // npos + 1 is 0: the first line
 };
 
 }  // namespace
 
 std::string writeJson(const Json& json) {
-    JsonWriter writer;
-    writer.write(json, 0);
-    writer.out += '\n';
-    return std::move(writer.out);
+    std::string out;
+    appendJson(out, json, 0);
+    out += '\n';
+    return out;
+}
+
+void appendJson(std::string& out, const Json& json, std::size_t indent) {
+    JsonWriter writer{out};
+    writer.write(json, indent);
 }
 
 }  // namespace plumb

@@ -73,7 +73,7 @@ public:
         return found == entities.end() ? EntityId{} : found->second;
     }
     [[nodiscard]] Json tilesToJson(TilesId tiles) const override { return tiles.value; }
-    Result<TilesId> tilesFromJson(const Json& json) override { return TilesId{json.get<std::uint32_t>()}; }
+    Result<TilesId> tilesFromJson(const FieldInfo&, const Json& json) override { return TilesId{json.get<std::uint32_t>()}; }
     void warn(Error error) override { warnings.push_back(std::move(error)); }
 };
 

@@ -1,0 +1,70 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "reflect/field_types.hpp"
+#include "reflect/json.hpp"
+#include "scene/scene_layer.hpp"
+
+namespace plumb {
+
+/// A value in a file that could not be used as it stands. Saving writes it back while the field still holds
+/// what it got instead.
+struct KeptField {
+    std::string component;
+    std::string key;
+    Json raw;
+    Json loaded;  ///< what the field got instead; null when there is no such field
+};
+
+/// What a file says about one entity that no component holds.
+struct KeptEntity {
+    std::vector<std::pair<std::string, Json>> keys;        ///< of the entity
+    std::vector<std::pair<std::string, Json>> components;  ///< unknown or broken ones, whole
+    std::vector<KeptField> fields;
+    Json parent;  ///< one that could not be used
+};
+
+/// An entity that could not be loaded, as its text stands in the file.
+struct SkippedEntity {
+    int place = 0;  ///< index in the file's list
+    std::string text;
+};
+
+/// What a scene file holds beside entities with known components. Never changed once loaded.
+struct SceneRest {
+    std::vector<std::pair<std::string, Json>> keys;  ///< unknown ones of the file
+    std::map<std::uint64_t, KeptEntity> entities;    ///< by lasting id
+    std::vector<KeptField> layers;                   ///< component: the layer's name
+    std::vector<SkippedEntity> skipped;              ///< by place
+};
+
+/// A scene in a world: all of its file but the entities, which are in the world.
+struct LoadedScene {
+    SceneId id;
+    std::string path;
+    Json effects = Json::object();
+    std::vector<SceneLayer> layers;
+    int depth = 0;  ///< place in the stack: an overlay is drawn over those below
+    /// Shared, because snapshots copy resources and this never changes.
+    std::shared_ptr<const SceneRest> rest;
+};
+
+/// The scenes of a world, in the order of their loading. A resource.
+struct LoadedScenes {
+    std::vector<LoadedScene> scenes;
+
+    [[nodiscard]] LoadedScene* find(SceneId id) {
+        for (LoadedScene& scene : scenes) {
+            if (scene.id == id) return &scene;
+        }
+        return nullptr;
+    }
+};
+
+}  // namespace plumb

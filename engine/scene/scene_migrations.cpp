@@ -1,0 +1,34 @@
+#include <array>
+
+#include "reflect/json.hpp"
+#include "scene/scene_reader.hpp"
+
+namespace plumb {
+namespace {
+
+/// Format 0 had the position beside the components, before there was a Transform.
+void moveIntoTransform(Json& entity) {
+    const auto position = entity.find("position");
+    if (position == entity.end()) return;
+    Json value = *position;
+    entity.erase("position");
+    Json& components = entity["components"];
+    if (!components.is_object()) components = Json::object();
+    components["Transform"]["position"] = std::move(value);
+}
+
+struct Migration {
+    int from;
+    void (*migrate)(Json& entity);
+};
+constexpr std::array kMigrations{Migration{0, &moveIntoTransform}};
+
+}  // namespace
+
+void migrateEntity(Json& entity, int format) {
+    for (const Migration& migration : kMigrations) {
+        if (migration.from >= format) migration.migrate(entity);
+    }
+}
+
+}  // namespace plumb

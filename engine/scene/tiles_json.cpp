@@ -1,0 +1,191 @@
+#include "scene/tiles_json.hpp"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cstdlib>
+#include <cstring>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/limits.hpp"
+#include "core/text.hpp"
+#include "reflect/field_json.hpp"
+#include "reflect/json.hpp"
+#include "scene/zlib_block.hpp"
+
+namespace plumb {
+namespace {
+
+constexpr std::size_t kMostCellsAsText = 256 * 256;
+constexpr std::size_t kBandCells = 131072;  // 512 KiB: its base64 text stays below the limit of texts
+constexpr std::size_t kMostCells = std::size_t{1} << 26;
+
+struct Flip {
+    TileCell bit;
+    char letter;
+};
+constexpr std::array kFlips{Flip{kTileFlipX, 'x'}, Flip{kTileFlipY, 'y'}, Flip{kTileFlipDiagonal, 'd'}};
+
+void appendCell(std::string& row, TileCell cell) {
+    std::array<char, 16> digits{};
+    const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), cell & ~kTileFlips).ptr;
+    row.append(digits.data(), end);
+    for (const Flip& flip : kFlips) {
+        if ((cell & flip.bit) != 0) row += flip.letter;
+    }
+}
+
+std::string rowText(const TileGrid& grid, int y) {
+    std::string row;
+    row.reserve(static_cast<std::size_t>(grid.width()) * 2);
+    for (int x = 0; x < grid.width(); ++x) {
+        if (x > 0) row += ' ';
+        appendCell(row, grid.at(x, y));
+    }
+    return row;
+}
+
+/// Adds the cells of a row's text.
+/// @return false when something in it is no cell
+bool readRow(std::string_view text, std::vector<TileCell>& cells) {
+    const char* at = text.data();
+    const char* const end = at + text.size();
+    while (true) {
+        while (at != end && *at == ' ') ++at;
+        if (at == end) return true;
+        TileCell cell = 0;
+        const auto [behind, failure] = std::from_chars(at, end, cell);
+        if (failure != std::errc{} || (cell & kTileFlips) != 0) return false;
+        at = behind;
+        for (; at != end && *at != ' '; ++at) {
+            const auto flip =
+                std::find_if(kFlips.begin(), kFlips.end(), [at](const Flip& f) { return f.letter == *at; });
+            if (flip == kFlips.end()) return false;
+            cell |= flip->bit;
+        }
+        cells.push_back(cell);
+    }
+}
+
+std::size_t bandRows(std::size_t width) { return std::clamp<std::size_t>(kBandCells / width, 1, 64); }
+
+Json bandsToJson(const TileGrid& grid) {
+    const auto width = static_cast<std::size_t>(grid.width());
+    Json bands = Json::array();
+    const std::size_t step = bandRows(width) * width;
+    for (std::size_t first = 0; first < grid.cells().size(); first += step) {
+        const std::size_t count = std::min(step, grid.cells().size() - first);
+        bands.push_back(packedText({grid.cells().data() + first, count}));
+    }
+    return bands;
+}
+
+Error wrongSize(const Json& json, const char* key) {
+    const auto found = json.find(key);
+    return {key,
+            format("expected 0 to {}, found {}", limits::kTileSide,
+                   found == json.end() ? "nothing" : foundText(*found)),
+            "write the number of tiles"};
+}
+
+std::optional<int> sideOf(const Json& json, const char* key) {
+    const auto found = json.find(key);
+    if (found == json.end() || !found->is_number_integer()) return std::nullopt;
+    const auto number = found->get<std::int64_t>();
+    if (number < 0 || number > limits::kTileSide) return std::nullopt;
+    return static_cast<int>(number);
+}
+
+Result<ReadTiles> readRows(const Json& rows, int width, int height) {
+    ReadTiles read;
+    std::vector<TileCell> cells(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+    std::vector<TileCell> row;
+    int wrongRows = 0;
+    int firstWrong = 0;
+    for (int y = 0; y < static_cast<int>(std::min<std::size_t>(rows.size(), limits::kTileSide)); ++y) {
+        const Json& item = rows[static_cast<std::size_t>(y)];
+        row.clear();
+        if (!item.is_string() || !readRow(*item.get_ptr<const std::string*>(), row)) {
+            return Error{format("rows[{}]", y), "expected tile numbers, found " + foundText(item),
+                         "write numbers with spaces between, 0 for empty, e.g. \"1 2 0 5x\""};
+        }
+        if (row.size() != static_cast<std::size_t>(width) && wrongRows++ == 0) firstWrong = y;
+        row.resize(static_cast<std::size_t>(width));
+        if (y < height) std::copy(row.begin(), row.end(), cells.begin() + std::ptrdiff_t{y} * width);
+    }
+    if (wrongRows > 0) {
+        read.problem = format("{} of {} rows do not have {} tiles, the first is rows[{}]", wrongRows,
+                              rows.size(), width, firstWrong);
+    } else if (rows.size() != static_cast<std::size_t>(height)) {
+        read.problem = format("found {} rows, the height is {}", rows.size(), height);
+    }
+    read.remedy = "missing tiles are empty, those too many are left out; make width, height and rows agree";
+    read.grid.replaceCells(width, height, std::move(cells));
+    return read;
+}
+
+Result<ReadTiles> readBands(const Json& bands, int width, int height) {
+    const auto columns = static_cast<std::size_t>(width);
+    std::vector<TileCell> cells(columns * static_cast<std::size_t>(height));
+    const std::size_t step = columns == 0 ? 1 : bandRows(columns) * columns;
+    const std::size_t wanted = (cells.size() + step - 1) / step;
+    if (!bands.is_array() || bands.size() != wanted) {
+        return Error{"base64", format("expected a list of {}, found {}", wanted, foundText(bands)),
+                     "save the map again from where it was made"};
+    }
+    for (std::size_t band = 0; band < wanted; ++band) {
+        const auto* text = bands[band].get_ptr<const std::string*>();
+        const std::size_t count = std::min(step, cells.size() - band * step);
+        if (text == nullptr || !unpackText(*text, {cells.data() + band * step, count})) {
+            return Error{format("base64[{}]", band), "the packed tiles are damaged",
+                         "save the map again from where it was made"};
+        }
+    }
+    ReadTiles read;
+    read.grid.replaceCells(width, height, std::move(cells));
+    return read;
+}
+
+}  // namespace
+
+Json tilesToJson(const TileGrid& grid) {
+    Json json = Json::object();
+    json["width"] = grid.width();
+    json["height"] = grid.height();
+    if (grid.cells().size() > kMostCellsAsText) {
+        json["base64"] = bandsToJson(grid);
+        return json;
+    }
+    Json& rows = json["rows"] = Json::array();
+    for (int y = 0; y < grid.height(); ++y) rows.push_back(rowText(grid, y));
+    return json;
+}
+
+Result<ReadTiles> tilesFromJson(const Json& json) {
+    if (json.is_null()) return ReadTiles{};
+    if (!json.is_object()) {
+        return Error{"", "expected an object, found " + foundText(json),
+                     "write {\"width\": 2, \"height\": 1, \"rows\": [\"1 2\"]}"};
+    }
+    const std::optional<int> width = sideOf(json, "width");
+    if (!width) return wrongSize(json, "width");
+    const std::optional<int> height = sideOf(json, "height");
+    if (!height) return wrongSize(json, "height");
+    if (static_cast<std::size_t>(*width) * static_cast<std::size_t>(*height) > kMostCells) {
+        return Error{"width", format("{} x {} tiles are more than {}", *width, *height, kMostCells),
+                     "split the map"};
+    }
+    if (const auto bands = json.find("base64"); bands != json.end())
+        return readBands(*bands, *width, *height);
+    const auto rows = json.find("rows");
+    if (rows == json.end() || !rows->is_array()) {
+        return Error{"rows",
+                     "expected a list of rows, found " + (rows == json.end() ? "nothing" : foundText(*rows)),
+                     "write one text a row, e.g. [\"1 2 0\", \"0 0 3\"]"};
+    }
+    return readRows(*rows, *width, *height);
+}
+
+}  // namespace plumb

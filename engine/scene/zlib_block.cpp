@@ -1,0 +1,116 @@
+#include "scene/zlib_block.hpp"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <climits>
+#include <cstdlib>
+#include <cstring>
+#include <optional>
+
+// stb's zlib, private to this file: the pictures of other layers have their own.
+#if defined(__GNUC__)
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wunused-function"
+#endif
+#define STB_IMAGE_STATIC
+#define STB_IMAGE_IMPLEMENTATION
+#define STBI_ONLY_PNG
+#define STBI_NO_STDIO
+#include <stb_image.h>
+#define STB_IMAGE_WRITE_STATIC
+#define STB_IMAGE_WRITE_IMPLEMENTATION
+#define STBI_WRITE_NO_STDIO
+#include <stb_image_write.h>
+#if defined(__GNUC__)
+#pragma GCC diagnostic pop
+#endif
+
+namespace plumb {
+namespace {
+
+constexpr int kEffort = 8;  // stb's scale; more gains little on tiles
+constexpr std::string_view kDigits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+
+constexpr std::array<std::uint8_t, 256> digitValues() {
+    std::array<std::uint8_t, 256> values{};
+    values.fill(0xff);
+    for (std::size_t i = 0; i < kDigits.size(); ++i) {
+        values[static_cast<unsigned char>(kDigits[i])] = static_cast<std::uint8_t>(i);
+    }
+    return values;
+}
+
+std::string base64Of(std::string_view bytes) {
+    std::string text;
+    text.reserve((bytes.size() + 2) / 3 * 4);
+    for (std::size_t at = 0; at < bytes.size(); at += 3) {
+        const std::size_t count = std::min<std::size_t>(3, bytes.size() - at);
+        std::uint32_t three = 0;
+        for (std::size_t i = 0; i < 3; ++i) {
+            three = three << 8 | (i < count ? static_cast<unsigned char>(bytes[at + i]) : 0u);
+        }
+        for (std::size_t i = 0; i < 4; ++i) {
+            text += i <= count ? kDigits[three >> (18 - 6 * i) & 63] : '=';
+        }
+    }
+    return text;
+}
+
+std::optional<std::string> bytesOf(std::string_view text) {
+    static constexpr std::array<std::uint8_t, 256> kValues = digitValues();
+    if (text.size() % 4 != 0) return std::nullopt;
+    while (!text.empty() && text.back() == '=') text.remove_suffix(1);
+    std::string bytes;
+    bytes.reserve(text.size() * 3 / 4);
+    std::uint32_t bits = 0;
+    int count = 0;
+    for (const char c : text) {
+        const std::uint8_t value = kValues[static_cast<unsigned char>(c)];
+        if (value == 0xff) return std::nullopt;
+        bits = bits << 6 | value;
+        count += 6;
+        if (count >= 8) {
+            count -= 8;
+            bytes += static_cast<char>(static_cast<unsigned char>(bits >> count));
+        }
+    }
+    return bytes;
+}
+
+/// Words in memory order to words least byte first, and back.
+std::uint32_t leastFirst(std::uint32_t word) {
+    if constexpr (std::endian::native == std::endian::little) return word;
+    return word << 24 | (word & 0xff00) << 8 | (word >> 8 & 0xff00) | word >> 24;
+}
+
+}  // namespace
+
+std::string packedText(std::span<const std::uint32_t> words) {
+    std::string raw(words.size() * 4, '\0');
+    for (std::size_t i = 0; i < words.size(); ++i) {
+        const std::uint32_t word = leastFirst(words[i]);
+        std::memcpy(raw.data() + i * 4, &word, 4);
+    }
+    int size = 0;
+    unsigned char* packed = stbi_zlib_compress(reinterpret_cast<unsigned char*>(raw.data()),
+                                               static_cast<int>(raw.size()), &size, kEffort);
+    if (packed == nullptr) return {};
+    std::string text = base64Of({reinterpret_cast<const char*>(packed), static_cast<std::size_t>(size)});
+    std::free(packed);
+    return text;
+}
+
+bool unpackText(std::string_view text, std::span<std::uint32_t> words) {
+    const std::optional<std::string> packed = bytesOf(text);
+    if (!packed || packed->size() > INT_MAX || words.size_bytes() > INT_MAX) return false;
+    // The decoder stops at the end of the room it is given: a bomb cannot grow past the size that was
+    // declared.
+    const int size =
+        stbi_zlib_decode_buffer(reinterpret_cast<char*>(words.data()), static_cast<int>(words.size_bytes()),
+                                packed->data(), static_cast<int>(packed->size()));
+    for (std::uint32_t& word : words) word = leastFirst(word);
+    return size >= 0 && static_cast<std::size_t>(size) == words.size_bytes();
+}
+
+}  // namespace plumb
