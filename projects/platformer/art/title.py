@@ -70,10 +70,12 @@ def logo():
     x = art.width - 13
     result.rect(x, 30, 1, 8, "r")
     bob(0.0, result, x, 37)
-    for left in (115, 139):
-        for k in range(9):
-            half = round(2.6 * math.sin(math.pi * (0.2 + 0.75 * k / 9)))
-            result.rect(left - half, 22 - k, 2 * half, 1, "o" if half < 2 and k > 5 else "c")
+    for middle in (126, 150):
+        for k, half in enumerate((2, 3, 4, 4, 4, 3, 3, 2, 2, 1, 1)):
+            result.rect(middle - half, 25 - k, 2 * half, 1, "c" if k == 0 else "o")
+            inner = half - 2 if k < 7 else 0
+            if inner > 0:
+                result.rect(middle - inner, 25 - k, 2 * inner, 1, "Y" if k < 4 else "y")
     return result
 
 
