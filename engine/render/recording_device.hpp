@@ -24,6 +24,7 @@ public:
     std::vector<GeometryDraw> geometryDraws;
     std::size_t texturesCreated = 0;
     std::size_t buffersCreated = 0;
+    std::size_t mostTextures = kTextureSlots;  ///< what batchTextures answers
 
     [[nodiscard]] std::size_t drawCalls() const { return spriteDraws.size() + geometryDraws.size(); }
     /// Forgets the draws, keeps textures and buffers.
@@ -49,6 +50,7 @@ public:
     /// One color everywhere: that of the last clear.
     [[nodiscard]] Image readPixels(TargetHandle target) override;
     [[nodiscard]] std::string description() const override { return "recording"; }
+    [[nodiscard]] std::size_t batchTextures() const override { return mostTextures; }
 
     /// The picture of a texture, as created and updated since.
     [[nodiscard]] const Image& image(TextureHandle texture) const { return textures_[texture.index]; }

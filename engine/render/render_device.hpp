@@ -133,6 +133,8 @@ public:
     /// The pixels of a target or, before the swap, of the window.
     [[nodiscard]] virtual Image readPixels(TargetHandle target) = 0;
     [[nodiscard]] virtual std::string description() const = 0;
+    /// Textures that a sprite batch should have at most, 1..kTextureSlots.
+    [[nodiscard]] virtual std::size_t batchTextures() const { return kTextureSlots; }
 };
 
 }  // namespace plumb

@@ -5,6 +5,8 @@
 namespace plumb {
 namespace {
 
+constexpr float kLargePart = 0.125f;  ///< of the view
+
 /// The sprites at the front of `order`, up to the first thing of another kind.
 std::span<const DrawItem> leadingSprites(std::span<const DrawItem> order) {
     std::size_t count = 0;
@@ -51,24 +53,33 @@ void Renderer::planSprites(const DrawList& list, std::span<const DrawItem> order
     if (sprites > 0) device_.unmapInstances();
 }
 
-/// Writes sprites until they end or need a 17th texture. @return how many
+/// Writes sprites until they end or need one texture too many. @return how many
 std::size_t Renderer::fillRun(const DrawList& list, std::span<const DrawItem> run,
                               std::span<SpriteInstance> out, SpriteBatch& batch) {
     ++batchNumber_;
     const std::span<const SpriteInstance> instances = list.instances();
+    const std::size_t mostTextures = device_.batchTextures();
     constexpr std::uint32_t kFlags = kSpriteDiagonal | kSpriteAdditive;
+    // Where every slot costs time for every pixel, what covers much of the view is drawn alone, from one
+    // slot.
+    const bool slotsAreCostly = mostTextures < kTextureSlots;
+    const Vec2 seen = visibleBox(list.view()).size() * 0.5f;
+    const float largeArea = seen.x * seen.y * kLargePart;
     for (std::size_t i = 0; i < run.size(); ++i) {
         SpriteInstance instance = instances[DrawList::indexOf(run[i])];
+        const bool alone = slotsAreCostly && instance.half.x * instance.half.y > largeArea;
+        if (alone && i > 0) return i;
         const std::uint32_t texture = DrawList::textureOf(instance);
         if (texture >= slots_.size()) slots_.resize(texture + 1);
         Slot& slot = slots_[texture];
         if (slot.batch != batchNumber_) {
-            if (batch.textureCount == kTextureSlots) return i;
+            if (batch.textureCount == mostTextures) return i;
             slot = {batchNumber_, static_cast<std::uint32_t>(batch.textureCount)};
             batch.textures[batch.textureCount++] = {texture};
         }
         instance.slot = (instance.slot & kFlags) | slot.slot;
         out[i] = instance;
+        if (alone) return 1;
     }
     return run.size();
 }

@@ -20,6 +20,8 @@ std::uint64_t keyOf(const Font& font, int glyph, int size) {
            static_cast<std::uint64_t>(size);
 }
 
+Vec2 rounded(Vec2 v) { return {std::floor(v.x + 0.5f), std::floor(v.y + 0.5f)}; }
+
 /// With an empty border of one pixel, so that smooth letters fade out when they lie between pixels.
 Image bordered(const Image& image) {
     Image wide{image.width + 2, image.height + 2, {}};
@@ -97,17 +99,18 @@ void TextPainter::drawPass(DrawList& list, const Font& font, Vec2 position, cons
                            Color color) {
     const int size = drawnSize(list, font, style.shape.size);
     const float toWorldPx = style.shape.size / static_cast<float>(size);
-    // Letters stand on whole pixels of what they were drawn for: between them they would be cut or blurred.
-    const float grid = 1.0f / toWorldPx;
+    // The text stands on whole pixels of the window, its letters on whole pixels of what they were drawn for:
+    // between them they would be cut or blurred.
+    const float grid = std::max(list.view().zoom * pixelScale_, 1.0f);
+    const Vec2 start = rounded(position * grid) / grid;
     for (const PlacedGlyph& placed : layout_.glyphs) {
         const Letter& letter = letterOf(font, placed.glyph, size);
         if (letter.region.width == 0) continue;
-        const Vec2 pen = (position + placed.pen) * grid;
-        const Vec2 corner = Vec2{std::floor(pen.x + 0.5f), std::floor(pen.y + 0.5f)} + letter.offset;
+        const Vec2 corner = rounded(placed.pen / toWorldPx) + letter.offset;
         SpriteQuad quad;
         quad.half = Vec2{static_cast<float>(letter.region.width), static_cast<float>(letter.region.height)} *
                     (0.5f * toWorldPx);
-        quad.center = corner * toWorldPx + quad.half;
+        quad.center = start + corner * toWorldPx + quad.half;
         quad.texture = letter.region.texture;
         quad.source = letter.region.whole();
         quad.tint = color;

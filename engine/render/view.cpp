@@ -25,14 +25,13 @@ AABB visibleBox(const View& view) {
     return {view.center - reach, view.center + reach};
 }
 
-View snappedToPixels(const View& view) {
+View snappedToPixels(const View& view, float pixelScale) {
     View snapped = view;
     // The picture's own middle may lie between two px: snap its corner, not its center.
+    const float grid = view.zoom * pixelScale;
     const Vec2 half = view.size * (0.5f / view.zoom);
-    const Vec2 corner = view.center - half;
-    snapped.center =
-        Vec2{std::floor(corner.x * view.zoom + 0.5f), std::floor(corner.y * view.zoom + 0.5f)} / view.zoom +
-        half;
+    const Vec2 corner = (view.center - half) * grid;
+    snapped.center = Vec2{std::floor(corner.x + 0.5f), std::floor(corner.y + 0.5f)} / grid + half;
     return snapped;
 }
 

@@ -24,8 +24,9 @@ Vec2 toWorld(const View& view, Vec2 screen);
 /// The box of the world that holds all that is seen.
 AABB visibleBox(const View& view);
 
-/// The view moved so that world px fall on picture px: pixel art and text stay sharp at whole zooms.
-View snappedToPixels(const View& view);
+/// The view moved so that world px fall on px of the window: pixel art and text stay sharp at whole zooms.
+/// @param pixelScale  window px for each px of the picture; 1 moves in steps of a picture px
+View snappedToPixels(const View& view, float pixelScale = 1.0f);
 
 ViewTransform transformOf(const View& view);
 /// The transform of something drawn at `offset` (px, world), e.g. a parallax layer.

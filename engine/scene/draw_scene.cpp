@@ -73,10 +73,11 @@ SceneRenderer::SceneRenderer(RenderDevice& device, AssetStore& assets)
 void SceneRenderer::draw(World& world, Vec2 picture, float alpha, const Viewport& viewport,
                          LabelText labelText) {
     SceneView how;
-    how.view = snappedToPixels(cameraView(world, picture, alpha));
+    const float pixelScale = picture.x > 0.0f ? static_cast<float>(viewport.width) / picture.x : 1.0f;
+    how.view = snappedToPixels(cameraView(world, picture, alpha), pixelScale);
     how.alpha = alpha;
     how.labelText = labelText;
-    labels_.setPixelScale(picture.x > 0.0f ? static_cast<float>(viewport.width) / picture.x : 1.0f);
+    labels_.setPixelScale(pixelScale);
     list_.begin(how.view);
     collect(world, how, list_);
     renderer_.draw(list_, viewport);

@@ -81,6 +81,14 @@ TEST_F(RendererTest, sixteenInterleavedTexturesAreOneDrawCall) {
     EXPECT_EQ(device.spriteDraws.front().batch.textureCount, 16u);
 }
 
+TEST_F(RendererTest, aDeviceMayAskForFewerTexturesInABatch) {
+    const std::vector<TextureHandle> textures = makeTextures(device, 16);
+    device.mostTextures = 4;
+    for (int i = 0; i < 16; ++i) list.sprite(quadAt({100.0f, 90.0f}, textures[static_cast<std::size_t>(i)]));
+    EXPECT_EQ(drawn().size(), 16u);
+    EXPECT_EQ(device.drawCalls(), 4u);
+}
+
 TEST_F(RendererTest, groupingKeepsTenThousandSpritesOfAHundredTexturesInEightCalls) {
     const std::vector<TextureHandle> textures = makeTextures(device, 100);
     list.begin(kView, TextureGrouping::Group);

@@ -38,6 +38,7 @@ public:
     void drawGeometry(const GeometryBatch& batch) override;
     [[nodiscard]] Image readPixels(TargetHandle target) override;
     [[nodiscard]] std::string description() const override;
+    [[nodiscard]] std::size_t batchTextures() const override { return batchTextures_; }
 
 private:
     struct Texture {
@@ -58,15 +59,15 @@ private:
     GlDevice() = default;
     void createState();
     Result<Done> buildPrograms();
-    const GlProgram& spriteProgramFor(std::size_t textureCount) const;
+    const GlProgram& spriteProgramFor(std::size_t textureCount);
     void bindTextures(const SpriteBatch& batch, const GlProgram& program);
     void setTransform(const GlProgram& program, const ViewTransform& transform) const;
     FrameBuffer& nextFrameBuffer(std::size_t count);
     [[nodiscard]] TextureHandle keep(Texture texture);
 
-    // Fewer slots cost less to shade where every slot of the switch is sampled, as in software: see
-    // gl_shaders.cpp.
-    std::vector<GlProgram> spritePrograms_;
+    /// By slots; built when first needed.
+    std::array<GlProgram, kTextureSlots + 1> spritePrograms_{};
+    std::size_t batchTextures_ = kTextureSlots;
     GlProgram geometryProgram_;
     std::vector<Texture> textures_;
     std::vector<std::uint32_t> freeTextures_;
