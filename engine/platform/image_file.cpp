@@ -2,21 +2,14 @@
 
 #include <cstring>
 #include <memory>
+#include <optional>
 
 #include <SDL_image.h>
 
 #include "core/limits.hpp"
 #include "core/text.hpp"
+#include "platform/image_header.hpp"
 
-#define STB_IMAGE_STATIC
-#define STB_IMAGE_IMPLEMENTATION
-#define STBI_NO_STDIO
-#define STBI_NO_HDR
-#define STBI_NO_LINEAR
-#define STBI_NO_PSD
-#define STBI_NO_PIC
-#define STBI_NO_PNM
-#define STBI_NO_TGA
 #define STB_IMAGE_WRITE_STATIC
 #define STB_IMAGE_WRITE_IMPLEMENTATION
 #define STBI_WRITE_NO_STDIO
@@ -24,7 +17,6 @@
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wunused-function"
 #endif
-#include <stb_image.h>
 #include <stb_image_write.h>
 #if defined(__GNUC__)
 #pragma GCC diagnostic pop
@@ -40,23 +32,24 @@ constexpr std::string_view kRemedy = "save it again as PNG";
 
 using Surface = std::unique_ptr<SDL_Surface, decltype(&SDL_FreeSurface)>;
 
-/// Only files that say what they are in their first bytes; SDL_image alone would also try formats that guess.
-bool hasKnownSignature(std::string_view bytes) {
-    constexpr std::string_view kPng{"\x89PNG\r\n\x1a\n", 8};
-    return startsWith(bytes, kPng) || startsWith(bytes, "\xff\xd8\xff") || startsWith(bytes, "BM") ||
-           startsWith(bytes, "GIF8");
-}
-
 /// A progressive JPEG may ask for the whole picture to be passed over any number of times.
 constexpr int kMaxScans = 64;
 
 bool hasTooManyScans(std::string_view bytes) {
     constexpr std::string_view kScan = "\xff\xda";
-    if (!startsWith(bytes, "\xff\xd8")) return false;
     int scans = 0;
     for (std::size_t at = bytes.find(kScan); at != std::string_view::npos; at = bytes.find(kScan, at + 2))
         ++scans;
     return scans > kMaxScans;
+}
+
+SDL_Surface* load(ImageFormat format, SDL_RWops* stream) {
+    switch (format) {
+        case ImageFormat::Png: return IMG_LoadPNG_RW(stream);
+        case ImageFormat::Jpeg: return IMG_LoadJPG_RW(stream);
+        case ImageFormat::Bmp: return IMG_LoadBMP_RW(stream);
+    }
+    return nullptr;
 }
 
 Error imageError(std::string_view where, std::string what, std::string_view remedy = kRemedy) {
@@ -81,15 +74,10 @@ Result<ImageSize> readImageSize(std::string_view bytes, std::string_view where) 
     if (bytes.empty()) return imageError(where, "the file is empty");
     if (bytes.size() > limits::kFileBytes)
         return imageError(where, "the file is too large", "make it smaller");
-    int channels = 0;
-    ImageSize size;
-    const auto* start = reinterpret_cast<const stbi_uc*>(bytes.data());
-    if (!hasKnownSignature(bytes)) return imageError(where, "the file is no PNG, JPEG, BMP or GIF image");
-    if (stbi_info_from_memory(start, static_cast<int>(bytes.size()), &size.width, &size.height, &channels) ==
-            0 ||
-        size.width <= 0 || size.height <= 0) {
-        return imageError(where, "the image has a damaged header");
-    }
+    if (!imageFormatOf(bytes)) return imageError(where, "the file is no PNG, JPEG or BMP image");
+    const std::optional<ImageHeader> header = readImageHeader(bytes);
+    if (!header) return imageError(where, "the image has a damaged header");
+    const ImageSize size{header->width, header->height};
     if (size.width > limits::kImageSide || size.height > limits::kImageSide) {
         return imageError(where,
                           format("the image has {}x{} px, the limit is {} a side", size.width, size.height,
@@ -110,10 +98,13 @@ Result<ImageSize> readImageSize(std::string_view bytes, std::string_view where) 
 Result<Image> decodeImage(std::string_view bytes, std::string_view where) {
     const Result<ImageSize> size = readImageSize(bytes, where);
     if (!size) return size.error();
-    if (hasTooManyScans(bytes))
+    const ImageFormat kind = *imageFormatOf(bytes);
+    if (kind == ImageFormat::Jpeg && hasTooManyScans(bytes))
         return imageError(where, format("the JPEG has more than {} scans", kMaxScans));
+    // The loader of that format alone: SDL_image would try others that guess, some without limits.
     SDL_RWops* stream = SDL_RWFromConstMem(bytes.data(), static_cast<int>(bytes.size()));
-    const Surface loaded{IMG_Load_RW(stream, 1), &SDL_FreeSurface};
+    const Surface loaded{load(kind, stream), &SDL_FreeSurface};
+    SDL_RWclose(stream);
     if (!loaded) return imageError(where, format("the image is damaged or cut off ({})", IMG_GetError()));
     if (ImageSize{loaded->w, loaded->h} != *size)
         return imageError(where, "the image contradicts its header");

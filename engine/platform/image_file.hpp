@@ -17,7 +17,7 @@ struct ImageSize {
 
 /// The size that an image file states in its first bytes. Nothing is decoded, so it is cheap and safe.
 /// @param where  the file's name, for errors
-/// @error        empty, not a PNG, JPEG, BMP or GIF, larger than the limits, or so large for its bytes that
+/// @error        empty, not a PNG, JPEG or BMP, larger than the limits, or so large for its bytes that
 /// it is a bomb
 Result<ImageSize> readImageSize(std::string_view bytes, std::string_view where);
 

@@ -62,7 +62,7 @@ TEST(ImageFile, emptyCutOffAndForeignFilesAreRefusedWithAReason) {
                                   png.substr(0, 8),
                                   png.substr(0, 20),
                                   png.substr(0, png.size() / 2),
-                                  "GIF89a",
+                                  "GIF89a\x10\0\x10\0",
                                   "BM",
                                   "\xff\xd8\xff",
                                   "<svg width='10' height='10'/>"};
@@ -72,6 +72,16 @@ TEST(ImageFile, emptyCutOffAndForeignFilesAreRefusedWithAReason) {
         EXPECT_EQ(result.error().where, "bad.png");
         EXPECT_FALSE(result.error().what.empty());
         EXPECT_FALSE(result.error().remedy.empty());
+    }
+}
+
+TEST(ImageFile, headersStateTheirSizeWhateverTheirFormat) {
+    const std::string jpeg{"\xff\xd8\xff\xe0\x00\x04zz\xff\xc0\x00\x11\x08\x00\x20\x00\x40\x03", 18};
+    EXPECT_EQ(*readImageSize(jpeg, "x"), (ImageSize{64, 32}));
+    std::string bmp = "BM" + std::string(12, '\0') + std::string{"\x28\0\0\0\x07\0\0\0\xf7\xff\xff\xff", 12};
+    EXPECT_EQ(*readImageSize(bmp, "x"), (ImageSize{7, 9}));
+    for (std::size_t length = 0; length + 1 < jpeg.size(); ++length) {
+        EXPECT_FALSE(readImageSize(jpeg.substr(0, length), "x").ok()) << length;
     }
 }
 
