@@ -62,5 +62,6 @@ bool writeRows(const std::string& path, std::span<const Row> rows);
 // The programs of plumb-bench: one file each, one line in main.cpp each. They give back an exit code.
 
 int runEcs(const Options& options);
+int runRender(const Options& options);
 
 }  // namespace plumb::bench

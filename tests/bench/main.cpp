@@ -14,6 +14,7 @@ struct Program {
 /// Every benchmark: one file, one line.
 constexpr std::array kPrograms{
     Program{"ecs", &plumb::bench::runEcs},
+    Program{"render", &plumb::bench::runRender},
 };
 
 int usage() {
