@@ -16,7 +16,7 @@ struct AnimationFrameBegan {
 /// Plays every Animator on its entity's Sprite. Reads Animator, writes Animator and Sprite, tells
 /// AnimationFrameBegan; after what sets the state machine's parameters.
 struct AnimationSystem {
-    static constexpr std::string_view kName = "AnimationSystem";
+    static constexpr std::string_view kName = "animation";
 
     void update(World& world, float dt);  ///< dt in s
 };

@@ -16,7 +16,7 @@ struct PictureSize {
 /// Moves every enabled Camera after what it follows. Reads Transform and RigidBody of the followed, writes
 /// the camera's Transform; after everything that moves.
 struct CameraSystem {
-    static constexpr std::string_view kName = "CameraSystem";
+    static constexpr std::string_view kName = "camera";
 
     void update(World& world, float dt);  ///< dt in s
 };

@@ -1,0 +1,21 @@
+#include "app/game.hpp"
+
+#include "app/step_clock.hpp"
+#include "scene/world_transform.hpp"
+
+namespace plumb {
+
+Game::Game() : input{world.resource<Input>()} { world.provide(assets); }
+
+void tickGame(Game& game, const InputFrame& frame) {
+    constexpr auto kDt = static_cast<float>(StepClock::kStep);
+    World& world = game.world;
+    world.beginTick();
+    storePreviousTransforms(world);
+    game.input.advance(frame);
+    game.onUpdate(kDt);
+    world.update(kDt);
+    game.onLateUpdate(kDt);
+}
+
+}  // namespace plumb

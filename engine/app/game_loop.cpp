@@ -1,0 +1,188 @@
+#include "app/game_loop.hpp"
+
+#include <cstdio>
+
+#include "core/clock.hpp"
+#include "core/log.hpp"
+#include "platform/image_file.hpp"
+
+namespace plumb {
+namespace {
+
+constexpr std::int64_t kDemoTicks = 600;     ///< played where nobody can see it: 10 s
+constexpr std::int64_t kHeadlessTicks = 600; ///< played when nothing says for how long
+
+bool isFullscreenKey(const Event& event) {
+    return event.kind == EventKind::KeyDown && !event.repeated &&
+           (event.key == Key::F11 || (event.key == Key::Enter && event.modifiers.alt));
+}
+
+}  // namespace
+
+Result<Done> saveScreenshot(Screen& screen, const Path& path) {
+    const Result<std::string> png = encodePng(screen.picture());
+    return png ? writeFile(path, *png) : png.error();
+}
+
+GameLoop::GameLoop(Game& game, Screen* screen, const PlayerOptions& options, std::string projectName)
+    : game_{game}, screen_{screen}, options_{options}, projectName_{std::move(projectName)} {
+    game_.input.logging = screen_ != nullptr;
+}
+
+int GameLoop::run() {
+    if (!prepare()) return 1;
+    logNote("Engine", "Starting game loop...");
+    if (screen_ == nullptr) {
+        runHeadless();
+    } else {
+        runScreen();
+    }
+    return finish();
+}
+
+bool GameLoop::prepare() {
+    if (!options_.replay.empty()) {
+        Result<Replay> replay = loadReplay(options_.replay);
+        if (!replay) {
+            logError("Input", replay.error());
+            return false;
+        }
+        replay_ = std::move(*replay);
+        replayPlayer_.emplace(*replay_);
+    }
+    recorder_.replay.project = projectName_;
+    recorder_.replay.engine = "0.1.0";
+    recorder_.replay.scene = options_.scene;
+    recorder_.replay.seed = options_.seed;
+    if (screen_ != nullptr && !screen_->window().hasDisplay() && options_.frames < 0 && options_.replay.empty()) {
+        logNote("Engine", "No display here: playing 10 s into memory and saving a screenshot");
+        options_.frames = kDemoTicks;
+        if (options_.screenshot.empty()) options_.screenshot = "plumb-screenshot.png";
+    }
+    if (screen_ == nullptr && options_.frames < 0 && !replay_) options_.frames = kHeadlessTicks;
+    return true;
+}
+
+void GameLoop::runHeadless() {
+    while (running_ && ticks_ != options_.frames) {
+        tick();
+    }
+}
+
+void GameLoop::runScreen() {
+    // Pictures of known ticks are wanted: one tick a frame, whatever the clock says.
+    const bool lockstep = !screen_->window().hasDisplay() || !options_.capture.empty();
+    double before = wallSeconds();
+    rateStart_ = before;
+    while (running_ && ticks_ != options_.frames) {
+        handleEvents();
+        const double now = wallSeconds();
+        StepClock::Frame frame = clock_.advance(snappedToRefresh(now - before, 60.0));
+        before = now;
+        if (lockstep) frame = {1, 1.0f};
+        if (paused_) frame = {0, 1.0f};
+        for (int i = 0; i < frame.ticks && running_ && ticks_ != options_.frames; ++i) {
+            tick();
+        }
+        drawFrame(ticks_ == 0 ? 1.0f : frame.alpha);
+        reportRate();
+    }
+}
+
+void GameLoop::handleEvents() {
+    pending_.clear();
+    screen_->window().pollEvents(pending_);
+    for (const Event& event : pending_) {
+        if (event.kind == EventKind::Quit) quit();
+        if (isFullscreenKey(event)) screen_->window().setFullscreen(!screen_->window().fullscreen());
+        if (event.kind == EventKind::FocusLost) {
+            paused_ = true;
+            devices_.releaseAll();
+        }
+        if (event.kind == EventKind::FocusGained) {
+            paused_ = false;
+            clock_.reset();
+        }
+        devices_.handle(event);
+    }
+}
+
+bool GameLoop::nextInput(InputFrame& frame) {
+    if (replayPlayer_) {
+        const InputFrame* recorded = replayPlayer_->next();
+        if (recorded == nullptr) return false;
+        frame = *recorded;
+    } else {
+        frame = devices_.take();
+    }
+    if (!options_.record.empty()) recorder_.record(frame);
+    return true;
+}
+
+void GameLoop::tick() {
+    InputFrame frame;
+    if (!nextInput(frame)) {
+        quit();
+        return;
+    }
+    tickGame(game_, frame);
+    ++ticks_;
+    if (screen_ != nullptr) events_.write(game_.world);
+    if (const Checkpoint* expected = replayPlayer_ ? replayPlayer_->checkpoint() : nullptr;
+        expected != nullptr && expected->hash != game_.world.hash()) {
+        logError("Input", Error{options_.replay, format("the game differs from the recorded one at tick {}", ticks_),
+                                "record it again if the game was changed on purpose"});
+        failed_ = true;
+        quit();
+    }
+    if (options_.hashEvery > 0 && ticks_ % options_.hashEvery == 0) {
+        std::printf("hash %lld: %s\n", static_cast<long long>(ticks_), hexText(game_.world.hash()).c_str());
+    }
+    if (!options_.record.empty() && ticks_ % 600 == 0) recorder_.check(game_.world.hash());
+}
+
+void GameLoop::drawFrame(float alpha) {
+    screen_->draw(game_.world, game_.assets, alpha);
+    if (!options_.capture.empty()) {
+        std::string number = format("{}", framesDrawn_);
+        number.insert(0, number.size() < 6 ? 6 - number.size() : 0, '0');
+        const Path path = Path{options_.capture} / (number + ".png");
+        if (const auto saved = saveScreenshot(*screen_, path); !saved) logError("Engine", saved.error());
+    }
+    if (!options_.screenshot.empty() && (ticks_ == options_.frames || !running_)) {
+        const auto saved = saveScreenshot(*screen_, options_.screenshot);
+        if (saved) {
+            logNote("Engine", "Saved {}", options_.screenshot);
+        } else {
+            logError("Engine", saved.error());
+            failed_ = true;
+        }
+    }
+    screen_->swap();
+    ++framesDrawn_;
+}
+
+void GameLoop::reportRate() {
+    ++rateFrames_;
+    const double now = wallSeconds();
+    if (now - rateStart_ < 1.0) return;
+    logNote("Engine", "FPS: {} | Entities: {} | Draw calls: {}",
+            fixedText(static_cast<double>(rateFrames_) / (now - rateStart_), 1), game_.world.entityCount(),
+            screen_->drawCalls());
+    rateStart_ = now;
+    rateFrames_ = 0;
+}
+
+int GameLoop::finish() {
+    if (!options_.record.empty()) {
+        recorder_.check(game_.world.hash());
+        if (const auto saved = saveReplay(recorder_.replay, options_.record); !saved) {
+            logError("Input", saved.error());
+            failed_ = true;
+        }
+    }
+    if (options_.hash) std::printf("hash: %s\n", hexText(game_.world.hash()).c_str());
+    return failed_ ? 1 : 0;
+}
+
+}  // namespace plumb

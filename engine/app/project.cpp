@@ -1,0 +1,153 @@
+#include "app/project.hpp"
+
+#include <array>
+#include <utility>
+
+#include "core/text.hpp"
+#include "reflect/json.hpp"
+#include "reflect/json_text.hpp"
+
+namespace plumb {
+namespace {
+
+constexpr std::array<std::pair<std::string_view, WindowScale>, 4> kScalings{{{"fit", WindowScale::Fit},
+                                                                             {"integer", WindowScale::Integer},
+                                                                             {"stretch", WindowScale::Stretch},
+                                                                             {"fill", WindowScale::Fill}}};
+
+/// Reads one object of the file; what is wrong becomes a warning and the default stays.
+class Reader {
+public:
+    Reader(const Json& json, std::string where, std::vector<Error>& warnings)
+        : json_{json}, where_{std::move(where)}, warnings_{warnings} {}
+
+    void text(std::string_view key, std::string& value) {
+        if (const Json* found = find(key, "a text", "\"My Game\"", &Json::is_string)) value = found->get<std::string>();
+    }
+    void flag(std::string_view key, bool& value) {
+        if (const Json* found = find(key, "true or false", "true", &Json::is_boolean)) value = found->get<bool>();
+    }
+    void number(std::string_view key, float& value, float least, float most) {
+        const Json* found = find(key, "a number", shortestText(value), &Json::is_number);
+        if (found == nullptr) return;
+        const auto given = found->get<float>();
+        if (given >= least && given <= most) {
+            value = given;
+        } else {
+            warn(key, format("is {}, which is outside {}..{}", given, least, most), format("using {}", value));
+        }
+    }
+    void size(std::string_view key, int& value) {
+        auto given = static_cast<float>(value);
+        number(key, given, 1.0f, 16384.0f);
+        value = static_cast<int>(given);
+    }
+    void pair(std::string_view key, float& first, float& second) {
+        const Json* found = find(key, "two numbers", "[320, 180]", &Json::is_array);
+        if (found == nullptr) return;
+        if (found->size() == 2 && (*found)[0].is_number() && (*found)[1].is_number()) {
+            first = (*found)[0].get<float>();
+            second = (*found)[1].get<float>();
+        } else {
+            warn(key, "expected two numbers", "write them as [320, 180]");
+        }
+    }
+    const Json* object(std::string_view key) { return find(key, "an object", "{}", &Json::is_object); }
+
+    void warn(std::string_view key, std::string what, std::string remedy) {
+        warnings_.push_back({where_ + std::string{key}, std::move(what), std::move(remedy)});
+    }
+
+private:
+    const Json* find(std::string_view key, std::string_view expected, std::string_view example,
+                     bool (Json::*is)() const noexcept) {
+        const auto at = json_.find(std::string{key});
+        if (at == json_.end()) return nullptr;
+        if (((*at).*is)()) return &*at;
+        warn(key, format("expected {}, found {}", expected, at->type_name()), format("write e.g. {}", example));
+        return nullptr;
+    }
+
+    const Json& json_;
+    std::string where_;
+    std::vector<Error>& warnings_;
+};
+
+void readWindow(const Json& json, const std::string& where, Project& project) {
+    Reader window{json, where + ": window.", project.warnings};
+    window.size("width", project.windowWidth);
+    window.size("height", project.windowHeight);
+    window.flag("fullscreen", project.fullscreen);
+}
+
+void readPhysics(const Json& json, const std::string& where, Project& project) {
+    Reader physics{json, where + ": physics.", project.warnings};
+    physics.number("pixelsPerMetre", project.pixelsPerMetre, 0.001f, 100000.0f);
+    physics.pair("gravity", project.gravity.x, project.gravity.y);
+}
+
+void readScaling(Reader& reader, Project& project) {
+    std::string name = "fit";
+    reader.text("scaling", name);
+    for (const auto& [known, scaling] : kScalings) {
+        if (name == known) {
+            project.scaling = scaling;
+            return;
+        }
+    }
+    reader.warn("scaling", format("there is no scaling \"{}\"", name), "write fit, integer, stretch or fill");
+}
+
+}  // namespace
+
+Result<Project> loadProject(const Path& path) {
+    std::error_code failed;
+    const bool isFolder = std::filesystem::is_directory(path, failed);
+    const Path file = isFolder ? path / "project.json" : path;
+    Result<std::string> text = readFile(file);
+    if (!text) {
+        return Error{file.generic_string(), text.error().what,
+                     "name a folder with a project.json in it, e.g. projects/platformer"};
+    }
+    const Path root = file.has_parent_path() ? file.parent_path() : Path{"."};
+    return projectFromText(*text, root, "project.json");
+}
+
+Result<Project> projectFromText(std::string_view text, const Path& root, const std::string& where) {
+    Project project;
+    project.root = root;
+    Result<Json> json = parseJson(text, where, &project.warnings);
+    if (!json) return json.error();
+    if (!json->is_object()) {
+        return Error{where, format("expected an object, found {}", json->type_name()), "write {\"name\": \"My Game\"}"};
+    }
+    Reader reader{*json, where + ": ", project.warnings};
+    reader.text("name", project.name);
+    reader.text("version", project.version);
+    reader.text("startScene", project.startScene);
+    if (const Json* window = reader.object("window")) readWindow(*window, where, project);
+    auto width = static_cast<float>(project.windowWidth);
+    auto height = static_cast<float>(project.windowHeight);
+    reader.pair("resolution", width, height);
+    if (width >= 1.0f && height >= 1.0f && width <= 16384.0f && height <= 16384.0f) {
+        project.width = static_cast<int>(width);
+        project.height = static_cast<int>(height);
+    } else {
+        reader.warn("resolution", "is outside 1..16384", "write it as [320, 180]");
+    }
+    readScaling(reader, project);
+    if (const Json* physics = reader.object("physics")) readPhysics(*physics, where, project);
+    project.actions = ActionMap::defaults();
+    if (const Json* input = reader.object("input")) {
+        project.actions = actionMapFromJson(*input, where + ": input", project.warnings);
+    }
+    return project;
+}
+
+std::string scenePath(std::string_view name) {
+    std::string path{name};
+    if (!endsWith(path, ".scene.json") && !endsWith(path, ".scene.bin")) path += ".scene.json";
+    return path.find('/') == std::string::npos ? "scenes/" + path : path;
+}
+
+}  // namespace plumb

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "assets/asset_store.hpp"
+#include "core/result.hpp"
+#include "platform/window.hpp"
+#include "render/gl/gl_device.hpp"
+#include "scene/draw_scene.hpp"
+
+namespace plumb {
+
+struct ScreenSettings {
+    std::string title = "Plumb";
+    int windowWidth = 1280;  ///< px
+    int windowHeight = 720;  ///< px
+    bool fullscreen = false;
+    Vec2 picture{1280.0f, 720.0f};  ///< px of the game's own picture
+    WindowScale scaling = WindowScale::Fit;
+};
+
+/// The window of a game and what draws into it.
+class Screen {
+public:
+    /// @error no video driver, no OpenGL 3.3
+    static Result<std::unique_ptr<Screen>> open(const ScreenSettings& settings);
+
+    /// Draws the world into the window; `swap` shows it.
+    void draw(World& world, AssetStore& assets, float alpha);
+    void swap() { window_->swap(); }
+    /// What was drawn, before the swap.
+    [[nodiscard]] Image picture();
+
+    [[nodiscard]] Window& window() { return *window_; }
+    [[nodiscard]] const ScreenSettings& settings() const { return settings_; }
+    /// Where the game's picture is in the window (px).
+    [[nodiscard]] Viewport viewport() const;
+    [[nodiscard]] std::size_t drawCalls() const { return drawCalls_; }  ///< of the last frame
+
+private:
+    Screen(ScreenSettings settings, std::unique_ptr<Window> window, std::unique_ptr<GlDevice> device);
+
+    ScreenSettings settings_;
+    std::unique_ptr<Window> window_;
+    std::unique_ptr<GlDevice> device_;
+    const AssetStore* drawnAssets_ = nullptr;
+    std::unique_ptr<SceneRenderer> renderer_;
+    std::size_t drawCalls_ = 0;
+};
+
+}  // namespace plumb

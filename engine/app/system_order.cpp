@@ -1,0 +1,44 @@
+#include "app/system_order.hpp"
+
+#include <array>
+#include <vector>
+
+#include "gameplay/systems.hpp"
+#include "scene/systems.hpp"
+
+namespace plumb {
+namespace {
+
+template <class S>
+constexpr SystemRow row(std::string_view calledFor) {
+    return {S::kName, calledFor, [](World& world) { static_cast<void>(world.addSystem<S>()); }};
+}
+
+// A tick, from top to bottom. What decides comes first, then what moves, then what answers, then what shows.
+constexpr std::array kSystems{
+    row<PhysicsSystem>("RigidBody, KinematicBody, BoxCollider, CircleCollider, TileCollider"),
+    row<AnimationSystem>("Animator"),
+    row<CameraSystem>("Camera"),
+    row<RenderSystem>("Sprite, TileLayer, Label"),
+};
+
+}  // namespace
+
+std::span<const SystemRow> systemTable() { return kSystems; }
+
+void useSystemOrder(World& world) {
+    std::vector<std::string_view> names;
+    for (const SystemRow& system : kSystems) {
+        names.push_back(system.name);
+    }
+    world.setSystemOrder(names);
+}
+
+void addAllSystems(World& world) {
+    useSystemOrder(world);
+    for (const SystemRow& system : kSystems) {
+        system.add(world);
+    }
+}
+
+}  // namespace plumb

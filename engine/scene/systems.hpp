@@ -1,0 +1,11 @@
+#pragma once
+
+// Every system of a scene, for game code.
+
+#include "scene/systems/animation_system.hpp"
+#include "scene/systems/camera_system.hpp"
+#include "scene/systems/collision_system.hpp"
+#include "scene/systems/gravity_system.hpp"
+#include "scene/systems/movement_system.hpp"
+#include "scene/systems/physics_system.hpp"
+#include "scene/systems/render_system.hpp"
