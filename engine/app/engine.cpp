@@ -38,7 +38,8 @@ Engine::~Engine() = default;
 
 void Engine::fixedUpdate([[maybe_unused]] float dt) {
     constexpr auto kTick = static_cast<float>(StepClock::kStep);
-    PLUMB_ASSERT(dt > kTick * 0.99f && dt < kTick * 1.01f, "a tick is 1/60 s; call fixedUpdate more often instead");
+    PLUMB_ASSERT(dt > kTick * 0.99f && dt < kTick * 1.01f,
+                 "a tick is 1/60 s; call fixedUpdate more often instead");
     if (game_->world.systemNames().empty()) addAllSystems(game_->world);
     tickGame(*game_, InputFrame{});
 }

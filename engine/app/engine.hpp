@@ -29,7 +29,9 @@ public:
     template <class G, class... Arguments>
     int run(Arguments&&... arguments) {
         static_assert(std::is_base_of_v<Game, G>, "a game derives from plumb::Game");
-        return runMade([&]() -> std::unique_ptr<Game> { return std::make_unique<G>(std::forward<Arguments>(arguments)...); });
+        return runMade([&]() -> std::unique_ptr<Game> {
+            return std::make_unique<G>(std::forward<Arguments>(arguments)...);
+        });
     }
 
     World& getWorld() { return game_->world; }

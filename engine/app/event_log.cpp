@@ -29,7 +29,8 @@ std::string displayName(World& world, EntityId entity) {
     }
     const auto* sprite = world.find<const Sprite>(entity);
     const AssetStore* assets = world.service<AssetStore>();
-    if (sprite == nullptr || assets == nullptr || sprite->texture.empty()) return format("Entity[{}]", entity.index);
+    if (sprite == nullptr || assets == nullptr || sprite->texture.empty())
+        return format("Entity[{}]", entity.index);
     int count = 0;
     int number = 0;
     for (auto [other, picture] : world.query<const Sprite>()) {

@@ -1,11 +1,12 @@
 #include "app/game.hpp"
 
+#include "app/engine_types.hpp"
 #include "app/step_clock.hpp"
 #include "scene/world_transform.hpp"
 
 namespace plumb {
 
-Game::Game() : input{world.resource<Input>()} { world.provide(assets); }
+Game::Game() : types{engineTypes()}, world{types}, input{world.resource<Input>()} { world.provide(assets); }
 
 void tickGame(Game& game, const InputFrame& frame) {
     constexpr auto kDt = static_cast<float>(StepClock::kStep);

@@ -3,6 +3,7 @@
 #include "assets/asset_store.hpp"
 #include "ecs/world.hpp"
 #include "input/input.hpp"
+#include "reflect/type_registry.hpp"
 
 namespace plumb {
 
@@ -25,6 +26,10 @@ public:
     /// Called every tick after the systems ran.
     virtual void onLateUpdate([[maybe_unused]] float dt) {}
 
+    /// True when the game wants to end.
+    [[nodiscard]] virtual bool quitRequested() const { return false; }
+
+    const TypeRegistry types;
     World world;
     AssetStore assets;
     Input& input;  ///< lives in the world, so that a snapshot has it

@@ -9,8 +9,8 @@
 namespace plumb {
 namespace {
 
-constexpr std::int64_t kDemoTicks = 600;     ///< played where nobody can see it: 10 s
-constexpr std::int64_t kHeadlessTicks = 600; ///< played when nothing says for how long
+constexpr std::int64_t kDemoTicks = 600;      ///< played where nobody can see it: 10 s
+constexpr std::int64_t kHeadlessTicks = 600;  ///< played when nothing says for how long
 
 bool isFullscreenKey(const Event& event) {
     return event.kind == EventKind::KeyDown && !event.repeated &&
@@ -54,7 +54,8 @@ bool GameLoop::prepare() {
     recorder_.replay.engine = "0.1.0";
     recorder_.replay.scene = options_.scene;
     recorder_.replay.seed = options_.seed;
-    if (screen_ != nullptr && !screen_->window().hasDisplay() && options_.frames < 0 && options_.replay.empty()) {
+    if (screen_ != nullptr && !screen_->window().hasDisplay() && options_.frames < 0 &&
+        options_.replay.empty()) {
         logNote("Engine", "No display here: playing 10 s into memory and saving a screenshot");
         options_.frames = kDemoTicks;
         if (options_.screenshot.empty()) options_.screenshot = "plumb-screenshot.png";
@@ -127,11 +128,13 @@ void GameLoop::tick() {
     }
     tickGame(game_, frame);
     ++ticks_;
+    if (game_.quitRequested()) quit();
     if (screen_ != nullptr) events_.write(game_.world);
     if (const Checkpoint* expected = replayPlayer_ ? replayPlayer_->checkpoint() : nullptr;
         expected != nullptr && expected->hash != game_.world.hash()) {
-        logError("Input", Error{options_.replay, format("the game differs from the recorded one at tick {}", ticks_),
-                                "record it again if the game was changed on purpose"});
+        logError("Input",
+                 Error{options_.replay, format("the game differs from the recorded one at tick {}", ticks_),
+                       "record it again if the game was changed on purpose"});
         failed_ = true;
         quit();
     }

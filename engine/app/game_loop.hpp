@@ -52,7 +52,7 @@ private:
     Recorder recorder_;
     std::int64_t ticks_ = 0;
     std::int64_t framesDrawn_ = 0;
-    double rateStart_ = 0.0;   // s, wall clock
+    double rateStart_ = 0.0;  // s, wall clock
     std::int64_t rateFrames_ = 0;
     bool running_ = true;
     bool paused_ = false;

@@ -10,10 +10,11 @@
 namespace plumb {
 namespace {
 
-constexpr std::array<std::pair<std::string_view, WindowScale>, 4> kScalings{{{"fit", WindowScale::Fit},
-                                                                             {"integer", WindowScale::Integer},
-                                                                             {"stretch", WindowScale::Stretch},
-                                                                             {"fill", WindowScale::Fill}}};
+constexpr std::array<std::pair<std::string_view, WindowScale>, 4> kScalings{
+    {{"fit", WindowScale::Fit},
+     {"integer", WindowScale::Integer},
+     {"stretch", WindowScale::Stretch},
+     {"fill", WindowScale::Fill}}};
 
 /// Reads one object of the file; what is wrong becomes a warning and the default stays.
 class Reader {
@@ -22,10 +23,12 @@ public:
         : json_{json}, where_{std::move(where)}, warnings_{warnings} {}
 
     void text(std::string_view key, std::string& value) {
-        if (const Json* found = find(key, "a text", "\"My Game\"", &Json::is_string)) value = found->get<std::string>();
+        if (const Json* found = find(key, "a text", "\"My Game\"", &Json::is_string))
+            value = found->get<std::string>();
     }
     void flag(std::string_view key, bool& value) {
-        if (const Json* found = find(key, "true or false", "true", &Json::is_boolean)) value = found->get<bool>();
+        if (const Json* found = find(key, "true or false", "true", &Json::is_boolean))
+            value = found->get<bool>();
     }
     void number(std::string_view key, float& value, float least, float most) {
         const Json* found = find(key, "a number", shortestText(value), &Json::is_number);
@@ -34,7 +37,8 @@ public:
         if (given >= least && given <= most) {
             value = given;
         } else {
-            warn(key, format("is {}, which is outside {}..{}", given, least, most), format("using {}", value));
+            warn(key, format("is {}, which is outside {}..{}", given, least, most),
+                 format("using {}", value));
         }
     }
     void size(std::string_view key, int& value) {
@@ -64,7 +68,8 @@ private:
         const auto at = json_.find(std::string{key});
         if (at == json_.end()) return nullptr;
         if (((*at).*is)()) return &*at;
-        warn(key, format("expected {}, found {}", expected, at->type_name()), format("write e.g. {}", example));
+        warn(key, format("expected {}, found {}", expected, at->type_name()),
+             format("write e.g. {}", example));
         return nullptr;
     }
 
@@ -119,7 +124,8 @@ Result<Project> projectFromText(std::string_view text, const Path& root, const s
     Result<Json> json = parseJson(text, where, &project.warnings);
     if (!json) return json.error();
     if (!json->is_object()) {
-        return Error{where, format("expected an object, found {}", json->type_name()), "write {\"name\": \"My Game\"}"};
+        return Error{where, format("expected an object, found {}", json->type_name()),
+                     "write {\"name\": \"My Game\"}"};
     }
     Reader reader{*json, where + ": ", project.warnings};
     reader.text("name", project.name);

@@ -21,7 +21,8 @@ double snappedToRefresh(double seconds, double rate) {
     const double period = 1.0 / rate;
     const double periods = std::floor(seconds / period + 0.5);
     const double snapped = periods * period;
-    return periods >= 1.0 && periods <= 8.0 && std::fabs(seconds - snapped) < 0.12 * period ? snapped : seconds;
+    return periods >= 1.0 && periods <= 8.0 && std::fabs(seconds - snapped) < 0.12 * period ? snapped
+                                                                                            : seconds;
 }
 
 }  // namespace plumb

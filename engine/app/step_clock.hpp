@@ -9,7 +9,7 @@ class StepClock {
 public:
     static constexpr double kStep = 1.0 / 60.0;    ///< s of a tick
     static constexpr double kLongestFrame = 0.25;  ///< s; a longer pause is a hitch, not time to catch up
-    static constexpr int kMostTicks = 15;          ///< a frame; a machine that cannot keep up runs slower instead
+    static constexpr int kMostTicks = 15;  ///< a frame; a machine that cannot keep up runs slower instead
 
     struct Frame {
         int ticks = 0;       ///< to simulate now

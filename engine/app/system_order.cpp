@@ -16,7 +16,20 @@ constexpr SystemRow row(std::string_view calledFor) {
 
 // A tick, from top to bottom. What decides comes first, then what moves, then what answers, then what shows.
 constexpr std::array kSystems{
+    row<ProgressSystem>("PlayerController, Collectible"),
+    row<MovingPlatformSystem>("MovingPlatform"),
+    row<PatrolSystem>("Patrol"),
+    row<PlayerControllerSystem>("PlayerController"),
+    row<DoorSystem>("Door, Button"),
     row<PhysicsSystem>("RigidBody, KinematicBody, BoxCollider, CircleCollider, TileCollider"),
+    row<SpringSystem>("Spring"),
+    row<CollectSystem>("Collectible"),
+    row<CheckpointSystem>("Checkpoint"),
+    row<GoalSystem>("Goal, SceneLink"),
+    row<HazardSystem>("Hazard, Stompable, KillPlane"),
+    row<RespawnSystem>("Respawn"),
+    row<MotionDecorSystem>("Bob, Spin, Lifetime"),
+    row<CharacterAnimationSystem>("PlayerController, Patrol"),
     row<AnimationSystem>("Animator"),
     row<CameraSystem>("Camera"),
     row<RenderSystem>("Sprite, TileLayer, Label"),

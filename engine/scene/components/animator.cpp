@@ -9,7 +9,9 @@ namespace plumb {
 namespace {
 
 /// A name for clips made by code: equal clips get equal names, so that they are kept once.
-std::string nameOf(const AnimationSet& set) { return "code:" + hexText(hashText(writeAnimationSet(set))) + ".anim.json"; }
+std::string nameOf(const AnimationSet& set) {
+    return "code:" + hexText(hashText(writeAnimationSet(set))) + ".anim.json";
+}
 
 }  // namespace
 

@@ -1,0 +1,10 @@
+#pragma once
+
+#include "reflect/type_registry.hpp"
+
+namespace plumb {
+
+/// Every component of the engine, in the order in which files and the inspector list them.
+TypeRegistry engineTypes();
+
+}  // namespace plumb

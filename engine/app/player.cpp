@@ -1,0 +1,79 @@
+#include "app/player.hpp"
+
+#include <cstdio>
+#include <memory>
+
+#include "app/game_loop.hpp"
+#include "app/project.hpp"
+#include "app/scene_game.hpp"
+#include "app/screen.hpp"
+#include "app/system_order.hpp"
+#include "core/log.hpp"
+#include "scene/components/scene_entity.hpp"
+
+namespace plumb {
+namespace {
+
+ScreenSettings screenOf(const Project& project, const PlayerOptions& options) {
+    ScreenSettings settings;
+    settings.title = project.name;
+    settings.windowWidth = options.scale > 0 ? project.width * options.scale : project.windowWidth;
+    settings.windowHeight = options.scale > 0 ? project.height * options.scale : project.windowHeight;
+    settings.fullscreen = options.fullscreen || project.fullscreen;
+    settings.picture = {static_cast<float>(project.width), static_cast<float>(project.height)};
+    settings.scaling = project.scaling;
+    return settings;
+}
+
+/// One line per component type of the scene, and per system whether it is called for.
+void listEffects(const SceneGame& game) {
+    std::printf("%-22s %9s\n", "component", "entities");
+    for (const TypeInfo& type : game.types.all()) {
+        std::size_t count = 0;
+        for (auto [entity, member] : game.world.query<const SceneEntity>()) {
+            if (game.world.has(type, entity)) ++count;
+        }
+        if (count > 0)
+            std::printf("%-22.*s %9zu\n", static_cast<int>(type.name.size()), type.name.data(), count);
+    }
+    std::printf("\n%-22s called for by\n", "system");
+    for (const SystemRow& system : systemTable()) {
+        std::printf("%-22.*s %.*s\n", static_cast<int>(system.name.size()), system.name.data(),
+                    static_cast<int>(system.calledFor.size()), system.calledFor.data());
+    }
+}
+
+}  // namespace
+
+int playProject(const PlayerOptions& options) {
+    Result<Project> project = loadProject(options.project);
+    if (!project) {
+        logError("Engine", project.error());
+        return 1;
+    }
+    for (const Error& warning : project->warnings) {
+        logWarning("Engine", warning);
+    }
+    std::unique_ptr<Screen> screen;
+    if (!options.headless && !options.effects) {
+        Result<std::unique_ptr<Screen>> opened = Screen::open(screenOf(*project, options));
+        if (!opened) {
+            logError("Engine", opened.error());
+            return 1;
+        }
+        screen = std::move(*opened);
+    }
+    SceneGame game{std::move(*project), options.scene, options.seed};
+    if (screen == nullptr) game.assets.logging = false;
+    game.onCreate();
+    if (game.failed()) return 1;
+    if (options.effects) {
+        listEffects(game);
+        return 0;
+    }
+    const int code = GameLoop{game, screen.get(), options, game.project().name}.run();
+    screen.reset();  // before the assets that its textures came from
+    return code;
+}
+
+}  // namespace plumb

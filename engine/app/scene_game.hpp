@@ -1,0 +1,45 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "app/game.hpp"
+#include "app/project.hpp"
+#include "scene/prefab.hpp"
+#include "scene/scene_file.hpp"
+
+namespace plumb {
+
+/// A game made of saved scenes: loads the first one and goes where the scenes lead.
+class SceneGame final : public Game {
+public:
+    /// @param firstScene  path in the project; empty for the project's start scene
+    explicit SceneGame(Project project, std::string firstScene = {}, std::uint64_t seed = 1);
+
+    void onCreate() override;
+    void onLateUpdate(float dt) override;
+
+    /// Takes all scenes away and loads this one. Persistent entities stay.
+    /// @error the file cannot be read at all; the scenes before are still there
+    Result<Done> openScene(std::string_view path);
+
+    [[nodiscard]] const Project& project() const { return project_; }
+    [[nodiscard]] bool quitRequested() const override { return quit_; }
+    [[nodiscard]] bool failed() const { return failed_; }
+    [[nodiscard]] SceneContext context() { return {types, &prefabs_, project_.root}; }
+
+private:
+    Result<Done> load(std::string_view path);
+    void follow(const std::string& path, bool overlay);
+
+    Project project_;
+    std::string firstScene_;
+    PrefabLibrary prefabs_;
+    std::vector<SceneId> stack_;  // the scenes that are loaded, the top one last
+    std::string current_;
+    bool quit_ = false;
+    bool failed_ = false;
+};
+
+}  // namespace plumb
