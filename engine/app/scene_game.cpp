@@ -54,7 +54,6 @@ Result<Done> SceneGame::openScene(std::string_view path) {
         for (const SceneId scene : before) unloadScene(world, scene);
     }
     current_ = path;
-    assets.unloadUnused();
     storePreviousTransforms(world);
     world.cluster();
     return Done{};
