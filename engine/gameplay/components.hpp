@@ -12,6 +12,7 @@
 #include "gameplay/components/kill_plane.hpp"
 #include "gameplay/components/lifetime.hpp"
 #include "gameplay/components/moving_platform.hpp"
+#include "gameplay/components/music.hpp"
 #include "gameplay/components/patrol.hpp"
 #include "gameplay/components/player_controller.hpp"
 #include "gameplay/components/respawn.hpp"

@@ -11,6 +11,7 @@
 #include "gameplay/components/kill_plane.hpp"
 #include "gameplay/components/lifetime.hpp"
 #include "gameplay/components/moving_platform.hpp"
+#include "gameplay/components/music.hpp"
 #include "gameplay/components/patrol.hpp"
 #include "gameplay/components/player_controller.hpp"
 #include "gameplay/components/respawn.hpp"
@@ -43,6 +44,7 @@ void registerGameplayComponents(TypeRegistry& types) {
     types.add<Spin>();
     types.add<Lifetime>();
     types.add<SoundCues>();
+    types.add<Music>();
 }
 
 }  // namespace plumb

@@ -75,6 +75,7 @@ SIMPLE = {
         "parameters": [{"name": "active", "kind": "bool", "default": 0}], "states": states("dark", "kindle", "burn"),
         "transitions": [go("dark", "kindle", ("active", "==", 1)), go("kindle", "burn", after_end=True),
                         go("burn", "dark", ("active", "==", 0))]},
+    "lamp_lit": {"image": "assets/lamp.png", "frameSize": [16, 32], "clips": [clip("burn", 0, [3, 4, 5, 6], 0.14)]},
     "gate": {
         "image": "assets/gate.png", "frameSize": [32, 48],
         "clips": [clip("glow", 0, range(6), 0.12), clip("open", 0, range(6), 0.05)],

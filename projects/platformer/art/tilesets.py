@@ -13,9 +13,6 @@ from terrain import BLOB, SIZE, SLOPES, VARIANTS, ground_tiles, wall_tiles
 COLUMNS, ROWS = 16, 11
 VARIANT_ROW, SLOPE_ROW, EDGE_ROW, SMALL_ROW, WALL_ROW = 3, 4, 5, 6, 8
 THORN_NAMES = ["thornsUp", "thornsUp2", "thornsDown", "thornsDown2", "thornsRight", "thornsLeft"]
-# The part of a tile that hurts, as a polygon in px: kinder than the picture.
-THORN_SHAPES = {"thornsUp": [[1, 16], [1, 10], [15, 10], [15, 16]], "thornsDown": [[1, 0], [15, 0], [15, 6], [1, 6]],
-                "thornsRight": [[0, 1], [6, 1], [6, 15], [0, 15]], "thornsLeft": [[10, 1], [16, 1], [16, 15], [10, 15]]}
 
 
 def meaning():
@@ -25,8 +22,7 @@ def meaning():
     tiles.update({SLOPE_ROW * COLUMNS + k: {"collision": name} for k, name in enumerate(SLOPES)})
     tiles.update({EDGE_ROW * COLUMNS + k: {"collision": "oneWay"} for k in range(4)})
     for k, name in enumerate(THORN_NAMES):
-        tiles[EDGE_ROW * COLUMNS + 4 + k] = {"properties": {"name": name, "hazard": True,
-                                                            "shape": THORN_SHAPES[name.rstrip("2")]}}
+        tiles[EDGE_ROW * COLUMNS + 4 + k] = {"properties": {"name": name, "hazard": True}}
     for k, name in enumerate(ORDER):
         tiles[SMALL_ROW * COLUMNS + k] = {"properties": {"name": name}}
     return tiles
