@@ -132,8 +132,13 @@ void SceneRenderer::collectBackdrops(World& world, const SceneView& how, DrawLis
 }
 
 void SceneRenderer::collectTiles(World& world, const SceneView& how, DrawList& list) {
+    const Vec2 moved = topLeftOf(how.view) - how.parallaxOrigin;
     for (auto [entity, layer] : world.query<const TileLayer>(without<Hidden>)) {
-        tiles_.draw(world, entity, layer, worldPose(world, entity, how.alpha), list);
+        Pose pose = worldPose(world, entity, how.alpha);
+        if (const auto* backdrop = world.find<ParallaxLayer>(entity); backdrop != nullptr && how.parallax) {
+            pose.position += {moved.x * (1.0f - backdrop->factor.x), moved.y * (1.0f - backdrop->factor.y)};
+        }
+        tiles_.draw(world, entity, layer, pose, list);
     }
 }
 

@@ -19,6 +19,10 @@ std::uint64_t idOf(const Json& json) {
     return text == nullptr ? 0 : parseHex(*text).value_or(0);
 }
 
+/// What scenes and entities may carry beside what the engine reads: values of the game's own, and what an
+/// importer could not say in components. Kept and written back like all other keys, but meant to be there.
+bool isNote(std::string_view key) { return key == "properties" || key == "tiled" || key == "background"; }
+
 /// "cells[3].x" names the field "cells".
 std::string fieldName(const std::string& where) { return where.substr(0, where.find_first_of(".[")); }
 
@@ -53,7 +57,9 @@ void SceneReader::problem(std::string where, std::string what, std::string remed
 }
 
 void SceneReader::keepKey(std::string key, Json value) {
-    problem(key, "a scene has no such key", "it is kept as it stands; check the spelling or remove it");
+    if (!isNote(key)) {
+        problem(key, "a scene has no such key", "it is kept as it stands; check the spelling or remove it");
+    }
     rest_.keys.emplace_back(std::move(key), std::move(value));
 }
 
@@ -198,8 +204,10 @@ void SceneReader::readKeys(const Json& json, EntityId entity, std::uint64_t id, 
         } else if (key == "components") {
             readComponents(value, entity, id, where + ".");
         } else if (key != "children" || !isInstance) {
-            problem(where + "." + key, "an entity has no such key",
-                    "it is kept as it stands; check the spelling or remove it");
+            if (!isNote(key)) {
+                problem(where + "." + key, "an entity has no such key",
+                        "it is kept as it stands; check the spelling or remove it");
+            }
             kept(id).keys.emplace_back(key, value);
         }
     }

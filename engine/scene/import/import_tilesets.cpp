@@ -1,0 +1,216 @@
+#include "scene/import/import_tilesets.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "assets/tileset.hpp"
+#include "core/text.hpp"
+#include "math/angle.hpp"
+#include "math/portable.hpp"
+#include "reflect/json_text.hpp"
+#include "scene/import/tiled_json.hpp"
+
+namespace plumb {
+namespace {
+
+constexpr int kEllipseCorners = 16;
+constexpr std::size_t kMaxCorners = 64;
+
+struct Grid {
+    int columns = 1;
+    int count = 0;
+};
+
+/// How many whole tiles fit, as Tiled counts them.
+int tilesAlong(int pixels, int tile, int margin, int spacing) {
+    return tile > 0 ? std::max((pixels - margin + spacing) / (tile + spacing), 0) : 0;
+}
+
+Grid gridOf(const tiled::Tileset& tileset, const StagedImage& image) {
+    const int width = image.width > 0 ? image.width : tileset.imageWidth;
+    const int height = image.height > 0 ? image.height : tileset.imageHeight;
+    Grid grid;
+    grid.columns = tilesAlong(width, tileset.tileWidth, tileset.margin, tileset.spacing);
+    if (grid.columns == 0) grid.columns = std::max(tileset.columns, 1);
+    grid.count = grid.columns * tilesAlong(height, tileset.tileHeight, tileset.margin, tileset.spacing);
+    if (grid.count == 0) grid.count = tileset.count;
+    grid.count = std::min(grid.count, Tileset::kMaxTiles);
+    return grid;
+}
+
+Rect cellOfImage(const tiled::Tileset& tileset, const Grid& grid, int id) {
+    const int column = id % grid.columns;
+    const int row = id / grid.columns;
+    return {static_cast<float>(tileset.margin + column * (tileset.tileWidth + tileset.spacing)),
+            static_cast<float>(tileset.margin + row * (tileset.tileHeight + tileset.spacing)),
+            static_cast<float>(tileset.tileWidth), static_cast<float>(tileset.tileHeight)};
+}
+
+TilePicture pictureOfCollection(const tiled::Tileset& tileset, const tiled::Tile& tile, ImportStage& stage) {
+    const StagedImage& image = stage.image(tileset.folder / tile.image, tile.transparent);
+    const auto width = static_cast<float>(image.width > 0 ? image.width : tile.width);
+    const auto height = static_cast<float>(image.height > 0 ? image.height : tile.height);
+    return {image.path, tile.source.value_or(Rect{0.0f, 0.0f, width, height})};
+}
+
+std::vector<Vec2> cornersOf(const tiled::Object& object) {
+    const auto width = static_cast<float>(object.width);
+    const auto height = static_cast<float>(object.height);
+    std::vector<Vec2> corners;
+    if (object.shape == tiled::Shape::Polygon) corners = object.points;
+    if (object.shape == tiled::Shape::Rectangle) corners = {{0, 0}, {width, 0}, {width, height}, {0, height}};
+    if (object.shape == tiled::Shape::Ellipse || object.shape == tiled::Shape::Capsule) {
+        for (int i = 0; i < kEllipseCorners; ++i) {
+            const float angle = kTau * static_cast<float>(i) / static_cast<float>(kEllipseCorners);
+            corners.push_back({width * 0.5f * (1.0f + cosine(angle)), height * 0.5f * (1.0f + sine(angle))});
+        }
+    }
+    const Vec2 origin{static_cast<float>(object.x), static_cast<float>(object.y)};
+    const float turn = radiansFromDegrees(static_cast<float>(object.rotation));
+    for (Vec2& corner : corners) corner = origin + (turn == 0.0f ? corner : rotated(corner, turn));
+    float doubleArea = 0.0f;
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        const Vec2 next = corners[(i + 1) % corners.size()];
+        doubleArea += corners[i].x * next.y - next.x * corners[i].y;
+    }
+    if (doubleArea < 0.0f) std::reverse(corners.begin(), corners.end());
+    return doubleArea != 0.0f ? corners : std::vector<Vec2>{};
+}
+
+/// Turns the first shape of a tile into its collision; what one shape cannot hold is told.
+void addCollision(Json& json, const tiled::Tile& tile, Vec2 tileSize, Vec2 cellSize, ImportStage& stage,
+                  const tiled::Tileset& tileset) {
+    const auto tell = [&](std::string what) {
+        stage.problems.push_back(
+            {format("tileset {}: tile {}", tileset.name, tile.id), std::move(what),
+             "the shapes are kept under \"tiled\"; give the tile one shape in its tileset"});
+    };
+    Json shapes = Json::array();
+    for (const tiled::Object& object : tile.collision) shapes.push_back(objectJson(object));
+    json["tiled"]["collision"] = std::move(shapes);
+    if (tile.collision.size() > 1) tell("the tile has several collision shapes; only the first one collides");
+
+    std::vector<Vec2> corners = cornersOf(tile.collision.front());
+    const Vec2 raised{0.0f, cellSize.y - tileSize.y};  // the tile stands on the lower left corner of its cell
+    bool inside = corners.size() >= 3 && corners.size() <= kMaxCorners;
+    for (Vec2& corner : corners) {
+        corner += raised;
+        constexpr float kSlack = 0.01f;
+        inside = inside && corner.x >= -kSlack && corner.y >= -kSlack && corner.x <= cellSize.x + kSlack &&
+                 corner.y <= cellSize.y + kSlack;
+    }
+    if (!inside) {
+        tell("its collision shape is no outline inside the cell");
+        return;
+    }
+    const std::vector<Vec2> full{{0, 0}, {cellSize.x, 0}, cellSize, {0, cellSize.y}};
+    if (corners == full) {
+        json["collision"] = "full";
+        return;
+    }
+    for (const Vec2 corner : corners) json["collision"].push_back(vec2Json(corner));
+}
+
+Json tileJson(const tiled::Tile& tile, Vec2 tileSize, Vec2 cellSize, ImportStage& stage,
+              const tiled::Tileset& tileset) {
+    Json json = Json::object();
+    json["id"] = tile.id;
+    if (!tile.collision.empty()) addCollision(json, tile, tileSize, cellSize, stage, tileset);
+    for (const tiled::Frame& frame : tile.animation) {
+        Json item = Json::object();
+        item["tile"] = frame.tile;
+        item["seconds"] = static_cast<float>(std::max(frame.milliseconds, 1)) / 1000.0f;
+        json["animation"].push_back(std::move(item));
+    }
+    if (!tile.properties.empty()) json["properties"] = tile.properties;
+    if (!tile.type.empty()) json["tiled"]["type"] = tile.type;
+    if (tile.probability != 1.0) json["tiled"]["probability"] = tile.probability;
+    return json;
+}
+
+Json tilesetNotes(const tiled::Tileset& tileset) {
+    Json notes = Json::object();
+    notes["name"] = tileset.name;
+    if (!tileset.type.empty()) notes["type"] = tileset.type;
+    if (!tileset.objectAlignment.empty()) notes["objectAlignment"] = tileset.objectAlignment;
+    if (tileset.keepsAspect) notes["fillMode"] = "preserve-aspect-fit";
+    if (!tileset.wangSets.empty()) notes["wangSets"] = tileset.wangSets;
+    return notes;
+}
+
+Json imageJson(int tile, const TilePicture& picture) {
+    Json json = Json::object();
+    json["tile"] = tile;
+    json["image"] = picture.texture;
+    const Rect& source = picture.source;
+    if (!source.empty()) json["source"] = Json::array({source.x, source.y, source.width, source.height});
+    return json;
+}
+
+void addPictures(Json& json, const tiled::Tileset& tileset, ImportedTileset& imported, bool loose,
+                 ImportStage& stage) {
+    if (tileset.image.empty()) {
+        for (const tiled::Tile& tile : tileset.tiles) imported.count = std::max(imported.count, tile.id + 1);
+        imported.count = std::min(imported.count, Tileset::kMaxTiles);
+        imported.pictures.resize(static_cast<std::size_t>(imported.count));
+        for (const tiled::Tile& tile : tileset.tiles) {
+            if (tile.id >= imported.count || tile.image.empty()) continue;
+            const TilePicture& picture = imported.pictures[static_cast<std::size_t>(tile.id)] =
+                pictureOfCollection(tileset, tile, stage);
+            json["images"].push_back(imageJson(tile.id, picture));
+        }
+        json["columns"] = 1;
+    } else {
+        imported.image = stage.image(tileset.folder / tileset.image, tileset.transparent);
+        const Grid grid = gridOf(tileset, imported.image);
+        imported.count = grid.count;
+        if (!loose) {
+            json["image"] = imported.image.path;
+            if (tileset.margin > 0) json["margin"] = tileset.margin;
+            if (tileset.spacing > 0) json["spacing"] = tileset.spacing;
+        }
+        for (int id = 0; loose && id < grid.count; ++id) {
+            json["images"].push_back(imageJson(id, {imported.image.path, cellOfImage(tileset, grid, id)}));
+        }
+        json["columns"] = grid.columns;
+    }
+    json["count"] = imported.count;
+}
+
+}  // namespace
+
+TilePicture ImportedTileset::pictureOf(int id) const {
+    if (id < 0 || id >= count) return {};
+    if (!pictures.empty()) return pictures[static_cast<std::size_t>(id)];
+    return {image.path, cellOfImage(*original, gridOf(*original, image), id)};
+}
+
+ImportedTileset importTileset(const tiled::Map& map, const tiled::Tileset& tileset, ImportStage& stage) {
+    ImportedTileset imported;
+    imported.original = &tileset;
+    const bool sameSize = tileset.tileWidth == map.tileWidth && tileset.tileHeight == map.tileHeight;
+    const bool loose = tileset.image.empty() || (!sameSize && !tileset.fitsGrid);
+    const int cellWidth = loose ? map.tileWidth : std::max(tileset.tileWidth, 1);
+    const int cellHeight = loose ? map.tileHeight : std::max(tileset.tileHeight, 1);
+
+    Json json = Json::object();
+    json["format"] = Tileset::kFormat;
+    json["tileSize"] = Json::array({cellWidth, cellHeight});
+    addPictures(json, tileset, imported, loose, stage);
+    if (tileset.offsetX != 0 || tileset.offsetY != 0)
+        json["offset"] = Json::array({tileset.offsetX, tileset.offsetY});
+    const Vec2 cell{static_cast<float>(cellWidth), static_cast<float>(cellHeight)};
+    for (const tiled::Tile& tile : tileset.tiles) {
+        const TilePicture picture = imported.pictureOf(tile.id);
+        const Vec2 size = picture.source.empty() ? cell : Vec2{picture.source.width, picture.source.height};
+        Json item = tileJson(tile, size, cell, stage, tileset);
+        imported.collides = imported.collides || item.contains("collision");
+        if (item.size() > 1) json["tiles"].push_back(std::move(item));
+    }
+    if (!tileset.properties.empty()) json["properties"] = tileset.properties;
+    json["tiled"] = tilesetNotes(tileset);
+    imported.path = stage.add(tileset.name, ".tileset.json", writeJson(json));
+    return imported;
+}
+
+}  // namespace plumb
