@@ -168,6 +168,7 @@ Json transitionJson(const AnimationSet& set, const AnimationTransition& transiti
     json["from"] =
         transition.from == AnimationTransition::kAnyState ? std::string{"*"} : stateName(transition.from);
     json["to"] = stateName(transition.to);
+    json["when"] = Json::array();
     for (const AnimationCondition& condition : transition.when) {
         Json item = Json::object();
         item["parameter"] = set.parameters[static_cast<std::size_t>(condition.parameter)].name;
@@ -223,7 +224,7 @@ std::string writeAnimationSet(const AnimationSet& set) {
         json["transitions"].push_back(transitionJson(set, transition));
     }
     writeKept(json, set.unknown);
-    return writeJson(json);
+    return writeCompactJson(json);
 }
 
 }  // namespace plumb

@@ -192,8 +192,8 @@ std::string writeTileset(const Tileset& tileset) {
     json["format"] = Tileset::kFormat;
     if (!tileset.image.empty()) json["image"] = tileset.image;
     json["tileSize"] = Json::array({tileset.tileWidth, tileset.tileHeight});
-    if (tileset.margin != 0) json["margin"] = tileset.margin;
-    if (tileset.spacing != 0) json["spacing"] = tileset.spacing;
+    json["margin"] = tileset.margin;
+    json["spacing"] = tileset.spacing;
     json["columns"] = tileset.columns;
     json["count"] = tileset.count;
     for (const TileImage& image : tileset.images) json["images"].push_back(imageJson(image));
@@ -201,7 +201,7 @@ std::string writeTileset(const Tileset& tileset) {
     for (const Tile& tile : tileset.tiles) json["tiles"].push_back(tileJson(tile));
     if (!tileset.properties.empty()) writeKept(json["properties"], tileset.properties);
     writeKept(json, tileset.unknown);
-    return writeJson(json);
+    return writeCompactJson(json);
 }
 
 }  // namespace plumb

@@ -31,7 +31,12 @@ Result<Json> parseJson(std::string_view text, std::string_view where, std::vecto
 /// shortest text that reads back to it, so reading and writing again changes no byte.
 std::string writeJson(const Json& json);
 
-/// The same without the newline at the end, for a value that stands `indent` spaces deep inside a larger text.
+/// For files that are long lists of small things, tiles and frames of animations: whatever fits stands on one
+/// line.
+std::string writeCompactJson(const Json& json);
+
+/// The same without the newline at the end, for a value that stands `indent` spaces deep inside a larger
+/// text.
 void appendJson(std::string& out, const Json& json, std::size_t indent);
 
 }  // namespace plumb

@@ -86,11 +86,48 @@ void writeInline(std::string& out, const Json& array) {
     out += ']';
 }
 
+/// The value on one line; false, with a part of it written, once it is wider than `room`.
+bool writeFlat(std::string& out, const Json& json, std::size_t start, std::size_t room) {
+    if (!json.is_structured()) {
+        writeScalar(out, json);
+        return out.size() - start < room;
+    }
+    out += json.is_object() ? '{' : '[';
+    bool first = true;
+    const auto next = [&] {
+        if (!first) out += ", ";
+        first = false;
+    };
+    if (json.is_object()) {
+        for (const auto& [key, value] : *json.get_ptr<const Json::object_t*>()) {
+            next();
+            writeText(out, key);
+            out += ": ";
+            if (!writeFlat(out, value, start, room)) return false;
+        }
+    } else {
+        for (const Json& item : json) {
+            next();
+            if (!writeFlat(out, item, start, room)) return false;
+        }
+    }
+    out += json.is_object() ? '}' : ']';
+    return out.size() - start < room;
+}
+
+enum class Layout : std::uint8_t { OnePropertyALine, Compact };
+
 class JsonWriter {
 public:
-    explicit JsonWriter(std::string& text) : out{text}, lineStart_{text.rfind('\n') + 1} {}
+    explicit JsonWriter(std::string& text, Layout layout = Layout::OnePropertyALine)
+        : out{text}, lineStart_{text.rfind('\n') + 1}, layout_{layout} {}
 
     void write(const Json& json, std::size_t indent) {
+        if (layout_ == Layout::Compact && indent > 0 && indent < kLineWidth) {
+            const std::size_t start = out.size();
+            if (writeFlat(out, json, start, kLineWidth - 2 - indent)) return;
+            out.resize(start);
+        }
         if (json.is_object()) {
             writeObject(json, indent);
         } else if (json.is_array()) {
@@ -125,7 +162,7 @@ private:
     void writeArray(const Json& array, std::size_t indent) {
         const std::size_t start = out.size();
         // Two characters an item at least: what cannot fit is not tried.
-        if (array.size() <= kLineWidth / 2 && mayStandInline(array)) {
+        if (layout_ == Layout::OnePropertyALine && array.size() <= kLineWidth / 2 && mayStandInline(array)) {
             writeInline(out, array);
             if (array.empty() || out.size() - lineStart_ <= kLineWidth) return;
             out.resize(start);
@@ -144,6 +181,7 @@ private:
 
     std::string& out;
     std::size_t lineStart_;  // npos + 1 is 0: the first line
+    Layout layout_;
 };
 
 }  // namespace
@@ -151,6 +189,14 @@ private:
 std::string writeJson(const Json& json) {
     std::string out;
     appendJson(out, json, 0);
+    out += '\n';
+    return out;
+}
+
+std::string writeCompactJson(const Json& json) {
+    std::string out;
+    JsonWriter writer{out, Layout::Compact};
+    writer.write(json, 0);
     out += '\n';
     return out;
 }

@@ -14,79 +14,18 @@ constexpr std::string_view kFull = R"({
   "image": "assets/player.png",
   "frameSize": [24, 32],
   "clips": [
-    {
-      "name": "idle",
-      "loop": "pingPong",
-      "frames": [
-        {
-          "cell": [0, 0],
-          "seconds": 0.5
-        }
-      ]
-    },
+    {"name": "idle", "loop": "pingPong", "frames": [{"cell": [0, 0], "seconds": 0.5}]},
     {
       "name": "run",
       "loop": "loop",
-      "frames": [
-        {
-          "cell": [0, 1],
-          "seconds": 0.08,
-          "event": "step"
-        },
-        {
-          "cell": [1, 1],
-          "seconds": 0.08
-        }
-      ]
+      "frames": [{"cell": [0, 1], "seconds": 0.08, "event": "step"}, {"cell": [1, 1], "seconds": 0.08}]
     }
   ],
-  "parameters": [
-    {
-      "name": "speed",
-      "kind": "float",
-      "default": 0
-    },
-    {
-      "name": "hit",
-      "kind": "trigger",
-      "default": 0
-    }
-  ],
-  "states": [
-    {
-      "name": "idle",
-      "clip": "idle"
-    },
-    {
-      "name": "run",
-      "clip": "run",
-      "speed": 1.5
-    }
-  ],
+  "parameters": [{"name": "speed", "kind": "float", "default": 0}, {"name": "hit", "kind": "trigger", "default": 0}],
+  "states": [{"name": "idle", "clip": "idle"}, {"name": "run", "clip": "run", "speed": 1.5}],
   "transitions": [
-    {
-      "from": "*",
-      "to": "idle",
-      "when": [
-        {
-          "parameter": "hit",
-          "is": "==",
-          "value": 1
-        }
-      ],
-      "afterEnd": true
-    },
-    {
-      "from": "idle",
-      "to": "run",
-      "when": [
-        {
-          "parameter": "speed",
-          "is": ">=",
-          "value": 5
-        }
-      ]
-    }
+    {"from": "*", "to": "idle", "when": [{"parameter": "hit", "is": "==", "value": 1}], "afterEnd": true},
+    {"from": "idle", "to": "run", "when": [{"parameter": "speed", "is": ">=", "value": 5}]}
   ]
 }
 )";

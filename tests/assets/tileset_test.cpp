@@ -19,24 +19,14 @@ constexpr std::string_view kFull = R"({
   "spacing": 2,
   "columns": 4,
   "count": 16,
-  "images": [
-    {
-      "tile": 7,
-      "image": "assets/tree.png",
-      "source": [1, 2, 30, 40]
-    }
-  ],
+  "images": [{"tile": 7, "image": "assets/tree.png", "source": [1, 2, 30, 40]}],
   "offset": [0, -4],
   "tiles": [
     {
       "id": 1,
       "collision": "full",
       "material": "ice",
-      "properties": {
-        "hazard": true,
-        "damage": 2,
-        "sound": "assets/ouch.wav"
-      }
+      "properties": {"hazard": true, "damage": 2, "sound": "assets/ouch.wav"}
     },
     {
       "id": 3,
@@ -44,21 +34,10 @@ constexpr std::string_view kFull = R"({
       "oneWay": true,
       "friction": 0.02,
       "bounciness": 0.5,
-      "animation": [
-        {
-          "tile": 3,
-          "seconds": 0.1
-        },
-        {
-          "tile": 4,
-          "seconds": 0.2
-        }
-      ]
+      "animation": [{"tile": 3, "seconds": 0.1}, {"tile": 4, "seconds": 0.2}]
     }
   ],
-  "properties": {
-    "author": "CC0"
-  }
+  "properties": {"author": "CC0"}
 }
 )";
 

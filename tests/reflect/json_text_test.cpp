@@ -189,6 +189,22 @@ TEST(JsonText, anArrayThatIsTooWideForALineTakesOneLineAnItem) {
     EXPECT_EQ(writeJson(parsed(text)), text);
 }
 
+TEST(JsonText, theCompactFormatPutsWhateverFitsOnOneLine) {
+    const Json json =
+        parsed(R"({"a": {"b": [1, {"c": "x"}], "d": {}}, "list": ["a long text that stands here", 2]})");
+    EXPECT_EQ(writeCompactJson(json), R"({
+  "a": {"b": [1, {"c": "x"}], "d": {}},
+  "list": ["a long text that stands here", 2]
+}
+)");
+    Json wide = Json::object();
+    for (int i = 0; i < 12; ++i) wide["wide"].push_back(Json::object({{"number", i}, {"text", "some"}}));
+    const std::string text = writeCompactJson(wide);
+    const std::string_view start = "{\n  \"wide\": [\n    {\"number\": 0, \"text\": \"some\"},\n    {";
+    EXPECT_EQ(text.substr(0, start.size()), start);
+    EXPECT_EQ(writeCompactJson(parsed(text)), text);
+}
+
 TEST(JsonText, everyFloatReadsBackToItsOwnBits) {
     Random random = Random::seeded(1);
     for (int i = 0; i < 50000; ++i) {

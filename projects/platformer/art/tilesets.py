@@ -4,8 +4,7 @@ Rows: 0-2 ground in its 47 shapes | 3 variants of the common ones | 4 slopes | 5
 6 small things | 8-10 the wall behind in the same 47 shapes.
 """
 
-import json
-
+from animations import text_of
 from canvas import Canvas
 from decor import ORDER, planks, small_tiles, thorns
 from terrain import BLOB, SIZE, SLOPES, VARIANTS, ground_tiles, wall_tiles
@@ -29,12 +28,10 @@ def meaning():
 
 
 def description(image):
-    tiles = [json.dumps({"id": number, **what}) for number, what in sorted(meaning().items())]
-    head = {"format": 1, "image": f"assets/{image}", "tileSize": [SIZE, SIZE], "margin": 0, "spacing": 0,
-            "columns": COLUMNS, "count": COLUMNS * ROWS}
-    lines = [f"  {json.dumps(key)}: {json.dumps(value)}," for key, value in head.items()]
-    text = "{\n" + "\n".join(lines) + '\n  "tiles": [\n    ' + ",\n    ".join(tiles) + "\n  ]\n}\n"
-    return text.encode()
+    what = {"format": 1, "image": f"assets/{image}", "tileSize": [SIZE, SIZE], "margin": 0, "spacing": 0,
+            "columns": COLUMNS, "count": COLUMNS * ROWS,
+            "tiles": [{"id": number, **meant} for number, meant in sorted(meaning().items())]}
+    return (text_of(what) + "\n").encode()
 
 
 def build():
