@@ -27,6 +27,7 @@ Result<Done> saveScreenshot(Screen& screen, const Path& path) {
 GameLoop::GameLoop(Game& game, Screen* screen, const PlayerOptions& options, std::string projectName)
     : game_{game}, screen_{screen}, options_{options}, projectName_{std::move(projectName)} {
     game_.input.logging = screen_ != nullptr;
+    if (screen_ != nullptr) sounds_.emplace(game_.assets);
 }
 
 int GameLoop::run() {
@@ -85,6 +86,7 @@ void GameLoop::runScreen() {
         for (int i = 0; i < frame.ticks && running_ && ticks_ != options_.frames; ++i) {
             tick();
         }
+        sounds_->play();
         drawFrame(ticks_ == 0 ? 1.0f : frame.alpha);
         reportRate();
     }
@@ -98,10 +100,12 @@ void GameLoop::handleEvents() {
         if (isFullscreenKey(event)) screen_->window().setFullscreen(!screen_->window().fullscreen());
         if (event.kind == EventKind::FocusLost) {
             paused_ = true;
+            sounds_->setPaused(true);
             devices_.releaseAll();
         }
         if (event.kind == EventKind::FocusGained) {
             paused_ = false;
+            sounds_->setPaused(false);
             clock_.reset();
         }
         devices_.handle(event);
@@ -130,6 +134,7 @@ void GameLoop::tick() {
     ++ticks_;
     if (game_.quitRequested()) quit();
     if (screen_ != nullptr) events_.write(game_.world);
+    if (sounds_) sounds_->listen(game_.world);
     if (const Checkpoint* expected = replayPlayer_ ? replayPlayer_->checkpoint() : nullptr;
         expected != nullptr && expected->hash != game_.world.hash()) {
         logError("Input",

@@ -9,6 +9,7 @@
 #include "app/game.hpp"
 #include "app/player_options.hpp"
 #include "app/screen.hpp"
+#include "app/sound_output.hpp"
 #include "app/step_clock.hpp"
 #include "input/device_state.hpp"
 #include "input/recorder.hpp"
@@ -46,6 +47,7 @@ private:
     StepClock clock_;
     DeviceState devices_;
     EventLog events_;
+    std::optional<SoundOutput> sounds_;  ///< none headless
     std::vector<Event> pending_;
     std::optional<Replay> replay_;
     std::optional<ReplayPlayer> replayPlayer_;

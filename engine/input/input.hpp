@@ -40,6 +40,9 @@ public:
     [[nodiscard]] const InputFrame& frame() const { return frame_; }
     [[nodiscard]] const InputFrame& previousFrame() const { return previous_; }
 
+    /// What the next tick depends on: which actions were down.
+    void addTo(Hasher& hasher) const { previous_.addTo(hasher), frame_.addTo(hasher); }
+
     [[nodiscard]] const ActionMap& map() const { return map_; }
     void setMap(ActionMap map);
 

@@ -10,6 +10,7 @@
 #include "scene/components/label.hpp"
 #include "scene/components/parallax_layer.hpp"
 #include "scene/components/sprite.hpp"
+#include "scene/loaded_scene.hpp"
 #include "scene/world_transform.hpp"
 
 namespace plumb {
@@ -44,6 +45,13 @@ SpriteQuad quadOf(const Sprite& sprite, const Pose& pose, const TextureRegion& p
 }
 
 Vec2 topLeftOf(const View& view) { return view.center - view.size * (0.5f / view.zoom); }
+
+/// How far a layer lies from its place because the camera has moved (px).
+Vec2 parallaxOf(const SceneLayer& layer, const SceneView& how) {
+    if (!how.parallax) return {};
+    const Vec2 moved = topLeftOf(how.view) - how.parallaxOrigin;
+    return {moved.x * (1.0f - layer.parallax.x), moved.y * (1.0f - layer.parallax.y)};
+}
 
 }  // namespace
 
@@ -86,20 +94,49 @@ void SceneRenderer::draw(World& world, Vec2 picture, float alpha, const Viewport
 void SceneRenderer::collect(World& world, const SceneView& how, DrawList& list) {
     textures_.refresh();
     tiles_.beginFrame(static_cast<double>(world.tick) * kSecondsPerTick);
+    readLayers(world);
     collectBackdrops(world, how, list);
     collectTiles(world, how, list);
     collectSprites(world, how, list);
     collectLabels(world, how, list);
 }
 
+void SceneRenderer::readLayers(const World& world) {
+    layers_.clear();
+    if (const auto* loaded = world.findResource<LoadedScenes>()) {
+        for (const LoadedScene& scene : loaded->scenes) {
+            layers_.insert(layers_.end(), scene.layers.begin(), scene.layers.end());
+        }
+    }
+}
+
+const SceneLayer* SceneRenderer::layerOf(int order) const {
+    for (const SceneLayer& layer : layers_) {
+        if (layer.order == order) return &layer;
+    }
+    return nullptr;
+}
+
+void SceneRenderer::add(SpriteQuad quad, float y, const SceneView& how, DrawList& list) const {
+    if (const SceneLayer* look = layerOf(quad.layer)) {
+        if (!look->visible) return;
+        quad.tint = quad.tint * look->tint;
+        quad.center += parallaxOf(*look, how);
+        if (look->ySort) quad.sortY = y;
+    }
+    list.sprite(quad);
+}
+
 void SceneRenderer::collectSprites(World& world, const SceneView& how, DrawList& list) {
     // Most sprites have no parent; they skip the walk up.
     for (auto [entity, sprite, transform] :
          world.query<const Sprite, const Transform>(without<Hidden, ParallaxLayer, Parent>)) {
-        list.sprite(quadOf(sprite, interpolated(transform, how.alpha), textures_.regionOf(sprite.texture)));
+        const Pose pose = interpolated(transform, how.alpha);
+        add(quadOf(sprite, pose, textures_.regionOf(sprite.texture)), pose.position.y, how, list);
     }
     for (auto [entity, sprite] : world.query<const Sprite>(with<Parent>, without<Hidden, ParallaxLayer>)) {
-        list.sprite(quadOf(sprite, worldPose(world, entity, how.alpha), textures_.regionOf(sprite.texture)));
+        const Pose pose = worldPose(world, entity, how.alpha);
+        add(quadOf(sprite, pose, textures_.regionOf(sprite.texture)), pose.position.y, how, list);
     }
 }
 
@@ -125,7 +162,7 @@ void SceneRenderer::collectBackdrops(World& world, const SceneView& how, DrawLis
         for (float y = top; y <= bottom; y += size.y) {
             for (float x = left; x <= right; x += size.x) {
                 quad.center = {x, y};
-                list.sprite(quad);
+                add(quad, kNoSortY, how, list);
             }
         }
     }
@@ -138,7 +175,13 @@ void SceneRenderer::collectTiles(World& world, const SceneView& how, DrawList& l
         if (const auto* backdrop = world.find<ParallaxLayer>(entity); backdrop != nullptr && how.parallax) {
             pose.position += {moved.x * (1.0f - backdrop->factor.x), moved.y * (1.0f - backdrop->factor.y)};
         }
-        tiles_.draw(world, entity, layer, pose, list);
+        TileLayer drawn = layer;
+        if (const SceneLayer* look = layerOf(layer.layer)) {
+            if (!look->visible) continue;
+            drawn.tint = layer.tint * look->tint;
+            pose.position += parallaxOf(*look, how);
+        }
+        tiles_.draw(world, entity, drawn, pose, list);
     }
 }
 
@@ -147,6 +190,7 @@ void SceneRenderer::collectLabels(World& world, const SceneView& how, DrawList& 
     for (auto [entity, label] : world.query<const Label>(without<Hidden>)) {
         Pose pose = worldPose(world, entity, how.alpha);
         if (label.screen) pose.position += corner;
+        if (const SceneLayer* look = layerOf(label.layer); look != nullptr && !look->visible) continue;
         labels_.draw(world, label, pose, how.labelText, list);
     }
 }

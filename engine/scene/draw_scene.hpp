@@ -1,11 +1,14 @@
 #pragma once
 
+#include <vector>
+
 #include "assets/asset_store.hpp"
 #include "ecs/world.hpp"
 #include "render/draw_list.hpp"
 #include "render/renderer.hpp"
 #include "render/texture_library.hpp"
 #include "scene/label_drawing.hpp"
+#include "scene/scene_layer.hpp"
 #include "scene/tile_drawing.hpp"
 
 namespace plumb {
@@ -41,6 +44,11 @@ public:
     [[nodiscard]] Renderer& renderer() { return renderer_; }
 
 private:
+    void readLayers(const World& world);
+    /// What its scene says of a layer number; null draws it plainly.
+    [[nodiscard]] const SceneLayer* layerOf(int order) const;
+    /// Adds a sprite as its layer wants it. @param y  px, world: where it stands, for layers sorted by y
+    void add(SpriteQuad quad, float y, const SceneView& how, DrawList& list) const;
     void collectSprites(World& world, const SceneView& how, DrawList& list);
     void collectBackdrops(World& world, const SceneView& how, DrawList& list);
     void collectTiles(World& world, const SceneView& how, DrawList& list);
@@ -52,6 +60,7 @@ private:
     TileDrawing tiles_;
     LabelDrawing labels_;
     DrawList list_;
+    std::vector<SceneLayer> layers_;  ///< of the scenes, by order
 };
 
 }  // namespace plumb

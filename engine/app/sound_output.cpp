@@ -1,0 +1,22 @@
+#include "app/sound_output.hpp"
+
+#include "scene/components/music.hpp"
+#include "scene/play_sound.hpp"
+
+namespace plumb {
+
+void SoundOutput::listen(World& world) {
+    for (const PlaySound& sound : world.events<PlaySound>()) {
+        queue_.add({sound.tick, sound.sound, sound.volume, 0.0f});
+    }
+    if (const Entity entity = world.first<const Music>()) {
+        const auto& music = std::as_const(world).get<Music>(entity);
+        mixer_.playMusic(music.sound, music.volume);
+        hasMusic_ = true;
+    } else if (hasMusic_) {
+        mixer_.stopMusic();
+        hasMusic_ = false;
+    }
+}
+
+}  // namespace plumb
