@@ -1,6 +1,6 @@
 #include "app/sound_output.hpp"
 
-#include "scene/components/music.hpp"
+#include "gameplay/components/music.hpp"
 #include "scene/play_sound.hpp"
 
 namespace plumb {

@@ -10,7 +10,6 @@
 #include "scene/components/hidden.hpp"
 #include "scene/components/kinematic_body.hpp"
 #include "scene/components/label.hpp"
-#include "scene/components/music.hpp"
 #include "scene/components/name.hpp"
 #include "scene/components/parallax_layer.hpp"
 #include "scene/components/persistent.hpp"

@@ -9,7 +9,6 @@
 #include "scene/components/hidden.hpp"
 #include "scene/components/kinematic_body.hpp"
 #include "scene/components/label.hpp"
-#include "scene/components/music.hpp"
 #include "scene/components/name.hpp"
 #include "scene/components/parallax_layer.hpp"
 #include "scene/components/persistent.hpp"
@@ -37,7 +36,6 @@ void registerSceneComponents(TypeRegistry& types) {
     types.add<ParallaxLayer>();
     types.add<Label>();
     types.add<Camera>();
-    types.add<Music>();
     types.add<RigidBody>();
     types.add<StaticBody>();
     types.add<KinematicBody>();
