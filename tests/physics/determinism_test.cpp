@@ -86,6 +86,40 @@ TEST(Determinism, aSteadyStepAllocatesNothing) {
     EXPECT_EQ(allocations, before);
 }
 
+TEST(Determinism, wildScenesStayFinite) {
+    for (std::uint64_t seed = 0; seed < 300; ++seed) {
+        SCOPED_TRACE(seed);
+        Random random = Random::seeded(seed);
+        const auto wild = [&random](float low, float high) {  // even over the powers of ten
+            float value = low;
+            for (float range = high / low, part = random.unit(); range > 10.0f; range /= 10.0f) {
+                value *= part < 0.5f ? 1.0f : 10.0f * random.unit() + 0.1f;
+                part = random.unit();
+            }
+            return value;
+        };
+        Stage60 s;
+        for (int i = 0; i < 30; ++i) {
+            BodyDefinition d;
+            d.kind = i % 5 == 0 ? BodyKind::Static : i % 7 == 0 ? BodyKind::Kinematic : BodyKind::Dynamic;
+            d.shape = i % 2 == 0 ? Shape::circle(wild(1e-3f, 1e3f))
+                                 : Shape::box({wild(1e-3f, 1e3f), wild(1e-3f, 1e3f)});
+            d.position = {random.between(-5, 5), random.between(-5, 5)};
+            d.velocity = Vec2{random.between(-1, 1), random.between(-1, 1)} * wild(1, 1e4f);
+            d.mass = wild(1e-4f, 1e4f);
+            d.bounciness = random.unit();
+            d.friction = random.unit();
+            s.add(d);
+        }
+        for (int i = 0; i < 20; ++i) {
+            s.run(1);
+            for (std::size_t k = 0; k < s.world.bodies.size(); ++k) {
+                ASSERT_TRUE(isFinite(s.world.bodies.position[k]) && isFinite(s.world.bodies.velocity[k]));
+            }
+        }
+    }
+}
+
 TEST(Determinism, bodiesStayFiniteAndInside) {
     for (std::uint64_t seed = 0; seed < 20; ++seed) {
         SCOPED_TRACE(seed);

@@ -90,9 +90,10 @@ private:
         for (int* ticks : {&player_.coyote, &player_.buffer, &player_.hold, &player_.dropping}) {
             *ticks = std::max(*ticks - 1, 0);
         }
-        if (wishes_.jumpPressed) player_.buffer = player_.bufferTicks;
+        // One more than the ticks that follow: this one counts too.
+        if (wishes_.jumpPressed) player_.buffer = player_.bufferTicks + 1;
         grounded_ = body_.grounded && body_.velocity.y >= 0.0f;
-        if (grounded_) player_.coyote = player_.coyoteTicks;
+        if (grounded_) player_.coyote = player_.coyoteTicks + 1;
         mover_.filter().oneWay = player_.dropping == 0 && body_.velocity.y >= 0.0f;
     }
 

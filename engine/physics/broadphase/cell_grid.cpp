@@ -4,21 +4,6 @@
 
 namespace plumb::physics {
 
-std::int32_t CellGrid::cellAt(float coordinate) const {
-    constexpr float kMost = 1073741824.0f;
-    const float cell = std::clamp(coordinate * perSize_, -kMost, kMost);
-    const auto cut = static_cast<std::int32_t>(cell);
-    return cut - (static_cast<float>(cut) > cell ? 1 : 0);  // std::floor is a call on plain x86-64
-}
-
-CellGrid::Cells CellGrid::cellsOf(const AABB& bounds) const {
-    return {cellAt(bounds.min.x), cellAt(bounds.min.y), cellAt(bounds.max.x), cellAt(bounds.max.y)};
-}
-
-bool CellGrid::isFirstShared(const AABB& a, const AABB& b, std::int32_t x, std::int32_t y) const {
-    return cellAt(std::max(a.min.x, b.min.x)) == x && cellAt(std::max(a.min.y, b.min.y)) == y;
-}
-
 void CellGrid::build(std::span<const std::uint32_t> bodies, std::span<const AABB> bounds, float cellSize,
                      int most, std::vector<std::uint32_t>& tooLarge) {
     size_ = cellSize;
@@ -58,7 +43,7 @@ float cellSizeFor(std::span<const std::uint32_t> bodies, std::span<const AABB> b
         const Vec2 size = bounds[i].size();
         sum += std::max(size.x, size.y);
     }
-    const double usual = bodies.empty() ? 1.0 : 1.5 * sum / static_cast<double>(bodies.size());
+    const double usual = bodies.empty() ? 1.0 : 2.0 * sum / static_cast<double>(bodies.size());
     float size = 1.0f / 64.0f;
     while (size < usual && size < 65536.0f) size *= 2.0f;
     return size;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -34,7 +35,9 @@ public:
 
     [[nodiscard]] bool empty() const { return entries_.empty(); }
     [[nodiscard]] float cellSize() const { return size_; }
-    [[nodiscard]] Cells cellsOf(const AABB& bounds) const;
+    [[nodiscard]] Cells cellsOf(const AABB& bounds) const {
+        return {cellAt(bounds.min.x), cellAt(bounds.min.y), cellAt(bounds.max.x), cellAt(bounds.max.y)};
+    }
     /// Entries of the slot that holds this cell; some may be of other cells.
     [[nodiscard]] std::span<const CellEntry> slotOf(std::int32_t x, std::int32_t y) const {
         const std::size_t slot = slotIndex(x, y);
@@ -45,10 +48,18 @@ public:
         return {entries_.data() + starts_[index], starts_[index + 1] - starts_[index]};
     }
     /// True when the first cell that both bounds reach is this one: so a pair is found exactly once.
-    [[nodiscard]] bool isFirstShared(const AABB& a, const AABB& b, std::int32_t x, std::int32_t y) const;
+    [[nodiscard]] bool isFirstShared(const AABB& a, const AABB& b, std::int32_t x, std::int32_t y) const {
+        return cellAt(std::max(a.min.x, b.min.x)) == x && cellAt(std::max(a.min.y, b.min.y)) == y;
+    }
 
 private:
-    [[nodiscard]] std::int32_t cellAt(float coordinate) const;
+    /// The cell that a coordinate lies in. std::floor is a call on plain x86-64.
+    [[nodiscard]] std::int32_t cellAt(float coordinate) const {
+        constexpr float kMost = 1073741824.0f;
+        const float cell = std::min(std::max(coordinate * perSize_, -kMost), kMost);
+        const auto cut = static_cast<std::int32_t>(cell);
+        return cut - (static_cast<float>(cut) > cell ? 1 : 0);
+    }
     [[nodiscard]] std::size_t slotIndex(std::int32_t x, std::int32_t y) const {
         return (static_cast<std::uint32_t>(x) & widthMask_) |
                static_cast<std::size_t>(static_cast<std::uint32_t>(y) & heightMask_) << widthBits_;

@@ -1,6 +1,7 @@
 #include "physics/narrowphase/sweep.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -11,28 +12,30 @@ namespace {
 /// One side that could keep two outlines apart: their distance along its normal, and how it changes.
 struct Plane {
     Vec2 normal;
-    float distance = 0.0f;  // m at the start
-    float change = 0.0f;    // m over the path
-    bool face = false;      // a face of the other outline, not a side of the mover
-    bool inner = false;     // lies against a neighbour
+    float distance;  // m at the start
+    float change;    // m over the path
+    bool face;       // a face of the other outline, not a side of the mover
+    bool inner;      // lies against a neighbour
 };
 
+template <int Most>
 struct PlaneList {
-    Plane items[Convex::kMaxPoints + 4];
+    std::array<Plane, Most> items;
     int count = 0;
 
     void add(Vec2 normal, float distance, float change, bool face, bool inner) {
-        items[count++] = {normal, distance, change, face, inner};
+        items[static_cast<std::size_t>(count++)] = {normal, distance, change, face, inner};
     }
 };
 
 bool isAxis(Vec2 normal) { return normal.x == 0.0f || normal.y == 0.0f; }
 
 /// True when the outlines share only a corner's breadth: the seam of two floors, not a wall.
-bool onlyGrazes(const PlaneList& planes, const Plane& chosen, float time, float breadth) {
+template <int Most>
+bool onlyGrazes(const PlaneList<Most>& planes, const Plane& chosen, float time, float breadth) {
     if (!isAxis(chosen.normal)) return false;
     for (int i = 0; i < planes.count; ++i) {
-        const Plane& plane = planes.items[i];
+        const Plane& plane = planes.items[static_cast<std::size_t>(i)];
         if (!isAxis(plane.normal) || dot(plane.normal, chosen.normal) != 0.0f) continue;
         if (plane.distance + plane.change * time >= -breadth) return true;
     }
@@ -40,13 +43,14 @@ bool onlyGrazes(const PlaneList& planes, const Plane& chosen, float time, float 
 }
 
 /// When all planes are crossed the outlines overlap: the last one crossed is the one that was hit.
-Touch firstTouch(const PlaneList& planes, float slack, const Settings& settings) {
+template <int Most>
+Touch firstTouch(const PlaneList<Most>& planes, float slack, const Settings& settings) {
     const float breadth = settings.seamDistance + slack;
     const float margin = settings.touchDistance;
     float enter = -std::numeric_limits<float>::infinity();
     float leave = std::numeric_limits<float>::infinity();
     for (int i = 0; i < planes.count; ++i) {
-        const Plane& plane = planes.items[i];
+        const Plane& plane = planes.items[static_cast<std::size_t>(i)];
         const float gap = plane.distance - margin;
         if (gap > 0.0f && plane.change >= 0.0f) return {};
         if (plane.change < 0.0f) enter = std::max(enter, gap / -plane.change);
@@ -57,7 +61,7 @@ Touch firstTouch(const PlaneList& planes, float slack, const Settings& settings)
     const Plane* chosen = nullptr;
     float best = -std::numeric_limits<float>::infinity();
     for (int i = 0; i < planes.count; ++i) {
-        const Plane& plane = planes.items[i];
+        const Plane& plane = planes.items[static_cast<std::size_t>(i)];
         if (plane.inner && time == 0.0f) continue;
         // Where a face and a side meet in one corner, the face knows better which way is out.
         const float value = plane.distance + plane.change * time + (plane.face ? breadth : 0.0f);
@@ -73,7 +77,7 @@ float reach(Vec2 half, Vec2 normal) { return half.x * std::abs(normal.x) + half.
 constexpr Vec2 kSides[4] = {{0, -1}, {1, 0}, {0, 1}, {-1, 0}};
 
 Touch boxToConvex(const Mover& mover, const Convex& convex, const Settings& settings) {
-    PlaneList planes;
+    PlaneList<Convex::kMaxPoints + 4> planes;
     unsigned sidesSeen = 0;
     for (int i = 0; i < convex.count; ++i) {
         const auto at = static_cast<std::size_t>(i);
@@ -188,7 +192,7 @@ Touch sweepToBox(const Mover& mover, Vec2 centre, Vec2 half, const Settings& set
                                 {centre.x - half.x, centre.y + half.y}};
         return circleToConvex(mover, convexFrom(points, 4), settings);
     }
-    PlaneList planes;
+    PlaneList<4> planes;
     const Vec2 from = mover.centre - centre;
     const Vec2 sum = mover.half + half;
     planes.add({0, -1}, -from.y - sum.y, -mover.path.y, true, false);

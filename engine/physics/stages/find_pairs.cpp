@@ -68,8 +68,10 @@ void sortPairs(Workspace& work, std::size_t bodies) {
     for (std::size_t a = 0; a < bodies; ++a) {
         const std::size_t to = work.counts[a];  // moved on to the end by the line that placed them
         const auto first = work.pairs.begin();
-        std::sort(first + static_cast<std::ptrdiff_t>(from), first + static_cast<std::ptrdiff_t>(to),
-                  [](const Pair& x, const Pair& y) { return x.b < y.b; });
+        if (to - from > 1) {
+            std::sort(first + static_cast<std::ptrdiff_t>(from), first + static_cast<std::ptrdiff_t>(to),
+                      [](const Pair& x, const Pair& y) { return x.b < y.b; });
+        }
         from = to;
     }
 }
