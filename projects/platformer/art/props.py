@@ -232,4 +232,4 @@ def build():
     long_log, short_log = platform()
     return {"bob.png": bobs(), "spring.png": spring(), "lamp.png": lamp(), "gate.png": gate(),
             "platform.png": long_log, "platform_short.png": short_log, "dust.png": dust(), "icons.png": icons(),
-            "light.png": light(32, "y", 9), "light_big.png": light(56, "f", 7), "tree.png": tree()}
+            "light.png": light(32, "y", 9), "light_big.png": light(56, "f", 7), "tree.png": tree(), "tree_snow.png": tree().swap({"n": "A", "1": "d", "2": "i", "3": "e"})}
