@@ -135,7 +135,7 @@ void GameLoop::tick() {
     if (game_.quitRequested()) quit();
     if (screen_ != nullptr) events_.write(game_.world);
     if (sounds_) sounds_->listen(game_.world);
-    if (const Checkpoint* expected = replayPlayer_ ? replayPlayer_->checkpoint() : nullptr;
+    if (const HashCheck* expected = replayPlayer_ ? replayPlayer_->checkpoint() : nullptr;
         expected != nullptr && expected->hash != game_.world.hash()) {
         logError("Input",
                  Error{options_.replay, format("the game differs from the recorded one at tick {}", ticks_),

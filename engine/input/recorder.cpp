@@ -34,10 +34,10 @@ const InputFrame* ReplayPlayer::next() {
     return &replay_->runs[run_].frame;
 }
 
-const Checkpoint* ReplayPlayer::checkpoint() const {
+const HashCheck* ReplayPlayer::checkpoint() const {
     const auto at =
         std::lower_bound(replay_->checkpoints.begin(), replay_->checkpoints.end(), tick_,
-                         [](const Checkpoint& check, std::uint64_t tick) { return check.tick < tick; });
+                         [](const HashCheck& check, std::uint64_t tick) { return check.tick < tick; });
     return at != replay_->checkpoints.end() && at->tick == tick_ ? &*at : nullptr;
 }
 

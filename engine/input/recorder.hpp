@@ -21,11 +21,11 @@ struct InputRun {
 };
 
 /// The hash of the world after a tick, to find the first one that differs.
-struct Checkpoint {
+struct HashCheck {
     std::uint64_t tick = 0;
     std::uint64_t hash = 0;
 
-    friend bool operator==(const Checkpoint&, const Checkpoint&) = default;
+    friend bool operator==(const HashCheck&, const HashCheck&) = default;
 };
 
 /// A played game: where it began, and the input of every tick. Its file `*.replay` is text, one line for each
@@ -42,7 +42,7 @@ struct Replay {
     std::string scene;    ///< path of the first scene
     std::uint64_t seed = 0;
     std::vector<InputRun> runs;
-    std::vector<Checkpoint> checkpoints;  ///< by tick
+    std::vector<HashCheck> checkpoints;  ///< by tick
 
     [[nodiscard]] std::uint64_t ticks() const;
 
@@ -76,7 +76,7 @@ public:
     const InputFrame* next();
 
     /// The recorded hash after the tick that `next` gave last; null when there is none.
-    [[nodiscard]] const Checkpoint* checkpoint() const;
+    [[nodiscard]] const HashCheck* checkpoint() const;
 
     [[nodiscard]] std::uint64_t tick() const { return tick_; }  ///< how many were given
 

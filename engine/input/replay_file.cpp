@@ -309,7 +309,7 @@ std::string writeReplay(const Replay& replay) {
         out += '\n';
         before = run.frame;
     }
-    for (const Checkpoint& check : replay.checkpoints)
+    for (const HashCheck& check : replay.checkpoints)
         out += format("check {} {}\n", check.tick, hexText(check.hash));
     out += format("end {}\n", replay.ticks());
     return out;

@@ -72,7 +72,7 @@ TEST(Recorder, thePlayerGivesEveryTickItsFrameAndItsCheckpoint) {
         const InputFrame* frame = player.next();
         ASSERT_NE(frame, nullptr);
         ASSERT_EQ(*frame, frames[static_cast<std::size_t>(i)]);
-        const Checkpoint* check = player.checkpoint();
+        const HashCheck* check = player.checkpoint();
         ASSERT_EQ(check != nullptr, i % 50 == 49);
         if (check != nullptr) {
             EXPECT_EQ(check->hash, static_cast<std::uint64_t>(i));
