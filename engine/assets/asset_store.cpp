@@ -95,14 +95,14 @@ void AssetStore::load(AssetKind kind, std::string_view path) {
 Result<Done> AssetStore::readBytes(std::string_view bytes, const std::string& path, Texture& texture) {
     const Result<ImageSize> size = readImageSize(bytes, path);
     if (!size) return size.error();
-    // A picture that somebody has already asked for is decoded at once, so that a broken one keeps the old.
+    // A picture that is shown is decoded at once, so that a broken one keeps the old.
     Image image;
-    if (!texture.image.empty()) {
+    if (texture.wanted) {
         Result<Image> decoded = decodeImage(bytes, path);
         if (!decoded) return decoded.error();
         image = std::move(*decoded);
     }
-    texture = {size->width, size->height, std::move(image)};
+    texture = {size->width, size->height, std::move(image), texture.wanted};
     return Done{};
 }
 
@@ -181,6 +181,7 @@ const Image& AssetStore::image(TextureId id) {
     AssetEntry<Texture>* entry = textures().find(id.path);
     if (entry == nullptr || entry->missing) return placeholderImage();
     Texture& texture = entry->value;
+    texture.wanted = true;
     if (!texture.image.empty()) return texture.image;
     const Result<std::string> bytes = readFile(entry->file);
     Result<Image> decoded = bytes ? decodeImage(*bytes, entry->path) : Result<Image>{bytes.error()};
@@ -189,7 +190,9 @@ const Image& AssetStore::image(TextureId id) {
         report(decoded.error());
         return placeholderImage();
     }
-    texture = {decoded->width, decoded->height, std::move(*decoded)};
+    texture.width = decoded->width;
+    texture.height = decoded->height;
+    texture.image = std::move(*decoded);
     return texture.image;
 }
 
@@ -296,7 +299,7 @@ bool AssetStore::reload(AssetEntry<T>& entry) {
     if (stamp == entry.stamp) return false;
     AssetEntry<T> fresh;
     fresh.path = entry.path;
-    if constexpr (std::is_same_v<T, Texture>) fresh.value = entry.value;
+    if constexpr (std::is_same_v<T, Texture>) fresh.value.wanted = entry.value.wanted;
     const Result<Done> read = readEntry(fresh);
     entry.stamp = fresh.stamp != 0 ? fresh.stamp : stamp;
     if (!fresh.file.empty()) entry.file = fresh.file;

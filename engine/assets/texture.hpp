@@ -6,9 +6,10 @@ namespace plumb {
 
 /// A picture of the project. Its size is known at once; its pixels are in the store, decoded when asked for.
 struct Texture {
-    int width = 0;   ///< px
-    int height = 0;  ///< px
-    Image image;     ///< empty until somebody asked the store for it
+    int width = 0;        ///< px
+    int height = 0;       ///< px
+    Image image;          ///< empty until somebody asked the store for it
+    bool wanted = false;  ///< somebody asked for the pixels once: a changed file is decoded before it counts
 
     /// How many square cells of a sheet lie side by side; 1 for a single picture. Only a guess for the log,
     /// made where the height is a whole number of 8 px, as cells are drawn.

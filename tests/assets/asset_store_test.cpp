@@ -103,6 +103,19 @@ TEST_F(AssetStoreTest, aChangedFileIsReloadedOnceAndABrokenOneKeepsTheOld) {
     EXPECT_EQ(assets_.image(id).width, 64);
 }
 
+TEST_F(AssetStoreTest, aBrokenPictureKeepsTheOldAlsoWhenItsPixelsWereDropped) {
+    const TextureId id = assets_.loadTexture("player.png");
+    static_cast<void>(assets_.image(id));
+    assets_.dropImage(id);
+
+    const std::string png = pngOf(64, 64);
+    write("player.png", png.substr(0, png.size() - 20));
+
+    EXPECT_TRUE(assets_.pollChanges().empty());
+    EXPECT_EQ(assets_.find(id)->width, 128);
+    EXPECT_EQ(assets_.revisionOf(AssetKind::Texture, id.path), 1u);
+}
+
 TEST_F(AssetStoreTest, pollingLooksAtNoMoreFilesThanItsBudgetAndReachesAllInTurn) {
     assets_.logging = false;
     for (int i = 0; i < 10; ++i)
