@@ -1,8 +1,12 @@
 #include "gameplay/systems/respawn_system.hpp"
 
+#include <utility>
+
+#include "assets/asset_store.hpp"
 #include "ecs/world.hpp"
 #include "gameplay/components/health.hpp"
 #include "gameplay/components/respawn.hpp"
+#include "scene/components/animator.hpp"
 #include "scene/components/hidden.hpp"
 #include "scene/components/rigid_body.hpp"
 #include "scene/components/sprite.hpp"
@@ -14,6 +18,14 @@ namespace {
 
 constexpr int kBlinkTicks = 4;
 constexpr std::uint8_t kBlinkOpacity = 90;
+
+/// An animation that knows of death shows it; everything else disappears.
+bool showsDeath(World& world, EntityId entity) {
+    const auto* animator = std::as_const(world).find<Animator>(entity);
+    const auto* assets = world.service<AssetStore>();
+    if (animator == nullptr || assets == nullptr || animator->animation.empty()) return false;
+    return assets->animation(animator->animation).findParameter("dead") >= 0;
+}
 
 void comeBack(World& world, EntityId entity, const Respawn& respawn) {
     teleport(world.get<Transform>(entity), respawn.place);
@@ -51,7 +63,7 @@ void RespawnSystem::update(World& world, float) {
         if (--respawn.waiting == 0) {
             comeBack(world, entity, respawn);
             entity.removeComponent<Hidden>();
-        } else if (!entity.hasComponent<Hidden>()) {
+        } else if (!entity.hasComponent<Hidden>() && !showsDeath(world, entity)) {
             entity.addComponent<Hidden>();
         }
     }
