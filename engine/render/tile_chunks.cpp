@@ -10,16 +10,30 @@
 namespace plumb {
 namespace {
 
-int chunksFor(int tiles) { return (tiles + TileChunks::kSide - 1) / TileChunks::kSide; }
+constexpr float kSmallestBlock = 1.5f;  ///< px of the picture
+constexpr int kHighestLevel = 9;
 
-/// The quad of one tile. Diagonal, horizontal, vertical: with the first, the others turn the other axis of
-/// the source.
-SpriteInstance tileInstance(int x, int y, TileCell cell, const TileLook& look, const TileSheet& sheet) {
+int chunksFor(int tiles, int side) { return (tiles + side - 1) / side; }
+
+/// Far away, one tile stands for a block of 2^level tiles a side: no more quads than the picture has room
+/// for.
+int levelFor(Vec2 cellSize, float zoom) {
+    const float shown = std::min(cellSize.x, cellSize.y) * zoom;
+    int level = 0;
+    while (level < kHighestLevel && shown * static_cast<float>(1 << level) < kSmallestBlock) ++level;
+    return level;
+}
+
+/// The quad of one tile, or of a block of `span` tiles a side that it stands for. Diagonal, horizontal,
+/// vertical: with the first, the others turn the other axis of the source.
+SpriteInstance tileInstance(int x, int y, int span, TileCell cell, const TileLook& look,
+                            const TileSheet& sheet) {
     const bool diagonal = (cell & kTileFlipDiagonal) != 0;
-    Vec2 size{look.source.width * sheet.scale.x, look.source.height * sheet.scale.y};
+    const Vec2 scale = sheet.scale * static_cast<float>(span);
+    Vec2 size{look.source.width * scale.x, look.source.height * scale.y};
     if (diagonal) std::swap(size.x, size.y);
     const Vec2 lowerLeft =
-        scaled({static_cast<float>(x), static_cast<float>(y + 1)}, sheet.cellSize) + sheet.offset;
+        scaled({static_cast<float>(x), static_cast<float>(y + span)}, sheet.cellSize) + sheet.offset;
     SpriteInstance instance;
     instance.half = size * 0.5f;
     instance.center = {lowerLeft.x + instance.half.x, lowerLeft.y - instance.half.y};
@@ -42,24 +56,31 @@ const TileLook* lookOf(TileCell cell, const TileSheet& sheet) {
 }
 
 /// The cells of one chunk, cut off at the grid's edge.
-template <class Visit>
-void eachCell(const TileGrid& grid, int chunkX, int chunkY, Visit&& visit) {
-    const int right = std::min((chunkX + 1) * TileChunks::kSide, grid.width());
-    const int bottom = std::min((chunkY + 1) * TileChunks::kSide, grid.height());
-    for (int y = chunkY * TileChunks::kSide; y < bottom; ++y) {
-        for (int x = chunkX * TileChunks::kSide; x < right; ++x) visit(x, y, grid.at(x, y));
-    }
+struct CellRange {
+    int left, top, right, bottom;
+};
+
+CellRange cellsOf(const TileGrid& grid, int chunkX, int chunkY, int side) {
+    return {chunkX * side, chunkY * side, std::min((chunkX + 1) * side, grid.width()),
+            std::min((chunkY + 1) * side, grid.height())};
 }
 
-std::uint64_t hashOf(const TileGrid& grid, int chunkX, int chunkY) {
+/// The tile that stands for a block: its first that is not empty.
+TileCell firstTile(const TileGrid& grid, int x, int y, int span) {
+    for (int row = y; row < y + span; ++row) {
+        for (int column = x; column < x + span; ++column) {
+            if (const TileCell cell = grid.at(column, row); cell != 0) return cell;
+        }
+    }
+    return 0;
+}
+
+std::uint64_t hashOf(const TileGrid& grid, const CellRange& range) {
     Hasher hasher;
-    const int left = chunkX * TileChunks::kSide;
-    const int width = std::min(TileChunks::kSide, grid.width() - left);
-    const int bottom = std::min((chunkY + 1) * TileChunks::kSide, grid.height());
-    for (int y = chunkY * TileChunks::kSide; y < bottom; ++y) {
+    for (int y = range.top; y < range.bottom; ++y) {
         const auto row = static_cast<std::size_t>(y) * static_cast<std::size_t>(grid.width());
-        hasher.addBytes(grid.cells().data() + row + static_cast<std::size_t>(left),
-                        static_cast<std::size_t>(width) * sizeof(TileCell));
+        hasher.addBytes(grid.cells().data() + row + static_cast<std::size_t>(range.left),
+                        static_cast<std::size_t>(range.right - range.left) * sizeof(TileCell));
     }
     return hasher.value();
 }
@@ -79,13 +100,15 @@ void TileChunks::release(Chunk& chunk) {
 }
 
 /// Starts anew when the layer has another size or its tiles look different.
-void TileChunks::prepare(const TileGrid& grid, const TileSheet& sheet) {
-    const int columns = chunksFor(grid.width());
-    const int rows = chunksFor(grid.height());
-    const bool same =
-        columns == columns_ && rows == rows_ && sheet.version == sheetVersion_ && sheet.cellSize == cellSize_;
+void TileChunks::prepare(const TileGrid& grid, const TileSheet& sheet, int level) {
+    const int side = kSide << level;
+    const int columns = chunksFor(grid.width(), side);
+    const int rows = chunksFor(grid.height(), side);
+    const bool same = level == level_ && columns == columns_ && rows == rows_ &&
+                      sheet.version == sheetVersion_ && sheet.cellSize == cellSize_;
     if (same) return;
     forget();
+    level_ = level;
     columns_ = columns;
     rows_ = rows;
     sheetVersion_ = sheet.version;
@@ -102,7 +125,7 @@ void TileChunks::prepare(const TileGrid& grid, const TileSheet& sheet) {
 TileChunks::Range TileChunks::visibleChunks(const AABB& visible, const TileGrid& grid,
                                             const TileSheet& sheet) const {
     if (grid.width() == 0 || grid.height() == 0) return {};
-    const Vec2 chunkSize = sheet.cellSize * static_cast<float>(kSide);
+    const Vec2 chunkSize = sheet.cellSize * static_cast<float>(kSide << level_);
     const auto index = [](float place, float size, int count) {
         return std::clamp(floorToInt(place / size), 0, count);
     };
@@ -117,7 +140,7 @@ TileChunks::Range TileChunks::visibleChunks(const AABB& visible, const TileGrid&
 void TileChunks::draw(DrawList& list, const TileGrid& grid, const TileSheet& sheet,
                       const TilePlacement& placement) {
     if (sheet.cellSize.x <= 0.0f || sheet.cellSize.y <= 0.0f) return;
-    prepare(grid, sheet);
+    prepare(grid, sheet, levelFor(sheet.cellSize, list.view().zoom));
     ++frame_;
     const AABB box = visibleBox(list.view());
     const AABB visible{box.min - placement.offset, box.max - placement.offset};
@@ -141,7 +164,7 @@ void TileChunks::draw(DrawList& list, const TileGrid& grid, const TileSheet& she
 /// Most changes of a grid touch one chunk: the others find that their own cells are as they were.
 void TileChunks::refresh(Chunk& chunk, int chunkX, int chunkY, const TileGrid& grid, const TileSheet& sheet) {
     if (chunk.known && chunk.gridVersion == grid.version()) return;
-    const std::uint64_t hash = hashOf(grid, chunkX, chunkY);
+    const std::uint64_t hash = hashOf(grid, cellsOf(grid, chunkX, chunkY, kSide << level_));
     if (!chunk.known || chunk.cellsHash != hash) {
         release(chunk);
         build(chunk, chunkX, chunkY, grid, sheet);
@@ -154,20 +177,29 @@ void TileChunks::build(Chunk& chunk, int chunkX, int chunkY, const TileGrid& gri
     chunk.known = true;
     ++kept_;
     ++built_;
-    bool first = true;
-    eachCell(grid, chunkX, chunkY, [&](int x, int y, TileCell cell) {
-        const TileLook* look = lookOf(cell, sheet);
-        if (look == nullptr) return;
-        if (look->animated) {
-            chunk.animated.push_back(static_cast<std::uint32_t>(y * grid.width() + x));
-            return;
+    const CellRange range = cellsOf(grid, chunkX, chunkY, kSide << level_);
+    const int span = 1 << level_;
+    for (int y = range.top; y < range.bottom; y += span) {
+        for (int x = range.left; x < range.right; x += span) {
+            addBlock(chunk, x, y, level_ == 0 ? grid.at(x, y) : firstTile(grid, x, y, span), grid, sheet);
         }
-        const SpriteInstance instance = tileInstance(x, y, cell, *look, sheet);
-        const AABB box{instance.center - instance.half, instance.center + instance.half};
-        chunk.bounds = std::exchange(first, false) ? box : merged(chunk.bounds, box);
-        addTile(chunk, instance, look->texture);
-    });
+    }
     closePart(chunk);
+}
+
+void TileChunks::addBlock(Chunk& chunk, int x, int y, TileCell cell, const TileGrid& grid,
+                          const TileSheet& sheet) {
+    const TileLook* look = lookOf(cell, sheet);
+    if (look == nullptr) return;
+    if (look->animated && level_ == 0) {
+        chunk.animated.push_back(static_cast<std::uint32_t>(y * grid.width() + x));
+        return;
+    }
+    const SpriteInstance instance = tileInstance(x, y, 1 << level_, cell, *look, sheet);
+    const AABB box{instance.center - instance.half, instance.center + instance.half};
+    const bool first = chunk.parts.empty() && scratch_.empty();
+    chunk.bounds = first ? box : merged(chunk.bounds, box);
+    addTile(chunk, instance, look->texture);
 }
 
 void TileChunks::addTile(Chunk& chunk, const SpriteInstance& instance, TextureHandle texture) {
@@ -200,7 +232,7 @@ void TileChunks::drawAnimated(DrawList& list, const Chunk& chunk, const TileGrid
         const TileCell cell = grid.at(x, y);
         const TileLook* look = lookOf(cell, sheet);
         if (look == nullptr) continue;
-        SpriteInstance instance = tileInstance(x, y, cell, *look, sheet);
+        SpriteInstance instance = tileInstance(x, y, 1, cell, *look, sheet);
         instance.center += placement.offset;
         instance.tint = placement.tint;
         list.instance(instance, look->texture, placement.layer);

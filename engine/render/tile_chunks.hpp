@@ -35,7 +35,8 @@ struct TilePlacement {
 
 /// Draws a tile layer by chunks of 32x32 tiles that stay on the graphics card. A chunk is made when it is
 /// first seen and made again when one of its tiles changed; what is not seen costs nothing, whatever the size
-/// of the layer.
+/// of the layer. From far
+/// away, where tiles would be smaller than a pixel, one tile stands for a block of them.
 class TileChunks {
 public:
     static constexpr int kSide = 32;               ///< tiles
@@ -75,11 +76,12 @@ private:
         int left = 0, top = 0, right = 0, bottom = 0;  ///< chunks, the last two excluded
     };
 
-    void prepare(const TileGrid& grid, const TileSheet& sheet);
+    void prepare(const TileGrid& grid, const TileSheet& sheet, int level);
     [[nodiscard]] Range visibleChunks(const AABB& visible, const TileGrid& grid,
                                       const TileSheet& sheet) const;
     void refresh(Chunk& chunk, int chunkX, int chunkY, const TileGrid& grid, const TileSheet& sheet);
     void build(Chunk& chunk, int chunkX, int chunkY, const TileGrid& grid, const TileSheet& sheet);
+    void addBlock(Chunk& chunk, int x, int y, TileCell cell, const TileGrid& grid, const TileSheet& sheet);
     void addTile(Chunk& chunk, const SpriteInstance& instance, TextureHandle texture);
     void closePart(Chunk& chunk);
     void drawAnimated(DrawList& list, const Chunk& chunk, const TileGrid& grid, const TileSheet& sheet,
@@ -89,6 +91,7 @@ private:
 
     RenderDevice& device_;
     std::vector<Chunk> chunks_;
+    int level_ = 0;  ///< one tile stands for 2^level tiles a side
     int columns_ = 0;
     int rows_ = 0;
     std::uint32_t sheetVersion_ = 0;

@@ -71,7 +71,7 @@ TEST_F(TileChunksTest, everyTileIsDrawnExactlyOnceAtItsCell) {
     for (int y = 0; y < 40; ++y) {
         for (int x = 0; x < 70; ++x) grid.set(x, y, (x * 7 + y) % 3 == 0 ? 0 : cellOf(0));
     }
-    view.zoom = 0.05f;
+    view.zoom = 0.1f;
     draw();
     std::vector<int> seen(70 * 40);
     for (const RecordingDevice::SpriteDraw& shown : device.spriteDraws) {
@@ -155,8 +155,26 @@ TEST_F(TileChunksTest, picturesLargerThanACellStandOnItAndStaySeen) {
     EXPECT_EQ(tile.center.y + tile.half.y, 34.0f * 16.0f);
 }
 
+TEST_F(TileChunksTest, fromFarAwayAHugeLayerIsNoMoreQuadsThanThePictureHasRoomFor) {
+    std::vector<TileCell> cells(2048 * 2048, cellOf(1));
+    grid.replaceCells(2048, 2048, std::move(cells));
+    view.center = {2048.0f * 8.0f, 2048.0f * 8.0f};
+    view.zoom = 180.0f / (2048.0f * 16.0f);
+    draw();
+    EXPECT_LE(tilesDrawn(), 180u * 180u);
+    EXPECT_GE(tilesDrawn(), 60u * 60u);
+    EXPECT_LE(device.drawCalls(), 25u);
+    // Together the blocks cover the layer.
+    double area = 0.0;
+    for (const RecordingDevice::SpriteDraw& shown : device.spriteDraws) {
+        for (const SpriteInstance& tile : shown.instances)
+            area += 4.0 * static_cast<double>(tile.half.x * tile.half.y);
+    }
+    EXPECT_EQ(area, 2048.0 * 2048.0 * 256.0);
+}
+
 TEST_F(TileChunksTest, theChunksGiveTheirMemoryBack) {
-    view.zoom = 0.05f;
+    view.zoom = 0.1f;
     draw();
     EXPECT_EQ(chunks.keptCount(), 16u);
     chunks.forget();
