@@ -90,9 +90,17 @@ Result<Done> readHeads(SceneReader& reader, std::string_view text, const Slices&
     std::vector<std::pair<std::string, Json>> heads;
     for (const auto& [key, slice] : slices) {
         if (key == "entities") continue;
+        // The key with its quotes: that text reads as the key without its escapes.
+        Result<Json> name = parseSlice(text, {key.data() - 1, key.size() + 2}, reader.path());
+        if (!name) return name.error();
         Result<Json> json = parseSlice(text, slice, reader.path());
         if (!json) return json.error();
-        heads.emplace_back(std::string{key}, std::move(*json));
+        heads.emplace_back(name->get<std::string>(), std::move(*json));
+        const std::string& last = heads.back().first;
+        const bool known =
+            std::any_of(heads.begin(), heads.end() - 1, [&](const auto& head) { return head.first == last; });
+        if (known || last == "entities")
+            return noScene(reader.path(), format("the key \"{}\" stands twice", last));
     }
     const auto found =
         std::find_if(heads.begin(), heads.end(), [](const auto& head) { return head.first == "format"; });
@@ -110,12 +118,9 @@ Result<LoadReport> loadScene(World& world, const SceneContext& context, std::str
     if (startsWith(text, "\xef\xbb\xbf")) text.remove_prefix(3);
     const auto slices = sliceObject(text);
     if (!slices) return brokenText(path, text);
-    for (std::size_t i = 0; i < slices->size(); ++i) {
-        if (&(*slices)[i] != std::find_if(slices->data(), slices->data() + i,
-                                          [&](const auto& s) { return s.first == (*slices)[i].first; })) {
-            return noScene(path, format("the key \"{}\" stands twice", (*slices)[i].first));
-        }
-    }
+    const auto lists =
+        std::count_if(slices->begin(), slices->end(), [](const auto& s) { return s.first == "entities"; });
+    if (lists > 1) return noScene(path, "the key \"entities\" stands twice");
     const std::string_view list = sliceOf(*slices, "entities");
     const auto entities = sliceArray(list.empty() ? std::string_view{"[]"} : list);
     if (!entities) return noScene(path, "entities is no list");
@@ -261,7 +266,8 @@ void unloadScene(World& world, SceneId scene) {
     };
     for (const EntityId id : gone) {
         if (!world.alive(id) || persists(id)) continue;
-        if (const TileLayer* tiles = std::as_const(world).find<TileLayer>(id)) world.tiles().remove(tiles->cells);
+        if (const TileLayer* tiles = std::as_const(world).find<TileLayer>(id))
+            world.tiles().remove(tiles->cells);
         world.destroy(id);
     }
     if (LoadedScenes* scenes = world.findResource<LoadedScenes>()) {

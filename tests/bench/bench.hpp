@@ -63,5 +63,6 @@ bool writeRows(const std::string& path, std::span<const Row> rows);
 
 int runEcs(const Options& options);
 int runRender(const Options& options);
+int runScene(const Options& options);
 
 }  // namespace plumb::bench

@@ -15,6 +15,7 @@ struct Program {
 constexpr std::array kPrograms{
     Program{"ecs", &plumb::bench::runEcs},
     Program{"render", &plumb::bench::runRender},
+    Program{"scene", &plumb::bench::runScene},
 };
 
 int usage() {

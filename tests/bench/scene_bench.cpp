@@ -1,0 +1,105 @@
+// How long scenes take to load and save. The targets are seconds on the reference machine.
+
+#include <cstdio>
+#include <string>
+#include <vector>
+
+#include "core/random.hpp"
+#include "ecs/world.hpp"
+#include "reflect/type_registry.hpp"
+#include "scene/components/box_collider.hpp"
+#include "scene/components/rigid_body.hpp"
+#include "scene/components/scene_entity.hpp"
+#include "scene/components/sprite.hpp"
+#include "scene/components/tile_layer.hpp"
+#include "scene/components/transform.hpp"
+#include "scene/prefab.hpp"
+#include "scene/register_components.hpp"
+#include "scene/scene_file.hpp"
+#include "tests/bench/bench.hpp"
+
+namespace plumb::bench {
+namespace {
+
+constexpr const char* kPath = "scenes/bench.scene.json";
+constexpr double kSecond = 1e9;
+
+struct Stage {
+    TypeRegistry types;
+    PrefabLibrary prefabs{types};
+    SceneContext context{types, &prefabs};
+    Stage() { registerSceneComponents(types); }
+};
+
+void addCrates(World& world, SceneId scene, std::size_t count) {
+    Random random = Random::seeded(1);
+    const TextureId texture{world.texts().add("assets/crate.png")};
+    for (std::size_t i = 0; i < count; ++i) {
+        const Entity crate = world.createEntity();
+        crate.addComponent<SceneEntity>(SceneEntity{newStableId(random), static_cast<int>(i), scene});
+        crate.addComponent<Transform>(random.between(0.0f, 1e4f), random.between(0.0f, 1e4f));
+        crate.addComponent<Sprite>(texture, 16, 16);
+        crate.addComponent<RigidBody>(random.between(1.0f, 9.0f));
+        crate.addComponent<BoxCollider>(16, 16);
+    }
+}
+
+void addMap(World& world, SceneId scene, int side) {
+    Random random = Random::seeded(2);
+    std::vector<TileCell> cells(static_cast<std::size_t>(side) * static_cast<std::size_t>(side));
+    for (TileCell& cell : cells)
+        cell = random.below(3) == 0 ? cellOf(static_cast<int>(random.below(200))) : 0;
+    TileGrid grid;
+    grid.replaceCells(side, side, std::move(cells));
+    const Entity map = world.createEntity();
+    map.addComponent<SceneEntity>(SceneEntity{newStableId(random), 0, scene});
+    map.addComponent<Transform>();
+    map.addComponent<TileLayer>().cells = world.tiles().add(std::move(grid));
+}
+
+/// Load, save and the binary form of the scene in `made`: one row each, per item.
+void measure(const std::string& name, std::size_t n, double target, World& made, const Stage& stage,
+             const Options& options, std::vector<Row>& rows) {
+    const std::string text = sceneToJson(made, stage.context, sceneId(kPath));
+    const std::string binary = sceneToBinary(made, stage.context, sceneId(kPath));
+    World world{stage.types};
+    const auto empty = [&world] { unloadScene(world, sceneId(kPath)), world.clear(); };
+    std::string out;
+    const std::vector<Contestant> contestants{
+        {empty, [&] { static_cast<void>(loadScene(world, stage.context, kPath, text)); }},
+        {empty, [&] { static_cast<void>(loadSceneBinary(world, stage.context, kPath, binary)); }},
+        {{}, [&] { out = sceneToJson(made, stage.context, sceneId(kPath)), keep(out.data()); }},
+    };
+    const std::vector<Timing> timings = race(contestants, options);
+    const char* kinds[] = {" load json", " load binary", " save json"};
+    for (std::size_t i = 0; i < timings.size(); ++i) {
+        const auto items = static_cast<double>(n);
+        rows.push_back({name + kinds[i], n, timings[i].minimum * 1e9 / items, timings[i].median * 1e9 / items,
+                        0.0, i == 1 ? 0.0 : target / items});
+        print(rows.back());
+    }
+}
+
+}  // namespace
+
+int runScene(const Options& options) {
+    const Stage stage;
+    std::vector<Row> rows;
+    printHeader();
+    {
+        World made{stage.types};
+        const std::size_t count = options.quick ? 1000 : 100000;
+        addCrates(made, addScene(made, kPath), count);
+        measure("entities", count, kSecond, made, stage, options, rows);
+    }
+    {
+        World made{stage.types};
+        const int side = options.quick ? 300 : 4096;
+        addMap(made, addScene(made, kPath), side);
+        measure("tiles", static_cast<std::size_t>(side) * static_cast<std::size_t>(side), kSecond, made,
+                stage, options, rows);
+    }
+    return options.jsonPath.empty() || writeRows(options.jsonPath, rows) ? 0 : 1;
+}
+
+}  // namespace plumb::bench
