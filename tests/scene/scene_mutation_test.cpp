@@ -24,7 +24,7 @@ constexpr const char* kPath = "scenes/mutated.scene.json";
 /// How many mutations are tried; PLUMB_MUTATIONS says so. The full run with sanitizers takes 100,000.
 std::uint64_t mutationCount() {
     const char* wanted = std::getenv("PLUMB_MUTATIONS");
-    return wanted != nullptr ? std::strtoull(wanted, nullptr, 10) : 2000;
+    return wanted != nullptr ? std::strtoull(wanted, nullptr, 10) : 1000;
 }
 
 /// Damages a file as disks, editors and people do.
