@@ -195,7 +195,7 @@ def peak():
                 strength = (1 - (crest - y) / 22) * (0.42 + 0.2 * math.sin(x / 7 + band))
                 if strength > BAYER[y % 8][x % 8] + 0.08 and y >= 0:
                     heaven.put(x, y, letter)
-    moon(heaven, 70, 40, 13, "e", "z", "t")
+    moon(heaven, 40, 40, 13, "e", "z", "t")
     far = Canvas(*VIEW)
     ridge = crags(320, 98, 84, 16)
     fill_below(far, ridge, "tti", 80)
