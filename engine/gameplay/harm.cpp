@@ -7,6 +7,7 @@
 #include "gameplay/components/respawn.hpp"
 #include "gameplay/game_progress.hpp"
 #include "gameplay/sound_cue.hpp"
+#include "math/portable.hpp"
 #include "scene/components/rigid_body.hpp"
 
 namespace plumb {
@@ -22,7 +23,7 @@ void die(World& world, EntityId entity) {
         world.destroy(entity);
         return;
     }
-    respawn->waiting = std::max(static_cast<int>(respawn->delay * 60.0f), 1);
+    respawn->waiting = std::max(floorToInt(respawn->delay * 60.0f), 1);
     if (auto* body = world.find<RigidBody>(entity)) body->velocity = {};
 }
 

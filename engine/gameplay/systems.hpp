@@ -1,6 +1,6 @@
 #pragma once
 
-// The systems behind the ready-made parts, all of them, in the order in which a tick runs them.
+// The systems behind the ready-made parts, all of them.
 #include "gameplay/systems/character_animation_system.hpp"
 #include "gameplay/systems/checkpoint_system.hpp"
 #include "gameplay/systems/collect_system.hpp"
@@ -13,4 +13,5 @@
 #include "gameplay/systems/player_controller_system.hpp"
 #include "gameplay/systems/progress_system.hpp"
 #include "gameplay/systems/respawn_system.hpp"
+#include "gameplay/systems/sound_cue_system.hpp"
 #include "gameplay/systems/spring_system.hpp"

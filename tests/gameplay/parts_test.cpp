@@ -9,6 +9,7 @@
 #include "scene/components/sprite.hpp"
 #include "scene/play_sound.hpp"
 #include "scene/scene_requests.hpp"
+#include "scene/systems/animation_system.hpp"
 #include "tests/gameplay/level.hpp"
 
 namespace plumb {
@@ -229,6 +230,19 @@ TEST(Door, opensForAKeyAndWhileItsButtonIsPressed) {
     EXPECT_FALSE(gate.get<Door>().open) << "it stepped off the button";
     level.run(60);
     EXPECT_NEAR(level.at().x, 288.0f, 0.1f);
+}
+
+TEST(SoundCues, stepsAreHeardAtTheirFrames) {
+    Level level{{}};
+    level.world.addSystem<SoundCueSystem>();
+    Entity walker = level.world.createEntity();
+    walker.addComponent<SoundCues>().step = {textId("assets/step.wav")};
+    level.world.beginTick();
+    level.world.emit(AnimationFrameBegan{walker, textId("step")});
+    level.world.emit(AnimationFrameBegan{walker, textId("blink")});
+    level.world.update(Level::kTick);
+    ASSERT_EQ(level.count<PlaySound>(), 1);
+    EXPECT_EQ(level.world.events<PlaySound>()[0].sound.path, textId("assets/step.wav"));
 }
 
 TEST(Decor, bobsSpinsAndEnds) {

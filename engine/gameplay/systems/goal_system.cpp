@@ -11,6 +11,7 @@
 #include "gameplay/sound_cue.hpp"
 #include "gameplay/touches.hpp"
 #include "input/input.hpp"
+#include "math/portable.hpp"
 #include "scene/scene_requests.hpp"
 
 namespace plumb {
@@ -27,7 +28,7 @@ void reach(World& world, EntityId goalId, EntityId player) {
     Goal& goal = world.get<Goal>(goalId);
     const Respawn* respawn = std::as_const(world).find<Respawn>(player);
     if (goal.leaving > 0 || (respawn != nullptr && respawn->waiting > 0)) return;
-    goal.leaving = std::max(static_cast<int>(goal.delay * 60.0f), 1);
+    goal.leaving = std::max(floorToInt(goal.delay * 60.0f), 1);
     GameProgress& progress = world.resource<GameProgress>();
     progress.levelFinished = true;
     progress.gameFinished = progress.gameFinished || goal.endsGame;

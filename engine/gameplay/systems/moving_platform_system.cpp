@@ -4,6 +4,7 @@
 
 #include "ecs/world.hpp"
 #include "gameplay/components/moving_platform.hpp"
+#include "math/portable.hpp"
 #include "scene/components/transform.hpp"
 
 namespace plumb {
@@ -15,7 +16,7 @@ float partOfWay(const MovingPlatform& platform, float seconds) {
     const float travel = std::max(platform.period * 0.5f, 1.0f / 60.0f);
     const float half = travel + platform.wait;
     float t = seconds + platform.phase * half * 2.0f;
-    t -= half * 2.0f * static_cast<float>(static_cast<int>(t / (half * 2.0f)));
+    t -= half * 2.0f * static_cast<float>(floorToInt(t / (half * 2.0f)));
     const bool back = t >= half;
     const float part = std::min((back ? t - half : t) / travel, 1.0f);
     const float eased = platform.easing == Easing::Smooth ? part * part * (3.0f - 2.0f * part) : part;
@@ -26,14 +27,13 @@ float partOfWay(const MovingPlatform& platform, float seconds) {
 
 void MovingPlatformSystem::update(World& world, float dt) {
     for (auto [entity, platform, transform] : world.query<MovingPlatform, Transform>()) {
-        if (!platform.started) {
-            platform.started = true;
-            platform.home = transform.position;
-        }
+        const bool first = !platform.started;
+        if (first) platform.started = true, platform.home = transform.position;
         // From the count of ticks, not step by step: ten minutes later it is where it was.
         const std::uint32_t ticks = platform.ticks++;
         const float seconds = static_cast<float>(ticks) * dt;
         transform.position = platform.home + platform.way * partOfWay(platform, seconds);
+        if (first) teleport(transform, transform.position);  // to its phase, without a way there
     }
 }
 
