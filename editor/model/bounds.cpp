@@ -1,0 +1,130 @@
+#include "editor/model/bounds.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "math/angle.hpp"
+#include "scene/components/box_collider.hpp"
+#include "scene/components/circle_collider.hpp"
+#include "scene/components/label.hpp"
+#include "scene/components/parallax_layer.hpp"
+#include "scene/components/sprite.hpp"
+#include "scene/components/tile_layer.hpp"
+#include "scene/world_transform.hpp"
+
+namespace plumb::editor {
+namespace {
+
+constexpr float kMarkSize = 8.0f;   // px, half a side: what has no picture
+constexpr float kTileSize = 16.0f;  // px, when only the tileset knows it
+
+AABB turnedBox(const Pose& pose, Vec2 from, Vec2 size) {
+    const std::array<Vec2, 4> corners{from, from + Vec2{size.x, 0.0f}, from + size,
+                                      from + Vec2{0.0f, size.y}};
+    AABB box;
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        const Vec2 at = pose.position + rotated(scaled(corners[i], pose.scale), pose.rotation);
+        box = i == 0 ? AABB{at, at} : AABB{min(box.min, at), max(box.max, at)};
+    }
+    return box;
+}
+
+int layerOf(const World& world, EntityId entity) {
+    if (const Sprite* sprite = world.find<Sprite>(entity)) return sprite->layer;
+    if (const Label* label = world.find<Label>(entity)) return label->layer;
+    if (const TileLayer* tiles = world.find<TileLayer>(entity)) return tiles->layer;
+    return 0;
+}
+
+bool isGround(const World& world, EntityId entity) {
+    return world.has<TileLayer>(entity) || world.has<ParallaxLayer>(entity);
+}
+
+}  // namespace
+
+AABB boundsOf(const World& world, EntityId entity) {
+    const Pose pose = worldPose(world, entity);
+    std::optional<AABB> box;
+    const auto add = [&](const AABB& part) { box = box ? merged(*box, part) : part; };
+    if (const Sprite* sprite = world.find<Sprite>(entity)) {
+        const Vec2 size{static_cast<float>(sprite->width), static_cast<float>(sprite->height)};
+        add(turnedBox(pose, -scaled(sprite->pivot, size), size));
+    }
+    if (const TileLayer* layer = world.find<TileLayer>(entity)) {
+        if (const TileGrid* grid = world.tiles().find(layer->cells)) {
+            const float width = layer->tileSize.x > 0.0f ? layer->tileSize.x : kTileSize;
+            const float height = layer->tileSize.y > 0.0f ? layer->tileSize.y : kTileSize;
+            add(turnedBox(
+                pose, {},
+                {width * static_cast<float>(grid->width()), height * static_cast<float>(grid->height())}));
+        }
+    }
+    if (const Label* label = world.find<Label>(entity)) {
+        const auto letters = static_cast<float>(world.texts().find(label->text).size());
+        const Vec2 size{std::max(letters, 1.0f) * label->size * 0.6f, label->size * 1.3f};
+        const float shift = label->align == LabelAlign::Center  ? 0.5f
+                            : label->align == LabelAlign::Right ? 1.0f
+                                                                : 0.0f;
+        add(turnedBox(pose, {-shift * size.x, 0.0f}, size));
+    }
+    if (const BoxCollider* collider = world.find<BoxCollider>(entity)) {
+        const Vec2 from = pose.position + collider->offset;
+        add({from, from + scaled({collider->width, collider->height}, pose.scale)});
+    }
+    if (const CircleCollider* collider = world.find<CircleCollider>(entity)) {
+        const float radius = collider->radius * std::max(std::abs(pose.scale.x), std::abs(pose.scale.y));
+        const Vec2 center = pose.position + collider->offset;
+        add({center - Vec2{radius, radius}, center + Vec2{radius, radius}});
+    }
+    if (!box) return grown({pose.position, pose.position}, kMarkSize);
+    return {min(box->min, box->max), max(box->min, box->max)};
+}
+
+std::optional<AABB> boundsOf(const Document& document, const std::vector<ObjectId>& objects) {
+    std::optional<AABB> box;
+    for (const ObjectId id : objects) {
+        const EntityId entity = document.find(id);
+        if (!entity) continue;
+        const AABB part = boundsOf(document.world, entity);
+        if (isFinite(part.min) && isFinite(part.max)) box = box ? merged(*box, part) : part;
+    }
+    return box;
+}
+
+std::vector<ObjectId> pickAll(const Document& document, Vec2 point, float reach) {
+    struct Hit {
+        bool ground;
+        int layer;
+        std::size_t place;
+        ObjectId id;
+    };
+    std::vector<Hit> hits;
+    const std::vector<ObjectId> all = document.objects();
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        const EntityId entity = document.find(all[i]);
+        if (!contains(grown(boundsOf(document.world, entity), reach), point)) continue;
+        hits.push_back({isGround(document.world, entity), layerOf(document.world, entity), i, all[i]});
+    }
+    std::sort(hits.begin(), hits.end(), [](const Hit& a, const Hit& b) {
+        if (a.ground != b.ground) return b.ground;
+        return a.layer != b.layer ? a.layer > b.layer : a.place > b.place;
+    });
+    std::vector<ObjectId> ids;
+    for (const Hit& hit : hits) {
+        ids.push_back(hit.id);
+    }
+    return ids;
+}
+
+std::vector<ObjectId> pickInside(const Document& document, const AABB& box) {
+    std::vector<ObjectId> ids;
+    for (const ObjectId id : document.objects()) {
+        const EntityId entity = document.find(id);
+        if (!isGround(document.world, entity) && intersects(boundsOf(document.world, entity), box))
+            ids.push_back(id);
+    }
+    return ids;
+}
+
+}  // namespace plumb::editor

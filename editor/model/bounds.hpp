@@ -1,0 +1,23 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "editor/model/document.hpp"
+#include "math/rect.hpp"
+
+namespace plumb::editor {
+
+/// The box around what can be seen of an entity (px, world); a small one where there is nothing to see.
+AABB boundsOf(const World& world, EntityId entity);
+
+/// The box around several; nothing when there are none.
+std::optional<AABB> boundsOf(const Document& document, const std::vector<ObjectId>& objects);
+
+/// What lies under a point, front first. Tile layers and backdrops come last: they are everywhere.
+std::vector<ObjectId> pickAll(const Document& document, Vec2 point, float reach);
+
+/// What a dragged box touches; tile layers and backdrops are left out.
+std::vector<ObjectId> pickInside(const Document& document, const AABB& box);
+
+}  // namespace plumb::editor

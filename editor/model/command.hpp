@@ -1,0 +1,28 @@
+#pragma once
+
+#include <string>
+
+namespace plumb::editor {
+
+class Document;
+
+/// One change of a document that can be taken back.
+class Command {
+public:
+    virtual ~Command() = default;
+
+    /// Completes "Undo …": "move 3 entities".
+    [[nodiscard]] virtual std::string label() const = 0;
+    virtual void apply(Document& document) = 0;
+    /// Brings back exactly what was before `apply`.
+    virtual void revert(Document& document) = 0;
+    /// Takes over a later command of the same gesture, already applied.
+    /// @return false when the two do not belong together
+    virtual bool absorb([[maybe_unused]] const Command& next) { return false; }
+    /// True when the document, as it is after `apply`, equals the one before.
+    [[nodiscard]] virtual bool changesNothing([[maybe_unused]] const Document& document) const {
+        return false;
+    }
+};
+
+}  // namespace plumb::editor

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "editor/model/command.hpp"
+#include "editor/model/field_value.hpp"
+
+namespace plumb::editor {
+
+/// Exchanges whole components: there or not there, one value or another.
+class ChangeComponents final : public Command {
+public:
+    struct Change {
+        ObjectId object;
+        std::optional<ComponentState> state;  ///< nothing: the entity has no such component
+    };
+
+    ChangeComponents(std::string label, const TypeInfo& type, std::vector<Change> changes)
+        : label_{std::move(label)}, type_{type}, changes_{std::move(changes)} {}
+
+    [[nodiscard]] std::string label() const override { return label_; }
+    void apply(Document& document) override { swapComponents(document); }
+    void revert(Document& document) override { swapComponents(document); }
+
+private:
+    void swapComponents(Document& document);
+
+    std::string label_;
+    const TypeInfo& type_;
+    std::vector<Change> changes_;  // what is not in the document now
+};
+
+/// Gives a component with its defaults to those that lack it.
+std::unique_ptr<Command> addComponent(const Document& document, const std::vector<ObjectId>& objects,
+                                      const TypeInfo& type);
+std::unique_ptr<Command> removeComponent(const Document& document, const std::vector<ObjectId>& objects,
+                                         const TypeInfo& type);
+/// An empty name takes the Name away.
+std::unique_ptr<Command> renameEntity(Document& document, ObjectId object, std::string_view name);
+
+}  // namespace plumb::editor

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <vector>
+
+#include "editor/model/command.hpp"
+#include "editor/model/entity_state.hpp"
+
+namespace plumb::editor {
+
+/// Takes entities and all below them out of the scene. References to them become nobody; undo brings all
+/// back with their ids, places and references.
+class DeleteEntities final : public Command {
+public:
+    explicit DeleteEntities(std::vector<ObjectId> objects) : objects_{std::move(objects)} {}
+
+    [[nodiscard]] std::string label() const override;
+    void apply(Document& document) override;
+    void revert(Document& document) override;
+
+private:
+    struct Reference {
+        ObjectId owner;
+        const TypeInfo* type = nullptr;
+        const FieldInfo* field = nullptr;
+        FieldValue value;
+    };
+
+    void cutReferences(Document& document, const std::vector<ObjectId>& doomed);
+
+    std::vector<ObjectId> objects_;
+    std::vector<EntityState> states_;
+    std::vector<Reference> references_;
+    std::vector<ObjectId> selected_;
+};
+
+}  // namespace plumb::editor

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "editor/model/command.hpp"
+#include "editor/model/entity_state.hpp"
+
+namespace plumb::editor {
+
+/// Puts entities into the scene: created, pasted or duplicated ones.
+class InsertEntities final : public Command {
+public:
+    InsertEntities(std::string label, std::vector<EntityState> states)
+        : label_{std::move(label)}, states_{std::move(states)} {}
+
+    [[nodiscard]] std::string label() const override { return label_; }
+    void apply(Document& document) override;
+    void revert(Document& document) override;
+    [[nodiscard]] std::vector<ObjectId> ids() const;
+
+private:
+    std::string label_;
+    std::vector<EntityState> states_;
+};
+
+/// A new entity with a Transform and a name.
+std::unique_ptr<InsertEntities> createEntity(Document& document, std::string_view name, Vec2 position,
+                                             ObjectId parent = {});
+/// Copies of entities and of all below them.
+std::unique_ptr<InsertEntities> duplicateEntities(Document& document, const std::vector<ObjectId>& objects);
+
+}  // namespace plumb::editor

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <vector>
+
+#include "editor/model/command.hpp"
+#include "editor/model/field_value.hpp"
+
+namespace plumb::editor {
+
+/// Sets one field of one component type on any number of entities.
+/// Serves every component there is, through reflection.
+class SetField final : public Command {
+public:
+    struct Change {
+        ObjectId object;
+        FieldValue value;
+    };
+
+    SetField(const TypeInfo& type, const FieldInfo& field, std::vector<Change> changes)
+        : type_{type}, field_{field}, changes_{std::move(changes)} {}
+
+    [[nodiscard]] std::string label() const override;
+    void apply(Document& document) override { swapValues(document); }
+    void revert(Document& document) override { swapValues(document); }
+    bool absorb(const Command& next) override;
+    [[nodiscard]] bool changesNothing(const Document& document) const override;
+
+private:
+    void swapValues(Document& document);
+
+    const TypeInfo& type_;
+    const FieldInfo& field_;
+    std::vector<Change> changes_;  // the values that are not in the document now
+};
+
+}  // namespace plumb::editor

@@ -1,0 +1,88 @@
+#include "editor/model/document.hpp"
+
+#include <algorithm>
+#include <array>
+#include <tuple>
+
+#include "scene/components/name.hpp"
+#include "scene/components/scene_entity.hpp"
+
+namespace plumb::editor {
+namespace {
+
+// What an entity without a name is called after: the first of these that it has.
+constexpr std::array<std::string_view, 9> kMainComponents{
+    "PlayerController", "Camera",    "TileLayer",   "Label",         "Sprite",
+    "ParallaxLayer",    "RigidBody", "BoxCollider", "CircleCollider"};
+
+}  // namespace
+
+EntityId Document::find(ObjectId id) const {
+    const auto found = entities_.find(id.value);
+    return found == entities_.end() ? EntityId{} : found->second;
+}
+
+ObjectId Document::idOf(EntityId entity) const {
+    const SceneEntity* part = world.find<SceneEntity>(entity);
+    return part == nullptr ? ObjectId{} : ObjectId{part->id};
+}
+
+std::vector<ObjectId> Document::objects() const {
+    std::vector<std::tuple<std::int32_t, std::uint64_t>> found;
+    world.each<const SceneEntity>([&](const SceneEntity& part) { found.emplace_back(part.order, part.id); });
+    std::sort(found.begin(), found.end());
+    std::vector<ObjectId> ids;
+    ids.reserve(found.size());
+    for (const auto& [order, id] : found) {
+        ids.push_back({id});
+    }
+    return ids;
+}
+
+std::string Document::nameOf(ObjectId id) const {
+    const EntityId entity = find(id);
+    if (const Name* name = world.find<Name>(entity)) {
+        if (!name->text.empty()) return std::string{world.texts().find(name->text)};
+    }
+    for (const std::string_view main : kMainComponents) {
+        const TypeInfo* type = types().find(main);
+        if (type != nullptr && world.has(*type, entity)) return std::string{main};
+    }
+    return "Entity";
+}
+
+ObjectId Document::newId() {
+    ObjectId id;
+    do {
+        id.value = random_.next64();
+    } while (!id || find(id));
+    return id;
+}
+
+std::int32_t Document::nextOrder() const {
+    std::int32_t next = 0;
+    world.each<const SceneEntity>([&](const SceneEntity& part) { next = std::max(next, part.order + 1); });
+    return next;
+}
+
+void Document::forget(ObjectId id) {
+    entities_.erase(id.value);
+    selection.remove(id);
+}
+
+void Document::reindex() {
+    entities_.clear();
+    std::vector<EntityId> strangers;
+    world.each<SceneEntity>([&](EntityId entity, SceneEntity& part) {
+        if (part.id == 0 || !entities_.emplace(part.id, entity).second) strangers.push_back(entity);
+    });
+    for (const EntityId entity : strangers) {
+        const ObjectId id = newId();
+        world.get<SceneEntity>(entity).id = id.value;
+        remember(id, entity);
+    }
+    selection.clear();
+    ++sceneRevision;
+}
+
+}  // namespace plumb::editor

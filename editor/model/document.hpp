@@ -1,0 +1,57 @@
+#pragma once
+
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+#include "core/random.hpp"
+#include "ecs/world.hpp"
+#include "editor/model/object_id.hpp"
+#include "editor/model/selection.hpp"
+#include "reflect/field_types.hpp"
+#include "reflect/type_registry.hpp"
+
+namespace plumb::editor {
+
+/// A scene that is open for editing. Everyone may read it; only commands change its world, so that undo
+/// knows all. Stays at one address.
+class Document final : public ObjectNames {
+public:
+    explicit Document(const TypeRegistry& types) : world{types} {}
+    Document(const Document&) = delete;
+    Document& operator=(const Document&) = delete;
+
+    World world;
+    Selection selection;
+    std::string scenePath;            ///< in the project, e.g. "scenes/cave.scene.json"; empty: none is open
+    SceneId scene;                    ///< what new entities belong to
+    std::uint64_t sceneRevision = 0;  ///< counts changes; a panel that caches compares it
+
+    /// The entity with this lasting id; nobody when there is none.
+    [[nodiscard]] EntityId find(ObjectId id) const override;
+    /// The lasting id of an entity; none for what is not part of the scene.
+    [[nodiscard]] ObjectId idOf(EntityId entity) const override;
+    [[nodiscard]] const TypeRegistry& types() const { return *world.types(); }
+    /// All entities of the scene in the order of the file.
+    [[nodiscard]] std::vector<ObjectId> objects() const;
+    [[nodiscard]] std::size_t objectCount() const { return entities_.size(); }
+    /// What people call it: its name, or its main component, or "Entity".
+    [[nodiscard]] std::string nameOf(ObjectId id) const;
+
+    // For commands.
+
+    [[nodiscard]] ObjectId newId();
+    [[nodiscard]] std::int32_t nextOrder() const;
+    void remember(ObjectId id, EntityId entity) { entities_[id.value] = entity; }
+    void forget(ObjectId id);
+    /// After the world was filled from outside: gives an id to what has none, and finds all again.
+    void reindex();
+    /// The seed of new ids; the program takes one from the clock, tests keep theirs.
+    void seedIds(std::uint64_t seed) { random_ = Random::seeded(seed); }
+
+private:
+    std::unordered_map<std::uint64_t, EntityId> entities_;  // only looked up, never iterated for a result
+    Random random_;
+};
+
+}  // namespace plumb::editor

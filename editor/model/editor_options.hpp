@@ -1,0 +1,30 @@
+#pragma once
+
+#include <span>
+#include <string>
+
+#include "core/result.hpp"
+
+namespace plumb::editor {
+
+/// What a person asked the editor for on its command line.
+struct EditorOptions {
+    std::string project = "projects/platformer";
+    std::string scene;       ///< empty: the project's start scene
+    bool validate = false;   ///< open every scene, tell its problems, end
+    std::string screenshot;  ///< PNG of the window, then end
+    std::string importFrom;  ///< a map of another editor …
+    std::string importTo;    ///< … and the scene to make of it
+    std::string select;      ///< name of the entity to select at the start
+    int width = 1280;        ///< px of the window
+    int height = 720;        ///< px of the window
+    float scale = 1.0f;      ///< of the interface
+    bool help = false;
+};
+
+/// @error an unknown option, a missing or wrong value
+Result<EditorOptions> parseEditorOptions(std::span<const char* const> words);
+
+std::string editorUsage();
+
+}  // namespace plumb::editor

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "math/color.hpp"
+#include "math/rect.hpp"
+
+namespace plumb::editor {
+
+/// Collects what is drawn over the scene, in the world's px; lines stay thin at any zoom. Plain data, so
+/// tools and overlays need no window, and a test sees what they drew.
+class Overlay {
+public:
+    enum class Kind : unsigned char { Line, Arrow, Box, FilledBox, Circle, Text };
+    struct Shape {
+        Kind kind = Kind::Line;
+        Vec2 from;
+        Vec2 to;
+        float radius = 0.0f;     ///< px, world
+        float thickness = 1.0f;  ///< px on screen
+        Color color;
+        std::string text;
+    };
+
+    void line(Vec2 from, Vec2 to, Color color, float thickness = 1.0f) {
+        shapes_.push_back({Kind::Line, from, to, 0.0f, thickness, color, {}});
+    }
+    void arrow(Vec2 from, Vec2 to, Color color, float thickness = 1.0f) {
+        shapes_.push_back({Kind::Arrow, from, to, 0.0f, thickness, color, {}});
+    }
+    void box(const AABB& box, Color color, float thickness = 1.0f) {
+        shapes_.push_back({Kind::Box, box.min, box.max, 0.0f, thickness, color, {}});
+    }
+    void filledBox(const AABB& box, Color color) {
+        shapes_.push_back({Kind::FilledBox, box.min, box.max, 0.0f, 1.0f, color, {}});
+    }
+    void circle(Vec2 center, float radius, Color color, float thickness = 1.0f) {
+        shapes_.push_back({Kind::Circle, center, center, radius, thickness, color, {}});
+    }
+    void text(Vec2 at, std::string words, Color color) {
+        shapes_.push_back({Kind::Text, at, at, 0.0f, 1.0f, color, std::move(words)});
+    }
+    void clear() { shapes_.clear(); }
+    [[nodiscard]] const std::vector<Shape>& shapes() const { return shapes_; }
+
+private:
+    std::vector<Shape> shapes_;
+};
+
+}  // namespace plumb::editor

@@ -1,0 +1,82 @@
+#include "editor/model/project_session.hpp"
+
+#include <algorithm>
+#include <cstdio>
+
+#include "app/engine_types.hpp"
+#include "core/log.hpp"
+#include "editor/model/actions.hpp"
+#include "editor/model/game_session.hpp"
+#include "platform/paths.hpp"
+#include "scene/import/import_tiled.hpp"
+
+namespace plumb::editor {
+
+ProjectSession::ProjectSession(Project project)
+    : project_{std::move(project)},
+      types_{engineTypes()},
+      assets_{project_.root, engineAssets()},
+      prefabs_{types_, project_.root} {
+    ProjectFolder folder{project_.root,
+                         project_.name,
+                         {static_cast<float>(project_.width), static_cast<float>(project_.height)}};
+    workspace_ = std::make_unique<Workspace>(types_, assets_, std::move(folder), &prefabs_);
+    workspace_->makeSession = [this](const std::string& path, const std::string& text) {
+        return makeGameSession(project_, path, text);
+    };
+}
+
+Result<std::unique_ptr<ProjectSession>> ProjectSession::open(const std::string& folder) {
+    Result<Project> project = loadProject(folder);
+    if (!project) return project.error();
+    for (const Error& warning : project->warnings) {
+        logWarning("Project", warning);
+    }
+    return std::unique_ptr<ProjectSession>{new ProjectSession{*std::move(project)}};
+}
+
+void ProjectSession::openFirst(std::string_view scene) {
+    const std::vector<std::string> scenes = workspace_->scenes();
+    const std::string wanted{scene.empty() ? std::string_view{project_.startScene} : scene};
+    for (const std::string& path : {wanted, "scenes/" + wanted, "scenes/" + wanted + ".scene.json"}) {
+        if (std::find(scenes.begin(), scenes.end(), path) == scenes.end()) continue;
+        static_cast<void>(workspace_->open(path).ok());
+        return;
+    }
+    if (!scene.empty()) workspace_->notice = format("There is no scene \"{}\"", scene);
+    if (!scenes.empty() && scene.empty()) static_cast<void>(workspace_->open(scenes.front()).ok());
+}
+
+int ProjectSession::validate() {
+    std::size_t problems = 0;
+    for (const std::string& path : workspace_->scenes()) {
+        const Result<LoadReport> report = workspace_->open(path);
+        if (!report) {
+            std::printf("%s\n", report.error().text().c_str());
+            ++problems;
+            continue;
+        }
+        for (const Error& problem : report->problems) {
+            std::printf("%s\n", problem.text().c_str());
+        }
+        problems += report->problems.size();
+    }
+    for (const Error& problem : assets_.errors()) {
+        std::printf("%s\n", problem.text().c_str());
+        ++problems;
+    }
+    std::printf("%zu scenes, %zu problems\n", workspace_->scenes().size(), problems);
+    return problems == 0 ? 0 : 1;
+}
+
+int importMap(const std::string& from, const std::string& to) {
+    const Result<ImportReport> report = importTiled(from, to);
+    if (!report) {
+        std::fprintf(stderr, "plumb-editor: %s\n", report.error().text().c_str());
+        return 1;
+    }
+    std::printf("%s\n", report->text().c_str());
+    return 0;
+}
+
+}  // namespace plumb::editor

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <string_view>
+
+#include "app/project.hpp"
+#include "assets/asset_store.hpp"
+#include "editor/model/workspace.hpp"
+#include "reflect/type_registry.hpp"
+#include "scene/prefab.hpp"
+
+namespace plumb::editor {
+
+/// A project that is open in the editor: its types, assets and prefabs, and the workspace on top of them.
+class ProjectSession {
+public:
+    /// @param folder  the project's folder
+    /// @error         no such project
+    static Result<std::unique_ptr<ProjectSession>> open(const std::string& folder);
+
+    [[nodiscard]] Workspace& workspace() { return *workspace_; }
+    [[nodiscard]] AssetStore& assets() { return assets_; }
+
+    /// Opens the scene of this name, else the start scene, else the first one there is.
+    void openFirst(std::string_view scene);
+
+    /// Opens every scene and tells what is wrong with it. @return the program's exit code
+    int validate();
+
+private:
+    explicit ProjectSession(Project project);
+
+    Project project_;
+    TypeRegistry types_;
+    AssetStore assets_;
+    PrefabLibrary prefabs_;
+    std::unique_ptr<Workspace> workspace_;
+};
+
+/// Makes a scene, and the tilesets that it needs, of a Tiled map. @return the program's exit code
+int importMap(const std::string& from, const std::string& to);
+
+}  // namespace plumb::editor

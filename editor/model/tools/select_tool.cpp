@@ -1,0 +1,82 @@
+#include "editor/model/tools/select_tool.hpp"
+
+#include <algorithm>
+
+#include "editor/model/bounds.hpp"
+
+namespace plumb::editor {
+namespace {
+
+constexpr Color kBoxLine{77, 163, 255, 220};
+constexpr Color kBoxFill{77, 163, 255, 36};
+
+ObjectId hitOf(const ToolContext& context, const Pointer& pointer) {
+    const std::vector<ObjectId> hits = pickAll(context.document, pointer.position, pointer.reach);
+    if (hits.empty()) return {};
+    if (!pointer.modifiers.alt) return hits.front();
+    for (std::size_t i = 0; i < hits.size(); ++i) {
+        if (context.selection.has(hits[i])) return hits[(i + 1) % hits.size()];
+    }
+    return hits.front();
+}
+
+}  // namespace
+
+void SelectTool::press(const ToolContext& context, const Pointer& pointer) {
+    start_ = end_ = pointer.position;
+    mode_ = Mode::Pressed;
+    const ObjectId hit = hitOf(context, pointer);
+    const bool ground =
+        hit && boundsOf(context.document.world, context.document.find(hit)).size().x > 1000.0f;
+    onThing_ = hit && (!ground || context.selection.has(hit));
+    if (!hit) {
+        if (!pointer.modifiers.shift && !pointer.modifiers.control) context.selection.clear();
+    } else if (pointer.modifiers.control) {
+        context.selection.toggle(hit);
+    } else if (pointer.modifiers.shift) {
+        context.selection.add(hit);
+    } else if (!context.selection.has(hit) || pointer.modifiers.alt) {
+        context.selection.set({hit});
+    }
+}
+
+void SelectTool::drag(const ToolContext& context, const Pointer& pointer) {
+    end_ = pointer.position;
+    if (mode_ == Mode::Pressed && distance(start_, end_) > pointer.reach) {
+        mode_ = onThing_ ? Mode::Moving : Mode::Boxing;
+        Pointer first = pointer;
+        first.position = start_;
+        if (mode_ == Mode::Moving) move_.press(context, first);
+    }
+    if (mode_ == Mode::Moving) move_.drag(context, pointer);
+}
+
+void SelectTool::release(const ToolContext& context, const Pointer& pointer) {
+    if (mode_ == Mode::Moving) move_.release(context, pointer);
+    if (mode_ == Mode::Boxing) {
+        std::vector<ObjectId> found = pickInside(context.document, {min(start_, end_), max(start_, end_)});
+        if (pointer.modifiers.shift || pointer.modifiers.control) {
+            for (const ObjectId id : found) {
+                context.selection.add(id);
+            }
+        } else {
+            context.selection.set(std::move(found));
+        }
+    }
+    mode_ = Mode::Idle;
+}
+
+bool SelectTool::cancel(const ToolContext& context) {
+    if (mode_ == Mode::Moving) move_.cancel(context);
+    return std::exchange(mode_, Mode::Idle) != Mode::Idle;
+}
+
+void SelectTool::draw(const Document& document, const Pointer& pointer, Overlay& overlay) const {
+    if (mode_ == Mode::Moving) move_.draw(document, pointer, overlay);
+    if (mode_ != Mode::Boxing) return;
+    const AABB box{min(start_, end_), max(start_, end_)};
+    overlay.filledBox(box, kBoxFill);
+    overlay.box(box, kBoxLine);
+}
+
+}  // namespace plumb::editor

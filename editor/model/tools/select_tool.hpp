@@ -1,0 +1,27 @@
+#pragma once
+
+#include "editor/model/tools/move_tool.hpp"
+
+namespace plumb::editor {
+
+/// Selects by click or by dragging a box; what is dragged by hand moves. Shift adds, Ctrl toggles, Alt takes
+/// the next one below.
+class SelectTool final : public Tool {
+public:
+    void press(const ToolContext& context, const Pointer& pointer) override;
+    void drag(const ToolContext& context, const Pointer& pointer) override;
+    void release(const ToolContext& context, const Pointer& pointer) override;
+    bool cancel(const ToolContext& context) override;
+    void draw(const Document& document, const Pointer& pointer, Overlay& overlay) const override;
+
+private:
+    enum class Mode : unsigned char { Idle, Pressed, Moving, Boxing };
+
+    Mode mode_ = Mode::Idle;
+    bool onThing_ = false;
+    Vec2 start_;
+    Vec2 end_;
+    MoveTool move_;
+};
+
+}  // namespace plumb::editor

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <memory>
+#include <string_view>
+#include <vector>
+
+#include "editor/model/document.hpp"
+#include "editor/model/overlay.hpp"
+#include "editor/model/undo_stack.hpp"
+#include "platform/events.hpp"
+
+namespace plumb::editor {
+
+/// Where the mouse is in the scene, and what is held with it.
+struct Pointer {
+    Vec2 position;            ///< px, world
+    bool snap = false;        ///< to the grid
+    Vec2 grid{16.0f, 16.0f};  ///< px
+    float reach = 3.0f;       ///< px, world: how far beside a thing still hits it
+    Modifiers modifiers{};
+};
+
+/// What a tool works with: it reads the document, writes with commands, and may select.
+struct ToolContext {
+    const Document& document;
+    UndoStack& undo;
+    Selection& selection;
+};
+
+/// What the mouse does in the scene. No window here: a test plays a drag in five lines.
+class Tool {
+public:
+    virtual ~Tool() = default;
+    virtual void press(const ToolContext& context, const Pointer& pointer) = 0;
+    virtual void drag(const ToolContext& context, const Pointer& pointer) = 0;
+    virtual void release(const ToolContext& context, const Pointer& pointer) = 0;
+    /// Esc: takes back what is under way. @return false when nothing was
+    virtual bool cancel(const ToolContext& context) = 0;
+    virtual void draw(const Document& document, const Pointer& pointer, Overlay& overlay) const = 0;
+};
+
+/// One row of the table of all tools.
+struct ToolRow {
+    std::string_view name;
+    std::string_view action;  ///< in the table of actions, which has its shortcut
+    std::string_view hint;    ///< for the status bar
+    std::unique_ptr<Tool> (*make)();
+};
+const std::vector<ToolRow>& toolTable();
+
+/// The next crossing of the grid.
+Vec2 snapped(Vec2 point, Vec2 grid);
+
+}  // namespace plumb::editor

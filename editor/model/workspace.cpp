@@ -1,0 +1,133 @@
+#include "editor/model/workspace.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "core/log.hpp"
+#include "editor/model/bounds.hpp"
+#include "scene/components/camera.hpp"
+#include "scene/components/transform.hpp"
+
+namespace plumb::editor {
+
+Workspace::Workspace(const TypeRegistry& types, AssetStore& store, ProjectFolder folder,
+                     PrefabLibrary* prefabs)
+    : project{std::move(folder)}, assets{store}, document{types}, undo{document}, prefabs_{prefabs} {
+    document.world.provide(assets);
+    for (const ToolRow& row : toolTable()) {
+        tools_.push_back(row.make());
+    }
+}
+
+SceneContext Workspace::context() const { return {document.types(), prefabs_, project.root}; }
+
+Result<LoadReport> Workspace::open(std::string_view path) {
+    const std::string wanted{path};  // `path` may be the document's own
+    play.stop();
+    if (!document.scenePath.empty()) unloadScene(document.world, document.scene);
+    document.world.clear();
+    undo.clear();
+    Result<LoadReport> report = loadSceneFile(document.world, context(), wanted);
+    document.scenePath = report ? wanted : std::string{};
+    document.scene = report ? report->scene : SceneId{};
+    document.reindex();
+    if (!report) {
+        logError("Editor", report.error());
+        notice = report.error().text();
+        return report;
+    }
+    for (const Error& problem : report->problems) {
+        logWarning("Editor", problem);
+    }
+    notice = format("Opened {}: {} entities", wanted, report->loaded);
+    logNote("Editor", "{}", notice);
+    showStart();
+    return report;
+}
+
+void Workspace::showStart() {
+    std::optional<Vec2> eye;
+    document.world.each<const Camera, const Transform>([&](const Camera&, const Transform& transform) {
+        if (!eye) eye = transform.position;
+    });
+    if (eye) {
+        const Vec2 room = view.view().size;
+        view.setZoom(
+            std::max(1.0f, std::floor(std::min(room.x / project.picture.x, room.y / project.picture.y))));
+        view.centerOn(*eye);
+    } else if (const auto box = boundsOf(document, document.objects())) {
+        view.frame(*box);
+    }
+}
+
+Result<Done> Workspace::save() {
+    if (document.scenePath.empty()) {
+        return Error{"save", "no scene is open", "open a scene first"};
+    }
+    undo.endGesture();
+    Result<Done> saved = saveSceneFile(document.world, context(), document.scenePath);
+    if (saved) {
+        undo.markSaved();
+        notice = format("Saved {}", document.scenePath);
+        logNote("Editor", "{}", notice);
+    } else {
+        notice = saved.error().text();
+        logError("Editor", saved.error());
+    }
+    return saved;
+}
+
+std::vector<std::string> Workspace::scenes() const {
+    std::vector<std::string> paths;
+    for (const std::string& name : filesBelow(project.root / "scenes", ".scene.json")) {
+        paths.push_back("scenes/" + name);
+    }
+    return paths;
+}
+
+std::string Workspace::text() const { return sceneToJson(document.world, context(), document.scene); }
+
+void Workspace::useTool(std::size_t index) {
+    tool().cancel(tools());
+    tool_ = std::min(index, tools_.size() - 1);
+}
+
+void Workspace::useTool(std::string_view action) {
+    const std::vector<ToolRow>& rows = toolTable();
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        if (rows[i].action == action) useTool(i);
+    }
+}
+
+void Workspace::togglePlay() {
+    if (play.running()) {
+        play.stop();
+        notice = "Stopped; the scene is as it was";
+        return;
+    }
+    if (!makeSession) return;
+    tool().cancel(tools());
+    undo.endGesture();
+    std::unique_ptr<PlaySession> session = makeSession(document.scenePath, text());
+    if (session == nullptr) {
+        notice = "This scene cannot be played; the console says why";
+        return;
+    }
+    play.start(std::move(session));
+    notice = "Playing";
+}
+
+bool Workspace::shows(std::string_view overlay) const {
+    return std::find(overlays.begin(), overlays.end(), overlay) != overlays.end();
+}
+
+void Workspace::toggleOverlay(std::string_view overlay) {
+    if (shows(overlay)) {
+        std::erase(overlays, overlay);
+    } else {
+        overlays.emplace_back(overlay);
+    }
+}
+
+}  // namespace plumb::editor

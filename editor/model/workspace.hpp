@@ -1,0 +1,98 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/file.hpp"
+#include "editor/model/document.hpp"
+#include "editor/model/play_mode.hpp"
+#include "editor/model/tools/tool.hpp"
+#include "editor/model/undo_stack.hpp"
+#include "editor/model/view_camera.hpp"
+#include "scene/scene_file.hpp"
+
+namespace plumb::editor {
+
+/// What the editor knows of the project that it has open.
+struct ProjectFolder {
+    Path root;
+    std::string name = "Untitled";
+    Vec2 picture{640.0f, 360.0f};  ///< px of the game's own picture
+};
+
+/// What only the window can do; set by an action, taken by the window.
+enum class WindowRequest : unsigned char { None, ChooseScene, Quit, LargerText, SmallerText, RenameSelected };
+
+struct GridSettings {
+    Vec2 size{16.0f, 16.0f};  ///< px
+    bool snap = true;
+};
+
+/// Everything that is open in one editor, without the window around it.
+class Workspace {
+public:
+    Workspace(const TypeRegistry& types, AssetStore& assets, ProjectFolder folder,
+              PrefabLibrary* prefabs = nullptr);
+
+    ProjectFolder project;
+    AssetStore& assets;
+    Document document;
+    UndoStack undo;
+    ViewCamera view;
+    PlayMode play;
+    GridSettings grid;
+    std::vector<std::string> overlays{"grid", "camera"};  ///< those that are shown, by name
+    std::string clipboard;
+    std::string notice;  ///< what was done last, for the status bar
+    WindowRequest request = WindowRequest::None;
+    /// How this program plays a scene, given its path and its text with all changes.
+    std::function<std::unique_ptr<PlaySession>(const std::string& path, const std::string& text)> makeSession;
+    std::function<InputFrame()> gameInput;  ///< what the player's hands do now
+
+    // The scene file.
+
+    Result<LoadReport> open(std::string_view path);
+    Result<Done> save();
+    /// Looks at what the scene's camera sees, as large as whole pixels allow; without a camera, at all there
+    /// is.
+    void showStart();
+    [[nodiscard]] bool unsaved() const { return !undo.isSaved(); }
+    [[nodiscard]] std::vector<std::string> scenes() const;
+    [[nodiscard]] std::string text() const;  ///< the scene as it would be saved
+
+    // Tools.
+
+    [[nodiscard]] Tool& tool() { return *tools_[tool_]; }
+    [[nodiscard]] const Tool& tool() const { return *tools_[tool_]; }
+    [[nodiscard]] std::size_t toolIndex() const { return tool_; }
+    void useTool(std::size_t index);
+    void useTool(std::string_view action);
+    [[nodiscard]] ToolContext tools() { return {document, undo, document.selection}; }
+
+    // Playing.
+
+    /// The world to look at: the one that plays, or the document's.
+    [[nodiscard]] World& shownWorld() { return play.running() ? play.world() : document.world; }
+    [[nodiscard]] const World& shownWorld() const { return play.running() ? play.world() : document.world; }
+    /// Which entity of the shown world an object is.
+    [[nodiscard]] const ObjectNames& shownNames() const {
+        return play.running() ? static_cast<const ObjectNames&>(play) : document;
+    }
+    [[nodiscard]] EntityId shownEntity(ObjectId id) const { return shownNames().find(id); }
+    void togglePlay();
+    [[nodiscard]] bool canEdit() const { return !play.running(); }
+
+    [[nodiscard]] bool shows(std::string_view overlay) const;
+    void toggleOverlay(std::string_view overlay);
+
+private:
+    [[nodiscard]] SceneContext context() const;
+
+    PrefabLibrary* prefabs_;
+    std::vector<std::unique_ptr<Tool>> tools_;
+    std::size_t tool_ = 0;
+};
+
+}  // namespace plumb::editor
