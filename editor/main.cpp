@@ -1,0 +1,19 @@
+#include <cstdio>
+#include <vector>
+
+#include "editor/ui/editor_app.hpp"
+
+/// The editor: opens a project, shows its scenes, changes and saves them.
+int main(int count, char** arguments) {
+    const std::vector<const char*> words(arguments + 1, arguments + count);
+    const auto options = plumb::editor::parseEditorOptions(words);
+    if (!options) {
+        std::fprintf(stderr, "plumb-editor: %s\n", options.error().text().c_str());
+        return 2;
+    }
+    if (options->help) {
+        std::fputs(plumb::editor::editorUsage().c_str(), stdout);
+        return 0;
+    }
+    return plumb::editor::ui::runEditor(*options);
+}

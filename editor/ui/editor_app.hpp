@@ -1,0 +1,10 @@
+#pragma once
+
+#include "editor/model/editor_options.hpp"
+
+namespace plumb::editor::ui {
+
+/// What plumb-editor does. @return the program's exit code
+int runEditor(const EditorOptions& options);
+
+}  // namespace plumb::editor::ui

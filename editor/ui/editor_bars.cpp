@@ -1,0 +1,214 @@
+// The bars of the window and its questions; the rest is in editor_window.cpp.
+
+#include <cmath>
+
+#include "core/text.hpp"
+#include "editor/model/actions.hpp"
+#include "editor/ui/editor_window.hpp"
+#include "editor/ui/icons.hpp"
+#include "editor/ui/overlays/overlay_list.hpp"
+#include "editor/ui/ui_compat.hpp"
+
+namespace plumb::editor::ui {
+namespace {
+
+constexpr ImGuiWindowFlags kBar = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
+                                  ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBringToFrontOnFocus;
+
+void beginBar(const char* name, ImVec2 at, ImVec2 size, ImVec2 padding) {
+    ImGui::SetNextWindowPos(at);
+    ImGui::SetNextWindowSize(size);
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, padding);
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, {1.0f, 1.0f});
+    ImGui::PushStyleColor(ImGuiCol_WindowBg, palette::kChrome);
+    ImGui::Begin(name, nullptr, kBar);
+    ImGui::PopStyleColor();
+    ImGui::PopStyleVar(2);
+}
+
+void centerNext(ImVec2 size) {
+    const ImVec2 display = ImGui::GetIO().DisplaySize;
+    ImGui::SetNextWindowPos({(display.x - size.x) * 0.5f, (display.y - size.y) * 0.4f});
+}
+
+}  // namespace
+
+void EditorWindow::toolButton(std::string_view id, bool on, ImU32 color) {
+    const Action& action = *findAction(id);
+    const bool enabled = action.enabled(workspace_);
+    const float side = ui_.px(28.0f);
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const bool pressed = ImGui::InvisibleButton(std::string{id}.c_str(), {side, side});
+    widgets_.mark(format("Toolbar/{}", action.label), on ? "on" : "off");
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const ImVec2 to{at.x + side, at.y + side};
+    if (on) list.AddRectFilled(at, to, palette::kAccentSoft, ui_.px(4.0f));
+    if (enabled && ImGui::IsItemHovered())
+        list.AddRectFilled(at, to, IM_COL32(255, 255, 255, 20), ui_.px(4.0f));
+    const Icon icon = id == "run.play" && workspace_.play.running() ? Icon::Stop : iconOfAction(id);
+    drawIcon(list, icon, {at.x + side * 0.5f, at.y + side * 0.5f}, ui_.px(15.0f),
+             enabled ? color : IM_COL32(84, 89, 99, 255));
+    const std::string_view label = id == "run.play" && workspace_.play.running() ? "Stop" : action.label;
+    tooltip(action.shortcut.key == Key::None ? std::string{label}
+                                             : format("{}  ({})", label, action.shortcut.text()));
+    if (pressed) runAction(workspace_, id);
+    ImGui::SameLine(0.0f, ui_.px(3.0f));
+}
+
+void EditorWindow::drawToolbar(float height) {
+    const ImVec2 display = ImGui::GetIO().DisplaySize;
+    beginBar("toolbar", {0.0f, ImGui::GetFrameHeight()}, {display.x, height}, {ui_.px(8.0f), ui_.px(5.0f)});
+    const auto gap = [&] { ImGui::SameLine(0.0f, ui_.px(14.0f)); };
+
+    toolButton("file.save", false, workspace_.unsaved() ? palette::kWarning : palette::kText);
+    toolButton("edit.undo", false, palette::kText);
+    toolButton("edit.redo", false, palette::kText);
+    gap();
+    for (std::size_t i = 0; i < toolTable().size(); ++i) {
+        const bool on = i == workspace_.toolIndex() && workspace_.canEdit();
+        toolButton(toolTable()[i].action, on, on ? palette::kAccent : palette::kText);
+    }
+    gap();
+    toolButton("view.snap", workspace_.grid.snap, workspace_.grid.snap ? palette::kAccent : palette::kText);
+
+    const float side = ui_.px(31.0f);
+    ImGui::SameLine(std::floor(display.x * 0.5f - side * 1.5f));
+    const bool running = workspace_.play.running();
+    toolButton("run.play", false, running ? palette::kError : palette::kPlay);
+    toolButton("run.pause", workspace_.play.paused(), palette::kText);
+    toolButton("run.step", false, palette::kText);
+
+    float width = 0.0f;
+    for (const OverlayRow& row : overlayTable()) {
+        width += ImGui::CalcTextSize(std::string{row.label}.c_str()).x + ui_.px(21.0f);
+    }
+    ImGui::SameLine(display.x - width - ui_.px(6.0f));
+    for (const OverlayRow& row : overlayTable()) {
+        const bool on = workspace_.shows(row.name);
+        ImGui::PushStyleColor(ImGuiCol_Button, on ? palette::kAccentSoft : IM_COL32(0, 0, 0, 0));
+        ImGui::PushStyleColor(ImGuiCol_Text, on ? palette::kText : palette::kTextDim);
+        if (ImGui::Button(std::string{row.label}.c_str(), {0.0f, ui_.px(26.0f)}))
+            workspace_.toggleOverlay(row.name);
+        ImGui::PopStyleColor(2);
+        widgets_.mark(format("Overlay/{}", row.name), on ? "on" : "off");
+        tooltip(format("{} the overlay \"{}\" over the scene", on ? "Hide" : "Show", row.label));
+        ImGui::SameLine(0.0f, ui_.px(4.0f));
+    }
+    ImGui::End();
+}
+
+void EditorWindow::drawStatus(float height) {
+    const ImVec2 display = ImGui::GetIO().DisplaySize;
+    beginBar("status", {0.0f, display.y - height}, {display.x, height}, {ui_.px(10.0f), ui_.px(4.0f)});
+    const Document& document = workspace_.document;
+    const std::string_view hint = toolTable()[workspace_.toolIndex()].hint;
+    std::string left = workspace_.notice.empty() ? std::string{hint} : workspace_.notice;
+    if (workspace_.play.running()) {
+        left =
+            format("{} - tick {}", workspace_.play.paused() ? "Paused" : "Playing", workspace_.play.ticks());
+    }
+    ImGui::TextDisabled("%s", left.c_str());
+    widgets_.mark("Status/notice", left);
+
+    const std::string place = !ui_.mouseOverScene ? std::string{}
+                                                  : format("{}, {}    ", std::lround(ui_.mouseInScene.x),
+                                                           std::lround(ui_.mouseInScene.y));
+    const std::string right =
+        format("{}{} of {} selected    {}%    {}", place, document.selection.size(), document.objectCount(),
+               std::lround(workspace_.view.zoom() * 100.0f), workspace_.unsaved() ? "Not saved" : "Saved");
+    ImGui::SameLine(display.x - ImGui::CalcTextSize(right.c_str()).x - ui_.px(10.0f));
+    ImGui::TextDisabled("%s", right.c_str());
+    widgets_.mark("Status/state", right);
+    ImGui::End();
+}
+
+void EditorWindow::openScene(const std::string& path) {
+    static_cast<void>(workspace_.open(path).ok());
+    ui_.viewReady = false;
+}
+
+void EditorWindow::drawDialogs() {
+    switch (workspace_.request) {
+        case WindowRequest::ChooseScene:
+            ImGui::OpenPopup("Open scene");
+            workspace_.request = WindowRequest::None;
+            break;
+        case WindowRequest::Quit:
+            workspace_.request = WindowRequest::None;
+            quitAfterAsking_ = askUnsaved_ = workspace_.unsaved();
+            quit_ = !askUnsaved_;
+            break;
+        case WindowRequest::None:
+        case WindowRequest::LargerText:
+        case WindowRequest::SmallerText:
+        case WindowRequest::RenameSelected: break;
+    }
+    drawSceneChooser();
+    if (std::exchange(askUnsaved_, false)) ImGui::OpenPopup("Unsaved changes");
+    drawUnsaved();
+}
+
+void EditorWindow::drawSceneChooser() {
+    const ImVec2 size{ui_.px(420.0f), ui_.px(360.0f)};
+    centerNext(size);
+    ImGui::SetNextWindowSize(size);
+    if (!ImGui::BeginPopupModal("Open scene", nullptr, ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove))
+        return;
+    const std::vector<std::string> scenes = workspace_.scenes();
+    if (scenes.empty()) {
+        ImGui::TextWrapped(
+            "This project has no scenes yet. Scenes are files in its folder scenes/ that end in "
+            ".scene.json.");
+    }
+    beginChild("list", {0.0f, -ui_.px(38.0f)}, false);
+    for (const std::string& path : scenes) {
+        const bool chosen = ImGui::Selectable(path.c_str(), path == workspace_.document.scenePath);
+        widgets_.mark("Open/" + path);
+        if (!chosen) continue;
+        ImGui::CloseCurrentPopup();
+        if (workspace_.unsaved()) {
+            pendingScene_ = path;
+            askUnsaved_ = true;
+        } else {
+            openScene(path);
+        }
+    }
+    ImGui::EndChild();
+    if (ImGui::Button("Cancel", {ui_.px(90.0f), 0.0f}) || feed_->held(Key::Escape))
+        ImGui::CloseCurrentPopup();
+    ImGui::EndPopup();
+}
+
+void EditorWindow::drawUnsaved() {
+    const ImVec2 size{ui_.px(400.0f), ui_.px(140.0f)};
+    centerNext(size);
+    ImGui::SetNextWindowSize(size);
+    if (!ImGui::BeginPopupModal("Unsaved changes", nullptr,
+                                ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove))
+        return;
+    ImGui::TextWrapped("%s has changes that are not saved.", workspace_.document.scenePath.c_str());
+    ImGui::SetCursorPosY(size.y - ui_.px(40.0f));
+    const auto leave = [&] {
+        ImGui::CloseCurrentPopup();
+        if (quitAfterAsking_) {
+            quit_ = true;
+        } else {
+            openScene(pendingScene_);
+        }
+    };
+    const ImVec2 button{ui_.px(110.0f), 0.0f};
+    if (ImGui::Button("Save", button) && workspace_.save()) leave();
+    widgets_.mark("Unsaved/Save");
+    ImGui::SameLine();
+    if (ImGui::Button("Discard", button)) leave();
+    widgets_.mark("Unsaved/Discard");
+    ImGui::SameLine();
+    if (ImGui::Button("Cancel", button)) {
+        ImGui::CloseCurrentPopup();
+        quitAfterAsking_ = false;
+    }
+    widgets_.mark("Unsaved/Cancel");
+    ImGui::EndPopup();
+}
+
+}  // namespace plumb::editor::ui

@@ -1,0 +1,248 @@
+#include "editor/ui/editor_window.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include "editor/model/actions.hpp"
+#include "editor/ui/ui_compat.hpp"
+
+namespace plumb::editor::ui {
+namespace {
+
+constexpr float kToolbarHeight = 38.0f;  // px at scale 1
+constexpr float kStatusHeight = 24.0f;
+constexpr std::size_t kLogLines = 500;
+constexpr std::array kNudgeKeys{Key::Left, Key::Right, Key::Up, Key::Down};
+
+/// While a game plays, plain letters belong to it; what is left are function keys and Ctrl combinations.
+bool actsWhilePlaying(const Event& event) {
+    return event.modifiers.control || (event.key >= Key::F1 && event.key <= Key::F12);
+}
+
+}  // namespace
+
+void tooltip(std::string_view text) {
+    if (text.empty() || !ImGui::IsItemHovered() || ImGui::GetCurrentContext() == nullptr) return;
+    ImGui::BeginTooltip();
+    ImGui::PushTextWrapPos(ImGui::GetFontSize() * 24.0f);
+    ImGui::TextUnformatted(text.data(), text.data() + text.size());
+    ImGui::PopTextWrapPos();
+    ImGui::EndTooltip();
+}
+
+EditorWindow::EditorWindow(Workspace& workspace, ScenePicture* picture, Path fonts, float scale)
+    : workspace_{workspace},
+      context_{ImGui::CreateContext()},
+      fontFolder_{std::move(fonts)},
+      ui_{workspace, widgets_, {}, scale, picture} {
+    ImGui::SetCurrentContext(context_);
+    feed_ = std::make_unique<PlatformFeed>();
+    setScale(scale);
+    for (const PanelRow& row : panelTable()) {
+        panels_.push_back(row.make());
+    }
+    sinkBefore_ = setLogSink([this](const LogLine& line) {
+        ui_.log.push_back(line);
+        if (ui_.log.size() > kLogLines) ui_.log.pop_front();
+        if (sinkBefore_) sinkBefore_(line);
+    });
+    workspace_.gameInput = [this] { return devices_.take(); };
+}
+
+EditorWindow::~EditorWindow() {
+    workspace_.gameInput = nullptr;
+    setLogSink(sinkBefore_);
+    ImGui::DestroyContext(context_);
+}
+
+void EditorWindow::setScale(float scale) {
+    ui_.scale = std::clamp(scale, 0.75f, 3.0f);
+    ui_.fonts = applyTheme(fontFolder_, ui_.scale);
+    buildFonts();
+    fontsChanged_ = true;
+}
+
+void EditorWindow::frame(const FrameInput& input) {
+    ImGui::SetCurrentContext(context_);
+    if (workspace_.request == WindowRequest::LargerText || workspace_.request == WindowRequest::SmallerText) {
+        setScale(ui_.scale + (workspace_.request == WindowRequest::LargerText ? 0.125f : -0.125f));
+        workspace_.request = WindowRequest::None;
+        return;  // the fonts must be on the graphics card before the next frame
+    }
+    const std::span<const Event> events = feed_->beginFrame(input);
+    ImGui::NewFrame();
+    widgets_.beginFrame();
+    handleKeys(events);
+    playGame(input.seconds);
+    drawMenus();
+
+    const ImVec2 display = ImGui::GetIO().DisplaySize;
+    const float top = ImGui::GetFrameHeight();
+    const float toolbar = ui_.px(kToolbarHeight);
+    const float status = ui_.px(kStatusHeight);
+    drawToolbar(toolbar);
+    drawPanes({0.0f, top + toolbar}, {display.x, std::max(display.y - top - toolbar - status, 1.0f)});
+    drawStatus(status);
+    drawDialogs();
+    ImGui::Render();
+}
+
+void EditorWindow::handleKeys(std::span<const Event> events) {
+    const bool typing = ImGui::GetIO().WantTextInput;
+    const bool playing = workspace_.play.running() && !workspace_.play.paused();
+    ui_.panHeld = !typing && feed_->held(Key::Space);
+    for (const Event& event : events) {
+        if (event.kind == EventKind::Quit) workspace_.request = WindowRequest::Quit;
+        if (playing && !typing) devices_.handle(event);
+        if (event.kind != EventKind::KeyDown || typing) continue;
+        if (!workspace_.play.running() || actsWhilePlaying(event)) runShortcut(workspace_, event);
+    }
+    // A widget that vanished in the middle of a drag never says that it ended.
+    const bool nudging =
+        std::any_of(kNudgeKeys.begin(), kNudgeKeys.end(), [&](Key key) { return feed_->held(key); });
+    if (workspace_.undo.inGesture() && !ImGui::IsAnyItemActive() && !feed_->held(MouseButton::Left) &&
+        !nudging) {
+        workspace_.undo.endGesture();
+    }
+}
+
+void EditorWindow::playGame(float seconds) {
+    if (!workspace_.play.running()) {
+        ui_.playAlpha = 1.0f;
+        devices_.releaseAll();
+        return;
+    }
+    if (!workspace_.play.paused()) ui_.playAlpha = workspace_.play.advance(seconds, devices_.take());
+}
+
+void EditorWindow::drawMenus() {
+    if (!ImGui::BeginMainMenuBar()) return;
+    for (const char* menu : {"File", "Edit", "Entity", "Tool", "View", "Run"}) {
+        const bool open = ImGui::BeginMenu(menu);
+        widgets_.mark(std::string{"Menu/"} + menu);
+        if (!open) continue;
+        for (const Action& action : actionTable()) {
+            if (action.menu != menu) continue;
+            const bool on = action.on != nullptr && action.on(workspace_);
+            const bool chosen =
+                ImGui::MenuItem(std::string{action.label}.c_str(), action.shortcut.text().c_str(), on,
+                                action.enabled(workspace_));
+            widgets_.mark(format("Menu/{}/{}", menu, action.label));
+            if (chosen) runAction(workspace_, action.id);
+        }
+        ImGui::EndMenu();
+    }
+    const std::string title =
+        format("{}{}{}", workspace_.project.name, workspace_.document.scenePath.empty() ? "" : "  /  ",
+               workspace_.document.scenePath);
+    const float width = ImGui::CalcTextSize(title.c_str()).x;
+    ImGui::SetCursorPosX(std::max(ImGui::GetIO().DisplaySize.x - width - ui_.px(28.0f), ui_.px(360.0f)));
+    ImGui::TextDisabled("%s", title.c_str());
+    if (workspace_.unsaved()) {
+        const ImVec2 from = ImGui::GetItemRectMax();
+        ImGui::GetWindowDrawList()->AddCircleFilled(
+            {from.x + ui_.px(9.0f), from.y - ImGui::GetTextLineHeight() * 0.5f}, ui_.px(3.5f),
+            palette::kWarning);
+    }
+    ImGui::EndMainMenuBar();
+}
+
+void EditorWindow::drawPanes(ImVec2 from, ImVec2 size) {
+    ImGui::SetNextWindowPos(from);
+    ImGui::SetNextWindowSize(size);
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0.0f, 0.0f});
+    ImGui::PushStyleColor(ImGuiCol_WindowBg, palette::kLine);
+    ImGui::Begin("panes", nullptr,
+                 ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
+                     ImGuiWindowFlags_NoBringToFrontOnFocus);
+    ImGui::PopStyleColor();
+    ImGui::PopStyleVar();
+
+    const float gap = ui_.px(3.0f);
+    const float left = std::floor(size.x * layout_.left);
+    const float right = std::floor(size.x * layout_.right);
+    const float bottom = std::floor(size.y * layout_.bottom);
+    const float middle = size.x - left - right - 2.0f * gap;
+    const float upper = size.y - bottom - gap;
+    drawPane(Dock::Left, from, {left, size.y});
+    drawPane(Dock::Center, {from.x + left + gap, from.y}, {middle, upper});
+    drawPane(Dock::Bottom, {from.x + left + gap, from.y + upper + gap}, {middle, bottom});
+    drawPane(Dock::Right, {from.x + size.x - right, from.y}, {right, size.y});
+    splitter("Splitter/left", {from.x + left, from.y}, {gap, size.y}, true, layout_.left, size.x, 1.0f);
+    splitter("Splitter/right", {from.x + size.x - right - gap, from.y}, {gap, size.y}, true, layout_.right,
+             size.x, -1.0f);
+    splitter("Splitter/bottom", {from.x + left + gap, from.y + upper}, {middle, gap}, false, layout_.bottom,
+             size.y, -1.0f);
+    ImGui::End();
+}
+
+void EditorWindow::splitter(const char* id, ImVec2 from, ImVec2 size, bool vertical, float& part, float whole,
+                            float sign) {
+    ImGui::SetCursorScreenPos(from);
+    ImGui::InvisibleButton(id, {std::max(size.x, 1.0f), std::max(size.y, 1.0f)});
+    widgets_.mark(id);
+    const bool held = ImGui::IsItemActive();
+    if (held || ImGui::IsItemHovered()) {
+        ImGui::SetMouseCursor(vertical ? ImGuiMouseCursor_ResizeEW : ImGuiMouseCursor_ResizeNS);
+        ImGui::GetWindowDrawList()->AddRectFilled(from, {from.x + size.x, from.y + size.y},
+                                                  held ? palette::kAccent : palette::kAccentSoft);
+    }
+    const ImVec2 delta = ImGui::GetIO().MouseDelta;
+    if (held) part = std::clamp(part + sign * (vertical ? delta.x : delta.y) / whole, 0.1f, 0.4f);
+}
+
+void EditorWindow::drawPane(Dock dock, ImVec2 from, ImVec2 size) {
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const float header = ui_.px(27.0f);
+    list.AddRectFilled(from, {from.x + size.x, from.y + size.y}, palette::kPanel);
+    list.AddRectFilled(from, {from.x + size.x, from.y + header}, palette::kHeader);
+
+    std::vector<std::size_t> here;
+    for (std::size_t i = 0; i < panels_.size(); ++i) {
+        if (panelTable()[i].dock == dock) here.push_back(i);
+    }
+    std::size_t shown = dock == Dock::Bottom ? std::min(bottomTab_, here.size() - 1) : 0;
+    float x = from.x;
+    for (std::size_t i = 0; i < here.size(); ++i) {
+        const char* title = panelTable()[here[i]].title;
+        const float width = ImGui::CalcTextSize(title).x + ui_.px(22.0f);
+        if (here.size() > 1) {
+            ImGui::SetCursorScreenPos({x, from.y});
+            if (ImGui::InvisibleButton(title, {width, header})) bottomTab_ = shown = i;
+            widgets_.mark(std::string{"Tab/"} + title);
+            if (i == shown) list.AddRectFilled({x, from.y}, {x + width, from.y + header}, palette::kPanel);
+            if (i == shown)
+                list.AddRectFilled({x, from.y}, {x + width, from.y + ui_.px(2.0f)}, palette::kAccent);
+        }
+        const float top = from.y + (header - ImGui::GetTextLineHeight()) * 0.5f;
+        list.AddText({x + ui_.px(11.0f), top}, i == shown ? palette::kText : palette::kTextDim, title);
+        x += width;
+    }
+
+    const bool scene = dock == Dock::Center;
+    ImGui::SetCursorScreenPos({from.x, from.y + header});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding,
+                        scene ? ImVec2{0.0f, 0.0f} : ImVec2{ui_.px(8.0f), ui_.px(8.0f)});
+    ImGuiWindowFlags flags = scene ? ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse : 0;
+    flags |= ImGuiWindowFlags_AlwaysUseWindowPadding;
+    beginChild(panelTable()[here[shown]].title, {size.x, std::max(size.y - header, 1.0f)}, false, flags);
+    ImGui::PopStyleVar();
+    panels_[here[shown]]->draw(ui_);
+    ImGui::EndChild();
+}
+
+MouseShape EditorWindow::mouseShape() const {
+    switch (ImGui::GetMouseCursor()) {
+        case ImGuiMouseCursor_TextInput: return MouseShape::Text;
+        case ImGuiMouseCursor_ResizeAll: return MouseShape::Move;
+        case ImGuiMouseCursor_ResizeEW: return MouseShape::SizeHorizontal;
+        case ImGuiMouseCursor_ResizeNS: return MouseShape::SizeVertical;
+        case ImGuiMouseCursor_ResizeNESW:
+        case ImGuiMouseCursor_ResizeNWSE: return MouseShape::SizeDiagonal;
+        case ImGuiMouseCursor_Hand: return MouseShape::Hand;
+        case ImGuiMouseCursor_NotAllowed: return MouseShape::Forbidden;
+        default: return MouseShape::Arrow;
+    }
+}
+
+}  // namespace plumb::editor::ui

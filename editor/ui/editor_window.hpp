@@ -1,0 +1,77 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "editor/ui/platform_feed.hpp"
+#include "editor/ui/ui.hpp"
+#include "input/device_state.hpp"
+
+struct ImGuiContext;
+
+namespace plumb::editor::ui {
+
+/// The whole editor for one frame after another. Fed with plain events, so that tests and people use the same
+/// door; drawing what it made is the business of whoever owns the graphics card.
+class EditorWindow {
+public:
+    /// @param fonts    the folder of the engine's fonts
+    /// @param picture  null: headless, the viewport stays empty
+    EditorWindow(Workspace& workspace, ScenePicture* picture, Path fonts, float scale = 1.0f);
+    ~EditorWindow();
+    EditorWindow(const EditorWindow&) = delete;
+    EditorWindow& operator=(const EditorWindow&) = delete;
+
+    /// Builds one frame; ImGui::GetDrawData() holds it afterwards.
+    void frame(const FrameInput& input);
+
+    [[nodiscard]] const WidgetMap& widgets() const { return widgets_; }
+    [[nodiscard]] bool wantsQuit() const { return quit_; }
+    [[nodiscard]] MouseShape mouseShape() const;
+    /// True once after the fonts changed: their texture must be made again.
+    bool takeFontsChanged() { return std::exchange(fontsChanged_, false); }
+    [[nodiscard]] bool pending() const { return feed_->pending(); }
+
+private:
+    /// Sizes of the panes as parts of the window, so that they survive any size.
+    struct Layout {
+        float left = 0.18f;
+        float right = 0.24f;
+        float bottom = 0.22f;
+    };
+
+    void handleKeys(std::span<const Event> events);
+    void playGame(float seconds);
+    void drawMenus();
+    void drawToolbar(float height);
+    void toolButton(std::string_view action, bool on, ImU32 color);
+    void drawPanes(ImVec2 from, ImVec2 size);
+    void drawPane(Dock dock, ImVec2 from, ImVec2 size);
+    void splitter(const char* id, ImVec2 from, ImVec2 size, bool vertical, float& part, float whole,
+                  float sign);
+    void drawStatus(float height);
+    void drawDialogs();
+    void drawSceneChooser();
+    void drawUnsaved();
+    void openScene(const std::string& path);
+    void setScale(float scale);
+
+    Workspace& workspace_;
+    ImGuiContext* context_ = nullptr;
+    Path fontFolder_;
+    WidgetMap widgets_;
+    std::unique_ptr<PlatformFeed> feed_;
+    Ui ui_;
+    std::vector<std::unique_ptr<Panel>> panels_;
+    Layout layout_;
+    std::size_t bottomTab_ = 0;
+    DeviceState devices_;
+    LogSink sinkBefore_;
+    std::string pendingScene_;  ///< to be opened once the person said what to do with unsaved changes
+    bool askUnsaved_ = false;
+    bool quitAfterAsking_ = false;
+    bool quit_ = false;
+    bool fontsChanged_ = true;
+};
+
+}  // namespace plumb::editor::ui

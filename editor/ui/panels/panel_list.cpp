@@ -1,0 +1,18 @@
+#include <array>
+
+#include "editor/ui/panels/panels.hpp"
+
+namespace plumb::editor::ui {
+
+std::span<const PanelRow> panelTable() {
+    static constexpr std::array kPanels{
+        PanelRow{"Scene", Dock::Left, &makeScenePanel},
+        PanelRow{"Viewport", Dock::Center, &makeViewportPanel},
+        PanelRow{"Inspector", Dock::Right, &makeInspectorPanel},
+        PanelRow{"Console", Dock::Bottom, &makeConsolePanel},
+        PanelRow{"History", Dock::Bottom, &makeHistoryPanel},
+    };
+    return kPanels;
+}
+
+}  // namespace plumb::editor::ui

@@ -1,0 +1,15 @@
+#pragma once
+
+#include <memory>
+
+#include "editor/ui/ui.hpp"
+
+namespace plumb::editor::ui {
+
+std::unique_ptr<Panel> makeScenePanel();
+std::unique_ptr<Panel> makeViewportPanel();
+std::unique_ptr<Panel> makeInspectorPanel();
+std::unique_ptr<Panel> makeConsolePanel();
+std::unique_ptr<Panel> makeHistoryPanel();
+
+}  // namespace plumb::editor::ui

@@ -1,0 +1,195 @@
+#include <cmath>
+
+#include "editor/model/actions.hpp"
+#include "editor/model/bounds.hpp"
+#include "editor/ui/overlays/overlay_list.hpp"
+#include "editor/ui/panels/panels.hpp"
+#include "editor/ui/scene_picture.hpp"
+#include "editor/ui/ui_compat.hpp"
+
+namespace plumb::editor::ui {
+namespace {
+
+constexpr float kReach = 3.0f;  // px on screen
+constexpr Color kSelected{77, 163, 255, 255};
+constexpr Color kHovered{255, 255, 255, 110};
+
+ImU32 toImgui(Color color) { return IM_COL32(color.r, color.g, color.b, color.a); }
+
+/// The scene itself: looks, selects, moves, paints.
+class ViewportPanel final : public Panel {
+public:
+    void draw(Ui& ui) override {
+        const ImVec2 from = ImGui::GetCursorScreenPos();
+        const ImVec2 size = ImGui::GetContentRegionAvail();
+        if (size.x < 8.0f || size.y < 8.0f) return;
+        place(ui, from, size);
+        ImGui::InvisibleButton("scene", size,
+                               ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonMiddle |
+                                   ImGuiButtonFlags_MouseButtonRight);
+        ui.widgets.mark("Viewport");
+        from_ = {from.x, from.y};
+        lookAround(ui);
+        useTool(ui);
+        drawScene(ui, from, size);
+    }
+
+private:
+    static void place(Ui& ui, ImVec2, ImVec2 size) {
+        ViewCamera& view = ui.workspace.view;
+        view.resize({size.x, size.y});
+        if (!ui.viewReady) ui.workspace.showStart();
+        ui.viewReady = true;
+    }
+
+    void lookAround(Ui& ui) {
+        ViewCamera& view = ui.workspace.view;
+        const ImGuiIO& io = ImGui::GetIO();
+        const Vec2 mouse = Vec2{io.MousePos.x, io.MousePos.y} - from_;
+        ui.mouseOverScene = ImGui::IsItemHovered();
+        if (ui.mouseOverScene && io.MouseWheel != 0.0f) view.zoomAt(mouse, io.MouseWheel);
+        panning_ = ImGui::IsItemActive() && (ImGui::IsMouseDown(2) || (ui.panHeld && ImGui::IsMouseDown(0)));
+        if (panning_) view.pan({io.MouseDelta.x, io.MouseDelta.y});
+        if (panning_ || (ui.panHeld && ui.mouseOverScene)) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeAll);
+        ui.mouseInScene = view.toWorldPoint(mouse);
+    }
+
+    void useTool(Ui& ui) {
+        Workspace& workspace = ui.workspace;
+        const ImGuiIO& io = ImGui::GetIO();
+        pointer_.position = ui.mouseInScene;
+        pointer_.modifiers = {io.KeyShift, io.KeyCtrl, io.KeyAlt};
+        pointer_.snap = workspace.grid.snap != io.KeyCtrl;
+        pointer_.grid = workspace.grid.size;
+        pointer_.reach = kReach / workspace.view.zoom();
+        if (!workspace.canEdit() || workspace.document.scenePath.empty()) {
+            if (ImGui::IsItemActivated() && workspace.play.running()) inspectRunning(workspace);
+            return;
+        }
+        const ToolContext context = workspace.tools();
+        if (ImGui::IsItemActivated() && io.MouseClicked[0] && !ui.panHeld) {
+            workspace.tool().press(context, pointer_);
+            pressed_ = true;
+            moved_ = pointer_.position;
+        } else if (pressed_ && !io.MouseDown[0]) {
+            workspace.tool().release(context, pointer_);
+            pressed_ = false;
+        } else if (pressed_ && pointer_.position != moved_) {
+            workspace.tool().drag(context, pointer_);
+            moved_ = pointer_.position;
+        }
+    }
+
+    /// A click in the running game shows what is there, where it is now.
+    void inspectRunning(Workspace& workspace) const {
+        ObjectId hit;
+        float smallest = 1e30f;
+        for (const ObjectId id : workspace.document.objects()) {
+            const EntityId entity = workspace.play.find(id);
+            if (!workspace.play.world().alive(entity)) continue;
+            const AABB box = boundsOf(workspace.play.world(), entity);
+            const float area = box.size().x * box.size().y;
+            if (contains(box, pointer_.position) && area < smallest) smallest = area, hit = id;
+        }
+        if (hit) workspace.document.selection.set({hit});
+    }
+
+    void drawScene(Ui& ui, ImVec2 from, ImVec2 size) {
+        Workspace& workspace = ui.workspace;
+        ImDrawList& list = *ImGui::GetWindowDrawList();
+        const ImVec2 to{from.x + size.x, from.y + size.y};
+        list.PushClipRect(from, to, true);
+        if (workspace.document.scenePath.empty()) {
+            drawHint(list, from, size);
+            list.PopClipRect();
+            return;
+        }
+        World& world = workspace.shownWorld();
+        if (ui.picture != nullptr) {
+            const PixelSize pixels{static_cast<int>(size.x), static_cast<int>(size.y)};
+            const std::uintptr_t texture =
+                ui.picture->draw(world, workspace.play.assets(), workspace.view.view(), pixels, ui.playAlpha);
+            imageOfPixels(list, textureId(texture), from, to);
+        }
+        overlay_.clear();
+        for (const OverlayRow& row : overlayTable()) {
+            if (workspace.shows(row.name)) row.draw(workspace, world, overlay_);
+        }
+        drawSelection(ui, world);
+        if (workspace.canEdit()) workspace.tool().draw(workspace.document, pointer_, overlay_);
+        for (const Overlay::Shape& shape : overlay_.shapes()) {
+            drawShape(ui, list, shape);
+        }
+        if (workspace.play.running()) {
+            outline(list, {from.x + 1.0f, from.y + 1.0f}, {to.x - 1.0f, to.y - 1.0f},
+                    workspace.play.paused() ? palette::kWarning : palette::kPlay, 0.0f, 2.0f);
+        }
+        list.PopClipRect();
+    }
+
+    void drawSelection(Ui& ui, const World& world) {
+        const Document& document = ui.workspace.document;
+        if (ui.mouseOverScene && !pressed_ && ui.workspace.canEdit() && ui.workspace.toolIndex() < 2) {
+            const std::vector<ObjectId> under = pickAll(document, pointer_.position, pointer_.reach);
+            if (!under.empty() && !document.selection.has(under.front())) {
+                overlay_.box(boundsOf(world, document.find(under.front())), kHovered);
+            }
+        }
+        for (const ObjectId id : document.selection.all()) {
+            const EntityId entity = ui.workspace.shownEntity(id);
+            if (world.alive(entity)) overlay_.box(boundsOf(world, entity), kSelected, 2.0f);
+        }
+    }
+
+    [[nodiscard]] ImVec2 onScreen(const Ui& ui, Vec2 world) const {
+        const Vec2 at = ui.workspace.view.toScreenPoint(world) + from_;
+        return {at.x, at.y};
+    }
+
+    void drawShape(const Ui& ui, ImDrawList& list, const Overlay::Shape& shape) const {
+        const ImVec2 a = onScreen(ui, shape.from);
+        const ImVec2 b = onScreen(ui, shape.to);
+        const ImU32 color = toImgui(shape.color);
+        switch (shape.kind) {
+            case Overlay::Kind::Line: list.AddLine(a, b, color, shape.thickness); break;
+            case Overlay::Kind::Arrow: drawArrow(list, a, b, color, shape.thickness); break;
+            case Overlay::Kind::Box: outline(list, a, b, color, 0.0f, shape.thickness); break;
+            case Overlay::Kind::FilledBox: list.AddRectFilled(a, b, color); break;
+            case Overlay::Kind::Circle:
+                list.AddCircle(a, shape.radius * ui.workspace.view.zoom(), color, 0, shape.thickness);
+                break;
+            case Overlay::Kind::Text:
+                list.AddText({a.x + 1.0f, a.y - ui.fonts.size}, IM_COL32(0, 0, 0, 200), shape.text.c_str());
+                list.AddText({a.x, a.y - ui.fonts.size - 1.0f}, color, shape.text.c_str());
+                break;
+        }
+    }
+
+    static void drawArrow(ImDrawList& list, ImVec2 a, ImVec2 b, ImU32 color, float thickness) {
+        list.AddLine(a, b, color, thickness);
+        const Vec2 along = normalized(Vec2{b.x - a.x, b.y - a.y});
+        const Vec2 side = perpendicular(along);
+        const Vec2 back = Vec2{b.x, b.y} - along * 9.0f;
+        list.AddTriangleFilled(b, {back.x + side.x * 4.5f, back.y + side.y * 4.5f},
+                               {back.x - side.x * 4.5f, back.y - side.y * 4.5f}, color);
+    }
+
+    static void drawHint(ImDrawList& list, ImVec2 from, ImVec2 size) {
+        const char* text = "No scene is open. Press Ctrl+O to choose one.";
+        const ImVec2 extent = ImGui::CalcTextSize(text);
+        list.AddText({from.x + (size.x - extent.x) * 0.5f, from.y + size.y * 0.5f}, palette::kTextDim, text);
+    }
+
+    Vec2 from_;
+    Vec2 moved_;
+    Pointer pointer_;
+    bool panning_ = false;
+    bool pressed_ = false;
+    Overlay overlay_;
+};
+
+}  // namespace
+
+std::unique_ptr<Panel> makeViewportPanel() { return std::make_unique<ViewportPanel>(); }
+
+}  // namespace plumb::editor::ui

@@ -1,0 +1,36 @@
+#include "editor/ui/scene_picture.hpp"
+
+namespace plumb::editor::ui {
+namespace {
+
+constexpr Color kBackground{23, 24, 28, 255};
+
+}  // namespace
+
+std::uintptr_t ScenePicture::draw(World& world, AssetStore* assets, const View& view, PixelSize size,
+                                  float alpha) {
+    if (size != size_) {
+        device_.destroyTarget(target_);
+        target_ = device_.createTarget(size.width, size.height);
+        size_ = size;
+    }
+    if (assets != playAssets_) {
+        playRenderer_ = assets == nullptr ? nullptr : std::make_unique<SceneRenderer>(device_, *assets);
+        playAssets_ = assets;
+    }
+    SceneRenderer& renderer = playRenderer_ ? *playRenderer_ : renderer_;
+    const Viewport viewport{target_, 0, 0, size.width, size.height};
+    SceneView how;
+    how.view = snappedToPixels(view);
+    how.alpha = alpha;
+    how.parallaxOrigin = cameraView(world, view.size / view.zoom, alpha).center;
+    how.parallax = false;
+    list_.begin(how.view);
+    renderer.collect(world, how, list_);
+    device_.setViewport(viewport);
+    device_.clear(kBackground);
+    renderer.renderer().draw(list_, viewport);
+    return device_.nativeTexture(device_.targetTexture(target_));
+}
+
+}  // namespace plumb::editor::ui

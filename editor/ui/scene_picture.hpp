@@ -1,0 +1,36 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+
+#include "render/draw_list.hpp"
+#include "render/render_device.hpp"
+#include "scene/draw_scene.hpp"
+
+namespace plumb::editor::ui {
+
+/// Draws a world into a texture by the renderer that the player uses.
+class ScenePicture {
+public:
+    ScenePicture(RenderDevice& device, AssetStore& assets) : device_{device}, renderer_{device, assets} {}
+    ~ScenePicture() { device_.destroyTarget(target_); }
+    ScenePicture(const ScenePicture&) = delete;
+    ScenePicture& operator=(const ScenePicture&) = delete;
+
+    /// @param assets  those of the game that plays; null: the editor's own
+    /// @param size   px of the texture
+    /// @param alpha  between the last two ticks (ratio, 0..1)
+    /// @return the graphics card's name of the texture
+    std::uintptr_t draw(World& world, AssetStore* assets, const View& view, PixelSize size, float alpha);
+
+private:
+    RenderDevice& device_;
+    SceneRenderer renderer_;
+    std::unique_ptr<SceneRenderer> playRenderer_;  // a game has pictures of its own
+    AssetStore* playAssets_ = nullptr;
+    DrawList list_;
+    TargetHandle target_;
+    PixelSize size_;
+};
+
+}  // namespace plumb::editor::ui

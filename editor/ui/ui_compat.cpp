@@ -1,0 +1,56 @@
+#include "editor/ui/ui_compat.hpp"
+
+#include <array>
+
+namespace plumb::editor::ui {
+namespace {
+
+struct KeyPair {
+    Key ours;
+    int theirs;
+};
+
+#if IMGUI_VERSION_NUM >= 18700
+constexpr int kNone = ImGuiKey_None;
+constexpr int kPadEnter = ImGuiKey_KeypadEnter;
+#else
+constexpr int kNone = -1;
+constexpr int kPadEnter = ImGuiKey_KeyPadEnter;
+#endif
+
+// What ImGui itself acts on: text editing and navigation. Shortcuts of the editor are its own table.
+constexpr std::array kKeys{
+    KeyPair{Key::Tab, ImGuiKey_Tab},
+    KeyPair{Key::Left, ImGuiKey_LeftArrow},
+    KeyPair{Key::Right, ImGuiKey_RightArrow},
+    KeyPair{Key::Up, ImGuiKey_UpArrow},
+    KeyPair{Key::Down, ImGuiKey_DownArrow},
+    KeyPair{Key::PageUp, ImGuiKey_PageUp},
+    KeyPair{Key::PageDown, ImGuiKey_PageDown},
+    KeyPair{Key::Home, ImGuiKey_Home},
+    KeyPair{Key::End, ImGuiKey_End},
+    KeyPair{Key::Insert, ImGuiKey_Insert},
+    KeyPair{Key::Delete, ImGuiKey_Delete},
+    KeyPair{Key::Backspace, ImGuiKey_Backspace},
+    KeyPair{Key::Space, ImGuiKey_Space},
+    KeyPair{Key::Enter, ImGuiKey_Enter},
+    KeyPair{Key::Escape, ImGuiKey_Escape},
+    KeyPair{Key::PadEnter, kPadEnter},
+    KeyPair{Key::A, ImGuiKey_A},
+    KeyPair{Key::C, ImGuiKey_C},
+    KeyPair{Key::V, ImGuiKey_V},
+    KeyPair{Key::X, ImGuiKey_X},
+    KeyPair{Key::Y, ImGuiKey_Y},
+    KeyPair{Key::Z, ImGuiKey_Z},
+};
+
+}  // namespace
+
+int imguiKey(Key key) {
+    for (const KeyPair& pair : kKeys) {
+        if (pair.ours == key) return pair.theirs;
+    }
+    return kNone;
+}
+
+}  // namespace plumb::editor::ui

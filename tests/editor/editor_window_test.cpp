@@ -1,0 +1,157 @@
+#include <imgui.h>
+
+#include "core/random.hpp"
+#include "editor/model/game_session.hpp"
+#include "editor/ui/overlays/overlay_list.hpp"
+#include "tests/editor/support/editor_fixture.hpp"
+#include "tests/editor/support/hands.hpp"
+
+namespace plumb::editor::ui {
+namespace {
+
+class EditorWindowTest : public EditorFixture {
+protected:
+    EditorWindowTest() : window{workspace, nullptr, Path{PLUMB_SOURCE_DIR} / "assets/fonts"}, hands{window} {
+        workspace.makeSession = [this](const std::string& path, const std::string& text) {
+            Project project;
+            project.root = workspace.project.root;
+            return makeGameSession(project, path, text);
+        };
+    }
+    [[nodiscard]] Vec2 onScreen(Vec2 world) const {
+        return window.widgets().find("Viewport")->box.min + workspace.view.toScreenPoint(world);
+    }
+
+    EditorWindow window;
+    Hands hands;
+};
+
+TEST_F(EditorWindowTest, aLevelIsOpenedChangedUndoneSavedReopenedAndPlayed) {
+    // select in the scene and move with the tool
+    const Vec2 crate{216.0f, 80.0f};
+    hands.clickAt(onScreen(crate));
+    ASSERT_EQ(workspace.document.selection.all(), std::vector{named("crate")});
+    workspace.grid.snap = false;
+    const Vec2 grab = onScreen(crate);
+    hands.drag(grab, grab + Vec2{40.0f, 0.0f} * workspace.view.zoom());
+    EXPECT_EQ(positionOf(named("crate")), (Vec2{240.0f, 64.0f}));
+    EXPECT_EQ(workspace.undo.size(), 1u);
+
+    // edit a field by its widget
+    hands.enterNumber("Inspector/Transform/position.y", "48");
+    EXPECT_EQ(positionOf(named("crate")), (Vec2{240.0f, 48.0f}));
+    EXPECT_EQ(workspace.undo.size(), 2u);
+    const std::string changed = workspace.text();
+
+    // undo and redo by keys
+    hands.key(Key::Z, {.control = true});
+    hands.key(Key::Z, {.control = true});
+    EXPECT_EQ(workspace.text(), kSceneText);
+    hands.key(Key::Y, {.control = true});
+    hands.key(Key::Z, {.shift = true, .control = true});
+    EXPECT_EQ(workspace.text(), changed);
+
+    // save and open again
+    hands.key(Key::S, {.control = true});
+    EXPECT_EQ(fileText(), changed);
+    EXPECT_FALSE(workspace.unsaved());
+    ASSERT_TRUE(workspace.open(kScene).ok());
+    EXPECT_EQ(workspace.text(), changed);
+
+    // play 60 ticks and stop
+    hands.key(Key::F5);
+    ASSERT_TRUE(workspace.play.running());
+    while (workspace.play.ticks() < 60) {
+        hands.rest();
+    }
+    const EntityId player = workspace.play.find(named("player"));
+    EXPECT_GT(workspace.play.world().get<Transform>(player).position.y, 101.0f) << "it falls";
+    EXPECT_EQ(positionOf(named("player")).y, 100.0f);
+    hands.key(Key::F5);
+    EXPECT_FALSE(workspace.play.running());
+    EXPECT_EQ(workspace.text(), changed);
+    EXPECT_FALSE(workspace.unsaved());
+}
+
+TEST_F(EditorWindowTest, theTreeSelectsAndDeleteAndUndoWorkByKeys) {
+    hands.click("Scene/sign");
+    ASSERT_EQ(workspace.document.selection.all(), std::vector{named("sign")});
+    hands.key(Key::Delete);
+    EXPECT_FALSE(named("sign"));
+    hands.key(Key::Z, {.control = true});
+    EXPECT_EQ(workspace.text(), kSceneText);
+}
+
+TEST_F(EditorWindowTest, pauseAndStepPlayOneTickAtATime) {
+    hands.click("Toolbar/Play");
+    hands.key(Key::F6);
+    const std::int64_t before = workspace.play.ticks();
+    hands.rest(5);
+    EXPECT_EQ(workspace.play.ticks(), before);
+    hands.key(Key::F10);
+    EXPECT_EQ(workspace.play.ticks(), before + 1);
+    hands.click("Toolbar/Play");
+    EXPECT_EQ(workspace.text(), kSceneText);
+}
+
+TEST_F(EditorWindowTest, aValueChangedWhilePlayingIsGoneAfterwards) {
+    hands.click("Scene/crate");
+    hands.key(Key::F5);
+    hands.enterNumber("Inspector/Transform/position.x", "7");
+    EXPECT_EQ(workspace.play.world().get<Transform>(workspace.play.find(named("crate"))).position.x, 7.0f);
+    hands.key(Key::F5);
+    EXPECT_EQ(workspace.text(), kSceneText);
+    EXPECT_EQ(workspace.undo.size(), 0u);
+}
+
+TEST_F(EditorWindowTest, everyPanelAndOverlayDrawsAnEmptyAndAFullScene) {
+    for (const OverlayRow& row : overlayTable()) {
+        if (!workspace.shows(row.name)) workspace.toggleOverlay(row.name);
+    }
+    workspace.document.selection.set(workspace.document.objects());
+    hands.rest(2);
+    EXPECT_GT(ImGui::GetDrawData()->TotalVtxCount, 1000);
+    for (const char* tab : {"Tab/History", "Tab/Console"}) {
+        hands.click(tab);
+    }
+    workspace.document.selection.set(workspace.document.objects());
+    hands.key(Key::Delete);
+    EXPECT_EQ(workspace.document.objectCount(), 0u);
+    hands.rest(2);
+    EXPECT_GT(ImGui::GetDrawData()->TotalVtxCount, 100);
+}
+
+TEST_F(EditorWindowTest, aMonkeyAtTheWidgetsIsUndoneByteForByte) {
+    for (unsigned seed = 1; seed <= 4; ++seed) {
+        SCOPED_TRACE(seed);
+        Random random = Random::seeded(seed);
+        for (int i = 0; i < 60; ++i) {
+            std::vector<std::string> names;
+            for (const auto& [name, widget] : window.widgets().all()) {
+                const bool leaves = startsWith(name, "Menu/") || startsWith(name, "Toolbar/Save") ||
+                                    startsWith(name, "Toolbar/Play") || startsWith(name, "Open/");
+                if (!leaves) names.push_back(name);
+            }
+            const Vec2 at = hands.middleOf(names[random.below(static_cast<std::uint32_t>(names.size()))]);
+            if (random.below(2) == 0) {
+                hands.clickAt(at);
+            } else {
+                hands.drag(at, at + Vec2{random.between(-60.0f, 60.0f), random.between(-30.0f, 30.0f)}, 4);
+            }
+            if (random.below(6) == 0) hands.key(Key::Delete);
+            if (random.below(6) == 0) hands.key(Key::D, {.control = true});
+        }
+        hands.key(Key::Escape);
+        hands.key(Key::Escape);
+        const std::string after = workspace.text();
+        const std::size_t steps = workspace.undo.size();
+        workspace.undo.jumpTo(0);
+        ASSERT_EQ(workspace.text(), kSceneText);
+        workspace.undo.jumpTo(steps);
+        ASSERT_EQ(workspace.text(), after);
+        workspace.undo.jumpTo(0);
+    }
+}
+
+}  // namespace
+}  // namespace plumb::editor::ui

@@ -1,0 +1,154 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include <gtest/gtest.h>
+
+#include "app/engine_types.hpp"
+#include "assets/asset_store.hpp"
+#include "core/file.hpp"
+#include "editor/model/commands/insert_entities.hpp"
+#include "editor/model/workspace.hpp"
+#include "scene/components/box_collider.hpp"
+#include "scene/components/camera.hpp"
+#include "scene/components/label.hpp"
+#include "scene/components/name.hpp"
+#include "scene/components/rigid_body.hpp"
+#include "scene/components/sprite.hpp"
+#include "scene/components/tile_layer.hpp"
+#include "scene/components/transform.hpp"
+
+namespace plumb::editor {
+
+inline constexpr std::string_view kScene = "scenes/level.scene.json";
+
+/// The scene that most tests open: a player with a lamp in its hand, a camera that follows it, a crate, a
+/// sign, and something that no component of ours knows.
+inline constexpr std::string_view kSceneText = R"({
+  "format": 1,
+  "effects": {},
+  "layers": [],
+  "entities": [
+    {
+      "id": "0000000000000001",
+      "name": "camera",
+      "components": {
+        "Transform": {
+          "position": [160, 90]
+        },
+        "Camera": {
+          "follow": "0000000000000002"
+        }
+      }
+    },
+    {
+      "id": "0000000000000002",
+      "name": "player",
+      "components": {
+        "Transform": {
+          "position": [40, 100]
+        },
+        "RigidBody": {},
+        "BoxCollider": {
+          "width": 16,
+          "height": 24
+        },
+        "FromTheFuture": {
+          "strength": 3
+        }
+      }
+    },
+    {
+      "id": "0000000000000003",
+      "name": "lamp",
+      "parent": "0000000000000002",
+      "components": {
+        "Transform": {
+          "position": [10, -10]
+        }
+      }
+    },
+    {
+      "id": "0000000000000004",
+      "name": "crate",
+      "components": {
+        "Transform": {
+          "position": [200, 64]
+        },
+        "BoxCollider": {
+          "width": 31,
+          "height": 31
+        }
+      }
+    },
+    {
+      "id": "0000000000000005",
+      "name": "sign",
+      "components": {
+        "Transform": {
+          "position": [100, 20]
+        },
+        "Label": {
+          "text": "Hello"
+        }
+      }
+    },
+    {
+      "id": "0000000000000006",
+      "name": "ground",
+      "components": {
+        "Transform": {},
+        "TileLayer": {
+          "cells": {
+            "width": 4,
+            "height": 3,
+            "rows": ["0 0 0 0", "0 1 1 0", "2 2 2 2"]
+          },
+          "tileSize": [16, 16]
+        }
+      }
+    }
+  ]
+}
+)";
+
+/// An editor with a project of its own in a temporary folder, and no window.
+class EditorFixture : public testing::Test {
+protected:
+    EditorFixture()
+        : root_{makeFolder()}, types_{engineTypes()}, assets_{root_}, workspace{types_, assets_, {root_}} {
+        EXPECT_TRUE(writeFile(root_ / kScene, kSceneText).ok());
+        EXPECT_TRUE(workspace.open(kScene).ok());
+    }
+    ~EditorFixture() override { std::filesystem::remove_all(root_); }
+
+    [[nodiscard]] ObjectId named(std::string_view name) const {
+        for (const ObjectId id : workspace.document.objects()) {
+            if (workspace.document.nameOf(id) == name) return id;
+        }
+        return {};
+    }
+    [[nodiscard]] Vec2 positionOf(ObjectId id) const {
+        return workspace.document.world.get<Transform>(workspace.document.find(id)).position;
+    }
+    [[nodiscard]] std::string fileText() const { return *readFile(root_ / kScene); }
+
+private:
+    static Path makeFolder() {
+        const auto* test = testing::UnitTest::GetInstance()->current_test_info();
+        Path folder = std::filesystem::temp_directory_path() /
+                      (std::string{"plumb_editor_"} + test->test_suite_name() + "_" + test->name());
+        std::filesystem::remove_all(folder);
+        std::filesystem::create_directories(folder / "scenes");
+        return folder;
+    }
+    Path root_;
+    TypeRegistry types_;
+    AssetStore assets_;
+
+protected:
+    Workspace workspace;
+};
+
+}  // namespace plumb::editor
