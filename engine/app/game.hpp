@@ -1,5 +1,7 @@
 #pragma once
 
+#include <span>
+
 #include "assets/asset_store.hpp"
 #include "ecs/world.hpp"
 #include "input/input.hpp"
@@ -25,6 +27,9 @@ public:
 
     /// Called every tick after the systems ran.
     virtual void onLateUpdate([[maybe_unused]] float dt) {}
+
+    /// Called between ticks after files of the project were edited and read again.
+    virtual void onAssetsChanged([[maybe_unused]] std::span<const AssetChange> changes) {}
 
     /// True when the game wants to end.
     [[nodiscard]] virtual bool quitRequested() const { return false; }

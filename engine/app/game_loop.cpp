@@ -78,6 +78,7 @@ void GameLoop::runScreen() {
     rateStart_ = before;
     while (running_ && ticks_ != options_.frames) {
         handleEvents();
+        if (!lockstep) reloadEdited();
         const double now = wallSeconds();
         StepClock::Frame frame = clock_.advance(snappedToRefresh(now - before, 60.0));
         before = now;
@@ -110,6 +111,13 @@ void GameLoop::handleEvents() {
         }
         devices_.handle(event);
     }
+}
+
+/// Edited files take effect while the game runs; one that is recorded or replayed keeps what it began with.
+void GameLoop::reloadEdited() {
+    if (replayPlayer_ || !options_.record.empty()) return;
+    const std::vector<AssetChange> changes = game_.assets.pollChanges();
+    if (!changes.empty()) game_.onAssetsChanged(changes);
 }
 
 bool GameLoop::nextInput(InputFrame& frame) {

@@ -34,6 +34,7 @@ private:
     void runHeadless();
     void runScreen();
     void handleEvents();
+    void reloadEdited();
     void tick();
     bool nextInput(InputFrame& frame);
     void drawFrame(float alpha);

@@ -1,10 +1,13 @@
 #include "app/scene_game.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "app/system_order.hpp"
 #include "core/log.hpp"
 #include "platform/paths.hpp"
+#include "reflect/json.hpp"
+#include "reflect/json_text.hpp"
 #include "scene/game_random.hpp"
 #include "scene/physics_state.hpp"
 #include "scene/scene_requests.hpp"
@@ -66,7 +69,24 @@ Result<Done> SceneGame::load(std::string_view path) {
         logWarning("Scene", problem);
     }
     stack_.push_back(report->scene);
+    assets.load(AssetKind::Scene, path);  // watched: editing it begins it anew
     return Done{};
+}
+
+void SceneGame::onAssetsChanged(std::span<const AssetChange> changes) {
+    const auto isCurrent = [&](const AssetChange& change) {
+        return change.kind == AssetKind::Scene && change.path == textId(current_);
+    };
+    if (std::none_of(changes.begin(), changes.end(), isCurrent)) return;
+    // A file that cannot be read leaves the game as it is.
+    const Result<Path> file = assets.resolve(current_);
+    const Result<std::string> text = file ? readFile(*file) : Result<std::string>{file.error()};
+    const Result<Json> json = text ? parseJson(*text, current_) : Result<Json>{text.error()};
+    if (!json) {
+        logError("Scene", json.error());
+        return;
+    }
+    follow(std::string{current_}, false);
 }
 
 void SceneGame::onLateUpdate(float) {

@@ -19,6 +19,7 @@ public:
 
     void onCreate() override;
     void onLateUpdate(float dt) override;
+    void onAssetsChanged(std::span<const AssetChange> changes) override;
 
     /// Takes all scenes away and loads this one. Persistent entities stay.
     /// @error the file cannot be read at all; the scenes before are still there
