@@ -3,6 +3,7 @@
 #include <cstdio>
 #include <memory>
 
+#include "app/benchmark.hpp"
 #include "app/game_loop.hpp"
 #include "app/project.hpp"
 #include "app/scene_game.hpp"
@@ -43,9 +44,28 @@ void listEffects(const SceneGame& game) {
     }
 }
 
+int benchmark(const PlayerOptions& options) {
+    constexpr int kEntities = 10'000;
+    constexpr int kTicks = 120;
+    std::unique_ptr<Screen> screen;
+    if (!options.headless) {
+        Result<std::unique_ptr<Screen>> opened =
+            Screen::open({"Plumb benchmark", 640, 360, false, {640.0f, 360.0f}, WindowScale::Fit});
+        if (!opened) {
+            logError("Engine", opened.error());
+            return 1;
+        }
+        screen = std::move(*opened);
+        screen->window().setVsync(false);
+    }
+    std::fputs(benchmarkTable(runBenchmark(kEntities, kTicks, screen.get())).c_str(), stdout);
+    return 0;
+}
+
 }  // namespace
 
 int playProject(const PlayerOptions& options) {
+    if (options.benchmark) return benchmark(options);
     Result<Project> project = loadProject(options.project);
     if (!project) {
         logError("Engine", project.error());
