@@ -45,17 +45,17 @@ std::string displayName(World& world, EntityId entity) {
 void EventLog::write(World& world) {
     const Entity player = world.first<const PlayerController>();
     if (!player) return;
+    for (const ContactBegan& contact : world.events<ContactBegan>()) {
+        if (contact.a != player.id() && contact.b != player.id()) continue;
+        const EntityId other = contact.a == player.id() ? contact.b : contact.a;
+        logNote("Collision", "{} <-> {}", displayName(world, player), displayName(world, other));
+    }
     if (const auto* body = world.find<const RigidBody>(player)) {
         if (player.id() == player_ && body->grounded != grounded_) {
             logNote("Physics", "{} grounded: {}", displayName(world, player), body->grounded);
         }
         player_ = player;
         grounded_ = body->grounded;
-    }
-    for (const ContactBegan& contact : world.events<ContactBegan>()) {
-        if (contact.a != player.id() && contact.b != player.id()) continue;
-        const EntityId other = contact.a == player.id() ? contact.b : contact.a;
-        logNote("Collision", "{} <-> {}", displayName(world, player), displayName(world, other));
     }
 }
 

@@ -1,0 +1,54 @@
+#include "app/project.hpp"
+
+#include <gtest/gtest.h>
+
+namespace plumb {
+namespace {
+
+TEST(Project, aFileWithEverythingIsRead) {
+    const auto project = projectFromText(
+        R"({"name": "Mine", "startScene": "scenes/a.scene.json", "window": {"width": 640, "height": 360},
+            "resolution": [320, 180], "scaling": "integer", "physics": {"gravity": [0, 500]}})",
+        ".", "project.json");
+
+    ASSERT_TRUE(project.ok());
+    EXPECT_TRUE(project->warnings.empty());
+    EXPECT_EQ(project->name, "Mine");
+    EXPECT_EQ(project->windowWidth, 640);
+    EXPECT_EQ(project->width, 320);
+    EXPECT_EQ(project->scaling, WindowScale::Integer);
+    EXPECT_EQ(project->gravity, (Vec2{0.0f, 500.0f}));
+}
+
+TEST(Project, everyWrongValueIsOneWarningWithWhereWhatAndRemedyAndTheDefaultStays) {
+    for (const char* wrong : {R"({"name": 3})", R"({"scaling": "huge"})", R"({"resolution": [320]})",
+                              R"({"resolution": [0, 180]})", R"({"window": {"width": -1}})", R"({"window": 5})",
+                              R"({"physics": {"pixelsPerMetre": 0}})", R"({"physics": {"gravity": "down"}})",
+                              R"({"startScene": false})"}) {
+        SCOPED_TRACE(wrong);
+        const auto project = projectFromText(wrong, ".", "project.json");
+        ASSERT_TRUE(project.ok());
+        ASSERT_EQ(project->warnings.size(), 1u);
+        const Error& warning = project->warnings.front();
+        EXPECT_EQ(warning.where.substr(0, 12), "project.json");
+        EXPECT_FALSE(warning.what.empty());
+        EXPECT_FALSE(warning.remedy.empty());
+        EXPECT_EQ(project->width, 1280);
+    }
+}
+
+TEST(Project, whatIsNoProjectIsAnError) {
+    for (const char* wrong : {"", "[]", "{", "3", "nonsense"}) {
+        EXPECT_FALSE(projectFromText(wrong, ".", "project.json").ok()) << wrong;
+    }
+    EXPECT_FALSE(loadProject("/nowhere/at/all").ok());
+}
+
+TEST(Project, sceneNamesAreShortOrWhole) {
+    EXPECT_EQ(scenePath("level1"), "scenes/level1.scene.json");
+    EXPECT_EQ(scenePath("level1.scene.bin"), "scenes/level1.scene.bin");
+    EXPECT_EQ(scenePath("scenes/level1.scene.json"), "scenes/level1.scene.json");
+}
+
+}  // namespace
+}  // namespace plumb
