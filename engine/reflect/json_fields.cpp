@@ -149,8 +149,10 @@ std::vector<KeptProperty> JsonFields::keepUnknown() {
     for (const auto& [name, value] : *object_->get_ptr<const Json::object_t*>()) {
         if (std::find(asked_.begin(), asked_.end(), name) != asked_.end()) continue;
         const std::string_view meant = closestName(name, asked_);
-        warn(std::string_view{name}.substr(0, 80), "there is no such property",
-             meant.empty() ? "remove it" : format("did you mean \"{}\"?", meant));
+        if (name != "tiled") {  // what an importer notes beside, meant to be there
+            warn(std::string_view{name}.substr(0, 80), "there is no such property",
+                 meant.empty() ? "remove it" : format("did you mean \"{}\"?", meant));
+        }
         unknown.push_back({name, compactText(value)});
     }
     return unknown;

@@ -95,6 +95,10 @@ void SceneRenderer::collect(World& world, const SceneView& how, DrawList& list) 
     textures_.refresh();
     tiles_.beginFrame(static_cast<double>(world.tick) * kSecondsPerTick);
     readLayers(world);
+    if (const auto* loaded = world.findResource<LoadedScenes>(); loaded && !loaded->scenes.empty()) {
+        const Color background = loaded->scenes.front().background;
+        if (background.a > 0) list.filledRect(visibleBox(how.view), background, kLowestLayer);
+    }
     collectBackdrops(world, how, list);
     collectTiles(world, how, list);
     collectSprites(world, how, list);

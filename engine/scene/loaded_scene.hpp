@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "math/color.hpp"
 #include "reflect/field_types.hpp"
 #include "reflect/json.hpp"
 #include "scene/scene_layer.hpp"
@@ -50,7 +51,8 @@ struct LoadedScene {
     std::string path;
     Json effects = Json::object();
     std::vector<SceneLayer> layers;
-    int depth = 0;  ///< place in the stack: an overlay is drawn over those below
+    Color background{0, 0, 0, 0};  ///< behind everything; nothing is drawn when it is clear
+    int depth = 0;                 ///< place in the stack: an overlay is drawn over those below
     /// Shared, because snapshots copy resources and this never changes.
     std::shared_ptr<const SceneRest> rest;
 };

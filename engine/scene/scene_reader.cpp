@@ -57,10 +57,24 @@ void SceneReader::problem(std::string where, std::string what, std::string remed
 }
 
 void SceneReader::keepKey(std::string key, Json value) {
+    if (key == "background") readBackground(value);
     if (!isNote(key)) {
         problem(key, "a scene has no such key", "it is kept as it stands; check the spelling or remove it");
     }
     rest_.keys.emplace_back(std::move(key), std::move(value));
+}
+
+void SceneReader::readBackground(const Json& json) {
+    const auto* text = json.get_ptr<const std::string*>();
+    const std::string_view digits =
+        text != nullptr && startsWith(*text, "#") ? std::string_view{*text}.substr(1) : "";
+    const std::optional<std::uint64_t> bits = parseHex(digits);
+    if (!bits || digits.size() != 6) {
+        problem("background", "expected a color, found " + foundText(json), "write it as \"#rrggbb\"");
+        return;
+    }
+    const auto part = [&](int shift) { return static_cast<std::uint8_t>(*bits >> shift & 255); };
+    scene_.background = {part(16), part(8), part(0), 255};
 }
 
 void SceneReader::reserve(std::size_t entities) { fields_.reserve(entities); }

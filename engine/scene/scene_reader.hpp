@@ -64,6 +64,7 @@ private:
         std::string where;
     };
 
+    void readBackground(const Json& json);
     bool readId(const Json& json, int place, std::string_view text, std::uint64_t& id);
     bool placeInstance(const Json& json, int place, std::string_view text, std::uint64_t id,
                        EntityId& entity);

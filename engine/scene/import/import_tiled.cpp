@@ -137,7 +137,7 @@ Result<ImportReport> importTiled(const Path& map, const Path& scene) {
     TileAnimations animations;
     Json json = Json::object();
     json["format"] = 1;
-    if (read->background) json["background"] = colorJson(*read->background);
+    if (read->background) json["background"] = colorJson({read->background->r, read->background->g, read->background->b, 255});
     if (!read->properties.empty()) json["properties"] = read->properties;
     json["tiled"] = mapJson(*read);
     json["layers"] = sceneLayersJson(*read);

@@ -1,0 +1,154 @@
+#include "scene/import/import_tiled.hpp"
+
+#include <gtest/gtest.h>
+
+#include "core/text.hpp"
+#include "platform/image_file.hpp"
+#include "reflect/json.hpp"
+#include "reflect/json_text.hpp"
+#include "tests/support/temporary_folder.hpp"
+
+namespace plumb {
+namespace {
+
+constexpr const char* kMap =
+    R"(<map orientation="orthogonal" width="2" height="1" tilewidth="16" tileheight="16"
+ backgroundcolor="#102030" parallaxoriginx="100" parallaxoriginy="50">
+ <tileset firstgid="1" name="same" tilewidth="16" tileheight="16"><image source="sheet.png" trans="ff00ff"/>
+  <tile id="1"><animation><frame tileid="0" duration="100"/><frame tileid="1" duration="50"/></animation>
+   <objectgroup><object id="1" x="0" y="0" width="16" height="16"/></objectgroup></tile></tileset>
+ <tileset firstgid="10" name="big" tilewidth="32" tileheight="32"><tileoffset x="-8" y="0"/><image source="sheet.png"/></tileset>
+ <layer name="ground" width="2" height="1"><data encoding="csv">2147483649,10</data></layer>
+ <objectgroup name="things" parallaxx="0.5">
+  <object id="1" name="crate" gid="1" x="10" y="20" width="32" height="8" rotation="90"><properties>
+   <property name="loot" value="coin"/></properties></object>
+  <object id="2" gid="2" x="0" y="0" width="16" height="16"/>
+  <object id="3" name="door" x="5" y="6" width="7" height="8"/>
+  <object id="4" name="path" x="5" y="6"><polyline points="0,0 9,9"/></object>
+  <object id="5" name="sign" x="5" y="6" width="90" height="20"><text pixelsize="10" color="#80ff0000">Hi</text></object>
+ </objectgroup></map>)";
+
+/// A project with one map beside it, and the scene that the map becomes.
+class ImportTiledTest : public ::testing::Test {
+protected:
+    void SetUp() override {
+        Image sheet{32, 32, std::vector<std::uint8_t>(32 * 32 * 4, 255)};
+        sheet.rgba[1] = 0;  // the first pixel is magenta
+        ASSERT_TRUE(writeFile(folder_.path / "art/sheet.png", *encodePng(sheet)).ok());
+        ASSERT_TRUE(writeFile(folder_.path / "art/level.tmx", kMap).ok());
+        ASSERT_TRUE(writeFile(project_ / "project.json", "{\"resolution\": [320, 180]}").ok());
+    }
+    Result<ImportReport> import() { return importTiled(folder_.path / "art/level.tmx", scene_); }
+    Json read(const Path& file) { return *parseJson(*readFile(file), "test"); }
+    Json entity(const std::string& name) {
+        const Json scene = read(scene_);
+        for (const Json& entity : scene["entities"]) {
+            if (entity.value("name", "") == name) return entity;
+        }
+        ADD_FAILURE() << "there is no entity " << name;
+        return Json::object();
+    }
+
+    test::TemporaryFolder folder_;
+    Path project_ = folder_.path / "game";
+    Path scene_ = project_ / "scenes/level.scene.json";
+};
+
+TEST_F(ImportTiledTest, theReportCountsWhatCameIn) {
+    const Result<ImportReport> report = import();
+
+    ASSERT_TRUE(report.ok()) << report.error().text();
+    EXPECT_EQ(report->scene, "scenes/level.scene.json");
+    EXPECT_EQ(report->layers, 2);
+    EXPECT_EQ(report->tiles, 2);
+    EXPECT_EQ(report->objects, 5);
+    EXPECT_EQ(report->tilesets, 2);
+    EXPECT_EQ(report->images, 2);  // with the colour key and without
+    EXPECT_TRUE(report->problems.empty()) << report->text();
+    for (const std::string& file : report->files) EXPECT_TRUE(readFile(project_ / file).ok()) << file;
+}
+
+TEST_F(ImportTiledTest, importingAgainChangesNoByte) {
+    ASSERT_TRUE(import().ok());
+    const std::string first = *readFile(scene_);
+    ASSERT_TRUE(import().ok());
+
+    EXPECT_EQ(*readFile(scene_), first);
+}
+
+TEST_F(ImportTiledTest, aLayerOfTwoTilesetsBecomesTwoLayersOfTiles) {
+    ASSERT_TRUE(import().ok());
+
+    const Json same = entity("ground (same)")["components"];
+    EXPECT_EQ(same["TileLayer"]["cells"]["rows"].dump(), R"(["1x 0"])");
+    EXPECT_TRUE(same.contains("TileCollider"));
+    EXPECT_EQ(entity("ground (big)")["components"]["TileLayer"]["cells"]["rows"].dump(), R"(["0 1"])");
+    EXPECT_EQ(read(project_ / "assets/level/same.tileset.json")["tiles"][0]["collision"], "full");
+    const Json big = read(project_ / "assets/level/big.tileset.json");
+    EXPECT_EQ(big["tileSize"].dump(), "[16,16]");
+    EXPECT_EQ(big["images"][0]["source"].dump(), "[0,0,32,32]");
+    EXPECT_EQ(big["offset"].dump(), "[-8,0]");
+}
+
+TEST_F(ImportTiledTest, tileObjectsStandOnTheirLowerLeftCornerAndKeepTheirProperties) {
+    ASSERT_TRUE(import().ok());
+
+    const Json crate = entity("crate");
+    // Tiled: (10, 20) + ((middle of the picture - origin) * (1 - parallax)) in x
+    EXPECT_EQ(crate["components"]["Transform"]["position"].dump(), "[40,20]");
+    EXPECT_NEAR(crate["components"]["Transform"]["rotation"].get<double>(), 1.5707963, 1e-6);
+    EXPECT_EQ(crate["components"]["Transform"]["scale"].dump(), "[2,0.5]");
+    EXPECT_EQ(crate["components"]["Sprite"]["pivot"].dump(), "[0,1]");
+    EXPECT_EQ(crate["components"]["ParallaxLayer"]["factor"].dump(), "[0.5,1]");
+    EXPECT_EQ(crate["properties"]["loot"], "coin");
+}
+
+TEST_F(ImportTiledTest, animatedTilesAreasAndTextsBecomeComponentsAndTheRestStaysData) {
+    ASSERT_TRUE(import().ok());
+
+    EXPECT_EQ(entity("things 2")["components"]["Animator"]["animation"], "assets/level/same-1.anim.json");
+    EXPECT_EQ(entity("door")["components"]["BoxCollider"]["isTrigger"], true);
+    EXPECT_EQ(entity("path")["tiled"]["points"].size(), 2u);
+    EXPECT_EQ(entity("sign")["components"]["Label"]["text"], "Hi");
+    EXPECT_EQ(entity("sign")["components"]["Label"]["color"], "#ff000080");
+    EXPECT_EQ(read(scene_)["background"], "#102030");
+}
+
+TEST_F(ImportTiledTest, theColorKeyBecomesTransparent) {
+    ASSERT_TRUE(import().ok());
+
+    const Json tileset = read(project_ / "assets/level/same.tileset.json");
+    const Result<Image> image =
+        decodeImage(*readFile(project_ / tileset["image"].get<std::string>()), "sheet");
+    ASSERT_TRUE(image.ok());
+    EXPECT_EQ(image->rgba[3], 0);
+    EXPECT_EQ(image->rgba[7], 255);
+}
+
+TEST_F(ImportTiledTest, aMissingPictureIsToldAndTheMapComesInAllTheSame) {
+    std::filesystem::remove(folder_.path / "art/sheet.png");
+
+    const Result<ImportReport> report = import();
+
+    ASSERT_TRUE(report.ok()) << report.error().text();
+    EXPECT_FALSE(report->problems.empty());
+    EXPECT_TRUE(readFile(scene_).ok());
+}
+
+TEST_F(ImportTiledTest, theMapsThatOthersMadeComeInWithoutLoss) {
+    const Path maps = Path{PLUMB_SOURCE_DIR} / "../shared/data/maps/tiled";
+    for (const std::string& file : filesBelow(maps, ".tmx")) {
+        SCOPED_TRACE(file);
+        const Result<ImportReport> report = importTiled(maps / file, scene_);
+        ASSERT_TRUE(report.ok()) << report.error().text();
+        EXPECT_TRUE(report->problems.empty()) << report->text();
+    }
+}
+
+TEST_F(ImportTiledTest, aNameThatIsNoSceneIsRefused) {
+    EXPECT_FALSE(importTiled(folder_.path / "art/level.tmx", project_ / "level.json").ok());
+    EXPECT_FALSE(importTiled(folder_.path / "art/none.tmx", scene_).ok());
+}
+
+}  // namespace
+}  // namespace plumb
