@@ -111,7 +111,6 @@ void Storage::cluster() {
         ++pool->version;
         pool->stampAll(clock_);
     }
-    ++structure_;
 }
 
 bool Storage::fragmented() const {

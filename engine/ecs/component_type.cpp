@@ -6,19 +6,43 @@
 
 namespace plumb {
 
-const ComponentType& componentTypeOf(const TypeInfo& info) {
-    static std::mutex mutex;
-    static std::deque<ComponentType> known;
-    const std::lock_guard lock{mutex};
-    for (const ComponentType& type : known) {
-        if (type.info.key == info.key) return type;
+namespace {
+
+struct KnownTypes {
+    std::mutex mutex;
+    std::deque<ComponentType> types;
+
+    ComponentType* find(TypeKey key) {
+        for (ComponentType& type : types) {
+            if (type.info.key == key) return &type;
+        }
+        return nullptr;
     }
-    ComponentType& type = known.emplace_back();
+};
+
+KnownTypes& knownTypes() {
+    static KnownTypes known;
+    return known;
+}
+
+}  // namespace
+
+const ComponentType& componentTypeOf(const TypeInfo& info) {
+    KnownTypes& known = knownTypes();
+    const std::lock_guard lock{known.mutex};
+    if (const ComponentType* type = known.find(info.key)) return *type;
+    ComponentType& type = known.types.emplace_back();
     type.info = info;
     type.name = info.name;
     type.info.name = type.name;
     type.nameHash = hashText(type.name);
     return type;
+}
+
+const ComponentType* findComponentType(TypeKey key) {
+    KnownTypes& known = knownTypes();
+    const std::lock_guard lock{known.mutex};
+    return known.find(key);
 }
 
 namespace {

@@ -22,6 +22,8 @@ struct ComponentType {
 
 /// The one description of a type: the first to arrive stays. May be called from any thread.
 const ComponentType& componentTypeOf(const TypeInfo& info);
+/// The description of a type that was used before, or nullptr.
+const ComponentType* findComponentType(TypeKey key);
 
 /// Adds a component to a hash: by its fields where they are described, else by its bytes.
 void hashComponent(Hasher& hasher, const TypeInfo& type, const void* component);
@@ -50,8 +52,9 @@ constexpr std::string_view shortTypeName() {
     return colon == std::string_view::npos ? name : name.substr(colon + 1);
 }
 
+/// Kept out of the loops that may be the first to use a type.
 template <class T>
-const ComponentType& componentType() {
+[[gnu::noinline]] const ComponentType& componentType() {
     static_assert(std::is_trivially_copyable_v<T>, "components are plain data; hold what has a length by id");
     static const ComponentType& type = [&]() -> const ComponentType& {
         TypeInfo info;

@@ -27,6 +27,8 @@ inline constexpr std::uint32_t kStampShift = 8;
 /// A part of Storage, which keeps the invariants: for each position p below `count` that is no hole,
 /// sparse[dense[p]].position == p. Holes (dense == 0) exist only while somebody iterates.
 struct Pool {
+    /// A pool that holds nothing and never will.
+    Pool() = default;
     Pool(const ComponentType& componentType, std::uint32_t bitOrdinal, std::uint32_t maxEntities);
 
     Slot* sparse = nullptr;
@@ -56,10 +58,13 @@ struct Pool {
         return column + std::size_t{stride} * position;
     }
 
-    /// A position at the end for an entity that has none yet.
-    std::uint32_t append(EntityId id, std::uint64_t clock) {
-        if (count == capacity || id.index >= indexCapacity) [[unlikely]]
-            grow(id.index);
+    /// Makes sure that an entity with this index can be appended.
+    void makeRoom(std::uint32_t index) {
+        if (count == capacity || index >= indexCapacity) [[unlikely]]
+            grow(index);
+    }
+    /// A position at the end for an entity that has none yet. @pre makeRoom(id.index)
+    [[gnu::always_inline]] std::uint32_t append(EntityId id, std::uint64_t clock) {
         const std::uint32_t position = count++;
         dense[position] = id.index;
         sparse[id.index] = {~id.generation, position};
@@ -69,7 +74,7 @@ struct Pool {
     }
 
     /// Takes the component out and moves the last one into its place.
-    void erase(std::uint32_t index, std::uint32_t bytes, std::uint64_t clock) {
+    [[gnu::always_inline]] void erase(std::uint32_t index, std::uint32_t bytes, std::uint64_t clock) {
         const std::uint32_t position = sparse[index].position;
         const std::uint32_t last = --count;
         sparse[index] = {};
@@ -79,9 +84,9 @@ struct Pool {
             sparse[moved].position = position;
             move(position, last, bytes);
             stamps[position >> kStampShift] = clock;
+            ++disorder;
         }
         ++version;
-        ++disorder;
     }
 
     /// Takes the component out and leaves a hole for `compact`.
@@ -99,10 +104,9 @@ struct Pool {
 
     /// Notes a write to `length` positions from `first` on.
     void stamp(std::uint32_t first, std::uint32_t length, std::uint64_t clock) const {
-        const std::uint32_t end = (first + length - 1) >> kStampShift;
-        for (std::uint32_t block = first >> kStampShift; block <= end; ++block) {
-            stamps[block] = clock;
-        }
+        std::uint64_t* const begin = stamps + (first >> kStampShift);
+        std::uint64_t* const end = stamps + ((first + length - 1) >> kStampShift) + 1;
+        for (std::uint64_t* block = begin; block != end; ++block) *block = clock;
     }
     [[nodiscard]] bool writtenSince(std::uint64_t mark) const;
     void stampAll(std::uint64_t clock) const {

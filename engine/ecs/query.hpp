@@ -79,14 +79,13 @@ public:
         : world_{&world}, storage_{&storage}, cache_{&storage.beginIteration(wanted)} {
         structure_ = storage.structure();
         run_ = cache_->runs.data();
-        end_ = run_ + cache_->runs.size();
-        if (run_ != end_) enterRun();
+        enterRun();
     }
     ~Cursor() { storage_->endIteration(*cache_); }
     Cursor(const Cursor&) = delete;
     Cursor& operator=(const Cursor&) = delete;
 
-    [[nodiscard]] bool done() const { return run_ == end_; }
+    [[nodiscard]] bool done() const { return at_ == length_; }
     bool operator!=(End) const { return !done(); }
 
     Cursor& operator++() {
@@ -106,14 +105,22 @@ private:
     void step() {
         if (++at_ == length_) [[unlikely]] {
             run_ += cache_->step();
-            at_ = 0;
-            if (run_ != end_) enterRun();
+            enterRun();
         }
     }
-    void skipGone() {
-        while (!done() && !cache_->stillThere(storage_->records(), run_, at_)) step();
+    template <std::size_t... I>
+    [[nodiscard]] bool stillThere(std::index_sequence<I...>) const {
+        const std::uint32_t index = entities_[at_];
+        return index != 0 && cache_->matches(storage_->records(), index) &&
+               ((I == 0 || cache_->included[I]->dense[run_[I] + at_] == index) && ...);
     }
-    void enterRun() { enterRun(std::index_sequence_for<T...>{}); }
+    void skipGone() {
+        while (!done() && !stillThere(std::index_sequence_for<T...>{})) step();
+    }
+    void enterRun() {
+        at_ = length_ = 0;
+        if (run_ != cache_->runs.data() + cache_->runs.size()) enterRun(std::index_sequence_for<T...>{});
+    }
     template <std::size_t... I>
     void enterRun(std::index_sequence<I...>) {
         length_ = cache_->indexed ? 1 : run_[kColumns];
@@ -127,7 +134,6 @@ private:
     Storage* storage_;
     QueryCache* cache_;
     const std::uint32_t* run_ = nullptr;
-    const std::uint32_t* end_ = nullptr;
     const std::uint32_t* entities_ = nullptr;
     std::uint32_t at_ = 0;
     std::uint32_t length_ = 0;

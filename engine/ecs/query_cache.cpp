@@ -57,8 +57,7 @@ QueryCache& QueryCache::spare() {
     return *spare_;
 }
 
-bool QueryCache::matches(const EntityRecord* records, std::uint32_t index) const {
-    if (masked_) return ((records[index].mask ^ need_) & care_) == 0;
+bool QueryCache::holdsAll(std::uint32_t index) const {
     const auto holds = [index](const Pool* pool) { return pool->holds(index); };
     return std::all_of(included.begin(), included.end(), holds) &&
            std::none_of(excluded.begin(), excluded.end(), holds);

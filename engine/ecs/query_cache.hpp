@@ -7,7 +7,12 @@
 namespace plumb {
 
 struct Pool;
-struct EntityRecord;
+
+/// What is known of an entity besides its components. Generations of the living are odd.
+struct EntityRecord {
+    std::uint64_t mask = 0;  ///< Pool::bit of its components
+    std::uint32_t generation = 0;
+};
 
 /// The remembered answer of a query: runs of entities that follow one another in all of its columns, so
 /// that the inner loop is a plain one. Valid as long as no pool of the query changes its version.
@@ -29,7 +34,9 @@ struct QueryCache {
     void rebuild(const EntityRecord* records);
 
     /// Whether the entity at the index answers the query now.
-    [[nodiscard]] bool matches(const EntityRecord* records, std::uint32_t index) const;
+    [[nodiscard]] bool matches(const EntityRecord* records, std::uint32_t index) const {
+        return masked_ ? ((records[index].mask ^ need_) & care_) == 0 : holdsAll(index);
+    }
     /// Whether what stood at a place of a run when the loop began is still there and still matches.
     [[nodiscard]] bool stillThere(const EntityRecord* records, const std::uint32_t* run,
                                   std::uint32_t i) const;
@@ -40,6 +47,7 @@ struct QueryCache {
     void prepare();
 
 private:
+    [[nodiscard]] bool holdsAll(std::uint32_t index) const;
     [[nodiscard]] std::uint64_t poolVersions() const;
     [[nodiscard]] bool anyHoles() const;
     void buildRuns(const EntityRecord* records, const Pool& lead);

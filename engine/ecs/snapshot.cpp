@@ -12,16 +12,18 @@ namespace plumb {
 void Storage::save(StorageImage& image) const {
     PLUMB_ASSERT(iterating_ == 0, "a snapshot is taken between loops, not inside one");
     image.used = used_;
-    image.freeHead = freeHead_;
+    image.freeCount = freeCount_;
     image.alive = alive_;
     image.pools.clear();
-    std::size_t bytes = (std::size_t{used_} + 1) * sizeof(EntityRecord);
+    std::size_t bytes =
+        (std::size_t{used_} + 1) * sizeof(EntityRecord) + std::size_t{freeCount_} * sizeof(std::uint32_t);
     for (const std::unique_ptr<Pool>& pool : pools_) {
         image.pools.push_back({pool->type, pool->count, pool->disorder});
         bytes += std::size_t{pool->count} * (sizeof(std::uint32_t) + pool->stride);
     }
     image.bytes.prepare(bytes);
     image.bytes.append(records_, (std::size_t{used_} + 1) * sizeof(EntityRecord));
+    image.bytes.append(free_, std::size_t{freeCount_} * sizeof(std::uint32_t));
     for (const std::unique_ptr<Pool>& pool : pools_) {
         image.bytes.append(pool->dense, std::size_t{pool->count} * sizeof(std::uint32_t));
         image.bytes.append(pool->column, std::size_t{pool->count} * pool->stride);
@@ -50,6 +52,7 @@ void Storage::adoptPoolOrder(const StorageImage& image) {
     for (const std::unique_ptr<QueryCache>& cache : caches_) {
         if (cache != nullptr) cache->prepare();
     }
+    findWatched();
 }
 
 void Storage::restore(const StorageImage& image) {
@@ -64,9 +67,10 @@ void Storage::restore(const StorageImage& image) {
     if (image.used + 2 > recordCapacity_) growRecords(image.used + 2);
     const std::uint32_t before = used_;
     used_ = image.used;
-    freeHead_ = image.freeHead;
+    freeCount_ = image.freeCount;
     alive_ = image.alive;
     read(records_, (std::size_t{used_} + 1) * sizeof(EntityRecord));
+    read(free_, std::size_t{freeCount_} * sizeof(std::uint32_t));
     // Indices first used after the save were never used now.
     if (before > used_) {
         std::memset(static_cast<void*>(records_ + used_ + 1), 0,
@@ -88,7 +92,6 @@ void Storage::restore(const StorageImage& image) {
         }
         pool.stampAll(clock_);
     }
-    ++structure_;
 }
 
 }  // namespace plumb

@@ -49,10 +49,10 @@ struct StorageImage {
     };
 
     std::uint32_t used = 0;
-    std::uint32_t freeHead = 0;
+    std::uint32_t freeCount = 0;
     std::uint32_t alive = 0;
     std::vector<PoolImage> pools;  ///< by ordinal
-    ByteBuffer bytes;              ///< the records, then entities and column of each pool
+    ByteBuffer bytes;              ///< the records, the free indices, then entities and column of each pool
 };
 
 /// A world at one moment: World::save fills it, World::restore brings it back to the exact order, also into

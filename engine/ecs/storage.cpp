@@ -15,11 +15,13 @@ constexpr std::uint32_t kLastGeneration = 0xfffffffeu;
 
 }  // namespace
 
-Storage::Storage() : recordMemory_{kMaxEntities * sizeof(EntityRecord)} {
+Storage::Storage() : recordMemory_{kMaxEntities * (sizeof(EntityRecord) + sizeof(std::uint32_t))} {
     if (!recordMemory_.ok())
         failAssertion("the system has no addresses left for a world", __FILE__, __LINE__);
     records_ = reinterpret_cast<EntityRecord*>(recordMemory_.start());
+    free_ = reinterpret_cast<std::uint32_t*>(recordMemory_.start() + kMaxEntities * sizeof(EntityRecord));
     growRecords(1);
+    records_[0].generation = ~0u;  // so that the empty handle names nobody
 }
 
 void Storage::growRecords(std::uint32_t count) {
@@ -28,7 +30,8 @@ void Storage::growRecords(std::uint32_t count) {
     std::uint32_t capacity = std::max(recordCapacity_, kFirstRecords);
     while (capacity < count) capacity *= 4;
     recordCapacity_ = std::min(capacity, kMaxEntities);
-    if (!recordMemory_.commit(0, recordCapacity_ * sizeof(EntityRecord))) {
+    if (!recordMemory_.commit(0, recordCapacity_ * sizeof(EntityRecord)) ||
+        !recordMemory_.commit(kMaxEntities * sizeof(EntityRecord), recordCapacity_ * sizeof(std::uint32_t))) {
         failAssertion("the memory is used up", __FILE__, __LINE__);
     }
 }
@@ -44,7 +47,7 @@ void Storage::createFresh(std::span<EntityId> ids, std::uint64_t mask) {
     }
     used_ += count;
     alive_ += count;
-    ++structure_;
+    if (iterating_ != 0) ++structure_;
 }
 
 std::uint32_t Storage::appendRange(Pool& pool, EntityId first, std::uint32_t count) {
@@ -60,41 +63,46 @@ std::uint32_t Storage::appendRange(Pool& pool, EntityId first, std::uint32_t cou
     return start;
 }
 
+void Storage::take(Pool& pool, std::uint32_t index) {
+    if (iterating_ == 0) {
+        pool.erase(index, pool.stride, clock_);
+    } else {
+        pool.punch(index);
+        holes_ = true;
+    }
+}
+
 void Storage::removeAll(std::uint32_t index, std::uint64_t mask) {
-    const auto take = [this, index](Pool& pool) {
+    const std::unique_ptr<Pool>* const pools = pools_.data();
+    for (std::uint64_t rest = mask & ~kOverflowBit; rest != 0; rest &= rest - 1) {
+        Pool& pool = *pools[static_cast<std::size_t>(std::countr_zero(rest))];
         if (iterating_ == 0) {
             pool.erase(index, pool.stride, clock_);
         } else {
-            pool.punch(index);
-            holes_ = true;
+            take(pool, index);
         }
-    };
-    for (std::uint64_t rest = mask & ~kOverflowBit; rest != 0; rest &= rest - 1) {
-        take(*pools_[static_cast<std::size_t>(std::countr_zero(rest))]);
     }
     if ((mask & kOverflowBit) == 0) return;
     for (std::size_t i = 63; i < pools_.size(); ++i) {
-        if (pools_[i]->holds(index)) take(*pools_[i]);
+        if (pools_[i]->holds(index)) take(*pools_[i], index);
     }
 }
 
 void Storage::destroy(EntityId id) {
     EntityRecord& record = records_[id.index];
-    if (record.mask != 0) removeAll(id.index, record.mask);
+    const std::uint64_t mask = record.mask;
     record.mask = 0;
-    ++record.generation;
-    if (record.generation != kLastGeneration) {
-        record.nextFree = freeHead_;
-        freeHead_ = id.index;
-    }
+    record.generation = id.generation + 1;
+    if (record.generation != kLastGeneration) free_[freeCount_++] = id.index;
     --alive_;
-    ++structure_;
+    if (iterating_ != 0) ++structure_;
+    if (mask != 0) removeAll(id.index, mask);
 }
 
 void Storage::clear() {
     if (iterating_ != 0) {
         for (std::uint32_t index = 1; index <= used_; ++index) {
-            if (alive(idAt(index))) destroy(idAt(index));
+            if (livesAt(index)) destroy(idAt(index));
         }
         return;
     }
@@ -110,25 +118,36 @@ void Storage::clear() {
         pool->disorder = 0;
         ++pool->version;
     }
-    freeHead_ = 0;
-    for (std::uint32_t index = used_; index > 0; --index) {
+    bool worn = false;
+    for (std::uint32_t index = 1; index <= used_; ++index) {
         EntityRecord& record = records_[index];
         record.generation += record.generation & 1u;
         record.mask = 0;
-        if (record.generation == kLastGeneration) continue;
-        record.nextFree = freeHead_;
-        freeHead_ = index;
+        worn |= record.generation == kLastGeneration;
+    }
+    // Lowest index on top, so that a cleared world gives out the same order as a new one.
+    freeCount_ = 0;
+    for (std::uint32_t index = used_; index > 0; --index) {
+        if (!worn || records_[index].generation != kLastGeneration) free_[freeCount_++] = index;
     }
     alive_ = 0;
-    ++structure_;
 }
 
 Pool& Storage::makePool(const ComponentType& type) {
     const TypeKey key = type.info.key;
-    if (key >= byKey_.size()) byKey_.resize(key + 1);
+    if (key >= keyTable_.size()) keyTable_.resize(key + 1, &nobody_);
+    byKey_ = keyTable_.data();
+    keyCount_ = static_cast<TypeKey>(keyTable_.size());
     const auto ordinal = static_cast<std::uint32_t>(pools_.size());
     pools_.push_back(std::make_unique<Pool>(type, ordinal, kMaxEntities));
-    return *(byKey_[key] = pools_.back().get());
+    byKey_[key] = pools_.back().get();
+    findWatched();
+    return *pools_.back();
+}
+
+void Storage::findWatched() {
+    watchedMask_ = 0;
+    for (const TypeKey key : watchedKeys_) watchedMask_ |= knownPool(key).bit;
 }
 
 QueryCache& Storage::beginIteration(QueryCache& wanted) {

@@ -15,13 +15,6 @@ namespace plumb {
 
 struct StorageImage;
 
-/// What is known of an entity besides its components. Generations of the living are odd.
-struct EntityRecord {
-    std::uint64_t mask = 0;  ///< Pool::bit of its components
-    std::uint32_t generation = 0;
-    std::uint32_t nextFree = 0;
-};
-
 /// The entities of a world and their components. World is the friendly face of it.
 class Storage {
 public:
@@ -35,12 +28,11 @@ public:
     // entities
 
     EntityId create() {
-        std::uint32_t index = freeHead_;
-        if (index != 0) {
-            freeHead_ = records_[index].nextFree;
+        std::uint32_t index = 0;
+        if (freeCount_ != 0) {
+            index = free_[--freeCount_];
         } else {
-            if (used_ + 1 >= recordCapacity_) [[unlikely]]
-                growRecords(used_ + 2);
+            if (used_ + 1 >= recordCapacity_) growRecords(used_ + 2);
             index = ++used_;
         }
         ++alive_;
@@ -49,8 +41,8 @@ public:
     /// Never used indices for all of `ids`, one after the other.
     void createFresh(std::span<EntityId> ids, std::uint64_t mask);
     [[nodiscard]] bool alive(EntityId id) const {
-        return (id.generation & 1u) != 0 && id.index <= used_ &&
-               records_[id.index].generation == id.generation;
+        // Only odd generations are ever given out, and those of the dead are even.
+        return id.index <= used_ && records_[id.index].generation == id.generation;
     }
     /// @pre alive(id)
     void destroy(EntityId id);
@@ -58,6 +50,12 @@ public:
     [[nodiscard]] std::uint32_t entityCount() const { return alive_; }
     [[nodiscard]] std::uint32_t usedIndices() const { return used_; }
     [[nodiscard]] const EntityRecord* records() const { return records_; }
+    /// Whether it has a component of a type that was given to watch().
+    [[nodiscard]] bool watched(EntityId id) const { return (records_[id.index].mask & watchedMask_) != 0; }
+    /// Destroying an entity with such a component needs care from the caller.
+    void watch(TypeKey key) { watchedKeys_.push_back(key); }
+    /// Whether somebody lives at an index that was used. @pre 0 < index <= usedIndices()
+    [[nodiscard]] bool livesAt(std::uint32_t index) const { return (records_[index].generation & 1u) != 0; }
     [[nodiscard]] EntityId idAt(std::uint32_t index) const { return {index, records_[index].generation}; }
 
     // components
@@ -65,30 +63,35 @@ public:
     template <class T>
     Pool& pool() {
         const TypeKey key = typeKey<T>();
-        if (key < byKey_.size() && byKey_[key] != nullptr) [[likely]]
-            return *byKey_[key];
+        if (key < keyCount_ && byKey_[key] != &nobody_) return *byKey_[key];
         return makePool(componentType<std::remove_const_t<T>>());
     }
-    [[nodiscard]] Pool* findPool(TypeKey key) const { return key < byKey_.size() ? byKey_[key] : nullptr; }
+    /// The pool of a type; an empty one when there is none.
+    [[nodiscard]] const Pool& knownPool(TypeKey key) const {
+        return key < keyCount_ ? *byKey_[key] : nobody_;
+    }
+    [[nodiscard]] Pool* findPool(TypeKey key) const {
+        return key < keyCount_ && byKey_[key] != &nobody_ ? byKey_[key] : nullptr;
+    }
     Pool& pool(const TypeInfo& info) {
         Pool* known = findPool(info.key);
         return known != nullptr ? *known : makePool(componentTypeOf(info));
     }
     [[nodiscard]] std::span<const std::unique_ptr<Pool>> pools() const { return pools_; }
 
-    /// A position for a new component. @pre alive(id) and the pool has none of it
-    std::uint32_t append(Pool& pool, EntityId id) {
+    /// A position for a new component. @pre alive(id), pool.makeRoom(id.index), and the pool has none of it
+    [[gnu::always_inline]] std::uint32_t append(Pool& pool, EntityId id) {
         records_[id.index].mask |= pool.bit;
-        ++structure_;
+        if (iterating_ != 0) ++structure_;
         return pool.append(id, clock_);
     }
     /// @pre pool.has(id)
-    void erase(Pool& pool, EntityId id, std::uint32_t bytes) {
+    [[gnu::always_inline]] void erase(Pool& pool, EntityId id, std::uint32_t bytes) {
         records_[id.index].mask &= ~(pool.bit & ~kOverflowBit);
-        ++structure_;
         if (iterating_ == 0) [[likely]] {
             pool.erase(id.index, bytes, clock_);
         } else {
+            ++structure_;
             pool.punch(id.index);
             holes_ = true;
         }
@@ -109,7 +112,7 @@ public:
         if (--iterating_ == 0 && holes_) compact();
     }
     [[nodiscard]] bool iterating() const { return iterating_ != 0; }
-    /// Counts every change of who has what, for loops that must notice.
+    /// Counts the changes of who has what while somebody iterates, for loops that must notice.
     [[nodiscard]] const std::uint64_t& structure() const { return structure_; }
 
     // changes
@@ -131,20 +134,28 @@ public:
 private:
     Pool& makePool(const ComponentType& type);
     void removeAll(std::uint32_t index, std::uint64_t mask);
+    void take(Pool& pool, std::uint32_t index);
     void growRecords(std::uint32_t count);
     void compact();
     void adoptPoolOrder(const StorageImage& image);
+    void findWatched();
 
     EntityRecord* records_ = nullptr;
-    std::uint32_t used_ = 0;      // highest index ever used
-    std::uint32_t freeHead_ = 0;  // 0: none
+    std::uint32_t used_ = 0;         // highest index ever used
+    std::uint32_t* free_ = nullptr;  // a stack of indices to use again
+    std::uint32_t freeCount_ = 0;
     std::uint32_t alive_ = 0;
     std::uint32_t iterating_ = 0;
     std::uint64_t structure_ = 0;
     std::uint64_t clock_ = 1;
     bool holes_ = false;
     std::uint32_t recordCapacity_ = 0;
-    std::vector<Pool*> byKey_;
+    std::uint64_t watchedMask_ = 0;
+    TypeKey keyCount_ = 0;
+    Pool** byKey_ = nullptr;  // &nobody_ for types without a pool
+    std::vector<Pool*> keyTable_;
+    Pool nobody_;
+    std::vector<TypeKey> watchedKeys_;
     std::vector<std::unique_ptr<Pool>> pools_;  // by ordinal
     std::vector<std::unique_ptr<QueryCache>> caches_;
     std::vector<std::byte> scratch_;

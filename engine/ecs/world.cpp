@@ -25,15 +25,21 @@ std::uint32_t nextQueryKey() {
     return next++;
 }
 
-void World::destroy(EntityId id) {
-    if (!storage_.alive(id)) return;
-    if (has<Parent>(id) || has<Children>(id)) leaveFamily(*this, id);
-    storage_.destroy(id);
+World::World() {
+    storage_.watch(typeKey<Parent>());
+    storage_.watch(typeKey<Children>());
 }
+
+void World::leaveFamily(EntityId id) { plumb::leaveFamily(*this, id); }
 
 void World::beginTick() {
     ++tick;
     events_.clear();
+    if (missed_.count > 0) {
+        tellMissing({static_cast<std::uint32_t>(missed_.id), static_cast<std::uint32_t>(missed_.id >> 32)},
+                    static_cast<TypeKey>(missed_.key));
+        missed_ = {};
+    }
     if (!storage_.iterating() && entityCount() <= kTidyEntities && storage_.fragmented()) storage_.cluster();
 }
 
@@ -68,7 +74,11 @@ bool World::has(const TypeInfo& type, EntityId id) const {
 
 void* World::add(const TypeInfo& type, EntityId id) {
     Pool& pool = storage_.pool(type);
-    if (!storage_.alive(id)) return missing(*pool.type, id);
+    if (!storage_.alive(id)) {
+        tellMissing(id, type.key);
+        return nullptr;
+    }
+    pool.makeRoom(id.index);
     if (!pool.has(id)) storage_.append(pool, id);
     if (pool.stride == 0) return &tagAddress;
     void* const memory = find(type, id);
@@ -83,21 +93,17 @@ void World::remove(const TypeInfo& type, EntityId id) {
     if (pool != nullptr && pool->has(id)) storage_.erase(*pool, id, pool->stride);
 }
 
-void* World::missing(const ComponentType& type, EntityId id) const {
+void World::tellMissing(EntityId id, TypeKey key) const {
+    const ComponentType* const type = findComponentType(key);
     const char* const reason = id.index == 0 ? "the empty handle"
                                : !storage_.alive(id)
                                    ? "a destroyed entity; its handle is stale: ask alive() or use find()"
                                    : "an entity that has none; ask hasComponent() or use find()";
-    const std::string text =
-        format("{} was asked of entity {} (generation {}), {}", type.name, id.index, id.generation, reason);
+    const std::string text = format("{} was asked of entity {} (generation {}), {}",
+                                    type != nullptr ? type->name : std::string{"a component that nobody has"},
+                                    id.index, id.generation, reason);
     PLUMB_ASSERT(false, text.c_str());
     logError("World", Error{"entity handle", text, ""});
-    blank_.assign(std::max<std::size_t>(type.info.size, 1) + type.info.alignment, std::byte{});
-    void* memory = blank_.data();
-    std::size_t room = blank_.size();
-    std::align(type.info.alignment, type.info.size, memory, room);
-    if (type.info.construct != nullptr) type.info.construct(memory);
-    return memory;
 }
 
 // services
@@ -153,7 +159,7 @@ std::uint64_t World::hash() const {
     hasher.add(std::uint64_t{storage_.entityCount()});
     for (std::uint32_t index = 1; index <= storage_.usedIndices(); ++index) {
         const EntityId id = storage_.idAt(index);
-        if (storage_.alive(id)) hasher.add(std::uint64_t{id.generation} << 32 | index);
+        if (storage_.livesAt(index)) hasher.add(std::uint64_t{id.generation} << 32 | index);
     }
     std::vector<const Pool*> pools;
     for (const auto& pool : storage_.pools()) {

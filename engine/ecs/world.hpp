@@ -28,9 +28,9 @@ class TypeRegistry;
 /// It stays at one address, so handles may point to it.
 class World {
 public:
-    World() = default;
+    World();
     /// With the types that tools may ask for by name; the registry outlives the world.
-    explicit World(const TypeRegistry& types) : types_{&types} {}
+    explicit World(const TypeRegistry& types) : World{} { types_ = &types; }
     World(const World&) = delete;
     World& operator=(const World&) = delete;
 
@@ -45,7 +45,12 @@ public:
     [[nodiscard]] Entity entity(EntityId id) { return {*this, id}; }
     [[nodiscard]] bool alive(EntityId id) const { return storage_.alive(id); }
     /// Destroys the entity, its components and its children. Nothing happens when it is gone already.
-    void destroy(EntityId id);
+    void destroy(EntityId id) {
+        if (!storage_.alive(id)) return;
+        if (storage_.watched(id)) [[unlikely]]
+            leaveFamily(id);
+        storage_.destroy(id);
+    }
     [[nodiscard]] std::size_t entityCount() const { return storage_.entityCount(); }
     /// Destroys all entities. Resources, services, systems, texts and tiles stay.
     void clear() { storage_.clear(); }
@@ -79,7 +84,8 @@ public:
     [[nodiscard]] void* find(const TypeInfo& type, EntityId id);
     [[nodiscard]] const void* find(const TypeInfo& type, EntityId id) const;
     [[nodiscard]] bool has(const TypeInfo& type, EntityId id) const;
-    /// Adds a component with its defaults, or resets the one that is there to them. @pre alive(id)
+    /// Adds a component with its defaults, or resets the one that is there to them; nullptr when the entity
+    /// is gone.
     void* add(const TypeInfo& type, EntityId id);
     void remove(const TypeInfo& type, EntityId id);
     [[nodiscard]] const TypeRegistry* types() const { return types_; }
@@ -205,8 +211,21 @@ public:
 private:
     void provide(TypeKey key, void* service);
     [[nodiscard]] void* findService(TypeKey key) const;
-    /// Says in words that a handle is stale or that a component is missing; gives a harmless one in release.
-    void* missing(const ComponentType& type, EntityId id) const;
+    /// Destroys the children of an entity and takes it from its parent.
+    void leaveFamily(EntityId id);
+
+    /// A get() that found nothing: told now where asserts are on, else at the next tick, so that the loops
+    /// around get() hold no call that the compiler must expect to change everything.
+    struct Missed {
+        std::uint64_t id = 0;
+        std::uint64_t count = 0;
+        std::uint64_t key = 0;
+    };
+    template <class T>
+    T& missing(EntityId id) const;
+    template <class T, class... Arguments>
+    T& replace(EntityId id, Arguments&&... arguments);
+    void tellMissing(EntityId id, TypeKey key) const;
 
     Storage storage_;
     Resources resources_;
@@ -217,7 +236,7 @@ private:
     Schedule schedule_;
     std::vector<std::pair<TypeKey, void*>> services_;
     const TypeRegistry* types_ = nullptr;
-    mutable std::vector<std::byte> blank_;  // what missing() gives
+    mutable Missed missed_;
 };
 
 }  // namespace plumb

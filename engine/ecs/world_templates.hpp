@@ -26,28 +26,58 @@ T* constructComponent(void* memory, World& world, Arguments&&... arguments) {
     }
 }
 
+#if !defined(NDEBUG) || defined(PLUMB_ASSERTS)
+inline constexpr bool kTellAtOnce = true;
+#else
+inline constexpr bool kTellAtOnce = false;
+#endif
+
+/// What get() gives when there is nothing to give: a component that belongs to nobody.
+template <class T>
+struct Blank {
+    alignas(T) inline static std::byte bytes[sizeof(T)] = {};
+};
+
+template <class T>
+T& World::missing(EntityId id) const {
+    if constexpr (kTellAtOnce) {
+        tellMissing(id, componentType<std::remove_const_t<T>>().info.key);
+    } else {
+        missed_.id = std::uint64_t{id.generation} << 32 | id.index;
+        missed_.key = typeKey<T>();
+        ++missed_.count;
+    }
+    return *reinterpret_cast<T*>(Blank<std::remove_const_t<T>>::bytes);
+}
+
 template <class T, class... Arguments>
 T& World::add(EntityId id, Arguments&&... arguments) {
     static_assert(!std::is_const_v<T>);
     Pool& pool = storage_.pool<T>();
     if (!storage_.alive(id)) [[unlikely]]
-        return *static_cast<T*>(missing(*pool.type, id));
+        return missing<T>(id);
     if constexpr (kIsTag<T>) {
-        if (!pool.has(id)) storage_.append(pool, id);
+        pool.makeRoom(id.index);
+        if (pool.sparse[id.index].check == 0) storage_.append(pool, id);
         return kTagInstance<T>;
     } else {
-        if (pool.has(id)) [[unlikely]] {
-            // Made aside first: the arguments may be parts of the component that is replaced.
-            alignas(T) std::byte made[sizeof(T)] = {};
-            constructComponent<T>(made, *this, std::forward<Arguments>(arguments)...);
-            T* const there = find<T>(id);
-            std::memcpy(static_cast<void*>(there), made, sizeof(T));
-            return *there;
-        }
+        pool.makeRoom(id.index);
+        if (pool.sparse[id.index].check != 0) [[unlikely]]
+            return replace<T>(id, std::forward<Arguments>(arguments)...);
         // A constructor that takes the World may add entities, even this component; so the place comes first.
-        void* const memory = pool.at(storage_.append(pool, id));
-        return *constructComponent<T>(memory, *this, std::forward<Arguments>(arguments)...);
+        T* const place = reinterpret_cast<T*>(pool.column) + storage_.append(pool, id);
+        return *constructComponent<T>(place, *this, std::forward<Arguments>(arguments)...);
     }
+}
+
+template <class T, class... Arguments>
+[[gnu::noinline]] T& World::replace(EntityId id, Arguments&&... arguments) {
+    // Made aside first: the arguments may be parts of the component that is replaced.
+    alignas(T) std::byte made[sizeof(T)] = {};
+    constructComponent<T>(made, *this, std::forward<Arguments>(arguments)...);
+    T* const there = find<T>(id);
+    std::memcpy(static_cast<void*>(there), made, sizeof(T));
+    return *there;
 }
 
 template <class... T>
@@ -59,8 +89,9 @@ void World::createEntities(std::span<EntityId> ids, const T&... components) {
         const std::uint32_t start =
             storage_.appendRange(pool, ids[0], static_cast<std::uint32_t>(ids.size()));
         if constexpr (!kIsTag<C>) {
+            const C value = component;  // ours: the caller's could lie in the column
             C* const column = reinterpret_cast<C*>(pool.column) + start;
-            for (std::size_t i = 0; i < ids.size(); ++i) std::construct_at(column + i, component);
+            for (std::size_t i = 0; i < ids.size(); ++i) std::construct_at(column + i, value);
         }
     };
     (fill(components), ...);
@@ -68,14 +99,14 @@ void World::createEntities(std::span<EntityId> ids, const T&... components) {
 
 template <class T>
 T* World::find(EntityId id) {
-    Pool* const pool = storage_.findPool(typeKey<T>());
-    if (pool == nullptr || !pool->has(id)) return nullptr;
+    const Pool& pool = storage_.knownPool(typeKey<T>());
+    if (!pool.has(id)) return nullptr;
     if constexpr (kIsTag<T>) {
         return &kTagInstance<T>;
     } else {
-        const std::uint32_t position = pool->sparse[id.index].position;
-        if constexpr (!std::is_const_v<T>) pool->stamps[position >> kStampShift] = storage_.clock();
-        return reinterpret_cast<T*>(pool->column) + position;
+        const std::uint32_t position = pool.sparse[id.index].position;
+        if constexpr (!std::is_const_v<T>) pool.stamps[position >> kStampShift] = storage_.clock();
+        return reinterpret_cast<T*>(pool.column) + position;
     }
 }
 
@@ -87,9 +118,8 @@ const T* World::find(EntityId id) const {
 template <class T>
 T& World::get(EntityId id) {
     T* const found = find<T>(id);
-    if (found == nullptr) [[unlikely]] {
-        return *static_cast<T*>(missing(componentType<std::remove_const_t<T>>(), id));
-    }
+    if (found == nullptr) [[unlikely]]
+        return missing<T>(id);
     return *found;
 }
 
@@ -100,8 +130,7 @@ const T& World::get(EntityId id) const {
 
 template <class T>
 bool World::has(EntityId id) const {
-    const Pool* const pool = storage_.findPool(typeKey<T>());
-    return pool != nullptr && pool->has(id);
+    return storage_.knownPool(typeKey<T>()).has(id);
 }
 
 template <class T>
@@ -112,8 +141,7 @@ void World::remove(EntityId id) {
 
 template <class T>
 std::size_t World::count() const {
-    const Pool* const pool = storage_.findPool(typeKey<T>());
-    return pool != nullptr ? pool->size() : 0;
+    return storage_.knownPool(typeKey<T>()).size();
 }
 
 template <class T>
@@ -125,8 +153,7 @@ bool World::changedSince(EntityId id, std::uint64_t mark) const {
 
 template <class T>
 bool World::changedSince(std::uint64_t mark) const {
-    const Pool* const pool = storage_.findPool(typeKey<T>());
-    return pool != nullptr && pool->writtenSince(mark);
+    return storage_.knownPool(typeKey<T>()).writtenSince(mark);
 }
 
 template <class T, class... Arguments>

@@ -157,9 +157,9 @@ Case randomGet(std::size_t n) {
                  keep(&result);
              }},
             {{},
-             [column, order] {
+             [column, ids] {
                  std::uint64_t sum = 0;
-                 for (const std::uint32_t at : order) sum += (*column)[at].value;
+                 for (const EntityId id : ids) sum += (*column)[id.index - 1].value;
                  const std::uint64_t result = sum;  // so that the sum itself stays in a register
                  keep(&result);
              }},

@@ -9,7 +9,8 @@ inline constexpr std::array<std::size_t, 4> kSizes = {1000, 10000, 100000, 10000
 
 /// A line of the table of figures to beat: ns per item per size, measured on one machine. Elsewhere only the
 /// ratio of target to limit counts, both measured in one race; lines without a limit scale with how fast this
-/// machine walks two plain arrays.
+/// machine walks two plain arrays. So do the lines that create: their limit, vectors that grow, measures the
+/// allocator, and allocators differ more than machines.
 struct TableLine {
     const char* name;
     std::array<double, 4> limit;  ///< plain arrays; 0 for none
@@ -39,8 +40,8 @@ inline constexpr std::array<double, 4> kNoLimit = {0, 0, 0, 0};
 inline constexpr std::array<double, 4> kMoveLimit = {.13, .18, .18, .51};
 
 inline constexpr TableLine kTable[] = {
-    {"create with 2 components, warm", {1.5, 5.3, 7.9, 6.7}, {7, 7, 7, 8}},
-    {"create 2, bulk", {1.5, 5.3, 7.9, 6.7}, {2.5, 2, 2.5, 3.5}},
+    {"create with 2 components, warm", kNoLimit, {7, 7, 7, 8}},
+    {"create 2, bulk", kNoLimit, {2.5, 2, 2.5, 3.5}},
     {"destroy each", kNoLimit, {8, 8, 8, 8}},
     {"destroy all", kNoLimit, {1.5, 1.5, 1.5, 1.5}},
     {"random get, generation checked", {.50, .51, .51, 1.7}, {.7, .9, 1.8, 7}},

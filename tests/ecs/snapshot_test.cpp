@@ -170,6 +170,7 @@ TEST(HashTest, doesNotDependOnHowTheStateCameAbout) {
             if (i % 3 != 0) b[at(i)].addComponent<Position>(static_cast<float>(i), -0.0f);
         }
     }
+    winding.createEntity().destroy();
     b[0].addComponent<Health>();
     b[0].removeComponent<Health>();
     EXPECT_EQ(straight.hash(), winding.hash());
