@@ -1,5 +1,7 @@
 #include "editor/ui/scene_picture.hpp"
 
+#include "gameplay/game_progress.hpp"
+
 namespace plumb::editor::ui {
 namespace {
 
@@ -25,6 +27,7 @@ std::uintptr_t ScenePicture::draw(World& world, AssetStore* assets, const View& 
     how.alpha = alpha;
     how.parallaxOrigin = cameraView(world, view.size / view.zoom, alpha).center;
     how.parallax = false;
+    how.labelText = &fillPlaceholders;
     list_.begin(how.view);
     renderer.collect(world, how, list_);
     device_.setViewport(viewport);
