@@ -208,6 +208,8 @@ Result<tiled::Map> parseTiledMap(std::string_view text, const Path& file, const 
 Result<tiled::Map> loadTiledMap(const Path& file, std::vector<Error>& warnings) {
     const FileReader readFrom = [](const Path& path) -> Result<std::string> {
         Result<std::string> bytes = readFile(path);
+        // Linux distributions pack the files of Tiled's examples but not the names inside them.
+        if (!bytes && readFile(path.string() + ".gz")) bytes = readFile(path.string() + ".gz");
         if (bytes && startsWith(*bytes, "\x1f\x8b"))
             return unpackGzip(*bytes, limits::kFileBytes, path.generic_string());
         return bytes;
