@@ -1,0 +1,47 @@
+#include <cstdlib>
+
+#include <gtest/gtest.h>
+
+#include "core/file.hpp"
+#include "ecs/world.hpp"
+#include "gameplay/register_components.hpp"
+#include "reflect/type_registry.hpp"
+#include "scene/prefab.hpp"
+#include "scene/register_components.hpp"
+#include "scene/scene_file.hpp"
+
+namespace plumb {
+namespace {
+
+TEST(ProjectScenes, goldenOpenAndSaveChangesNoByteOfAnyScene) {
+    TypeRegistry types;
+    registerSceneComponents(types);
+    registerGameplayComponents(types);
+    const Path projects = Path{PLUMB_SOURCE_DIR} / "projects";
+    const std::vector<std::string> scenes = filesBelow(projects, ".scene.json");
+    EXPECT_FALSE(scenes.empty());
+    for (const std::string& name : scenes) {
+        SCOPED_TRACE(name);
+        const std::size_t folder = name.find('/');
+        PrefabLibrary prefabs{types, projects / name.substr(0, folder)};
+        const SceneContext context{types, &prefabs, projects / name.substr(0, folder)};
+        const std::string path = name.substr(folder + 1);
+        const auto text = readFile(projects / name);
+        ASSERT_TRUE(text) << text.error().text();
+
+        World world{types};
+        const auto report = loadScene(world, context, path, *text);
+        ASSERT_TRUE(report) << report.error().text();
+        for (const Error& problem : report->problems) ADD_FAILURE() << problem.text();
+        const std::string saved = sceneToJson(world, context, report->scene);
+        if (std::getenv("UPDATE_GOLDEN") != nullptr) {
+            ASSERT_TRUE(writeFile(projects / name, saved));
+        } else {
+            EXPECT_TRUE(saved == *text)
+                << "written in another way than the engine does: UPDATE_GOLDEN=1 mends it";
+        }
+    }
+}
+
+}  // namespace
+}  // namespace plumb
