@@ -7,10 +7,13 @@
 namespace plumb {
 namespace {
 
-Result<PlayerOptions> parsed(const std::vector<const char*>& arguments) { return parsePlayerOptions(arguments); }
+Result<PlayerOptions> parsed(const std::vector<const char*>& arguments) {
+    return parsePlayerOptions(arguments);
+}
 
 TEST(PlayerOptions, everyOptionIsReadWithItsValueBehindItOrAfterAnEqualsSign) {
-    const auto options = parsed({"projects/mine", "--frames", "600", "--seed=7", "--headless", "--hash", "--scale", "3"});
+    const auto options =
+        parsed({"projects/mine", "--frames", "600", "--seed=7", "--headless", "--hash", "--scale", "3"});
 
     ASSERT_TRUE(options.ok());
     EXPECT_EQ(options->project, "projects/mine");
@@ -25,13 +28,19 @@ TEST(PlayerOptions, aMistypedOptionNamesTheClosestOne) {
     const auto options = parsed({"--headles"});
 
     ASSERT_FALSE(options.ok());
-    EXPECT_EQ(options.error().text(), "command line: there is no option \"--headles\"; did you mean --headless?");
+    EXPECT_EQ(options.error().text(),
+              "command line: there is no option \"--headles\"; did you mean --headless?");
 }
 
 TEST(PlayerOptions, wrongAndMissingValuesAreErrorsWithARemedy) {
-    for (const auto& wrong : std::vector<std::vector<const char*>>{
-             {"--frames", "many"}, {"--frames", "-1"}, {"--frames"}, {"--scale", "17"}, {"--hash-every", "0"},
-             {"--seed", "-3"}, {"--screenshot", ""}, {"a", "b"}}) {
+    for (const auto& wrong : std::vector<std::vector<const char*>>{{"--frames", "many"},
+                                                                   {"--frames", "-1"},
+                                                                   {"--frames"},
+                                                                   {"--scale", "17"},
+                                                                   {"--hash-every", "0"},
+                                                                   {"--seed", "-3"},
+                                                                   {"--screenshot", ""},
+                                                                   {"a", "b"}}) {
         const auto options = parsed(wrong);
         ASSERT_FALSE(options.ok()) << wrong.front();
         EXPECT_FALSE(options.error().remedy.empty());
@@ -39,8 +48,9 @@ TEST(PlayerOptions, wrongAndMissingValuesAreErrorsWithARemedy) {
 }
 
 TEST(PlayerOptions, theUsageListsEveryOption) {
-    for (const char* name : {"--scene", "--headless", "--frames", "--hash", "--hash-every", "--screenshot", "--capture",
-                             "--record", "--replay", "--effects", "--benchmark", "--seed", "--scale", "--fullscreen"}) {
+    for (const char* name :
+         {"--scene", "--headless", "--frames", "--hash", "--hash-every", "--screenshot", "--capture",
+          "--record", "--replay", "--effects", "--benchmark", "--seed", "--scale", "--fullscreen"}) {
         EXPECT_NE(playerUsage().find(name), std::string::npos) << name;
     }
 }

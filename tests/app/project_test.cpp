@@ -22,9 +22,9 @@ TEST(Project, aFileWithEverythingIsRead) {
 
 TEST(Project, everyWrongValueIsOneWarningWithWhereWhatAndRemedyAndTheDefaultStays) {
     for (const char* wrong : {R"({"name": 3})", R"({"scaling": "huge"})", R"({"resolution": [320]})",
-                              R"({"resolution": [0, 180]})", R"({"window": {"width": -1}})", R"({"window": 5})",
-                              R"({"physics": {"pixelsPerMetre": 0}})", R"({"physics": {"gravity": "down"}})",
-                              R"({"startScene": false})"}) {
+                              R"({"resolution": [0, 180]})", R"({"window": {"width": -1}})",
+                              R"({"window": 5})", R"({"physics": {"pixelsPerMetre": 0}})",
+                              R"({"physics": {"gravity": "down"}})", R"({"startScene": false})"}) {
         SCOPED_TRACE(wrong);
         const auto project = projectFromText(wrong, ".", "project.json");
         ASSERT_TRUE(project.ok());

@@ -61,7 +61,8 @@ TEST(SceneGame, aHundredSceneSwitchesLeaveNothingBehind) {
     game.onCreate();
     const std::size_t entities = game.world.entityCount();
     for (int i = 0; i < 100; ++i) {
-        ASSERT_TRUE(game.openScene(i % 2 == 0 ? "scenes/level2.scene.json" : "scenes/level1.scene.json").ok());
+        ASSERT_TRUE(
+            game.openScene(i % 2 == 0 ? "scenes/level2.scene.json" : "scenes/level1.scene.json").ok());
         tickGame(game, InputFrame{});
     }
     EXPECT_EQ(game.world.entityCount(), entities);

@@ -33,7 +33,8 @@ TEST(StepClock, aConstantSpeedSpriteMovesEvenlyOnDisplaysFrom30To240Hz) {
         for (int i = 0; i < 2000; ++i) {
             const auto frame = clock.advance(1.0 / rate);
             tick += frame.ticks;
-            const double drawn = (static_cast<double>(tick - 1) + static_cast<double>(frame.alpha)) * kSpeed / 60.0;
+            const double drawn =
+                (static_cast<double>(tick - 1) + static_cast<double>(frame.alpha)) * kSpeed / 60.0;
             if (i > 10) {
                 ASSERT_NEAR((drawn - before) / (kSpeed / rate), 1.0, 0.01);
             }
