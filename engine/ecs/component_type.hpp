@@ -35,12 +35,17 @@ constexpr std::string_view compilerTypeName() {
     constexpr std::string_view text = __FUNCSIG__;
     constexpr std::size_t open = text.find("compilerTypeName<") + 17;
     constexpr std::size_t start = text.find(' ', open) < text.rfind(">(") ? text.find(' ', open) + 1 : open;
-    return text.substr(start, text.rfind(">(") - start);
+    constexpr std::string_view name = text.substr(start, text.rfind(">(") - start);
+    return name.substr(0, 7) == "plumb::" ? name.substr(7) : name;
 #else
     constexpr std::string_view text = __PRETTY_FUNCTION__;
     constexpr std::size_t start = text.find("T = ") + 4;
     constexpr std::size_t end = text.find(';', start) < text.size() ? text.find(';', start) : text.rfind(']');
-    return text.substr(start, end - start);
+    // Some compilers leave out the namespace that this function is in, so it is left out always: the name is
+    // hashed, and the hash must be the same everywhere.
+    constexpr std::string_view inside = "plumb::";
+    constexpr std::string_view name = text.substr(start, end - start);
+    return name.substr(0, inside.size()) == inside ? name.substr(inside.size()) : name;
 #endif
 }
 

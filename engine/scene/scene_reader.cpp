@@ -281,8 +281,8 @@ void SceneReader::readChildren(const Json& value, EntityId root, std::uint64_t i
             continue;
         }
         readKeys(
-            [&overrides] {
-                Json copy = overrides;
+            [&said = overrides] {
+                Json copy = said;
                 copy["prefab"] = "";  // overrides of a part may say what overrides of a root may
                 copy.erase("children");
                 return copy;
