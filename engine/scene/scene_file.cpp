@@ -177,12 +177,13 @@ Result<LoadReport> loadSceneBinary(World& world, const SceneContext& context, st
         const auto* text = entity.is_object() && entity.size() == 1 && entity.contains(kTextKey)
                                ? entity[kTextKey].get_ptr<const std::string*>()
                                : nullptr;
-        std::string own;
-        if (text == nullptr) appendJson(own, entity, 4);
-        Result<Json> parsed = text == nullptr ? Result<Json>(std::move(entity)) : parseJson(*text, path);
-        const std::string kept = text == nullptr ? own : *text;
-        parsed.ok() ? reader.readEntity(std::move(*parsed), place, kept)
-                    : reader.skipEntity(place, kept, parsed.error());
+        if (text == nullptr) {
+            reader.readEntity(std::move(entity), place, {});
+        } else if (Result<Json> parsed = parseJson(*text, path)) {
+            reader.readEntity(std::move(*parsed), place, *text);
+        } else {
+            reader.skipEntity(place, *text, parsed.error());
+        }
         ++place;
     }
     return reader.finish();

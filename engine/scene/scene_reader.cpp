@@ -6,6 +6,7 @@
 #include "core/text.hpp"
 #include "ecs/hierarchy.hpp"
 #include "reflect/field_json.hpp"
+#include "reflect/json_text.hpp"
 #include "reflect/type_registry.hpp"
 #include "scene/components/name.hpp"
 #include "scene/components/prefab_instance.hpp"
@@ -22,6 +23,14 @@ std::uint64_t idOf(const Json& json) {
 /// What scenes and entities may carry beside what the engine reads: values of the game's own, and what an
 /// importer could not say in components. Kept and written back like all other keys, but meant to be there.
 bool isNote(std::string_view key) { return key == "properties" || key == "tiled" || key == "background"; }
+
+/// The text of an entity to keep: as it stood in the file, or written from what a binary file held.
+std::string keptText(std::string_view text, const Json& json) {
+    if (!text.empty()) return std::string{text};
+    std::string written;
+    appendJson(written, json, 4);
+    return written;
+}
 
 /// "cells[3].x" names the field "cells".
 std::string fieldName(const std::string& where) { return where.substr(0, where.find_first_of(".[")); }
@@ -133,7 +142,7 @@ bool SceneReader::readId(const Json& json, int place, std::string_view text, std
     id = idOf(*found);
     if (id == 0) {
         skipEntity(
-            place, text,
+            place, keptText(text, json),
             {where, "expected 16 hex digits, found " + foundText(*found), "write e.g. \"9f3c1a77d2e0b154\""});
     }
     return id != 0;
@@ -143,7 +152,7 @@ void SceneReader::readEntity(Json json, int place, std::string_view text) {
     const std::string where = format("entities[{}]", place);
     if (!json.is_object()) {
         return skipEntity(
-            place, text,
+            place, keptText(text, json),
             {format("{}: {}", scene_.path, where), "expected an object, found " + foundText(json),
              "write {\"id\": ..., \"components\": {...}}"});
     }
@@ -153,7 +162,7 @@ void SceneReader::readEntity(Json json, int place, std::string_view text) {
     fields_.missed = false;
     if (fields_.entity(id)) {
         return skipEntity(
-            place, text,
+            place, keptText(text, json),
             {format("{}: {}.id", scene_.path, where), format("another entity has the id \"{}\"", hexText(id)),
              "give one of the two a new id"});
     }
@@ -174,7 +183,7 @@ bool SceneReader::placeInstance(const Json& json, int place, std::string_view te
     const std::string where = format("{}: entities[{}].prefab", scene_.path, place);
     const auto* path = json["prefab"].get_ptr<const std::string*>();
     if (path == nullptr || context_.prefabs == nullptr) {
-        skipEntity(place, text,
+        skipEntity(place, keptText(text, json),
                    {where, "expected the path of a prefab, found " + foundText(json["prefab"]),
                     "write e.g. \"prefabs/coin.prefab.json\""});
         skippedIds_.push_back(id);
@@ -182,7 +191,7 @@ bool SceneReader::placeInstance(const Json& json, int place, std::string_view te
     }
     const Result<const Prefab*> prefab = context_.prefabs->find(*path);
     if (!prefab) {
-        skipEntity(place, text,
+        skipEntity(place, keptText(text, json),
                    {where, prefab.error().where + ": " + prefab.error().what, prefab.error().remedy});
         skippedIds_.push_back(id);
         return false;

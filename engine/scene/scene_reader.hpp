@@ -39,7 +39,8 @@ public:
     void readLayers(const Json& json);
     void keepKey(std::string key, Json value);
     void reserve(std::size_t entities);
-    /// @param text  the entity as it stands in the file, to keep when it cannot be loaded
+    /// @param text  the entity as it stands in the file, to keep when it cannot be loaded; empty where the
+    ///              file is no text
     void readEntity(Json json, int place, std::string_view text);
     void skipEntity(int place, std::string_view text, Error error);
     void problem(std::string where, std::string what, std::string remedy);

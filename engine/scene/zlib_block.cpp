@@ -61,20 +61,27 @@ std::optional<std::string> bytesOf(std::string_view text) {
     static constexpr std::array<std::uint8_t, 256> kValues = digitValues();
     if (text.size() % 4 != 0) return std::nullopt;
     while (!text.empty() && text.back() == '=') text.remove_suffix(1);
-    std::string bytes;
-    bytes.reserve(text.size() * 3 / 4);
-    std::uint32_t bits = 0;
-    int count = 0;
-    for (const char c : text) {
-        const std::uint8_t value = kValues[static_cast<unsigned char>(c)];
-        if (value == 0xff) return std::nullopt;
-        bits = bits << 6 | value;
-        count += 6;
-        if (count >= 8) {
-            count -= 8;
-            bytes += static_cast<char>(static_cast<unsigned char>(bits >> count));
-        }
+    const auto valueAt = [&text](std::size_t at) { return kValues[static_cast<unsigned char>(text[at])]; };
+    std::string bytes(text.size() * 3 / 4, '\0');
+    char* out = bytes.data();
+    unsigned seen = 0;  // wrong letters are 0xff: looked for once, at the end
+    std::size_t at = 0;
+    for (; at + 4 <= text.size(); at += 4) {
+        const unsigned a = valueAt(at), b = valueAt(at + 1), c = valueAt(at + 2), d = valueAt(at + 3);
+        seen |= a | b | c | d;
+        *out++ = static_cast<char>(a << 2 | b >> 4);
+        *out++ = static_cast<char>(b << 4 | c >> 2);
+        *out++ = static_cast<char>(c << 6 | d);
     }
+    // Two or three letters may be left: one or two bytes.
+    unsigned rest = 0;
+    const std::size_t left = text.size() - at;
+    for (std::size_t i = 0; i < left; ++i) {
+        seen |= valueAt(at + i);
+        rest |= unsigned{valueAt(at + i)} << (18 - 6 * i);
+    }
+    for (std::size_t i = 0; i + 1 < left; ++i) *out++ = static_cast<char>(rest >> (16 - 8 * i));
+    if (seen > 63 || left == 1) return std::nullopt;
     return bytes;
 }
 

@@ -14,7 +14,9 @@ namespace {
 
 constexpr double kShortestSample = 100e-6;  // s; below it the clock is felt
 constexpr std::size_t kFewestRounds = 15;
+constexpr std::size_t kFewestLongRounds = 3;
 constexpr std::size_t kMostRounds = 300;
+constexpr double kPatience = 3.0;  // s for each contestant; whoever takes longer runs fewer rounds
 
 /// What reading the clock costs, in s.
 double clockCost() {
@@ -42,8 +44,8 @@ struct Lane {
     }
     /// Runs that need no preparation are repeated until the clock is not felt.
     void calibrate() {
-        sample();
-        if (contestant.prepare) return;
+        const double first = sample();
+        if (contestant.prepare || first > kShortestSample) return;
         const double once = std::max(sample(), 1e-9);
         repeats = static_cast<int>(std::clamp(std::ceil(kShortestSample / once), 1.0, 1e6));
     }
@@ -58,9 +60,13 @@ struct Lane {
 std::vector<Timing> race(std::span<const Contestant> contestants, const Options& options) {
     std::vector<Lane> lanes(contestants.begin(), contestants.end());
     const double budget = (options.quick ? 0.02 : 0.4) * static_cast<double>(lanes.size());  // s
+    const double patience = kPatience * static_cast<double>(lanes.size());
+    const std::size_t fewest = options.quick ? kFewestLongRounds : kFewestRounds;
     const double start = threadSeconds();
     for (std::size_t round = 0; round < kMostRounds; ++round) {
-        if (round >= (options.quick ? 3 : kFewestRounds) && threadSeconds() - start > budget) break;
+        const double spent = threadSeconds() - start;
+        if (round >= fewest && spent > budget) break;
+        if (round >= kFewestLongRounds && spent > patience) break;
         for (Lane& lane : lanes) lane.samples.push_back(lane.sample());
     }
     std::vector<Timing> timings;

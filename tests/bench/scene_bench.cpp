@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/random.hpp"
+#include "core/text.hpp"
 #include "ecs/world.hpp"
 #include "reflect/type_registry.hpp"
 #include "scene/components/box_collider.hpp"
@@ -22,7 +23,7 @@ namespace plumb::bench {
 namespace {
 
 constexpr const char* kPath = "scenes/bench.scene.json";
-constexpr double kSecond = 1e9;
+constexpr double kSecond = 1e9;  // ns
 
 struct Stage {
     TypeRegistry types;
@@ -57,26 +58,52 @@ void addMap(World& world, SceneId scene, int side) {
     map.addComponent<TileLayer>().cells = world.tiles().add(std::move(grid));
 }
 
-/// Load, save and the binary form of the scene in `made`: one row each, per item.
-void measure(const std::string& name, std::size_t n, double target, World& made, const Stage& stage,
+/// What a form of a scene may take (s); 0 for no limit.
+struct Limits {
+    double load = 0.0;
+    double save = 0.0;
+};
+
+void tell(const Row& row) {
+    print(row);
+    const auto items = static_cast<double>(row.n);
+    std::printf("    %s s in all", fixedText(row.ns * items / kSecond, 3).c_str());
+    if (row.target > 0.0) std::printf(", at most %s s", fixedText(row.target * items / kSecond, 1).c_str());
+    std::printf("\n");
+    std::fflush(stdout);
+}
+
+/// The scene in `made`, as the editor writes it and in its binary form: one row each to open it and to save
+/// it, per item.
+void measure(const std::string& name, std::size_t n, Limits limits, World& made, const Stage& stage,
              const Options& options, std::vector<Row>& rows) {
     const std::string text = sceneToJson(made, stage.context, sceneId(kPath));
     const std::string binary = sceneToBinary(made, stage.context, sceneId(kPath));
     World world{stage.types};
     const auto empty = [&world] { unloadScene(world, sceneId(kPath)), world.clear(); };
     std::string out;
-    const std::vector<Contestant> contestants{
-        {empty, [&] { static_cast<void>(loadScene(world, stage.context, kPath, text)); }},
-        {empty, [&] { static_cast<void>(loadSceneBinary(world, stage.context, kPath, binary)); }},
-        {{}, [&] { out = sceneToJson(made, stage.context, sceneId(kPath)), keep(out.data()); }},
+    struct Kind {
+        const char* name;
+        double limit;
+        Contestant contestant;
     };
-    const std::vector<Timing> timings = race(contestants, options);
-    const char* kinds[] = {" load json", " load binary", " save json"};
-    for (std::size_t i = 0; i < timings.size(); ++i) {
-        const auto items = static_cast<double>(n);
-        rows.push_back({name + kinds[i], n, timings[i].minimum * 1e9 / items, timings[i].median * 1e9 / items,
-                        0.0, i == 1 ? 0.0 : target / items});
-        print(rows.back());
+    const std::vector<Kind> kinds{
+        {" open json",
+         limits.load,
+         {empty, [&] { static_cast<void>(loadScene(world, stage.context, kPath, text)); }}},
+        {" open binary",
+         limits.load,
+         {empty, [&] { static_cast<void>(loadSceneBinary(world, stage.context, kPath, binary)); }}},
+        {" save json",
+         limits.save,
+         {{}, [&] { out = sceneToJson(made, stage.context, sceneId(kPath)), keep(out.data()); }}},
+    };
+    const auto items = static_cast<double>(n);
+    for (const Kind& kind : kinds) {
+        const Timing timing = race({&kind.contestant, 1}, options).front();
+        rows.push_back({name + kind.name, n, timing.minimum * kSecond / items,
+                        timing.median * kSecond / items, 0.0, kind.limit * kSecond / items});
+        tell(rows.back());
     }
 }
 
@@ -90,13 +117,13 @@ int runScene(const Options& options) {
         World made{stage.types};
         const std::size_t count = options.quick ? 1000 : 100000;
         addCrates(made, addScene(made, kPath), count);
-        measure("entities", count, kSecond, made, stage, options, rows);
+        measure("entities", count, {1.0, 1.0}, made, stage, options, rows);
     }
     {
         World made{stage.types};
         const int side = options.quick ? 300 : 4096;
         addMap(made, addScene(made, kPath), side);
-        measure("tiles", static_cast<std::size_t>(side) * static_cast<std::size_t>(side), kSecond, made,
+        measure("tiles", static_cast<std::size_t>(side) * static_cast<std::size_t>(side), {1.0, 0.0}, made,
                 stage, options, rows);
     }
     return options.jsonPath.empty() || writeRows(options.jsonPath, rows) ? 0 : 1;
