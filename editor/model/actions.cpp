@@ -6,7 +6,7 @@
 #include "editor/model/bounds.hpp"
 #include "editor/model/clipboard.hpp"
 #include "editor/model/commands/delete_entities.hpp"
-#include "editor/model/tools/move_tool.hpp"
+#include "editor/model/tools/transform_drag.hpp"
 #include "editor/model/workspace.hpp"
 
 namespace plumb::editor {
@@ -65,157 +65,126 @@ template <int X, int Y>
 void nudgeGrid(Workspace& w) {
     nudge(w.tools(), scaled({static_cast<float>(X), static_cast<float>(Y)}, w.grid.size));
 }
+template <WindowRequest Request>
+void ask(Workspace& w) {
+    w.request = Request;
+}
+void step(Workspace& w) {
+    w.play.setPaused(true);
+    w.play.step(w.gameInput ? w.gameInput() : InputFrame{});
+}
+
+bool canUndo(const Workspace& w) { return w.canEdit() && w.undo.size() > 0; }
+bool canRedo(const Workspace& w) { return w.canEdit() && w.undo.size() < w.undo.total(); }
+bool canPlay(const Workspace& w) { return w.play.running() || !w.document.scenePath.empty(); }
+bool onInstance(const Workspace& w) { return withSelection(w) && w.selectsInstance(); }
+bool painting(const Workspace& w) { return editable(w) && w.paintsTiles(); }
 
 constexpr Shortcut control(Key key, bool shift = false) { return {key, true, shift, false}; }
+constexpr Shortcut shifted(Key key) { return {key, false, true, false}; }
+constexpr Action line(std::string_view menu) { return {"", menu, "", {}}; }
+/// Takes the tool of this id into the hand.
+constexpr Action tool(std::string_view id, std::string_view label, Key key, During during = During::Always) {
+    return {id, "Tool", label, {key}, editable, nullptr, nullptr, {}, during};
+}
 
 const std::array kActions{
-    Action{"file.open",
-           "File",
-           "Open scene...",
-           control(Key::O),
-           {},
-           always,
-           [](Workspace& w) { w.request = WindowRequest::ChooseScene; }},
-    Action{"file.save",
-           "File",
-           "Save",
-           control(Key::S),
-           {},
-           editable,
+    Action{"file.open", "File", "Open scene...", control(Key::O), always, ask<WindowRequest::ChooseScene>},
+    Action{"file.save", "File", "Save", control(Key::S), editable,
            [](Workspace& w) { static_cast<void>(w.save().ok()); }},
-    Action{"file.quit",
-           "File",
-           "Quit",
-           control(Key::Q),
-           {},
-           always,
-           [](Workspace& w) { w.request = WindowRequest::Quit; }},
+    line("File"),
+    Action{"file.quit", "File", "Quit", control(Key::Q), always, ask<WindowRequest::Quit>},
 
-    Action{"edit.undo",
-           "Edit",
-           "Undo",
-           control(Key::Z),
-           {},
-           [](const Workspace& w) { return w.canEdit() && w.undo.size() > 0; },
-           undoStep},
-    Action{"edit.redo", "Edit", "Redo", control(Key::Y), control(Key::Z, true),
-           [](const Workspace& w) { return w.canEdit() && w.undo.size() < w.undo.total(); }, redoStep},
-    Action{"edit.cut", "Edit", "Cut", control(Key::X), {}, withSelection, cut},
-    Action{"edit.copy", "Edit", "Copy", control(Key::C), {}, anySelection, copy},
-    Action{"edit.paste", "Edit", "Paste", control(Key::V), {}, editable, paste},
-    Action{"edit.duplicate", "Edit", "Duplicate", control(Key::D), {}, withSelection, duplicate},
-    Action{"edit.delete", "Edit", "Delete", {Key::Delete}, {}, withSelection, remove},
-    Action{"edit.selectAll",
-           "Edit",
-           "Select all",
-           control(Key::A),
-           {},
-           always,
+    Action{"edit.undo", "Edit", "Undo", control(Key::Z), canUndo, undoStep},
+    Action{"edit.redo", "Edit", "Redo", control(Key::Y), canRedo, redoStep, nullptr, control(Key::Z, true)},
+    line("Edit"),
+    Action{"edit.cut", "Edit", "Cut", control(Key::X), withSelection, cut},
+    Action{"edit.copy", "Edit", "Copy", control(Key::C), anySelection, copy},
+    Action{"edit.paste", "Edit", "Paste", control(Key::V), editable, paste},
+    Action{"edit.duplicate", "Edit", "Duplicate", control(Key::D), withSelection, duplicate},
+    Action{"edit.delete", "Edit", "Delete", {Key::Delete}, withSelection, remove},
+    line("Edit"),
+    Action{"edit.selectAll", "Edit", "Select all", control(Key::A), editable,
            [](Workspace& w) { w.document.selection.set(w.document.objects()); }},
-    Action{"edit.escape", "", "Cancel", {Key::Escape}, {}, always, escape},
+    Action{"edit.escape", "Edit", "Cancel or select nothing", {Key::Escape}, always, escape},
 
-    Action{"entity.create", "Entity", "Create entity", control(Key::N), {}, editable, create},
-    Action{"entity.rename",
-           "Entity",
-           "Rename",
-           {Key::F2},
-           {},
-           withSelection,
-           [](Workspace& w) { w.request = WindowRequest::RenameSelected; }},
-    Action{"entity.left", "", "Nudge left", {Key::Left}, {}, withSelection, nudgeBy<-1, 0>},
-    Action{"entity.right", "", "Nudge right", {Key::Right}, {}, withSelection, nudgeBy<1, 0>},
-    Action{"entity.up", "", "Nudge up", {Key::Up}, {}, withSelection, nudgeBy<0, -1>},
-    Action{"entity.down", "", "Nudge down", {Key::Down}, {}, withSelection, nudgeBy<0, 1>},
-    Action{"entity.gridLeft",
-           "",
-           "One step left",
-           {Key::Left, false, true},
-           {},
-           withSelection,
-           nudgeGrid<-1, 0>},
-    Action{"entity.gridRight",
-           "",
-           "One step right",
-           {Key::Right, false, true},
-           {},
-           withSelection,
+    Action{"entity.create", "Entity", "Create entity", control(Key::N), editable, create},
+    Action{"entity.prefab", "Entity", "Add prefab...", control(Key::N, true), editable,
+           ask<WindowRequest::ChoosePrefab>},
+    Action{"entity.rename", "Entity", "Rename", {Key::F2}, withSelection, ask<WindowRequest::RenameSelected>},
+    line("Entity"),
+    Action{"entity.revert", "Entity", "Revert to prefab", control(Key::R), onInstance,
+           [](Workspace& w) { w.revertToPrefab(); }},
+    Action{"entity.apply", "Entity", "Apply to prefab", control(Key::R, true), onInstance,
+           [](Workspace& w) { w.applyToPrefab(); }},
+    line("Entity"),
+    Action{"entity.left", "Entity", "Nudge left", {Key::Left}, withSelection, nudgeBy<-1, 0>},
+    Action{"entity.right", "Entity", "Nudge right", {Key::Right}, withSelection, nudgeBy<1, 0>},
+    Action{"entity.up", "Entity", "Nudge up", {Key::Up}, withSelection, nudgeBy<0, -1>},
+    Action{"entity.down", "Entity", "Nudge down", {Key::Down}, withSelection, nudgeBy<0, 1>},
+    Action{"entity.gridLeft", "Entity", "One cell left", shifted(Key::Left), withSelection, nudgeGrid<-1, 0>},
+    Action{"entity.gridRight", "Entity", "One cell right", shifted(Key::Right), withSelection,
            nudgeGrid<1, 0>},
-    Action{"entity.gridUp", "", "One step up", {Key::Up, false, true}, {}, withSelection, nudgeGrid<0, -1>},
-    Action{
-        "entity.gridDown", "", "One step down", {Key::Down, false, true}, {}, withSelection, nudgeGrid<0, 1>},
+    Action{"entity.gridUp", "Entity", "One cell up", shifted(Key::Up), withSelection, nudgeGrid<0, -1>},
+    Action{"entity.gridDown", "Entity", "One cell down", shifted(Key::Down), withSelection, nudgeGrid<0, 1>},
 
-    Action{"tool.select",
+    tool("tool.select", "Select", Key::Q),
+    tool("tool.move", "Move", Key::W),
+    tool("tool.rotate", "Rotate", Key::E, During::Entities),
+    tool("tool.scale", "Scale", Key::R),
+    line("Tool"),
+    tool("tool.brush", "Brush", Key::B),
+    tool("tool.erase", "Eraser", Key::E, During::Tiles),
+    tool("tool.rectangle", "Rectangle", Key::U),
+    tool("tool.fill", "Fill", Key::G),
+    tool("tool.pick", "Pick tiles", Key::I),
+    line("Tool"),
+    Action{"tiles.flipX",
            "Tool",
-           "Select",
-           {Key::Q},
-           {},
-           editable,
-           [](Workspace& w) { w.useTool("tool.select"); }},
-    Action{"tool.move", "Tool", "Move", {Key::W}, {}, editable, [](Workspace& w) { w.useTool("tool.move"); }},
-    Action{
-        "tool.brush", "Tool", "Brush", {Key::B}, {}, editable, [](Workspace& w) { w.useTool("tool.brush"); }},
-    Action{
-        "tool.erase", "Tool", "Erase", {Key::E}, {}, editable, [](Workspace& w) { w.useTool("tool.erase"); }},
-    Action{"tool.fill", "Tool", "Fill", {Key::G}, {}, editable, [](Workspace& w) { w.useTool("tool.fill"); }},
+           "Flip tiles left to right",
+           {Key::X},
+           painting,
+           [](Workspace& w) { w.tiles.stamp = flippedX(w.tiles.stamp); }},
+    Action{"tiles.flipY",
+           "Tool",
+           "Flip tiles upside down",
+           {Key::Y},
+           painting,
+           [](Workspace& w) { w.tiles.stamp = flippedY(w.tiles.stamp); }},
+    Action{"tiles.turn",
+           "Tool",
+           "Turn tiles",
+           {Key::Z},
+           painting,
+           [](Workspace& w) { w.tiles.stamp = turned(w.tiles.stamp); }},
 
-    Action{"view.frame", "View", "Frame selection", {Key::F}, {}, anySelection, frameSelection},
-    Action{"view.all", "View", "Frame all", {Key::F, false, true}, {}, always, frameAll},
-    Action{"view.actual",
-           "View",
-           "Actual size",
-           control(Key::Digit0),
-           {},
-           always,
+    Action{"view.frame", "View", "Frame selection", {Key::F}, anySelection, frameSelection},
+    Action{"view.all", "View", "Frame all", shifted(Key::F), always, frameAll},
+    Action{"view.actual", "View", "Actual size", control(Key::Digit0), always,
            [](Workspace& w) { w.view.setZoom(1.0f); }},
-    Action{"view.snap",
-           "View",
-           "Snap to grid",
-           {Key::S, false, true},
-           {},
-           always,
-           [](Workspace& w) { w.grid.snap = !w.grid.snap; },
-           [](const Workspace& w) { return w.grid.snap; }},
-    Action{"view.larger",
-           "View",
-           "Larger interface",
-           control(Key::Equals),
-           {},
-           always,
-           [](Workspace& w) { w.request = WindowRequest::LargerText; }},
-    Action{"view.smaller",
-           "View",
-           "Smaller interface",
-           control(Key::Minus),
-           {},
-           always,
-           [](Workspace& w) { w.request = WindowRequest::SmallerText; }},
+    line("View"),
+    Action{"view.snap", "View", "Snap to grid", shifted(Key::S), always,
+           [](Workspace& w) { w.grid.snap = !w.grid.snap; }, [](const Workspace& w) { return w.grid.snap; }},
+    line("View"),
+    Action{"view.larger", "View", "Larger interface", control(Key::Equals), always,
+           ask<WindowRequest::LargerText>},
+    Action{"view.smaller", "View", "Smaller interface", control(Key::Minus), always,
+           ask<WindowRequest::SmallerText>},
 
-    Action{"run.play",
-           "Run",
-           "Play",
-           {Key::F5},
-           {},
-           [](const Workspace& w) { return w.play.running() || !w.document.scenePath.empty(); },
-           [](Workspace& w) { w.togglePlay(); },
-           running},
+    Action{"run.play", "Run", "Play", {Key::F5}, canPlay, [](Workspace& w) { w.togglePlay(); }, running},
     Action{"run.pause",
            "Run",
            "Pause",
            {Key::F6},
-           {},
            running,
            [](Workspace& w) { w.play.setPaused(!w.play.paused()); },
            [](const Workspace& w) { return w.play.paused(); }},
-    Action{"run.step",
-           "Run",
-           "Step one tick",
-           {Key::F10},
-           {},
-           running,
-           [](Workspace& w) {
-               w.play.setPaused(true), w.play.step(w.gameInput ? w.gameInput() : InputFrame{});
-           }},
+    Action{"run.step", "Run", "Step one tick", {Key::F10}, running, step},
 };
+
+bool counts(During during, const Workspace& w) {
+    return during == During::Always || (during == During::Tiles) == w.paintsTiles();
+}
 
 }  // namespace
 
@@ -229,14 +198,24 @@ const Action* findAction(std::string_view id) {
 }
 
 bool runAction(Workspace& workspace, std::string_view id) {
-    const Action* action = findAction(id);
+    const Action* action = id.empty() ? nullptr : findAction(id);
     if (action == nullptr || !action->enabled(workspace)) return false;
-    action->run(workspace);
+    if (action->run == nullptr) {
+        workspace.useTool(action->id);
+    } else {
+        action->run(workspace);
+    }
     return true;
+}
+
+bool isOn(const Action& action, const Workspace& workspace) {
+    if (action.on != nullptr) return action.on(workspace);
+    return action.run == nullptr && toolTable()[workspace.toolIndex()].action == action.id;
 }
 
 bool runShortcut(Workspace& workspace, const Event& event) {
     for (const Action& action : kActions) {
+        if (!counts(action.during, workspace)) continue;
         if (action.shortcut.matches(event) || action.alternative.matches(event)) {
             return runAction(workspace, action.id);
         }

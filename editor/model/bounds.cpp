@@ -11,13 +11,13 @@
 #include "scene/components/parallax_layer.hpp"
 #include "scene/components/sprite.hpp"
 #include "scene/components/tile_layer.hpp"
+#include "scene/tile_bodies.hpp"
 #include "scene/world_transform.hpp"
 
 namespace plumb::editor {
 namespace {
 
-constexpr float kMarkSize = 8.0f;   // px, half a side: what has no picture
-constexpr float kTileSize = 16.0f;  // px, when only the tileset knows it
+constexpr float kMarkSize = 8.0f;  // px, half a side: what has no picture
 
 AABB turnedBox(const Pose& pose, Vec2 from, Vec2 size) {
     const std::array<Vec2, 4> corners{from, from + Vec2{size.x, 0.0f}, from + size,
@@ -53,11 +53,8 @@ AABB boundsOf(const World& world, EntityId entity) {
     }
     if (const TileLayer* layer = world.find<TileLayer>(entity)) {
         if (const TileGrid* grid = world.tiles().find(layer->cells)) {
-            const float width = layer->tileSize.x > 0.0f ? layer->tileSize.x : kTileSize;
-            const float height = layer->tileSize.y > 0.0f ? layer->tileSize.y : kTileSize;
-            add(turnedBox(
-                pose, {},
-                {width * static_cast<float>(grid->width()), height * static_cast<float>(grid->height())}));
+            const Vec2 cells{static_cast<float>(grid->width()), static_cast<float>(grid->height())};
+            add(turnedBox(pose, {}, scaled(tileSizeOf(world, *layer), cells)));
         }
     }
     if (const Label* label = world.find<Label>(entity)) {
@@ -100,7 +97,7 @@ std::vector<ObjectId> pickAll(const Document& document, Vec2 point, float reach)
         ObjectId id;
     };
     std::vector<Hit> hits;
-    const std::vector<ObjectId> all = document.objects();
+    const std::vector<ObjectId>& all = document.objects();
     for (std::size_t i = 0; i < all.size(); ++i) {
         const EntityId entity = document.find(all[i]);
         if (!contains(grown(boundsOf(document.world, entity), reach), point)) continue;

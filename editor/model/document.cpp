@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <tuple>
+#include <utility>
 
 #include "scene/components/name.hpp"
 #include "scene/components/scene_entity.hpp"
@@ -27,16 +28,17 @@ ObjectId Document::idOf(EntityId entity) const {
     return part == nullptr ? ObjectId{} : ObjectId{part->id};
 }
 
-std::vector<ObjectId> Document::objects() const {
+const std::vector<ObjectId>& Document::objects() const {
+    if (std::exchange(sorted_, true)) return objects_;
     std::vector<std::tuple<std::int32_t, std::uint64_t>> found;
     world.each<const SceneEntity>([&](const SceneEntity& part) { found.emplace_back(part.order, part.id); });
     std::sort(found.begin(), found.end());
-    std::vector<ObjectId> ids;
-    ids.reserve(found.size());
+    objects_.clear();
+    objects_.reserve(found.size());
     for (const auto& [order, id] : found) {
-        ids.push_back({id});
+        objects_.push_back({id});
     }
-    return ids;
+    return objects_;
 }
 
 std::string Document::nameOf(ObjectId id) const {
@@ -67,11 +69,13 @@ std::int32_t Document::nextOrder() const {
 
 void Document::forget(ObjectId id) {
     entities_.erase(id.value);
+    sorted_ = false;
     selection.remove(id);
 }
 
 void Document::reindex() {
     entities_.clear();
+    sorted_ = false;
     std::vector<EntityId> strangers;
     world.each<SceneEntity>([&](EntityId entity, SceneEntity& part) {
         if (part.id == 0 || !entities_.emplace(part.id, entity).second) strangers.push_back(entity);

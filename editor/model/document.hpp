@@ -32,8 +32,9 @@ public:
     /// The lasting id of an entity; none for what is not part of the scene.
     [[nodiscard]] ObjectId idOf(EntityId entity) const override;
     [[nodiscard]] const TypeRegistry& types() const { return *world.types(); }
-    /// All entities of the scene in the order of the file.
-    [[nodiscard]] std::vector<ObjectId> objects() const;
+    /// All entities of the scene in the order of the file. Sorted once after entities came or went; valid
+    /// until then, so take a copy before changing the document in a loop over it.
+    [[nodiscard]] const std::vector<ObjectId>& objects() const;
     [[nodiscard]] std::size_t objectCount() const { return entities_.size(); }
     /// What people call it: its name, or its main component, or "Entity".
     [[nodiscard]] std::string nameOf(ObjectId id) const;
@@ -42,7 +43,7 @@ public:
 
     [[nodiscard]] ObjectId newId();
     [[nodiscard]] std::int32_t nextOrder() const;
-    void remember(ObjectId id, EntityId entity) { entities_[id.value] = entity; }
+    void remember(ObjectId id, EntityId entity) { entities_[id.value] = entity, sorted_ = false; }
     void forget(ObjectId id);
     /// After the world was filled from outside: gives an id to what has none, and finds all again.
     void reindex();
@@ -51,6 +52,8 @@ public:
 
 private:
     std::unordered_map<std::uint64_t, EntityId> entities_;  // only looked up, never iterated for a result
+    mutable std::vector<ObjectId> objects_;                 // as they were when `sorted_` was set
+    mutable bool sorted_ = false;
     Random random_;
 };
 

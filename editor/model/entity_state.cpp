@@ -4,7 +4,9 @@
 #include <map>
 
 #include "ecs/hierarchy.hpp"
+#include "scene/components/prefab_instance.hpp"
 #include "scene/components/scene_entity.hpp"
+#include "scene/prefab.hpp"
 
 namespace plumb::editor {
 namespace {
@@ -25,6 +27,25 @@ void replaceReferences(const FieldInfo& field, std::byte* component,
         const auto found = renamed.find(id);
         if (found != renamed.end()) std::memcpy(at, &found->second, sizeof id);
     }
+}
+
+/// The copy of a part of a prefab belongs to the copy of its instance, by which its id is made. Copied
+/// without its instance it is an entity like others.
+void followInstance(EntityState& state, std::map<ObjectId, ObjectId>& renamed) {
+    const auto link = std::find_if(
+        state.components.begin(), state.components.end(),
+        [](const ComponentState& component) { return component.type->key == typeKey<PrefabPart>(); });
+    if (link == state.components.end()) return;
+    PrefabPart part;
+    std::memcpy(&part, link->bytes.data(), sizeof part);
+    const auto instance = renamed.find({part.instance});
+    if (instance == renamed.end()) {
+        state.components.erase(link);
+        return;
+    }
+    part.instance = instance->second.value;
+    std::memcpy(link->bytes.data(), &part, sizeof part);
+    renamed[state.id] = {combinedId(part.instance, part.part)};
 }
 
 void copyTiles(World& world, const FieldInfo& field, std::byte* component) {
@@ -79,7 +100,7 @@ std::vector<ObjectId> withDescendants(const Document& document, const std::vecto
         ObjectId id;
     };
     std::vector<Found> found;
-    const std::vector<ObjectId> all = document.objects();
+    const std::vector<ObjectId>& all = document.objects();
     for (std::size_t i = 0; i < all.size() && !roots.empty(); ++i) {
         int depth = 0;
         bool inside = false;
@@ -98,12 +119,34 @@ std::vector<ObjectId> withDescendants(const Document& document, const std::vecto
     return result;
 }
 
+std::vector<ObjectId> outermost(const Document& document, const std::vector<ObjectId>& ids) {
+    std::vector<EntityId> named;
+    for (const ObjectId id : ids) {
+        named.push_back(document.find(id));
+    }
+    std::sort(named.begin(), named.end());
+    std::vector<ObjectId> result;
+    for (const ObjectId id : ids) {
+        bool below = false;
+        for (EntityId at = parentOf(document.world, document.find(id)); at && !below;
+             at = parentOf(document.world, at)) {
+            below = std::binary_search(named.begin(), named.end(), at);
+        }
+        if (!below) result.push_back(id);
+    }
+    return result;
+}
+
 std::vector<EntityState> copiesOf(Document& document, std::vector<EntityState> states) {
     std::map<ObjectId, ObjectId> renamed;
+    for (const EntityState& state : states) {
+        renamed[state.id] = document.newId();
+    }
     for (EntityState& state : states) {
-        const ObjectId copy = document.newId();
-        renamed[state.id] = copy;
-        state.id = copy;
+        followInstance(state, renamed);
+    }
+    for (EntityState& state : states) {
+        state.id = renamed[state.id];
     }
     std::int32_t order = document.nextOrder();
     for (EntityState& state : states) {

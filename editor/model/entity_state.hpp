@@ -23,6 +23,9 @@ void eraseEntities(Document& document, const std::vector<ObjectId>& ids);
 /// The named entities and all below them, each once, parents before children, in the order of the file.
 std::vector<ObjectId> withDescendants(const Document& document, const std::vector<ObjectId>& ids);
 
+/// Those of `ids` that are not below another one of them: what has to be moved so that all move once.
+std::vector<ObjectId> outermost(const Document& document, const std::vector<ObjectId>& ids);
+
 /// Copies for pasting: new ids, references inside the group follow the copies, tiles are copied.
 /// The first ones go behind everything else in the file.
 std::vector<EntityState> copiesOf(Document& document, std::vector<EntityState> states);

@@ -54,14 +54,18 @@ void writeField(const ObjectNames& names, const FieldInfo& field, void* componen
     fromLasting(names, field, field.in(component));
 }
 
-ComponentState readComponent(const Document& document, const TypeInfo& type, EntityId entity) {
+ComponentState componentState(const ObjectNames& names, const TypeInfo& type, const void* object) {
     ComponentState state{&type, std::vector<std::byte>(type.size)};
     if (type.size == 0) return state;
-    std::memcpy(state.bytes.data(), document.world.find(type, entity), type.size);
+    std::memcpy(state.bytes.data(), object, type.size);
     for (const FieldInfo& field : type.fields) {
-        toLasting(document, field, field.in(static_cast<void*>(state.bytes.data())));
+        toLasting(names, field, field.in(static_cast<void*>(state.bytes.data())));
     }
     return state;
+}
+
+ComponentState readComponent(const Document& document, const TypeInfo& type, EntityId entity) {
+    return componentState(document, type, type.size == 0 ? nullptr : document.world.find(type, entity));
 }
 
 void writeComponent(Document& document, EntityId entity, const ComponentState& state) {

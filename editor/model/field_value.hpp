@@ -34,6 +34,8 @@ struct ComponentState {
     std::vector<std::byte> bytes;
 };
 
+/// @param object  may lie outside a world
+ComponentState componentState(const ObjectNames& names, const TypeInfo& type, const void* object);
 ComponentState readComponent(const Document& document, const TypeInfo& type, EntityId entity);
 /// Adds the component when it is not there.
 void writeComponent(Document& document, EntityId entity, const ComponentState& state);

@@ -117,17 +117,18 @@ Transaction::~Transaction() {
     ++undo_.document_.sceneRevision;
 }
 
-void Transaction::commit() {
+bool Transaction::commit() {
     PLUMB_ASSERT(open_, "a transaction is committed once");
     open_ = false;
     undo_.group_ = outer_;
-    if (commands_.empty()) return;
+    if (commands_.empty()) return false;
     auto group = std::make_unique<CommandGroup>(std::move(label_), std::move(commands_));
     if (outer_ != nullptr) {
         outer_->push_back(std::move(group));
     } else {
         undo_.append(std::move(group));
     }
+    return true;
 }
 
 }  // namespace plumb::editor

@@ -60,7 +60,8 @@ public:
     Transaction(const Transaction&) = delete;
     Transaction& operator=(const Transaction&) = delete;
 
-    void commit();
+    /// @return false when no command was pushed in it, so that there is no step
+    bool commit();
 
 private:
     UndoStack& undo_;

@@ -6,7 +6,9 @@
 
 #include "core/log.hpp"
 #include "editor/model/bounds.hpp"
+#include "editor/model/tools/tile_tools.hpp"
 #include "scene/components/camera.hpp"
+#include "scene/components/prefab_instance.hpp"
 #include "scene/components/transform.hpp"
 
 namespace plumb::editor {
@@ -32,6 +34,7 @@ Result<LoadReport> Workspace::open(std::string_view path) {
     document.scenePath = report ? wanted : std::string{};
     document.scene = report ? report->scene : SceneId{};
     document.reindex();
+    tiles.layer = {};
     if (!report) {
         logError("Editor", report.error());
         notice = report.error().text();
@@ -88,9 +91,36 @@ std::vector<std::string> Workspace::scenes() const {
 
 std::string Workspace::text() const { return sceneToJson(document.world, context(), document.scene); }
 
+std::vector<std::string> Workspace::prefabFiles() const { return filesBelow(project.root, ".prefab.json"); }
+
+bool Workspace::selectsInstance() const {
+    const World& world = document.world;
+    return std::any_of(document.selection.all().begin(), document.selection.all().end(), [&](ObjectId id) {
+        const EntityId entity = document.find(id);
+        return world.has<PrefabInstance>(entity) || world.has<PrefabPart>(entity);
+    });
+}
+
+void Workspace::revertToPrefab(const PrefabScope& scope) {
+    const bool changed = editor::revertToPrefab(prefabs(), document.selection.all(), scope);
+    notice = changed ? format("Did: {}", undo.label(undo.size() - 1)) : "It is as its prefab says already";
+}
+
+void Workspace::applyToPrefab(const PrefabScope& scope) {
+    if (document.selection.empty()) return;
+    const Result<Done> applied = editor::applyToPrefab(prefabs(), document.selection.all().back(), scope);
+    notice = applied ? format("Did: {}", undo.label(undo.size() - 1)) : applied.error().text();
+    if (!applied) logWarning("Editor", applied.error());
+}
+
 void Workspace::useTool(std::size_t index) {
     tool().cancel(tools());
     tool_ = std::min(index, tools_.size() - 1);
+    const ToolRow& row = toolTable()[tool_];
+    notice = format("{}: {}", row.name, row.hint);
+    if (!row.forTiles) return;
+    tiles.layer = activeTileLayer(document, tiles);
+    if (!tiles.layer) notice = "This scene has no tile layer; add the component TileLayer to an entity";
 }
 
 void Workspace::useTool(std::string_view action) {

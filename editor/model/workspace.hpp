@@ -8,6 +8,7 @@
 #include "core/file.hpp"
 #include "editor/model/document.hpp"
 #include "editor/model/play_mode.hpp"
+#include "editor/model/prefab_edit.hpp"
 #include "editor/model/tools/tool.hpp"
 #include "editor/model/undo_stack.hpp"
 #include "editor/model/view_camera.hpp"
@@ -23,7 +24,15 @@ struct ProjectFolder {
 };
 
 /// What only the window can do; set by an action, taken by the window.
-enum class WindowRequest : unsigned char { None, ChooseScene, Quit, LargerText, SmallerText, RenameSelected };
+enum class WindowRequest : unsigned char {
+    None,
+    ChooseScene,
+    ChoosePrefab,
+    Quit,
+    LargerText,
+    SmallerText,
+    RenameSelected
+};
 
 struct GridSettings {
     Vec2 size{16.0f, 16.0f};  ///< px
@@ -43,6 +52,7 @@ public:
     ViewCamera view;
     PlayMode play;
     GridSettings grid;
+    TilePaint tiles;
     std::vector<std::string> overlays{"grid", "camera"};  ///< those that are shown, by name
     std::string clipboard;
     std::string notice;  ///< what was done last, for the status bar
@@ -69,7 +79,17 @@ public:
     [[nodiscard]] std::size_t toolIndex() const { return tool_; }
     void useTool(std::size_t index);
     void useTool(std::string_view action);
-    [[nodiscard]] ToolContext tools() { return {document, undo, document.selection}; }
+    [[nodiscard]] ToolContext tools() { return {document, undo, document.selection, tiles}; }
+    [[nodiscard]] bool paintsTiles() const { return toolTable()[tool_].forTiles; }
+
+    // Prefabs.
+
+    [[nodiscard]] PrefabEdit prefabs() { return {document, undo, prefabs_, project.root}; }
+    [[nodiscard]] std::vector<std::string> prefabFiles() const;
+    /// Whether one of the selected entities comes from a prefab.
+    [[nodiscard]] bool selectsInstance() const;
+    void revertToPrefab(const PrefabScope& scope = {});  ///< what is selected
+    void applyToPrefab(const PrefabScope& scope = {});   ///< of the entity selected last
 
     // Playing.
 

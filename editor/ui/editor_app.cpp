@@ -29,13 +29,13 @@ int fail(const Error& error) {
 /// The window, the graphics card and the editor in them.
 class App {
 public:
-    App(ProjectSession& session, std::unique_ptr<Window> window, std::unique_ptr<GlDevice> device,
-        float scale)
+    App(ProjectSession& session, LogBook& log, std::unique_ptr<Window> window,
+        std::unique_ptr<GlDevice> device, float scale)
         : session_{session},
           window_{std::move(window)},
           device_{std::move(device)},
           picture_{*device_, session.assets()},
-          editor_{session.workspace(), &picture_, engineAssets() / "fonts", scale} {}
+          editor_{session.workspace(), log, &picture_, engineAssets() / "fonts", scale} {}
 
     void run() {
         double before = wallSeconds();
@@ -105,6 +105,7 @@ void selectByName(Document& document, const std::string& name) {
 
 int runEditor(const EditorOptions& options) {
     if (!options.importFrom.empty()) return importMap(options.importFrom, options.importTo);
+    LogBook log;
     Result<std::unique_ptr<ProjectSession>> session = ProjectSession::open(options.project);
     if (!session) return fail(session.error());
     if (options.validate) return (*session)->validate();
@@ -120,7 +121,7 @@ int runEditor(const EditorOptions& options) {
     if (!window) return fail(window.error());
     auto device = GlDevice::create();
     if (!device) return fail(device.error());
-    App app{**session, std::move(*window), std::move(*device), options.scale};
+    App app{**session, log, std::move(*window), std::move(*device), options.scale};
     if (options.screenshot.empty()) {
         app.run();
         return 0;

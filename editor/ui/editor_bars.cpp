@@ -15,12 +15,17 @@ namespace {
 constexpr ImGuiWindowFlags kBar = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
                                   ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBringToFrontOnFocus;
 
-void beginBar(const char* name, ImVec2 at, ImVec2 size, ImVec2 padding) {
+ImU32 chromeOf(const PlayMode& play) {
+    if (!play.running()) return palette::kChrome;
+    return play.paused() ? palette::kChromePaused : palette::kChromePlaying;
+}
+
+void beginBar(const char* name, ImVec2 at, ImVec2 size, ImVec2 padding, ImU32 color) {
     ImGui::SetNextWindowPos(at);
     ImGui::SetNextWindowSize(size);
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, padding);
     ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, {1.0f, 1.0f});
-    ImGui::PushStyleColor(ImGuiCol_WindowBg, palette::kChrome);
+    ImGui::PushStyleColor(ImGuiCol_WindowBg, color);
     ImGui::Begin(name, nullptr, kBar);
     ImGui::PopStyleColor();
     ImGui::PopStyleVar(2);
@@ -57,7 +62,8 @@ void EditorWindow::toolButton(std::string_view id, bool on, ImU32 color) {
 
 void EditorWindow::drawToolbar(float height) {
     const ImVec2 display = ImGui::GetIO().DisplaySize;
-    beginBar("toolbar", {0.0f, ImGui::GetFrameHeight()}, {display.x, height}, {ui_.px(8.0f), ui_.px(5.0f)});
+    beginBar("toolbar", {0.0f, ImGui::GetFrameHeight()}, {display.x, height}, {ui_.px(8.0f), ui_.px(5.0f)},
+             chromeOf(workspace_.play));
     const auto gap = [&] { ImGui::SameLine(0.0f, ui_.px(14.0f)); };
 
     toolButton("file.save", false, workspace_.unsaved() ? palette::kWarning : palette::kText);
@@ -65,6 +71,7 @@ void EditorWindow::drawToolbar(float height) {
     toolButton("edit.redo", false, palette::kText);
     gap();
     for (std::size_t i = 0; i < toolTable().size(); ++i) {
+        if (i > 0 && toolTable()[i].forTiles != toolTable()[i - 1].forTiles) gap();
         const bool on = i == workspace_.toolIndex() && workspace_.canEdit();
         toolButton(toolTable()[i].action, on, on ? palette::kAccent : palette::kText);
     }
@@ -99,7 +106,8 @@ void EditorWindow::drawToolbar(float height) {
 
 void EditorWindow::drawStatus(float height) {
     const ImVec2 display = ImGui::GetIO().DisplaySize;
-    beginBar("status", {0.0f, display.y - height}, {display.x, height}, {ui_.px(10.0f), ui_.px(4.0f)});
+    beginBar("status", {0.0f, display.y - height}, {display.x, height}, {ui_.px(10.0f), ui_.px(4.0f)},
+             chromeOf(workspace_.play));
     const Document& document = workspace_.document;
     const std::string_view hint = toolTable()[workspace_.toolIndex()].hint;
     std::string left = workspace_.notice.empty() ? std::string{hint} : workspace_.notice;
@@ -133,6 +141,10 @@ void EditorWindow::drawDialogs() {
             ImGui::OpenPopup("Open scene");
             workspace_.request = WindowRequest::None;
             break;
+        case WindowRequest::ChoosePrefab:
+            ImGui::OpenPopup("Add prefab");
+            workspace_.request = WindowRequest::None;
+            break;
         case WindowRequest::Quit:
             workspace_.request = WindowRequest::None;
             quitAfterAsking_ = askUnsaved_ = workspace_.unsaved();
@@ -144,6 +156,7 @@ void EditorWindow::drawDialogs() {
         case WindowRequest::RenameSelected: break;
     }
     drawSceneChooser();
+    drawPrefabChooser();
     if (std::exchange(askUnsaved_, false)) ImGui::OpenPopup("Unsaved changes");
     drawUnsaved();
 }
@@ -172,6 +185,34 @@ void EditorWindow::drawSceneChooser() {
         } else {
             openScene(path);
         }
+    }
+    ImGui::EndChild();
+    if (ImGui::Button("Cancel", {ui_.px(90.0f), 0.0f}) || feed_->held(Key::Escape))
+        ImGui::CloseCurrentPopup();
+    ImGui::EndPopup();
+}
+
+void EditorWindow::drawPrefabChooser() {
+    const ImVec2 size{ui_.px(420.0f), ui_.px(360.0f)};
+    centerNext(size);
+    ImGui::SetNextWindowSize(size);
+    if (!ImGui::BeginPopupModal("Add prefab", nullptr, ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove))
+        return;
+    const std::vector<std::string> files = workspace_.prefabFiles();
+    if (files.empty()) {
+        ImGui::TextWrapped("This project has no prefabs yet. Prefabs are files that end in .prefab.json.");
+    } else {
+        ImGui::TextDisabled("It is put into the middle of the picture.");
+    }
+    beginChild("list", {0.0f, -ui_.px(38.0f)}, false);
+    for (const std::string& path : files) {
+        const bool chosen = ImGui::Selectable(path.c_str());
+        widgets_.mark("Prefab/" + path);
+        if (!chosen) continue;
+        ImGui::CloseCurrentPopup();
+        const Vec2 at = snapped(workspace_.view.view().center, workspace_.grid.size);
+        const Result<Done> added = addInstance(workspace_.prefabs(), path, at);
+        workspace_.notice = added ? format("Added {}", path) : added.error().text();
     }
     ImGui::EndChild();
     if (ImGui::Button("Cancel", {ui_.px(90.0f), 0.0f}) || feed_->held(Key::Escape))

@@ -4,6 +4,7 @@
 #include <array>
 
 #include "editor/model/actions.hpp"
+#include "editor/ui/overlays/overlay_list.hpp"
 #include "editor/ui/ui_compat.hpp"
 
 namespace plumb::editor::ui {
@@ -11,7 +12,7 @@ namespace {
 
 constexpr float kToolbarHeight = 38.0f;  // px at scale 1
 constexpr float kStatusHeight = 24.0f;
-constexpr std::size_t kLogLines = 500;
+constexpr std::size_t kTilesTab = 0;  // among those at the bottom
 constexpr std::array kNudgeKeys{Key::Left, Key::Right, Key::Up, Key::Down};
 
 /// While a game plays, plain letters belong to it; what is left are function keys and Ctrl combinations.
@@ -30,28 +31,47 @@ void tooltip(std::string_view text) {
     ImGui::EndTooltip();
 }
 
-EditorWindow::EditorWindow(Workspace& workspace, ScenePicture* picture, Path fonts, float scale)
-    : workspace_{workspace},
-      context_{ImGui::CreateContext()},
-      fontFolder_{std::move(fonts)},
-      ui_{workspace, widgets_, {}, scale, picture} {
+void actionItem(Ui& ui, std::string_view id, const std::string& path) {
+    const Action& action = *findAction(id);
+    const bool on = isOn(action, ui.workspace);
+    const bool chosen = ImGui::MenuItem(std::string{action.label}.c_str(), action.shortcut.text().c_str(), on,
+                                        action.enabled(ui.workspace));
+    ui.widgets.mark(format("{}/{}", path, action.label));
+    if (chosen) runAction(ui.workspace, id);
+}
+
+void selectionMenu(Ui& ui, const std::string& path) {
+    for (const char* id : {"view.frame", "entity.rename", "edit.duplicate", "edit.delete"}) {
+        actionItem(ui, id, path);
+    }
+    ImGui::Separator();
+    for (const char* id : {"entity.revert", "entity.apply"}) {
+        actionItem(ui, id, path);
+    }
+    ImGui::Separator();
+    for (const char* id : {"entity.create", "entity.prefab", "edit.paste"}) {
+        actionItem(ui, id, path);
+    }
+}
+
+EditorWindow::EditorWindow(Workspace& workspace, LogBook& log, ScenePicture* picture, Path fonts, float scale)
+    : workspace_{workspace}, context_{ImGui::CreateContext()}, fontFolder_{std::move(fonts)}, ui_{workspace,
+                                                                                                  widgets_,
+                                                                                                  log,
+                                                                                                  {},
+                                                                                                  scale,
+                                                                                                  picture} {
     ImGui::SetCurrentContext(context_);
     feed_ = std::make_unique<PlatformFeed>();
     setScale(scale);
     for (const PanelRow& row : panelTable()) {
         panels_.push_back(row.make());
     }
-    sinkBefore_ = setLogSink([this](const LogLine& line) {
-        ui_.log.push_back(line);
-        if (ui_.log.size() > kLogLines) ui_.log.pop_front();
-        if (sinkBefore_) sinkBefore_(line);
-    });
     workspace_.gameInput = [this] { return devices_.take(); };
 }
 
 EditorWindow::~EditorWindow() {
     workspace_.gameInput = nullptr;
-    setLogSink(sinkBefore_);
     ImGui::DestroyContext(context_);
 }
 
@@ -123,13 +143,13 @@ void EditorWindow::drawMenus() {
         if (!open) continue;
         for (const Action& action : actionTable()) {
             if (action.menu != menu) continue;
-            const bool on = action.on != nullptr && action.on(workspace_);
-            const bool chosen =
-                ImGui::MenuItem(std::string{action.label}.c_str(), action.shortcut.text().c_str(), on,
-                                action.enabled(workspace_));
-            widgets_.mark(format("Menu/{}/{}", menu, action.label));
-            if (chosen) runAction(workspace_, action.id);
+            if (action.id.empty()) {
+                ImGui::Separator();
+                continue;
+            }
+            actionItem(ui_, action.id, std::string{"Menu/"} + menu);
         }
+        if (std::string_view{menu} == "View") drawOverlayMenu();
         ImGui::EndMenu();
     }
     const std::string title =
@@ -147,6 +167,27 @@ void EditorWindow::drawMenus() {
     ImGui::EndMainMenuBar();
 }
 
+void EditorWindow::drawOverlayMenu() {
+    ImGui::Separator();
+    for (const OverlayRow& row : overlayTable()) {
+        const std::string label{row.label};
+        if (ImGui::MenuItem(label.c_str(), nullptr, workspace_.shows(row.name)))
+            workspace_.toggleOverlay(row.name);
+        widgets_.mark("Menu/View/" + label);
+    }
+}
+
+void EditorWindow::showTilesWhilePainting() {
+    const bool painting = workspace_.paintsTiles();
+    if (std::exchange(paintedTiles_, painting) == painting) return;
+    if (painting) {
+        tabBefore_ = bottomTab_;
+        bottomTab_ = kTilesTab;
+    } else if (bottomTab_ == kTilesTab) {
+        bottomTab_ = tabBefore_;
+    }
+}
+
 void EditorWindow::drawPanes(ImVec2 from, ImVec2 size) {
     ImGui::SetNextWindowPos(from);
     ImGui::SetNextWindowSize(size);
@@ -158,10 +199,12 @@ void EditorWindow::drawPanes(ImVec2 from, ImVec2 size) {
     ImGui::PopStyleColor();
     ImGui::PopStyleVar();
 
+    showTilesWhilePainting();
+    float& bottomPart = bottomTab_ == kTilesTab ? layout_.tiles : layout_.bottom;
     const float gap = ui_.px(3.0f);
     const float left = std::floor(size.x * layout_.left);
     const float right = std::floor(size.x * layout_.right);
-    const float bottom = std::floor(size.y * layout_.bottom);
+    const float bottom = std::floor(size.y * bottomPart);
     const float middle = size.x - left - right - 2.0f * gap;
     const float upper = size.y - bottom - gap;
     drawPane(Dock::Left, from, {left, size.y});
@@ -171,7 +214,7 @@ void EditorWindow::drawPanes(ImVec2 from, ImVec2 size) {
     splitter("Splitter/left", {from.x + left, from.y}, {gap, size.y}, true, layout_.left, size.x, 1.0f);
     splitter("Splitter/right", {from.x + size.x - right - gap, from.y}, {gap, size.y}, true, layout_.right,
              size.x, -1.0f);
-    splitter("Splitter/bottom", {from.x + left + gap, from.y + upper}, {middle, gap}, false, layout_.bottom,
+    splitter("Splitter/bottom", {from.x + left + gap, from.y + upper}, {middle, gap}, false, bottomPart,
              size.y, -1.0f);
     ImGui::End();
 }
@@ -188,7 +231,7 @@ void EditorWindow::splitter(const char* id, ImVec2 from, ImVec2 size, bool verti
                                                   held ? palette::kAccent : palette::kAccentSoft);
     }
     const ImVec2 delta = ImGui::GetIO().MouseDelta;
-    if (held) part = std::clamp(part + sign * (vertical ? delta.x : delta.y) / whole, 0.1f, 0.4f);
+    if (held) part = std::clamp(part + sign * (vertical ? delta.x : delta.y) / whole, 0.1f, 0.5f);
 }
 
 void EditorWindow::drawPane(Dock dock, ImVec2 from, ImVec2 size) {

@@ -15,9 +15,10 @@ namespace plumb::editor::ui {
 /// door; drawing what it made is the business of whoever owns the graphics card.
 class EditorWindow {
 public:
+    /// @param log      what the console shows
     /// @param fonts    the folder of the engine's fonts
     /// @param picture  null: headless, the viewport stays empty
-    EditorWindow(Workspace& workspace, ScenePicture* picture, Path fonts, float scale = 1.0f);
+    EditorWindow(Workspace& workspace, LogBook& log, ScenePicture* picture, Path fonts, float scale = 1.0f);
     ~EditorWindow();
     EditorWindow(const EditorWindow&) = delete;
     EditorWindow& operator=(const EditorWindow&) = delete;
@@ -38,20 +39,25 @@ private:
         float left = 0.18f;
         float right = 0.24f;
         float bottom = 0.22f;
+        float tiles = 0.38f;  ///< the bottom, while the tiles are shown in it
     };
 
     void handleKeys(std::span<const Event> events);
     void playGame(float seconds);
     void drawMenus();
+    void drawOverlayMenu();
     void drawToolbar(float height);
     void toolButton(std::string_view action, bool on, ImU32 color);
     void drawPanes(ImVec2 from, ImVec2 size);
+    /// The palette comes with the first tile tool, and goes with the last.
+    void showTilesWhilePainting();
     void drawPane(Dock dock, ImVec2 from, ImVec2 size);
     void splitter(const char* id, ImVec2 from, ImVec2 size, bool vertical, float& part, float whole,
                   float sign);
     void drawStatus(float height);
     void drawDialogs();
     void drawSceneChooser();
+    void drawPrefabChooser();
     void drawUnsaved();
     void openScene(const std::string& path);
     void setScale(float scale);
@@ -64,9 +70,10 @@ private:
     Ui ui_;
     std::vector<std::unique_ptr<Panel>> panels_;
     Layout layout_;
-    std::size_t bottomTab_ = 0;
+    std::size_t bottomTab_ = 1;  ///< the console
+    std::size_t tabBefore_ = 1;  ///< what the tiles took the place of
+    bool paintedTiles_ = false;
     DeviceState devices_;
-    LogSink sinkBefore_;
     std::string pendingScene_;  ///< to be opened once the person said what to do with unsaved changes
     bool askUnsaved_ = false;
     bool quitAfterAsking_ = false;

@@ -57,6 +57,20 @@ void drawMove(const Pen& pen) {
     pen.triangle(0.0f, -0.95f, -0.32f, -0.5f, 0.32f, -0.5f);
     pen.triangle(0.0f, 0.95f, 0.32f, 0.5f, -0.32f, 0.5f);
 }
+void drawRotate(const Pen& pen) {
+    pen.arc(0.0f, 0.0f, 0.65f, -0.4f, 4.4f);
+    pen.triangle(0.95f, -0.1f, 0.2f, -0.15f, 0.72f, -0.8f);
+}
+void drawScale(const Pen& pen) {
+    pen.box(-0.85f, 0.1f, -0.1f, 0.85f);
+    pen.line(-0.05f, 0.05f, 0.55f, -0.55f);
+    pen.triangle(0.9f, -0.9f, 0.15f, -0.75f, 0.75f, -0.15f);
+}
+void drawPick(const Pen& pen) {
+    pen.line(-0.8f, 0.8f, 0.25f, -0.25f);
+    pen.line(-0.05f, -0.55f, 0.55f, 0.05f);
+    pen.dot(0.5f, -0.5f, 0.34f);
+}
 void drawBrush(const Pen& pen) {
     pen.line(0.8f, -0.8f, 0.0f, 0.05f);
     pen.dot(-0.3f, 0.35f, 0.38f);
@@ -151,6 +165,10 @@ void drawIcon(ImDrawList& list, Icon icon, ImVec2 center, float size, ImU32 colo
     switch (icon) {
         case Icon::Select: drawSelect(pen); break;
         case Icon::Move: drawMove(pen); break;
+        case Icon::Rotate: drawRotate(pen); break;
+        case Icon::Scale: drawScale(pen); break;
+        case Icon::Rectangle: pen.box(-0.8f, -0.6f, 0.8f, 0.6f), pen.fill(-0.5f, -0.3f, 0.5f, 0.3f); break;
+        case Icon::Pick: drawPick(pen); break;
         case Icon::Brush: drawBrush(pen); break;
         case Icon::Erase: drawErase(pen); break;
         case Icon::Fill: drawFill(pen); break;
@@ -202,6 +220,10 @@ Icon iconOfAction(std::string_view action) {
     constexpr std::array kIcons{
         std::pair<std::string_view, Icon>{"tool.select", Icon::Select},
         std::pair<std::string_view, Icon>{"tool.move", Icon::Move},
+        std::pair<std::string_view, Icon>{"tool.rotate", Icon::Rotate},
+        std::pair<std::string_view, Icon>{"tool.scale", Icon::Scale},
+        std::pair<std::string_view, Icon>{"tool.rectangle", Icon::Rectangle},
+        std::pair<std::string_view, Icon>{"tool.pick", Icon::Pick},
         std::pair<std::string_view, Icon>{"tool.brush", Icon::Brush},
         std::pair<std::string_view, Icon>{"tool.erase", Icon::Erase},
         std::pair<std::string_view, Icon>{"tool.fill", Icon::Fill},

@@ -11,6 +11,10 @@ namespace plumb::editor::ui {
 enum class Icon : unsigned char {
     Select,
     Move,
+    Rotate,
+    Scale,
+    Rectangle,
+    Pick,
     Brush,
     Erase,
     Fill,

@@ -36,4 +36,14 @@ std::uintptr_t ScenePicture::draw(World& world, AssetStore* assets, const View& 
     return device_.nativeTexture(device_.targetTexture(target_));
 }
 
+TexturePart ScenePicture::part(TextureId id, const Rect& source) {
+    const TextureRegion& region = renderer_.textures().regionOf(id);
+    const Rect area = source.empty() ? region.whole() : region.part(source);
+    const PixelSize size = device_.textureSize(region.texture);
+    const Vec2 whole{static_cast<float>(size.width), static_cast<float>(size.height)};
+    return {device_.nativeTexture(region.texture),
+            {area.x / whole.x, area.y / whole.y},
+            {(area.x + area.width) / whole.x, (area.y + area.height) / whole.y}};
+}
+
 }  // namespace plumb::editor::ui

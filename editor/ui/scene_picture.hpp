@@ -9,6 +9,13 @@
 
 namespace plumb::editor::ui {
 
+/// A part of a picture as ImGui draws it.
+struct TexturePart {
+    std::uintptr_t texture = 0;  ///< the graphics card's name
+    Vec2 from;                   ///< ratio of the texture
+    Vec2 to;                     ///< ratio of the texture
+};
+
 /// Draws a world into a texture by the renderer that the player uses.
 class ScenePicture {
 public:
@@ -22,6 +29,9 @@ public:
     /// @param alpha  between the last two ticks (ratio, 0..1)
     /// @return the graphics card's name of the texture
     std::uintptr_t draw(World& world, AssetStore* assets, const View& view, PixelSize size, float alpha);
+
+    /// Where a part of one of the editor's pictures is on the card. @param source  px; empty: all of it
+    TexturePart part(TextureId id, const Rect& source);
 
 private:
     RenderDevice& device_;

@@ -1,10 +1,9 @@
 #pragma once
 
-#include <deque>
 #include <string>
 #include <string_view>
 
-#include "core/log.hpp"
+#include "editor/model/log_book.hpp"
 #include "editor/model/workspace.hpp"
 #include "editor/ui/theme.hpp"
 #include "editor/ui/widget_map.hpp"
@@ -17,12 +16,12 @@ class ScenePicture;
 struct Ui {
     Workspace& workspace;
     WidgetMap& widgets;
-    Fonts fonts;
+    LogBook& log;
+    Fonts fonts{};
     float scale = 1.0f;               ///< of the whole interface
     ScenePicture* picture = nullptr;  ///< null: headless, the viewport stays empty
-    std::deque<LogLine> log;
-    float playAlpha = 1.0f;  ///< between the last two ticks of the game that plays
-    Vec2 mouseInScene;       ///< px, world
+    float playAlpha = 1.0f;           ///< between the last two ticks of the game that plays
+    Vec2 mouseInScene;                ///< px, world
     bool mouseOverScene = false;
     bool panHeld = false;    ///< Space is held over the scene
     bool viewReady = false;  ///< the viewport has had its size once
@@ -48,5 +47,12 @@ std::span<const PanelRow> panelTable();
 
 /// Shows text when the mouse rests on the last item.
 void tooltip(std::string_view text);
+
+/// A menu item for an action, with its shortcut; greyed while it is not possible.
+/// @param path  how tests call it
+void actionItem(Ui& ui, std::string_view action, const std::string& path);
+
+/// What one can do with the selection, for the menus of the right mouse button.
+void selectionMenu(Ui& ui, const std::string& path);
 
 }  // namespace plumb::editor::ui

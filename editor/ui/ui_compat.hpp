@@ -1,9 +1,11 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 
 #include <imgui.h>
 
+#include "math/vec2.hpp"
 #include "platform/key.hpp"
 
 namespace plumb::editor::ui {
@@ -70,6 +72,20 @@ inline void imageOfPixels(ImDrawList& list, ImTextureID texture, ImVec2 from, Im
     list.AddCallback(io.DrawCallback_ResetRenderState, nullptr);
 #else
     list.AddImage(texture, from, to);
+#endif
+}
+
+/// A part of a texture on four corners, clockwise from the top left, each with its place in the texture.
+inline void quadOfPixels(ImDrawList& list, ImTextureID texture, const std::array<ImVec2, 4>& corners,
+                         const std::array<Vec2, 4>& uv) {
+    const auto at = [&](std::size_t i) { return ImVec2{uv[i].x, uv[i].y}; };
+#if IMGUI_VERSION_NUM >= 19280
+    const ImGuiPlatformIO& io = ImGui::GetPlatformIO();
+    list.AddCallback(io.DrawCallback_SetSamplerNearest, nullptr);
+#endif
+    list.AddImageQuad(texture, corners[0], corners[1], corners[2], corners[3], at(0), at(1), at(2), at(3));
+#if IMGUI_VERSION_NUM >= 19280
+    list.AddCallback(io.DrawCallback_ResetRenderState, nullptr);
 #endif
 }
 

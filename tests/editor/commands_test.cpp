@@ -16,7 +16,7 @@ namespace {
 
 /// Some entity of the scene, or nobody in an empty one.
 ObjectId anyObject(const Document& document, Random& random) {
-    const std::vector<ObjectId> all = document.objects();
+    const std::vector<ObjectId>& all = document.objects();
     return all.empty() ? ObjectId{} : all[random.below(static_cast<std::uint32_t>(all.size()))];
 }
 

@@ -1,5 +1,6 @@
 #include <imgui.h>
 
+#include "assets/tileset.hpp"
 #include "core/random.hpp"
 #include "editor/model/game_session.hpp"
 #include "editor/ui/overlays/overlay_list.hpp"
@@ -11,7 +12,8 @@ namespace {
 
 class EditorWindowTest : public EditorFixture {
 protected:
-    EditorWindowTest() : window{workspace, nullptr, Path{PLUMB_SOURCE_DIR} / "assets/fonts"}, hands{window} {
+    EditorWindowTest()
+        : window{workspace, log, nullptr, Path{PLUMB_SOURCE_DIR} / "assets/fonts"}, hands{window} {
         workspace.makeSession = [this](const std::string& path, const std::string& text) {
             Project project;
             project.root = workspace.project.root;
@@ -22,6 +24,7 @@ protected:
         return window.widgets().find("Viewport")->box.min + workspace.view.toScreenPoint(world);
     }
 
+    LogBook log;
     EditorWindow window;
     Hands hands;
 };
@@ -111,7 +114,7 @@ TEST_F(EditorWindowTest, everyPanelAndOverlayDrawsAnEmptyAndAFullScene) {
     workspace.document.selection.set(workspace.document.objects());
     hands.rest(2);
     EXPECT_GT(ImGui::GetDrawData()->TotalVtxCount, 1000);
-    for (const char* tab : {"Tab/History", "Tab/Console"}) {
+    for (const char* tab : {"Tab/History", "Tab/Tiles", "Tab/Console"}) {
         hands.click(tab);
     }
     workspace.document.selection.set(workspace.document.objects());
@@ -119,6 +122,80 @@ TEST_F(EditorWindowTest, everyPanelAndOverlayDrawsAnEmptyAndAFullScene) {
     EXPECT_EQ(workspace.document.objectCount(), 0u);
     hands.rest(2);
     EXPECT_GT(ImGui::GetDrawData()->TotalVtxCount, 100);
+}
+
+TEST_F(EditorWindowTest, theConsoleShowsWhatWasSaidBeforeThereWasAWindow) {
+    LogBook early;
+    logNote("Test", "said early");
+    EditorWindow second{workspace, early, nullptr, Path{PLUMB_SOURCE_DIR} / "assets/fonts"};
+    const Hands others{second};
+    ASSERT_NE(second.widgets().find("Console/last"), nullptr);
+    EXPECT_EQ(second.widgets().find("Console/last")->value, "said early");
+}
+
+TEST_F(EditorWindowTest, aPatternIsChosenInThePaletteAndPaintedInOneStep) {
+    Tileset tileset;
+    tileset.image = "tiles.png";
+    tileset.columns = 4;
+    tileset.count = 16;
+    workspace.document.world.get<TileLayer>(workspace.document.find(named("ground"))).tileset =
+        workspace.assets.addTileset("test", tileset);
+
+    hands.key(Key::B);
+    ASSERT_NE(window.widgets().find("Tiles/palette"), nullptr) << "the palette comes with the brush";
+    const Vec2 corner = window.widgets().find("Tiles/palette")->box.min;
+    hands.drag(corner + Vec2{48.0f, 16.0f}, corner + Vec2{80.0f, 16.0f});
+    EXPECT_EQ(workspace.tiles.stamp, (TileStamp{2, 1, {cellOf(1), cellOf(2)}}));
+
+    hands.drag(onScreen({8.0f, 8.0f}), onScreen({40.0f, 8.0f}));
+    const TileLayer& layer =
+        std::as_const(workspace.document.world).get<TileLayer>(workspace.document.find(named("ground")));
+    const TileGrid& grid = *workspace.document.world.tiles().find(layer.cells);
+    for (int x = 0; x < 4; ++x) {
+        EXPECT_EQ(grid.at(x, 0), cellOf(1 + x % 2)) << x;
+    }
+    EXPECT_EQ(workspace.undo.size(), 1u);
+    hands.key(Key::Q);
+    EXPECT_EQ(window.widgets().find("Tiles/palette"), nullptr) << "and goes with it";
+}
+
+TEST_F(EditorWindowTest, aLayerIsMadeLargerInTheInspectorAndUndone) {
+    hands.click("Scene/ground");
+    hands.click("Inspector/TileLayer/cells.width");
+    hands.key(Key::A, {.control = true});
+    hands.type("6");
+    hands.key(Key::Enter);
+    const auto width = [&] {
+        const EntityId ground = workspace.document.find(named("ground"));
+        return workspace.document.world.tiles()
+            .find(std::as_const(workspace.document.world).get<TileLayer>(ground).cells)
+            ->width();
+    };
+    EXPECT_EQ(width(), 6);
+    workspace.undo.undo();
+    EXPECT_EQ(width(), 4);
+    EXPECT_EQ(workspace.text(), kSceneText);
+}
+
+TEST_F(EditorWindowTest, whatAnInstanceHasForItselfIsMarkedAndRevertedByAMenu) {
+    putFile("prefabs/box.prefab.json", R"({"format": 1, "entities": [{"name": "box", "components": {
+        "Transform": {}, "Sprite": {"width": 8, "height": 16}}}]})");
+    putFile("scenes/boxes.scene.json", R"({"format": 1, "entities": [{"id": "00000000000000a1",
+        "prefab": "prefabs/box.prefab.json", "components": {"Sprite": {"height": 30}}}]})");
+    ASSERT_TRUE(workspace.open("scenes/boxes.scene.json").ok());
+    hands.rest();
+    hands.click("Scene/box");
+    EXPECT_EQ(window.widgets().find("Inspector/prefab")->value, "1");
+    EXPECT_EQ(window.widgets().find("Inspector/Sprite/width/label")->value, "");
+    ASSERT_EQ(window.widgets().find("Inspector/Sprite/height/label")->value, "overridden");
+
+    hands.clickAt(hands.middleOf("Inspector/Sprite/height/label"), MouseButton::Right);
+    hands.click("Inspector/Sprite/height/revert");
+
+    EXPECT_EQ(window.widgets().find("Inspector/prefab")->value, "0");
+    const ObjectId box = workspace.document.objects().front();
+    EXPECT_EQ(std::as_const(workspace.document.world).get<Sprite>(workspace.document.find(box)).height, 16);
+    EXPECT_EQ(workspace.undo.size(), 1u);
 }
 
 TEST_F(EditorWindowTest, aMonkeyAtTheWidgetsIsUndoneByteForByte) {

@@ -2,6 +2,8 @@
 
 #include "editor/model/actions.hpp"
 #include "editor/model/tools/move_tool.hpp"
+#include "editor/model/tools/rotate_tool.hpp"
+#include "editor/model/tools/scale_tool.hpp"
 #include "editor/model/tools/select_tool.hpp"
 #include "editor/model/tools/tile_tools.hpp"
 #include "tests/editor/support/editor_fixture.hpp"
@@ -80,7 +82,7 @@ TEST_F(Tools, aBoxSelectsWhatItTouchesButNotTheGround) {
 TEST_F(Tools, aStrokeOfTheBrushIsOneStepAndLeavesNoHoles) {
     workspace.document.selection.set({named("ground")});
     TileTool tool{TileTool::Mode::Brush};
-    tool.brush.cell = 3;
+    workspace.tiles.stamp.cells = {3};
     tool.press(workspace.tools(), {.position = {2.0f, 2.0f}});
     tool.drag(workspace.tools(), {.position = {62.0f, 2.0f}});
     tool.release(workspace.tools(), {});
@@ -106,12 +108,15 @@ TEST_F(Tools, arrowKeysNudgeAndMeltIntoOneStep) {
 }
 
 TEST_F(Tools, noTwoActionsShareAShortcut) {
-    std::vector<std::string> seen;
-    for (const Action& action : actionTable()) {
-        for (const Shortcut& shortcut : {action.shortcut, action.alternative}) {
-            if (shortcut.key == Key::None) continue;
-            EXPECT_EQ(std::count(seen.begin(), seen.end(), shortcut.text()), 0) << shortcut.text();
-            seen.push_back(shortcut.text());
+    for (const During now : {During::Entities, During::Tiles}) {
+        std::vector<std::string> seen;
+        for (const Action& action : actionTable()) {
+            if (action.during != During::Always && action.during != now) continue;
+            for (const Shortcut& shortcut : {action.shortcut, action.alternative}) {
+                if (shortcut.key == Key::None) continue;
+                EXPECT_EQ(std::count(seen.begin(), seen.end(), shortcut.text()), 0) << shortcut.text();
+                seen.push_back(shortcut.text());
+            }
         }
     }
 }

@@ -1,5 +1,6 @@
 #include "editor/model/commands/change_components.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "core/text.hpp"
@@ -19,6 +20,22 @@ void ChangeComponents::swapComponents(Document& document) {
             document.world.remove(type_, entity);
         }
     }
+}
+
+bool ChangeComponents::absorb(const Command& next) {
+    const auto* other = dynamic_cast<const ChangeComponents*>(&next);
+    // This command keeps the components from before the gesture; the later ones are in the document.
+    return other != nullptr && &other->type_ == &type_ && other->label_ == label_ &&
+           std::equal(changes_.begin(), changes_.end(), other->changes_.begin(), other->changes_.end(),
+                      [](const Change& a, const Change& b) { return a.object == b.object; });
+}
+
+bool ChangeComponents::changesNothing(const Document& document) const {
+    return std::all_of(changes_.begin(), changes_.end(), [&](const Change& change) {
+        const EntityId entity = document.find(change.object);
+        if (!document.world.has(type_, entity)) return !change.state;
+        return change.state && readComponent(document, type_, entity).bytes == change.state->bytes;
+    });
 }
 
 std::unique_ptr<Command> addComponent(const Document& document, const std::vector<ObjectId>& objects,

@@ -24,6 +24,8 @@ public:
     [[nodiscard]] std::string label() const override { return label_; }
     void apply(Document& document) override { swapComponents(document); }
     void revert(Document& document) override { swapComponents(document); }
+    bool absorb(const Command& next) override;
+    [[nodiscard]] bool changesNothing(const Document& document) const override;
 
 private:
     void swapComponents(Document& document);

@@ -25,9 +25,9 @@ void PaintTiles::swapCells(Document& document, bool backwards) {
     }
 }
 
-std::vector<PaintTiles::Cell> floodFill(const TileGrid& grid, int x, int y, TileCell cell) {
+std::vector<PaintTiles::Cell> connectedCells(const TileGrid& grid, int x, int y) {
     std::vector<PaintTiles::Cell> filled;
-    if (!grid.has(x, y) || grid.at(x, y) == cell) return filled;
+    if (!grid.has(x, y)) return filled;
     const TileCell from = grid.at(x, y);
     const auto width = static_cast<std::size_t>(grid.width());
     std::vector<bool> seen(width * static_cast<std::size_t>(grid.height()));
@@ -36,7 +36,7 @@ std::vector<PaintTiles::Cell> floodFill(const TileGrid& grid, int x, int y, Tile
         const std::size_t slot = static_cast<std::size_t>(atY) * width + static_cast<std::size_t>(atX);
         if (seen[slot]) return;
         seen[slot] = true;
-        filled.push_back({atX, atY, cell});
+        filled.push_back({atX, atY, from});
     };
     visit(x, y);
     for (std::size_t i = 0; i < filled.size(); ++i) {

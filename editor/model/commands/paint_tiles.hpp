@@ -32,7 +32,7 @@ private:
     std::vector<Cell> cells_;  // what is not in the document now; later ones of a stroke may repeat a place
 };
 
-/// The cells that a bucket fills: connected through equal neighbours, from (x, y) on.
-std::vector<PaintTiles::Cell> floodFill(const TileGrid& grid, int x, int y, TileCell cell);
+/// The cells that a bucket fills: those connected to (x, y) through equal neighbours, as they are.
+std::vector<PaintTiles::Cell> connectedCells(const TileGrid& grid, int x, int y);
 
 }  // namespace plumb::editor

@@ -1,32 +1,41 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "editor/model/command.hpp"
 #include "editor/model/object_id.hpp"
+#include "scene/components/transform.hpp"
 
 namespace plumb::editor {
 
-/// Gives entities another parent, or none. What would become its own ancestor stays where it is.
+/// What stays the same when an entity gets another parent.
+enum class KeepPlace : unsigned char {
+    InWorld,   ///< it stays where it is on screen: position, rotation and scale are written anew
+    InParent,  ///< its own numbers stay, so it jumps to the same place in the new parent
+};
+
+/// Gives entities another parent, or none. What would become its own ancestor stays where it is, and so do
+/// the parts of a prefab: the file says only with their prefab where they belong.
 class Reparent final : public Command {
 public:
-    Reparent(std::vector<ObjectId> objects, ObjectId parent);
+    Reparent(std::vector<ObjectId> objects, ObjectId parent, KeepPlace keep = KeepPlace::InWorld);
 
     [[nodiscard]] std::string label() const override {
         return parent_ ? "change parent" : "take from parent";
     }
-    void apply(Document& document) override { swapParents(document); }
-    void revert(Document& document) override { swapParents(document); }
+    void apply(Document& document) override;
+    void revert(Document& document) override;
 
 private:
     struct Change {
         ObjectId object;
-        ObjectId parent;  // the one that it does not have now
+        ObjectId parentBefore;
+        std::optional<Transform> transformBefore;
     };
 
-    void swapParents(Document& document);
-
     ObjectId parent_;
+    KeepPlace keep_;
     std::vector<Change> changes_;
 };
 

@@ -44,15 +44,13 @@ void SelectTool::drag(const ToolContext& context, const Pointer& pointer) {
     end_ = pointer.position;
     if (mode_ == Mode::Pressed && distance(start_, end_) > pointer.reach) {
         mode_ = onThing_ ? Mode::Moving : Mode::Boxing;
-        Pointer first = pointer;
-        first.position = start_;
-        if (mode_ == Mode::Moving) move_.press(context, first);
+        if (mode_ == Mode::Moving) move_.grab(context);
     }
-    if (mode_ == Mode::Moving) move_.drag(context, pointer);
+    if (mode_ == Mode::Moving) move_.move(context, dragOffset(start_, move_.pivot().position, pointer));
 }
 
 void SelectTool::release(const ToolContext& context, const Pointer& pointer) {
-    if (mode_ == Mode::Moving) move_.release(context, pointer);
+    if (mode_ == Mode::Moving) move_.finish(context);
     if (mode_ == Mode::Boxing) {
         std::vector<ObjectId> found = pickInside(context.document, {min(start_, end_), max(start_, end_)});
         if (pointer.modifiers.shift || pointer.modifiers.control) {
@@ -71,8 +69,7 @@ bool SelectTool::cancel(const ToolContext& context) {
     return std::exchange(mode_, Mode::Idle) != Mode::Idle;
 }
 
-void SelectTool::draw(const Document& document, const Pointer& pointer, Overlay& overlay) const {
-    if (mode_ == Mode::Moving) move_.draw(document, pointer, overlay);
+void SelectTool::draw(const ToolContext&, const Pointer&, Overlay& overlay) const {
     if (mode_ != Mode::Boxing) return;
     const AABB box{min(start_, end_), max(start_, end_)};
     overlay.filledBox(box, kBoxFill);

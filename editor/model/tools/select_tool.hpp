@@ -1,6 +1,6 @@
 #pragma once
 
-#include "editor/model/tools/move_tool.hpp"
+#include "editor/model/tools/transform_drag.hpp"
 
 namespace plumb::editor {
 
@@ -12,7 +12,7 @@ public:
     void drag(const ToolContext& context, const Pointer& pointer) override;
     void release(const ToolContext& context, const Pointer& pointer) override;
     bool cancel(const ToolContext& context) override;
-    void draw(const Document& document, const Pointer& pointer, Overlay& overlay) const override;
+    void draw(const ToolContext& context, const Pointer& pointer, Overlay& overlay) const override;
 
 private:
     enum class Mode : unsigned char { Idle, Pressed, Moving, Boxing };
@@ -21,7 +21,7 @@ private:
     bool onThing_ = false;
     Vec2 start_;
     Vec2 end_;
-    MoveTool move_;
+    TransformDrag move_;
 };
 
 }  // namespace plumb::editor

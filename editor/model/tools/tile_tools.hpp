@@ -1,47 +1,50 @@
 #pragma once
 
+#include <optional>
+
+#include "editor/model/commands/paint_tiles.hpp"
 #include "editor/model/tools/tool.hpp"
-#include "math/tile_grid.hpp"
 
 namespace plumb::editor {
 
-/// What the tile tools share: the cell that is painted. One per editor; tools borrow it.
-struct TileBrush {
-    TileCell cell = 1;
-};
-
-/// Paints the tiles of the selected tile layer: brush, eraser or bucket. Alt picks the tile under the mouse.
+/// Paints the tiles of one layer. In every mode Alt, or the right mouse button, picks from the layer what is
+/// then painted: one tile, or all in a dragged box.
 class TileTool final : public Tool {
 public:
-    enum class Mode : unsigned char { Brush, Erase, Fill };
+    enum class Mode : unsigned char { Brush, Erase, Rectangle, Fill, Pick };
     explicit TileTool(Mode mode) : mode_{mode} {}
 
     void press(const ToolContext& context, const Pointer& pointer) override;
     void drag(const ToolContext& context, const Pointer& pointer) override;
     void release(const ToolContext& context, const Pointer& pointer) override;
     bool cancel(const ToolContext& context) override;
-    void draw(const Document& document, const Pointer& pointer, Overlay& overlay) const override;
-
-    TileBrush brush;
+    void draw(const ToolContext& context, const Pointer& pointer, Overlay& overlay) const override;
+    [[nodiscard]] std::string_view next() const override;
 
 private:
-    void paintLine(const ToolContext& context, Vec2 from, Vec2 to);
+    enum class Doing : unsigned char { Nothing, Painting, Boxing, Picking };
+
+    /// The stamp laid on the layer with its corner at `at`; empty cells of a pattern are left out.
+    [[nodiscard]] std::vector<PaintTiles::Cell> stampAt(const ToolContext& context, CellPlace at) const;
+    void paintLine(const ToolContext& context, CellPlace from, CellPlace to) const;
+    void paint(const ToolContext& context, std::vector<PaintTiles::Cell> cells) const;
+    void fillBox(const ToolContext& context) const;
+    void fillConnected(const ToolContext& context, CellPlace at) const;
+    void pick(const ToolContext& context) const;
 
     Mode mode_;
-    bool painting_ = false;
-    Vec2 last_;  // px, world
+    Doing doing_ = Doing::Nothing;
+    CellPlace start_;
+    CellPlace last_;
+    std::optional<CellPlace> strokeEnd_;  // of the stroke before: Shift draws a line from there
 };
 
-/// The tile layer that tile tools work on: the selected one, or the only one. Nobody when there is a choice.
-ObjectId activeTileLayer(const Document& document);
+/// The tile layer that tile tools work on: the selected one, else the one they worked on last, else the
+/// first of the scene.
+ObjectId activeTileLayer(const Document& document, const TilePaint& paint);
 
-/// The cell of a layer at a point of the world.
-struct CellPlace {
-    int x = 0;
-    int y = 0;
-};
+/// The cell of a layer at a point of the world, and the box of a cell (px, world).
 CellPlace cellAt(const Document& document, ObjectId layer, Vec2 point);
-/// The box of a cell (px, world).
 AABB boxOfCell(const Document& document, ObjectId layer, CellPlace place);
 
 }  // namespace plumb::editor

@@ -6,6 +6,7 @@
 
 #include "editor/model/document.hpp"
 #include "editor/model/overlay.hpp"
+#include "editor/model/tile_stamp.hpp"
 #include "editor/model/undo_stack.hpp"
 #include "platform/events.hpp"
 
@@ -17,6 +18,8 @@ struct Pointer {
     bool snap = false;        ///< to the grid
     Vec2 grid{16.0f, 16.0f};  ///< px
     float reach = 3.0f;       ///< px, world: how far beside a thing still hits it
+    float pixel = 1.0f;       ///< px of the world for one px on screen: handles keep their size
+    bool secondary = false;   ///< the right button instead of the left one
     Modifiers modifiers{};
 };
 
@@ -25,6 +28,7 @@ struct ToolContext {
     const Document& document;
     UndoStack& undo;
     Selection& selection;
+    TilePaint& tiles;
 };
 
 /// What the mouse does in the scene. No window here: a test plays a drag in five lines.
@@ -36,7 +40,9 @@ public:
     virtual void release(const ToolContext& context, const Pointer& pointer) = 0;
     /// Esc: takes back what is under way. @return false when nothing was
     virtual bool cancel(const ToolContext& context) = 0;
-    virtual void draw(const Document& document, const Pointer& pointer, Overlay& overlay) const = 0;
+    virtual void draw(const ToolContext& context, const Pointer& pointer, Overlay& overlay) const = 0;
+    /// The action of the tool that takes over after a release; empty: this one stays.
+    [[nodiscard]] virtual std::string_view next() const { return {}; }
 };
 
 /// One row of the table of all tools.
@@ -44,7 +50,8 @@ struct ToolRow {
     std::string_view name;
     std::string_view action;  ///< in the table of actions, which has its shortcut
     std::string_view hint;    ///< for the status bar
-    std::unique_ptr<Tool> (*make)();
+    bool forTiles = false;    ///< works on tiles; the others on entities
+    std::unique_ptr<Tool> (*make)() = nullptr;
 };
 const std::vector<ToolRow>& toolTable();
 

@@ -42,12 +42,21 @@ public:
             ImGui::TextWrapped("This entity is gone in the running game.");
             return;
         }
+        compareWithPrefab(ui, shown);
         drawName(ui, shown, selected.size());
         for (const TypeInfo& type : ui.workspace.document.types().all()) {
             if (!hasOwnPlace(type) && haveAll(ui, type, selected)) drawComponent(ui, type, selected);
         }
+        for (const PrefabOverrides::Component& component : overrides_.components) {
+            if (component.removed) drawRemoved(ui, *component.type);
+        }
         ImGui::Spacing();
         if (ui.workspace.canEdit()) drawAdd(ui, selected);
+        // Only now: components that are being drawn must not move in memory.
+        if (const std::optional<Asked> asked = std::exchange(asked_, std::nullopt)) {
+            asked->apply ? ui.workspace.applyToPrefab(asked->scope)
+                         : ui.workspace.revertToPrefab(asked->scope);
+        }
     }
 
 private:
@@ -57,6 +66,20 @@ private:
             if (!world.has(type, ui.workspace.shownEntity(id))) return false;
         }
         return true;
+    }
+
+    /// Once for each change of the scene or the selection. A running game is compared with nothing.
+    void compareWithPrefab(Ui& ui, ObjectId id) {
+        Workspace& workspace = ui.workspace;
+        if (workspace.play.running()) {
+            overrides_ = {};
+            compared_ = {};
+            return;
+        }
+        const Compared now{workspace.document.sceneRevision, id};
+        if (std::exchange(compared_, now) == now) return;
+        const PrefabEdit edit = workspace.prefabs();
+        overrides_ = overridesOf(edit.document, edit.prefabs, id);
     }
 
     void drawName(Ui& ui, ObjectId id, std::size_t count) {
@@ -85,12 +108,59 @@ private:
             ui.workspace.undo.push(renameEntity(ui.workspace.document, id, buffer.data()));
             ui.workspace.undo.endGesture();
         }
-        const PrefabInstance* prefab = document.world.find<PrefabInstance>(document.find(id));
-        if (prefab != nullptr) {
-            ImGui::TextDisabled("from %s",
-                                std::string{document.world.texts().find(prefab->prefab.path)}.c_str());
-        }
+        if (overrides_.isPart) drawPrefab(ui, id);
         ImGui::Spacing();
+    }
+
+    /// Which prefab it comes from, how it differs, and both ways to make them agree.
+    void drawPrefab(Ui& ui, ObjectId id) {
+        const PrefabEdit edit = ui.workspace.prefabs();
+        const auto part = InstancePart::of(edit.document, edit.prefabs, id);
+        if (!part) return;
+        const std::string& path = part->prefab().path;
+        ImGui::TextDisabled("from %s", path.substr(path.rfind('/') + 1).c_str());
+        tooltip(format("{}\nWhat this entity has for itself is bold, with a bar beside it.", path));
+        const std::size_t count = overrides_.count();
+        ImGui::SameLine();
+        ImGui::PushStyleColor(ImGuiCol_Text, count == 0 ? palette::kTextDim : palette::kAccent);
+        ImGui::TextUnformatted(count == 0 ? "unchanged" : format("{} changed", count).c_str());
+        ImGui::PopStyleColor();
+        ui.widgets.mark("Inspector/prefab", format("{}", count));
+        const float width = (ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemSpacing.x) * 0.5f;
+        if (ImGui::Button("Revert all", {width, 0.0f})) asked_ = Asked{false, {}};
+        ui.widgets.mark("Inspector/prefab/revert");
+        tooltip("Takes back what this instance has for itself, but not where it stands.  (Ctrl+R)");
+        ImGui::SameLine();
+        if (ImGui::Button("Apply all", {width, 0.0f})) asked_ = Asked{true, {}};
+        ui.widgets.mark("Inspector/prefab/apply");
+        tooltip("Writes it into the prefab's file; other instances follow.  (Ctrl+Shift+R)");
+    }
+
+    /// Both ways between an instance and its prefab, in a context menu.
+    void prefabItems(Ui& ui, const std::string& path, const PrefabScope& scope, bool differs) {
+        const bool revert = ImGui::MenuItem("Revert to prefab", nullptr, false, differs);
+        ui.widgets.mark(path + "/revert");
+        const bool apply = ImGui::MenuItem("Apply to prefab", nullptr, false, differs);
+        ui.widgets.mark(path + "/apply");
+        if (revert || apply) asked_ = Asked{apply, scope};
+    }
+
+    /// The bar beside what differs from the prefab.
+    static void drawBar(const Ui& ui, ImVec2 from, float height) {
+        ImGui::GetWindowDrawList()->AddRectFilled({from.x - ui.px(6.0f), from.y},
+                                                  {from.x - ui.px(3.0f), from.y + height}, palette::kAccent);
+    }
+
+    void drawRemoved(Ui& ui, const TypeInfo& type) {
+        ImGui::PushID(type.name.data());
+        drawBar(ui, ImGui::GetCursorScreenPos(), ImGui::GetFrameHeight());
+        ImGui::AlignTextToFramePadding();
+        ImGui::TextDisabled("%s is taken out", std::string{type.name}.c_str());
+        ImGui::SameLine();
+        if (ImGui::SmallButton("Restore")) asked_ = Asked{false, {&type}};
+        ui.widgets.mark(format("Inspector/{}/restore", type.name));
+        tooltip("The prefab has this component.");
+        ImGui::PopID();
     }
 
     void drawComponent(Ui& ui, const TypeInfo& type, const std::vector<ObjectId>& ids) {
@@ -107,6 +177,16 @@ private:
         ImGui::PopStyleColor(3);
         ui.widgets.mark("Inspector/" + name);
         tooltip(type.doc);
+        const PrefabOverrides::Component* changed = overrides_.find(type);
+        if (changed != nullptr) {
+            const ImVec2 at = ImGui::GetItemRectMin();
+            drawBar(ui, {at.x + ui.px(3.0f), at.y}, ImGui::GetItemRectMax().y - at.y);
+        }
+        if (ui.workspace.canEdit() && ImGui::BeginPopupContextItem("component")) {
+            if (overrides_.isPart) prefabItems(ui, "Inspector/" + name, {&type}, changed != nullptr);
+            if (ImGui::MenuItem("Remove component")) keep = false;
+            ImGui::EndPopup();
+        }
         if (open && type.size > 0) {
             const ComponentState fresh = defaultComponent(type);
             for (const FieldInfo& field : type.fields) {
@@ -134,8 +214,12 @@ private:
         const float start = ImGui::GetCursorPosX();
         const float width = ImGui::GetContentRegionAvail().x;
         const float labelWidth = std::min(width * 0.38f, ui.px(140.0f));
-        drawLabel(ui, field, now == normal, start + labelWidth);
+        const bool differs = overrides_.has(type, field.name);
+        if (differs) drawBar(ui, ImGui::GetCursorScreenPos(), ImGui::GetFrameHeight());
+        drawLabel(ui, field, overrides_.isPart ? !differs : now == normal, start + labelWidth);
+        ui.widgets.mark(path + "/label", differs ? "overridden" : "");
         if (ImGui::BeginPopupContextItem("reset")) {
+            if (overrides_.isPart) prefabItems(ui, path, {&type, field.name}, differs);
             const bool reset = ImGui::MenuItem("Reset to default", nullptr, false, now != normal);
             ui.widgets.mark(path + "/reset");
             if (reset) apply(ui, type, field, ids, normal, now), ui.workspace.undo.endGesture();
@@ -218,7 +302,21 @@ private:
         ImGui::EndPopup();
     }
 
+    struct Compared {
+        std::uint64_t revision = 0;
+        ObjectId id;
+        friend bool operator==(const Compared&, const Compared&) = default;
+    };
+
+    struct Asked {
+        bool apply = false;  ///< else revert
+        PrefabScope scope;
+    };
+
     std::array<char, 64> filter_{};
+    std::optional<Asked> asked_;
+    PrefabOverrides overrides_;  // of the entity selected last, as it was at `compared_`
+    Compared compared_;
 };
 
 }  // namespace

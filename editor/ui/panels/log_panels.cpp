@@ -19,14 +19,15 @@ ImU32 colorOfLevel(LogLevel level) {
 class ConsolePanel final : public Panel {
 public:
     void draw(Ui& ui) override {
-        if (ui.log.empty()) {
+        const std::deque<LogLine>& lines = ui.log.lines();
+        if (lines.empty()) {
             ImGui::TextDisabled(
                 "Nothing has been said yet. Messages of the game and the editor appear here.");
             return;
         }
         beginChild("lines", {0.0f, 0.0f}, false);
         pushFont(ui.fonts.mono, ui.fonts.size);
-        for (const LogLine& line : ui.log) {
+        for (const LogLine& line : lines) {
             ImGui::TextDisabled("%-8s", line.channel.c_str());
             ImGui::SameLine();
             ImGui::PushStyleColor(ImGuiCol_Text, colorOfLevel(line.level));
@@ -34,8 +35,9 @@ public:
             ImGui::PopStyleColor();
         }
         ImGui::PopFont();
-        if (ui.log.size() != shown_) ImGui::SetScrollHereY(1.0f);
-        shown_ = ui.log.size();
+        ui.widgets.mark("Console/last", lines.back().text);
+        if (ui.log.count() != shown_) ImGui::SetScrollHereY(1.0f);
+        shown_ = ui.log.count();
         ImGui::EndChild();
     }
 

@@ -9,6 +9,7 @@ std::span<const PanelRow> panelTable() {
         PanelRow{"Scene", Dock::Left, &makeScenePanel},
         PanelRow{"Viewport", Dock::Center, &makeViewportPanel},
         PanelRow{"Inspector", Dock::Right, &makeInspectorPanel},
+        PanelRow{"Tiles", Dock::Bottom, &makeTilesPanel},
         PanelRow{"Console", Dock::Bottom, &makeConsolePanel},
         PanelRow{"History", Dock::Bottom, &makeHistoryPanel},
     };

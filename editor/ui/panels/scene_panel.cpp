@@ -5,6 +5,7 @@
 #include "editor/model/actions.hpp"
 #include "editor/model/commands/change_components.hpp"
 #include "editor/model/commands/reparent.hpp"
+#include "editor/model/entity_state.hpp"
 #include "editor/ui/icons.hpp"
 #include "editor/ui/panels/panels.hpp"
 #include "editor/ui/ui_compat.hpp"
@@ -116,6 +117,12 @@ private:
         ImGui::PopStyleVar();
         ui.widgets.mark("Scene/" + name, name);
         if (clicked) choose(ui, row, at.x + indent + ui.px(16.0f));
+        if (ImGui::IsItemClicked(ImGuiMouseButton_Right) && !document.selection.has(row.id))
+            document.selection.set({row.id});
+        if (ImGui::BeginPopupContextItem("menu")) {
+            selectionMenu(ui, "Scene/menu");
+            ImGui::EndPopup();
+        }
         dragFrom(row.id, name);
         dropOn(ui, row.id);
         drawContent(ui, row, entity, name, {at.x + indent, at.y}, height);
@@ -197,7 +204,9 @@ private:
             std::memcpy(&id, payload->Data, sizeof id);
             std::vector<ObjectId> moved{id};
             if (ui.workspace.document.selection.has(id)) moved = ui.workspace.document.selection.all();
-            ui.workspace.undo.push(std::make_unique<Reparent>(std::move(moved), parent));
+            const KeepPlace keep = ImGui::GetIO().KeyAlt ? KeepPlace::InParent : KeepPlace::InWorld;
+            ui.workspace.undo.push(
+                std::make_unique<Reparent>(outermost(ui.workspace.document, moved), parent, keep));
             ui.workspace.undo.endGesture();
         }
         ImGui::EndDragDropTarget();

@@ -29,6 +29,7 @@ public:
                                    ImGuiButtonFlags_MouseButtonRight);
         ui.widgets.mark("Viewport");
         from_ = {from.x, from.y};
+        offerMenu(ui);
         lookAround(ui);
         useTool(ui);
         drawScene(ui, from, size);
@@ -40,6 +41,21 @@ private:
         view.resize({size.x, size.y});
         if (!ui.viewReady) ui.workspace.showStart();
         ui.viewReady = true;
+    }
+
+    /// Of what lies under the mouse. While tiles are painted the right button picks tiles instead.
+    void offerMenu(Ui& ui) const {
+        Workspace& workspace = ui.workspace;
+        if (!workspace.canEdit() || workspace.paintsTiles() || workspace.document.scenePath.empty()) return;
+        if (ImGui::IsItemClicked(ImGuiMouseButton_Right)) {
+            const std::vector<ObjectId> under =
+                pickAll(workspace.document, pointer_.position, pointer_.reach);
+            if (!under.empty() && !workspace.document.selection.has(under.front()))
+                workspace.document.selection.set({under.front()});
+        }
+        if (!ImGui::BeginPopupContextItem("scene menu")) return;
+        selectionMenu(ui, "Viewport/menu");
+        ImGui::EndPopup();
     }
 
     void lookAround(Ui& ui) {
@@ -62,18 +78,22 @@ private:
         pointer_.snap = workspace.grid.snap != io.KeyCtrl;
         pointer_.grid = workspace.grid.size;
         pointer_.reach = kReach / workspace.view.zoom();
+        pointer_.pixel = 1.0f / workspace.view.zoom();
         if (!workspace.canEdit() || workspace.document.scenePath.empty()) {
             if (ImGui::IsItemActivated() && workspace.play.running()) inspectRunning(workspace);
             return;
         }
         const ToolContext context = workspace.tools();
-        if (ImGui::IsItemActivated() && io.MouseClicked[0] && !ui.panHeld) {
+        const bool right = io.MouseClicked[1] && workspace.paintsTiles();
+        if (ImGui::IsItemActivated() && (io.MouseClicked[0] || right) && !ui.panHeld) {
+            pointer_.secondary = right;
             workspace.tool().press(context, pointer_);
             pressed_ = true;
             moved_ = pointer_.position;
-        } else if (pressed_ && !io.MouseDown[0]) {
+        } else if (pressed_ && !io.MouseDown[pointer_.secondary ? 1 : 0]) {
             workspace.tool().release(context, pointer_);
-            pressed_ = false;
+            pressed_ = pointer_.secondary = false;
+            if (const std::string_view next = workspace.tool().next(); !next.empty()) workspace.useTool(next);
         } else if (pressed_ && pointer_.position != moved_) {
             workspace.tool().drag(context, pointer_);
             moved_ = pointer_.position;
@@ -116,20 +136,33 @@ private:
             if (workspace.shows(row.name)) row.draw(workspace, world, overlay_);
         }
         drawSelection(ui, world);
-        if (workspace.canEdit()) workspace.tool().draw(workspace.document, pointer_, overlay_);
+        if (workspace.canEdit()) workspace.tool().draw(workspace.tools(), pointer_, overlay_);
         for (const Overlay::Shape& shape : overlay_.shapes()) {
             drawShape(ui, list, shape);
         }
-        if (workspace.play.running()) {
-            outline(list, {from.x + 1.0f, from.y + 1.0f}, {to.x - 1.0f, to.y - 1.0f},
-                    workspace.play.paused() ? palette::kWarning : palette::kPlay, 0.0f, 2.0f);
-        }
+        if (workspace.play.running()) drawPlayFrame(ui, list, from, to);
         list.PopClipRect();
+    }
+
+    /// Nobody should take the running game for the scene: what is changed now is gone afterwards.
+    static void drawPlayFrame(const Ui& ui, ImDrawList& list, ImVec2 from, ImVec2 to) {
+        const bool paused = ui.workspace.play.paused();
+        const ImU32 color = paused ? palette::kWarning : palette::kPlay;
+        const float width = ui.px(4.0f);
+        outline(list, {from.x + width * 0.5f, from.y + width * 0.5f},
+                {to.x - width * 0.5f, to.y - width * 0.5f}, color, 0.0f, width);
+        const char* words =
+            paused ? "PAUSED - F10 steps, F6 goes on, F5 stops" : "PLAYING - changes are not kept - F5 stops";
+        const ImVec2 extent = ImGui::CalcTextSize(words);
+        const ImVec2 corner{from.x + (to.x - from.x - extent.x) * 0.5f - ui.px(10.0f), from.y};
+        list.AddRectFilled(corner, {corner.x + extent.x + ui.px(20.0f), corner.y + extent.y + ui.px(9.0f)},
+                           color, ui.px(5.0f), ImDrawFlags_RoundCornersBottom);
+        list.AddText({corner.x + ui.px(10.0f), corner.y + ui.px(4.0f)}, IM_COL32(16, 22, 18, 255), words);
     }
 
     void drawSelection(Ui& ui, const World& world) {
         const Document& document = ui.workspace.document;
-        if (ui.mouseOverScene && !pressed_ && ui.workspace.canEdit() && ui.workspace.toolIndex() < 2) {
+        if (ui.mouseOverScene && !pressed_ && ui.workspace.canEdit() && !ui.workspace.paintsTiles()) {
             const std::vector<ObjectId> under = pickAll(document, pointer_.position, pointer_.reach);
             if (!under.empty() && !document.selection.has(under.front())) {
                 overlay_.box(boundsOf(world, document.find(under.front())), kHovered);

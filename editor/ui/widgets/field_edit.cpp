@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "core/text.hpp"
+#include "editor/model/tile_stamp.hpp"
 #include "editor/ui/widgets/pickers.hpp"
 #include "math/angle.hpp"
 
@@ -224,15 +225,40 @@ bool editList(const Edit& edit) {
     return changed;
 }
 
-bool editTiles(const Edit& edit) {
-    const TileGrid* grid = edit.ui.workspace.shownWorld().tiles().find(load<TilesId>(edit.value));
+constexpr int kMostCells = 4096;  // along one side, so that a slip of the finger costs no gigabyte
+
+/// One side of a grid; counts when Enter is pressed.
+bool editSide(const Edit& edit, const char* letter, int& cells, float width, const std::string& path) {
+    ImGui::PushID(letter);
     ImGui::AlignTextToFramePadding();
-    if (grid == nullptr) {
-        ImGui::TextDisabled("no tiles");
-    } else {
-        ImGui::TextDisabled("%d x %d tiles", grid->width(), grid->height());
-    }
-    return false;
+    ImGui::TextDisabled("%s", letter);
+    ImGui::SameLine(0.0f, edit.ui.px(5.0f));
+    ImGui::SetNextItemWidth(width - edit.ui.px(14.0f));
+    int typed = cells;
+    const bool done = ImGui::InputInt("##side", &typed, 0, 0, ImGuiInputTextFlags_EnterReturnsTrue);
+    edit.ui.widgets.mark(path, format("{}", cells));
+    tooltip("Cells. Enter makes the layer larger or cuts it off, at its right and lower edges.");
+    ImGui::PopID();
+    if (!done || typed == cells) return false;
+    cells = std::clamp(typed, 1, kMostCells);
+    return true;
+}
+
+/// The size of a grid of tiles; the tiles themselves are painted in the scene.
+bool editTiles(const Edit& edit) {
+    World& world = edit.ui.workspace.shownWorld();
+    const TileGrid* grid = world.tiles().find(load<TilesId>(edit.value));
+    int width = grid == nullptr ? 0 : grid->width();
+    int height = grid == nullptr ? 0 : grid->height();
+    const float half = (ImGui::GetContentRegionAvail().x - edit.ui.px(4.0f)) * 0.5f;
+    bool changed = editSide(edit, "w", width, half, edit.path + ".width");
+    ImGui::SameLine(0.0f, edit.ui.px(4.0f));
+    changed |= editSide(edit, "h", height, half, edit.path + ".height");
+    if (!changed || !edit.ui.workspace.canEdit()) return false;
+    // The old grid stays in the store: undo only names it again.
+    store(edit.value, world.tiles().add(resized(grid == nullptr ? TileGrid{} : *grid, std::max(width, 1),
+                                                std::max(height, 1))));
+    return true;
 }
 
 }  // namespace

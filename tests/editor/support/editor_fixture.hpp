@@ -18,6 +18,7 @@
 #include "scene/components/sprite.hpp"
 #include "scene/components/tile_layer.hpp"
 #include "scene/components/transform.hpp"
+#include "scene/prefab.hpp"
 
 namespace plumb::editor {
 
@@ -117,7 +118,11 @@ inline constexpr std::string_view kSceneText = R"({
 class EditorFixture : public testing::Test {
 protected:
     EditorFixture()
-        : root_{makeFolder()}, types_{engineTypes()}, assets_{root_}, workspace{types_, assets_, {root_}} {
+        : root_{makeFolder()},
+          types_{engineTypes()},
+          assets_{root_},
+          prefabs_{types_, root_},
+          workspace{types_, assets_, {root_}, &prefabs_} {
         EXPECT_TRUE(writeFile(root_ / kScene, kSceneText).ok());
         EXPECT_TRUE(workspace.open(kScene).ok());
     }
@@ -132,7 +137,11 @@ protected:
     [[nodiscard]] Vec2 positionOf(ObjectId id) const {
         return workspace.document.world.get<Transform>(workspace.document.find(id)).position;
     }
-    [[nodiscard]] std::string fileText() const { return *readFile(root_ / kScene); }
+    [[nodiscard]] std::string fileText() const { return fileText(kScene); }
+    [[nodiscard]] std::string fileText(std::string_view path) const { return *readFile(root_ / path); }
+    void putFile(std::string_view path, std::string_view text) {
+        EXPECT_TRUE(writeFile(root_ / path, text).ok());
+    }
 
 private:
     static Path makeFolder() {
@@ -146,6 +155,7 @@ private:
     Path root_;
     TypeRegistry types_;
     AssetStore assets_;
+    PrefabLibrary prefabs_;
 
 protected:
     Workspace workspace;

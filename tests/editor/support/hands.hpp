@@ -31,7 +31,9 @@ public:
         return found == nullptr ? Vec2{} : found->box.center();
     }
     void click(std::string_view widget) { clickAt(middleOf(widget)); }
-    void clickAt(Vec2 at) { moveTo(at), rest(), press(), release(), rest(); }
+    void clickAt(Vec2 at, MouseButton button = MouseButton::Left) {
+        moveTo(at), rest(), press(button), release(button), rest();
+    }
 
     void drag(Vec2 from, Vec2 to, int steps = 10) {
         moveTo(from), rest(), press();

@@ -1,0 +1,126 @@
+#include "editor/model/tools/transform_drag.hpp"
+
+#include <cmath>
+
+#include "core/text.hpp"
+#include "ecs/hierarchy.hpp"
+#include "editor/model/commands/change_components.hpp"
+#include "editor/model/entity_state.hpp"
+#include "math/angle.hpp"
+
+namespace plumb::editor {
+namespace {
+
+/// An offset in the world as one in a parent that is turned and scaled.
+Vec2 inParent(Vec2 offset, const Pose& parent) {
+    const Vec2 turned = rotated(offset, -parent.rotation);
+    return {parent.scale.x == 0.0f ? 0.0f : turned.x / parent.scale.x,
+            parent.scale.y == 0.0f ? 0.0f : turned.y / parent.scale.y};
+}
+
+}  // namespace
+
+Vec2 snapped(Vec2 point, Vec2 grid) {
+    return {std::round(point.x / grid.x) * grid.x, std::round(point.y / grid.y) * grid.y};
+}
+
+std::optional<Pose> poseInHand(const Document& document) {
+    const std::vector<ObjectId>& all = document.selection.all();
+    for (auto id = all.rbegin(); id != all.rend(); ++id) {
+        const EntityId entity = document.find(*id);
+        if (document.world.has<Transform>(entity)) return worldPose(document.world, entity);
+    }
+    return std::nullopt;
+}
+
+Vec2 dragOffset(Vec2 grabPoint, Vec2 origin, const Pointer& pointer) {
+    Vec2 offset = pointer.position - grabPoint;
+    if (pointer.modifiers.shift) (std::abs(offset.x) > std::abs(offset.y) ? offset.y : offset.x) = 0.0f;
+    if (!pointer.snap) return {std::round(offset.x), std::round(offset.y)};
+    // Only what moves snaps: a drag along x leaves a y off the grid alone.
+    const Vec2 target = snapped(origin + offset, pointer.grid);
+    return {offset.x == 0.0f ? 0.0f : target.x - origin.x, offset.y == 0.0f ? 0.0f : target.y - origin.y};
+}
+
+void TransformDrag::grab(const ToolContext& context) {
+    const Document& document = context.document;
+    grabbed_.clear();
+    for (const ObjectId id : outermost(document, context.selection.all())) {
+        const EntityId entity = document.find(id);
+        const Transform* transform = document.world.find<Transform>(entity);
+        if (transform == nullptr) continue;
+        const EntityId parent = parentOf(document.world, entity);
+        grabbed_.push_back({id, *transform, worldPose(document.world, entity),
+                            parent ? worldPose(document.world, parent) : Pose{}});
+    }
+    pivot_ = poseInHand(document).value_or(Pose{});
+}
+
+void TransformDrag::move(const ToolContext& context, Vec2 offset) {
+    std::vector<Transform> targets;
+    for (const Grabbed& item : grabbed_) {
+        Transform target = item.start;
+        target.position += inParent(offset, item.parent);
+        targets.push_back(target);
+    }
+    push(context, "move", std::move(targets));
+}
+
+void TransformDrag::turn(const ToolContext& context, float angle) {
+    std::vector<Transform> targets;
+    for (const Grabbed& item : grabbed_) {
+        Transform target = item.start;
+        target.rotation = wrapAngle(target.rotation + angle);
+        const Vec2 arm = item.world.position - pivot_.position;
+        target.position += inParent(rotated(arm, angle) - arm, item.parent);
+        targets.push_back(target);
+    }
+    push(context, "rotate", std::move(targets));
+}
+
+void TransformDrag::scale(const ToolContext& context, Vec2 factors) {
+    std::vector<Transform> targets;
+    for (const Grabbed& item : grabbed_) {
+        Transform target = item.start;
+        target.scale = scaled(target.scale, factors);
+        const Vec2 arm = rotated(item.world.position - pivot_.position, -pivot_.rotation);
+        const Vec2 longer = rotated(scaled(arm, factors), pivot_.rotation);
+        target.position += inParent(longer - rotated(arm, pivot_.rotation), item.parent);
+        targets.push_back(target);
+    }
+    push(context, "scale", std::move(targets));
+}
+
+void TransformDrag::push(const ToolContext& context, std::string_view verb,
+                         std::vector<Transform> targets) const {
+    if (grabbed_.empty()) return;
+    const TypeInfo& type = context.document.types().of<Transform>();
+    std::vector<ChangeComponents::Change> changes;
+    for (std::size_t i = 0; i < grabbed_.size(); ++i) {
+        changes.push_back({grabbed_[i].object, ComponentState{&type, FieldValue::of(targets[i]).bytes}});
+    }
+    const std::string what = grabbed_.size() == 1 ? context.document.nameOf(grabbed_.front().object)
+                                                  : format("{} entities", grabbed_.size());
+    context.undo.push(
+        std::make_unique<ChangeComponents>(format("{} {}", verb, what), type, std::move(changes)));
+}
+
+void TransformDrag::finish(const ToolContext& context) {
+    context.undo.endGesture();
+    grabbed_.clear();
+}
+
+bool TransformDrag::cancel(const ToolContext& context) {
+    if (grabbed_.empty()) return false;
+    if (context.undo.inGesture()) context.undo.cancelGesture();
+    grabbed_.clear();
+    return true;
+}
+
+void nudge(const ToolContext& context, Vec2 offset) {
+    TransformDrag drag;
+    drag.grab(context);
+    drag.move(context, offset);
+}
+
+}  // namespace plumb::editor

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+#include "editor/model/tools/tool.hpp"
+#include "scene/world_transform.hpp"
+
+namespace plumb::editor {
+
+/// Moves, turns and scales what is selected, always from where it was when it was grabbed. One drag is one
+/// step of undo; what is below another selected thing goes with it.
+class TransformDrag {
+public:
+    void grab(const ToolContext& context);
+    void move(const ToolContext& context, Vec2 offset);    ///< px, world
+    void turn(const ToolContext& context, float angle);    ///< rad, about the pivot
+    void scale(const ToolContext& context, Vec2 factors);  ///< ratio, along the axes of each thing
+    void finish(const ToolContext& context);
+    /// @return false when nothing was grabbed
+    bool cancel(const ToolContext& context);
+
+    [[nodiscard]] bool holds() const { return !grabbed_.empty(); }
+    /// The pose in the world of the thing in hand, when it was grabbed: it is what snaps.
+    [[nodiscard]] const Pose& pivot() const { return pivot_; }
+
+private:
+    struct Grabbed {
+        ObjectId object;
+        Transform start;
+        Pose world;
+        Pose parent;
+    };
+
+    void push(const ToolContext& context, std::string_view verb, std::vector<Transform> targets) const;
+
+    Pose pivot_;
+    std::vector<Grabbed> grabbed_;
+};
+
+/// The pose in the world of the thing in hand: the last one selected that is somewhere. Nothing without one.
+std::optional<Pose> poseInHand(const Document& document);
+
+/// How far a drag moves: Shift keeps to one axis, and what moves comes to the grid or to whole pixels.
+Vec2 dragOffset(Vec2 grabPoint, Vec2 origin, const Pointer& pointer);
+
+/// Moves what is selected by px of the world: one change of a gesture.
+void nudge(const ToolContext& context, Vec2 offset);
+
+}  // namespace plumb::editor
