@@ -68,8 +68,10 @@ std::vector<std::uint32_t> clusteredOrder(const Storage& storage) {
     }
     std::vector<std::uint32_t> byRank(groups.size());
     std::iota(byRank.begin(), byRank.end(), 0u);
+    // Entities with more components first: those that most queries match then start where the columns start,
+    // on a line of the cache.
     std::sort(byRank.begin(), byRank.end(),
-              [&](std::uint32_t a, std::uint32_t b) { return groups[a].rank < groups[b].rank; });
+              [&](std::uint32_t a, std::uint32_t b) { return groups[a].rank > groups[b].rank; });
     std::uint32_t total = 0;
     for (const std::uint32_t group : byRank) {
         groups[group].next = total;

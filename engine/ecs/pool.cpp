@@ -88,9 +88,9 @@ void Pool::compact(std::uint64_t clock) {
         stamps[hole >> kStampShift] = clock;
     }
     while (end > 0 && dense[end - 1] == 0) --end;
+    version += count - end + 1;
     count = end;
     holes.clear();
-    ++version;
 }
 
 }  // namespace plumb

@@ -39,7 +39,7 @@ struct Pool {
     std::uint32_t stride = 0;         ///< bytes; 0 for tags
     std::uint32_t capacity = 0;       ///< positions that may be written
     std::uint32_t indexCapacity = 0;  ///< entities that may be looked up
-    std::uint64_t version = 1;        ///< counts changes of who is where; only grows
+    std::uint64_t version = 1;        ///< with `count` in changes()
     std::uint64_t bit = 0;            ///< in EntityRecord::mask; the overflow bit for all past the 63rd
     std::uint32_t ordinal = 0;
     std::uint32_t disorder = 0;  ///< changes since the last clustering
@@ -47,12 +47,16 @@ struct Pool {
     std::vector<std::uint32_t> holes;  ///< positions
 
     [[nodiscard]] bool has(EntityId id) const {
-        return id.index < indexCapacity && sparse[id.index].check == ~id.generation;
+        const Slot* const slots = sparse;  // before the decision, so that loops read it once
+        return id.index < indexCapacity && slots[id.index].check == ~id.generation;
     }
     /// Whether any entity at this index has one.
     [[nodiscard]] bool holds(std::uint32_t index) const {
         return index < indexCapacity && sparse[index].check != 0;
     }
+    /// Grows with every change of who is where. Adding raises `count` and need not write the version as well;
+    /// whatever lowers `count` raises the version by more.
+    [[nodiscard]] std::uint64_t changes() const { return version + count; }
     [[nodiscard]] std::uint32_t size() const { return count - static_cast<std::uint32_t>(holes.size()); }
     [[nodiscard]] std::byte* at(std::uint32_t position) const {
         return column + std::size_t{stride} * position;
@@ -65,11 +69,12 @@ struct Pool {
     }
     /// A position at the end for an entity that has none yet. @pre makeRoom(id.index)
     [[gnu::always_inline]] std::uint32_t append(EntityId id, std::uint64_t clock) {
-        const std::uint32_t position = count++;
+        const std::uint32_t position = count;
+        sparse[id.index].position = position;
         dense[position] = id.index;
-        sparse[id.index] = {~id.generation, position};
         stamps[position >> kStampShift] = clock;
-        ++version;
+        count = position + 1;
+        sparse[id.index].check = ~id.generation;
         return position;
     }
 
@@ -86,7 +91,7 @@ struct Pool {
             stamps[position >> kStampShift] = clock;
             ++disorder;
         }
-        ++version;
+        version += 2;
     }
 
     /// Takes the component out and leaves a hole for `compact`.
@@ -120,9 +125,20 @@ private:
     void move(std::uint32_t to, std::uint32_t from, std::uint32_t bytes) const {
         if (bytes == 8) {  // most components are small, and a call to memcpy is not
             std::memcpy(column + std::size_t{8} * to, column + std::size_t{8} * from, 8);
-        } else {
-            std::memcpy(column + std::size_t{bytes} * to, column + std::size_t{bytes} * from, bytes);
+            return;
         }
+        std::byte* target = column + std::size_t{bytes} * to;
+        const std::byte* source = column + std::size_t{bytes} * from;
+        const auto copy = [&](std::size_t length) {
+            std::memcpy(target, source, length);
+            target += length;
+            source += length;
+        };
+        for (; bytes >= 16; bytes -= 16) copy(16);
+        if ((bytes & 8u) != 0) copy(8);
+        if ((bytes & 4u) != 0) copy(4);
+        if ((bytes & 2u) != 0) copy(2);
+        if ((bytes & 1u) != 0) copy(1);
     }
     void grow(std::uint32_t index);
 

@@ -33,7 +33,7 @@ inline std::remove_const_t<T> kTagInstance{};
 
 /// A column of a query; of a tag there is nothing to step through.
 template <class T>
-T& itemOf(T* column, std::uint32_t i) {
+T& itemOf(T* column, std::size_t i) {
     if constexpr (kIsTag<T>) {
         static_cast<void>(i);
         return *column;
@@ -78,20 +78,24 @@ public:
     Cursor(World& world, Storage& storage, QueryCache& wanted)
         : world_{&world}, storage_{&storage}, cache_{&storage.beginIteration(wanted)} {
         structure_ = storage.structure();
-        run_ = cache_->runs.data();
-        enterRun();
+        stampAll(*cache_, storage.clock(), std::index_sequence_for<T...>{});
+        enterRun(cache_->runs.data());
     }
     ~Cursor() { storage_->endIteration(*cache_); }
     Cursor(const Cursor&) = delete;
     Cursor& operator=(const Cursor&) = delete;
 
-    [[nodiscard]] bool done() const { return at_ == length_; }
+    [[nodiscard]] bool done() const { return at_ == span_.length; }
     bool operator!=(End) const { return !done(); }
 
     Cursor& operator++() {
-        step();
-        if (storage_->structure() != structure_) [[unlikely]]
+        ++at_;
+        if (storage_->structure() != structure_) [[unlikely]] {
+            if (done()) enterRun(run_ + cache_->step());
             skipGone();
+        } else if (done()) [[unlikely]] {
+            enterRun(run_ + cache_->step());
+        }
         return *this;
     }
     [[nodiscard]] Row<T...> operator*() const { return row(std::index_sequence_for<T...>{}); }
@@ -99,46 +103,56 @@ public:
 private:
     template <std::size_t... I>
     Row<T...> row(std::index_sequence<I...>) const {
-        return Row<T...>{Entity{*world_, storage_->idAt(entities_[at_])},
-                         itemOf(std::get<I>(items_), at_)...};
-    }
-    void step() {
-        if (++at_ == length_) [[unlikely]] {
-            run_ += cache_->step();
-            enterRun();
-        }
-    }
-    template <std::size_t... I>
-    [[nodiscard]] bool stillThere(std::index_sequence<I...>) const {
-        const std::uint32_t index = entities_[at_];
-        return index != 0 && cache_->matches(storage_->records(), index) &&
-               ((I == 0 || cache_->included[I]->dense[run_[I] + at_] == index) && ...);
+        return Row<T...>{Entity{*world_, storage_->idAt(span_.entities[at_])},
+                         itemOf(std::get<I>(span_.items), at_)...};
     }
     void skipGone() {
-        while (!done() && !stillThere(std::index_sequence_for<T...>{})) step();
+        while (!done() && !cache_->stillThere(storage_->records(), run_, static_cast<std::uint32_t>(at_))) {
+            if (++at_ == span_.length) enterRun(run_ + cache_->step());
+        }
     }
-    void enterRun() {
-        at_ = length_ = 0;
-        if (run_ != cache_->runs.data() + cache_->runs.size()) enterRun(std::index_sequence_for<T...>{});
+    void enterRun(const std::uint32_t* run) {
+        run_ = run;
+        at_ = 0;
+        span_ = spanOf(*cache_, run, std::index_sequence_for<T...>{});
     }
+
+    /// A run as the loop walks it; of length 0 past the last one.
+    struct Span {
+        std::size_t length = 0;
+        const std::uint32_t* entities = nullptr;
+        std::tuple<T*...> items;
+    };
     template <std::size_t... I>
-    void enterRun(std::index_sequence<I...>) {
-        length_ = cache_->indexed ? 1 : run_[kColumns];
-        entities_ = cache_->included[0]->dense + run_[0];
-        ((std::get<I>(items_) = advanced(columnOf<T>(*cache_->included[I]), run_[I])), ...);
-        ((std::is_const_v<T> ? void() : cache_->included[I]->stamp(run_[I], length_, storage_->clock())),
-         ...);
+    static Span spanOf(const QueryCache& cache, const std::uint32_t* run, std::index_sequence<I...>) {
+        if (run == cache.runs.data() + cache.runs.size()) return {};
+        const std::uint32_t length = cache.indexed ? 1 : run[kColumns];
+        return {length,
+                cache.included[0]->dense + run[0],
+                {advanced(columnOf<T>(*cache.included[I]), run[I])...}};
+    }
+
+    /// All at once and before the loop: a call in it would make compilers reload whatever they keep in
+    /// registers.
+    template <std::size_t... I>
+    [[gnu::noinline]] static void stampAll(const QueryCache& cache, std::uint64_t clock,
+                                           std::index_sequence<I...>) {
+        if constexpr ((!std::is_const_v<T> || ...)) {
+            const std::uint32_t* const end = cache.runs.data() + cache.runs.size();
+            for (const std::uint32_t* run = cache.runs.data(); run != end; run += cache.step()) {
+                const std::uint32_t length = cache.indexed ? 1 : run[kColumns];
+                ((std::is_const_v<T> ? void() : cache.included[I]->stamp(run[I], length, clock)), ...);
+            }
+        }
     }
 
     World* world_;
     Storage* storage_;
     QueryCache* cache_;
     const std::uint32_t* run_ = nullptr;
-    const std::uint32_t* entities_ = nullptr;
-    std::uint32_t at_ = 0;
-    std::uint32_t length_ = 0;
+    std::size_t at_ = 0;
     std::uint64_t structure_ = 0;
-    std::tuple<T*...> items_;
+    Span span_;
 };
 
 /// The entities that have all of T. Cheap to make; the answer is looked up when a loop begins.

@@ -25,16 +25,6 @@ std::uint32_t commonPrefix(const std::uint32_t* a, const std::uint32_t* b, std::
 
 }  // namespace
 
-std::uint64_t QueryCache::poolVersions() const {
-    // Versions only grow, so equal sums mean that none of them changed.
-    std::uint64_t sum = 0;
-    for (const Pool* pool : included) sum += pool->version;
-    for (const Pool* pool : excluded) sum += pool->version;
-    return sum;
-}
-
-bool QueryCache::stale() const { return version_ != poolVersions(); }
-
 void QueryCache::prepare() {
     prepared = true;
     version_ = 0;
@@ -57,21 +47,6 @@ QueryCache& QueryCache::spare() {
     return *spare_;
 }
 
-bool QueryCache::holdsAll(std::uint32_t index) const {
-    const auto holds = [index](const Pool* pool) { return pool->holds(index); };
-    return std::all_of(included.begin(), included.end(), holds) &&
-           std::none_of(excluded.begin(), excluded.end(), holds);
-}
-
-bool QueryCache::stillThere(const EntityRecord* records, const std::uint32_t* run, std::uint32_t i) const {
-    const std::uint32_t index = included[0]->dense[run[0] + i];
-    if (index == 0) return false;
-    for (std::uint32_t k = 1; k < columns; ++k) {
-        if (included[k]->dense[run[k] + i] != index) return false;
-    }
-    return matches(records, index);
-}
-
 bool QueryCache::anyHoles() const {
     return std::any_of(included.begin(), included.end(),
                        [](const Pool* pool) { return !pool->holes.empty(); });
@@ -82,7 +57,7 @@ void QueryCache::rebuild(const EntityRecord* records) {
     for (const Pool* pool : included) {
         if (pool->count < lead->count) lead = pool;
     }
-    version_ = poolVersions();
+    version_ = poolChanges();
     if (indexed && masked_) {  // was fragmented the last time, so it probably still is
         bool still = false;
         switch (columns) {

@@ -4,9 +4,9 @@
 #include <memory>
 #include <vector>
 
-namespace plumb {
+#include "ecs/pool.hpp"
 
-struct Pool;
+namespace plumb {
 
 /// What is known of an entity besides its components. Generations of the living are odd.
 struct EntityRecord {
@@ -15,7 +15,7 @@ struct EntityRecord {
 };
 
 /// The remembered answer of a query: runs of entities that follow one another in all of its columns, so
-/// that the inner loop is a plain one. Valid as long as no pool of the query changes its version.
+/// that the inner loop is a plain one. Valid as long as no pool of the query changes.
 struct QueryCache {
     std::vector<Pool*> included;  ///< the named columns first, then those that must merely be there
     std::vector<Pool*> excluded;
@@ -30,7 +30,7 @@ struct QueryCache {
     std::uint32_t users = 0;  ///< loops that read `runs` right now
 
     [[nodiscard]] std::uint32_t step() const { return indexed ? columns : columns + 1; }
-    [[nodiscard]] bool stale() const;
+    [[nodiscard]] bool stale() const { return version_ != poolChanges(); }
     void rebuild(const EntityRecord* records);
 
     /// Whether the entity at the index answers the query now.
@@ -39,7 +39,14 @@ struct QueryCache {
     }
     /// Whether what stood at a place of a run when the loop began is still there and still matches.
     [[nodiscard]] bool stillThere(const EntityRecord* records, const std::uint32_t* run,
-                                  std::uint32_t i) const;
+                                  std::uint32_t i) const {
+        const std::uint32_t index = included[0]->dense[run[0] + i];
+        if (index == 0) return false;
+        for (std::uint32_t k = 1; k < columns; ++k) {
+            if (included[k]->dense[run[k] + i] != index) return false;
+        }
+        return matches(records, index);
+    }
 
     /// Another cache of the same query, for a loop inside a loop after the world changed.
     QueryCache& spare();
@@ -47,8 +54,22 @@ struct QueryCache {
     void prepare();
 
 private:
-    [[nodiscard]] bool holdsAll(std::uint32_t index) const;
-    [[nodiscard]] std::uint64_t poolVersions() const;
+    [[nodiscard]] bool holdsAll(std::uint32_t index) const {
+        for (const Pool* pool : included) {
+            if (!pool->holds(index)) return false;
+        }
+        for (const Pool* pool : excluded) {
+            if (pool->holds(index)) return false;
+        }
+        return true;
+    }
+    [[nodiscard]] std::uint64_t poolChanges() const {
+        // Each of them only grows, so equal sums mean that none of them changed.
+        std::uint64_t sum = 0;
+        for (const Pool* pool : included) sum += pool->changes();
+        for (const Pool* pool : excluded) sum += pool->changes();
+        return sum;
+    }
     [[nodiscard]] bool anyHoles() const;
     void buildRuns(const EntityRecord* records, const Pool& lead);
     template <std::uint32_t N>
@@ -58,7 +79,7 @@ private:
     bool masked_ = false;  // the masks say it all: no pool of the query is past the 63rd
     std::uint64_t need_ = 0;
     std::uint64_t care_ = 0;
-    std::uint64_t version_ = 0;
+    std::uint64_t version_ = 0;  // of the pools when `runs` was made
     std::unique_ptr<QueryCache> spare_;
     std::vector<std::uint32_t> scratch_;
 };

@@ -13,7 +13,7 @@ void Storage::save(StorageImage& image) const {
     PLUMB_ASSERT(iterating_ == 0, "a snapshot is taken between loops, not inside one");
     image.used = used_;
     image.freeCount = freeCount_;
-    image.alive = alive_;
+    image.retired = retired_;
     image.pools.clear();
     std::size_t bytes =
         (std::size_t{used_} + 1) * sizeof(EntityRecord) + std::size_t{freeCount_} * sizeof(std::uint32_t);
@@ -68,7 +68,7 @@ void Storage::restore(const StorageImage& image) {
     const std::uint32_t before = used_;
     used_ = image.used;
     freeCount_ = image.freeCount;
-    alive_ = image.alive;
+    retired_ = image.retired;
     read(records_, (std::size_t{used_} + 1) * sizeof(EntityRecord));
     read(free_, std::size_t{freeCount_} * sizeof(std::uint32_t));
     // Indices first used after the save were never used now.
@@ -79,7 +79,7 @@ void Storage::restore(const StorageImage& image) {
     for (std::size_t i = 0; i < pools_.size(); ++i) {
         Pool& pool = *pools_[i];
         for (std::uint32_t k = 0; k < pool.count; ++k) pool.sparse[pool.dense[k]] = {};
-        ++pool.version;
+        pool.version += pool.count + 1;
         pool.count = i < image.pools.size() ? image.pools[i].count : 0;
         pool.disorder = i < image.pools.size() ? image.pools[i].disorder : 0;
         if (pool.count == 0) continue;

@@ -15,7 +15,9 @@ constexpr std::uint32_t kLastGeneration = 0xfffffffeu;
 
 }  // namespace
 
-Storage::Storage() : recordMemory_{kMaxEntities * (sizeof(EntityRecord) + sizeof(std::uint32_t))} {
+Storage::Storage()
+    : byKey_(kMaxTypes, &nobody_),
+      recordMemory_{kMaxEntities * (sizeof(EntityRecord) + sizeof(std::uint32_t))} {
     if (!recordMemory_.ok())
         failAssertion("the system has no addresses left for a world", __FILE__, __LINE__);
     records_ = reinterpret_cast<EntityRecord*>(recordMemory_.start());
@@ -46,8 +48,6 @@ void Storage::createFresh(std::span<EntityId> ids, std::uint64_t mask) {
         ids[i] = {used_ + 1 + i, 1};
     }
     used_ += count;
-    alive_ += count;
-    if (iterating_ != 0) ++structure_;
 }
 
 std::uint32_t Storage::appendRange(Pool& pool, EntityId first, std::uint32_t count) {
@@ -58,33 +58,26 @@ std::uint32_t Storage::appendRange(Pool& pool, EntityId first, std::uint32_t cou
         pool.sparse[first.index + i] = {~first.generation, start + i};
     }
     pool.count += count;
-    ++pool.version;
     pool.stamp(start, count, clock_);
     return start;
 }
 
-void Storage::take(Pool& pool, std::uint32_t index) {
-    if (iterating_ == 0) {
-        pool.erase(index, pool.stride, clock_);
-    } else {
-        pool.punch(index);
-        holes_ = true;
-    }
-}
-
-void Storage::removeAll(std::uint32_t index, std::uint64_t mask) {
-    const std::unique_ptr<Pool>* const pools = pools_.data();
-    for (std::uint64_t rest = mask & ~kOverflowBit; rest != 0; rest &= rest - 1) {
-        Pool& pool = *pools[static_cast<std::size_t>(std::countr_zero(rest))];
+/// Takes all components of an entity while somebody iterates, or from more pools than a mask has bits for.
+void Storage::removeCarefully(std::uint32_t index, std::uint64_t mask) {
+    const auto take = [&](Pool& pool) {
         if (iterating_ == 0) {
             pool.erase(index, pool.stride, clock_);
         } else {
-            take(pool, index);
+            pool.punch(index);
+            holes_ = true;
         }
-    }
+    };
+    if (iterating_ != 0) ++structure_;
+    for (std::uint64_t rest = mask & ~kOverflowBit; rest != 0; rest &= rest - 1)
+        take(*pools_[static_cast<std::size_t>(std::countr_zero(rest))]);
     if ((mask & kOverflowBit) == 0) return;
     for (std::size_t i = 63; i < pools_.size(); ++i) {
-        if (pools_[i]->holds(index)) take(*pools_[i], index);
+        if (pools_[i]->holds(index)) take(*pools_[i]);
     }
 }
 
@@ -93,10 +86,19 @@ void Storage::destroy(EntityId id) {
     const std::uint64_t mask = record.mask;
     record.mask = 0;
     record.generation = id.generation + 1;
-    if (record.generation != kLastGeneration) free_[freeCount_++] = id.index;
-    --alive_;
-    if (iterating_ != 0) ++structure_;
-    if (mask != 0) removeAll(id.index, mask);
+    if (record.generation != kLastGeneration) [[likely]] {
+        free_[freeCount_++] = id.index;
+    } else {
+        ++retired_;
+    }
+    if (iterating_ != 0 || (mask & kOverflowBit) != 0) [[unlikely]]
+        return removeCarefully(id.index, mask);
+    const std::unique_ptr<Pool>* const pools = pools_.data();
+    const std::uint64_t clock = clock_;
+    for (std::uint64_t rest = mask; rest != 0; rest &= rest - 1) {
+        Pool& pool = *pools[static_cast<std::size_t>(std::countr_zero(rest))];
+        pool.erase(id.index, pool.stride, clock);
+    }
 }
 
 void Storage::clear() {
@@ -114,30 +116,36 @@ void Storage::clear() {
         } else {
             for (std::uint32_t i = 0; i < pool->count; ++i) pool->sparse[pool->dense[i]] = {};
         }
+        pool->version += pool->count + 1;
         pool->count = 0;
         pool->disorder = 0;
-        ++pool->version;
     }
-    bool worn = false;
-    for (std::uint32_t index = 1; index <= used_; ++index) {
-        EntityRecord& record = records_[index];
-        record.generation += record.generation & 1u;
-        record.mask = 0;
-        worn |= record.generation == kLastGeneration;
-    }
+    const bool mayBeWorn = endAllLives();
     // Lowest index on top, so that a cleared world gives out the same order as a new one.
-    freeCount_ = 0;
-    for (std::uint32_t index = used_; index > 0; --index) {
-        if (!worn || records_[index].generation != kLastGeneration) free_[freeCount_++] = index;
+    freeCount_ = used_;
+    for (std::uint32_t i = 0; i < used_; ++i) free_[i] = used_ - i;
+    if (mayBeWorn) {
+        const auto worn = [this](std::uint32_t i) { return records_[i].generation == kLastGeneration; };
+        freeCount_ = static_cast<std::uint32_t>(std::remove_if(free_, free_ + used_, worn) - free_);
     }
-    alive_ = 0;
+    retired_ = used_ - freeCount_;
+}
+
+/// @return whether some generation is so high that it needs a look
+bool Storage::endAllLives() {
+    EntityRecord* const records = records_;
+    const std::uint32_t used = used_;
+    std::uint32_t bits = 0;
+    for (std::uint32_t index = 1; index <= used; ++index) {
+        const std::uint32_t generation = (records[index].generation + 1) & ~1u;
+        records[index] = {0, generation};
+        bits |= generation;
+    }
+    return bits >> 31 != 0;
 }
 
 Pool& Storage::makePool(const ComponentType& type) {
     const TypeKey key = type.info.key;
-    if (key >= keyTable_.size()) keyTable_.resize(key + 1, &nobody_);
-    byKey_ = keyTable_.data();
-    keyCount_ = static_cast<TypeKey>(keyTable_.size());
     const auto ordinal = static_cast<std::uint32_t>(pools_.size());
     pools_.push_back(std::make_unique<Pool>(type, ordinal, kMaxEntities));
     byKey_[key] = pools_.back().get();
@@ -150,17 +158,14 @@ void Storage::findWatched() {
     for (const TypeKey key : watchedKeys_) watchedMask_ |= knownPool(key).bit;
 }
 
-QueryCache& Storage::beginIteration(QueryCache& wanted) {
+/// A cache of the same query that is up to date: this one, unless a loop reads its runs right now.
+QueryCache& Storage::renewed(QueryCache& wanted) {
     QueryCache* cache = &wanted;
-    if (cache->stale()) [[unlikely]] {
-        while (cache->users != 0 && cache->stale()) cache = &cache->spare();
-        for (Pool* pool : cache->included) {
-            if (pool->indexCapacity <= used_) pool->reserve(0, used_);
-        }
-        if (cache->stale()) cache->rebuild(records_);
+    while (cache->users != 0 && cache->stale()) cache = &cache->spare();
+    for (Pool* pool : cache->included) {
+        if (pool->indexCapacity <= used_) pool->reserve(0, used_);
     }
-    ++cache->users;
-    ++iterating_;
+    if (cache->stale()) cache->rebuild(records_);
     return *cache;
 }
 

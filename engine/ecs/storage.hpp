@@ -35,7 +35,6 @@ public:
             if (used_ + 1 >= recordCapacity_) growRecords(used_ + 2);
             index = ++used_;
         }
-        ++alive_;
         return {index, ++records_[index].generation};
     }
     /// Never used indices for all of `ids`, one after the other.
@@ -47,7 +46,7 @@ public:
     /// @pre alive(id)
     void destroy(EntityId id);
     void clear();
-    [[nodiscard]] std::uint32_t entityCount() const { return alive_; }
+    [[nodiscard]] std::uint32_t entityCount() const { return used_ - freeCount_ - retired_; }
     [[nodiscard]] std::uint32_t usedIndices() const { return used_; }
     [[nodiscard]] const EntityRecord* records() const { return records_; }
     /// Whether it has a component of a type that was given to watch().
@@ -63,15 +62,14 @@ public:
     template <class T>
     Pool& pool() {
         const TypeKey key = typeKey<T>();
-        if (key < keyCount_ && byKey_[key] != &nobody_) return *byKey_[key];
+        if (byKey_[key] != &nobody_) return *byKey_[key];
         return makePool(componentType<std::remove_const_t<T>>());
     }
-    /// The pool of a type; an empty one when there is none.
-    [[nodiscard]] const Pool& knownPool(TypeKey key) const {
-        return key < keyCount_ ? *byKey_[key] : nobody_;
-    }
+    /// The pool of a type; an empty one, which nothing fits into, when there is none.
+    [[nodiscard]] const Pool& knownPool(TypeKey key) const { return *byKey_[key]; }
+    [[nodiscard]] Pool& knownPool(TypeKey key) { return *byKey_[key]; }
     [[nodiscard]] Pool* findPool(TypeKey key) const {
-        return key < keyCount_ && byKey_[key] != &nobody_ ? byKey_[key] : nullptr;
+        return byKey_[key] != &nobody_ ? byKey_[key] : nullptr;
     }
     Pool& pool(const TypeInfo& info) {
         Pool* known = findPool(info.key);
@@ -79,10 +77,17 @@ public:
     }
     [[nodiscard]] std::span<const std::unique_ptr<Pool>> pools() const { return pools_; }
 
-    /// A position for a new component. @pre alive(id), pool.makeRoom(id.index), and the pool has none of it
+    /// Whether append() may be called at once: the entity is alive and has none, and there is room.
+    [[nodiscard]] bool canAppend(const Pool& pool, EntityId id) const {
+        // Records are committed in the same steps as the pools' look-up tables, so one bound serves both.
+        return pool.count != pool.capacity && id.index < pool.indexCapacity &&
+               records_[id.index].generation == id.generation && pool.sparse[id.index].check == 0;
+    }
+    /// A position for a new component. @pre canAppend(pool, id)
     [[gnu::always_inline]] std::uint32_t append(Pool& pool, EntityId id) {
         records_[id.index].mask |= pool.bit;
-        if (iterating_ != 0) ++structure_;
+        if (iterating_ != 0) [[unlikely]]
+            ++structure_;
         return pool.append(id, clock_);
     }
     /// @pre pool.has(id)
@@ -106,7 +111,12 @@ public:
         if (caches_[key] == nullptr) caches_[key] = std::make_unique<QueryCache>();
         return *caches_[key];
     }
-    QueryCache& beginIteration(QueryCache& wanted);
+    QueryCache& beginIteration(QueryCache& wanted) {
+        QueryCache& cache = wanted.stale() ? renewed(wanted) : wanted;
+        ++cache.users;
+        ++iterating_;
+        return cache;
+    }
     void endIteration(QueryCache& cache) {
         --cache.users;
         if (--iterating_ == 0 && holes_) compact();
@@ -133,8 +143,9 @@ public:
 
 private:
     Pool& makePool(const ComponentType& type);
-    void removeAll(std::uint32_t index, std::uint64_t mask);
-    void take(Pool& pool, std::uint32_t index);
+    QueryCache& renewed(QueryCache& wanted);
+    bool endAllLives();
+    void removeCarefully(std::uint32_t index, std::uint64_t mask);
     void growRecords(std::uint32_t count);
     void compact();
     void adoptPoolOrder(const StorageImage& image);
@@ -144,17 +155,15 @@ private:
     std::uint32_t used_ = 0;         // highest index ever used
     std::uint32_t* free_ = nullptr;  // a stack of indices to use again
     std::uint32_t freeCount_ = 0;
-    std::uint32_t alive_ = 0;
+    std::uint32_t retired_ = 0;  // indices whose generations are used up
     std::uint32_t iterating_ = 0;
     std::uint64_t structure_ = 0;
     std::uint64_t clock_ = 1;
     bool holes_ = false;
     std::uint32_t recordCapacity_ = 0;
     std::uint64_t watchedMask_ = 0;
-    TypeKey keyCount_ = 0;
-    Pool** byKey_ = nullptr;  // &nobody_ for types without a pool
-    std::vector<Pool*> keyTable_;
     Pool nobody_;
+    std::vector<Pool*> byKey_;  // &nobody_ for types without a pool
     std::vector<TypeKey> watchedKeys_;
     std::vector<std::unique_ptr<Pool>> pools_;  // by ordinal
     std::vector<std::unique_ptr<QueryCache>> caches_;

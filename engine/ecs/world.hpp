@@ -224,7 +224,9 @@ private:
     template <class T>
     T& missing(EntityId id) const;
     template <class T, class... Arguments>
-    T& replace(EntityId id, Arguments&&... arguments);
+    T& append(Pool& pool, EntityId id, Arguments&&... arguments);
+    template <class T, class... Arguments>
+    T& addSlowly(EntityId id, Arguments... arguments);
     void tellMissing(EntityId id, TypeKey key) const;
 
     Storage storage_;

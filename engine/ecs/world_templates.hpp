@@ -50,34 +50,54 @@ T& World::missing(EntityId id) const {
     return *reinterpret_cast<T*>(Blank<std::remove_const_t<T>>::bytes);
 }
 
+/// How an argument reaches the rare path: small plain ones by value, for what a rare path has the address of
+/// stays in memory on the usual path as well.
+template <class Argument, class Value = std::remove_cvref_t<Argument>>
+using PassedOn = std::conditional_t<(std::is_scalar_v<Value> ||
+                                     std::is_class_v<Value>)&&std::is_trivially_copyable_v<Value> &&
+                                        sizeof(Value) <= 16,
+                                    Value, Argument&&>;
+
 template <class T, class... Arguments>
-T& World::add(EntityId id, Arguments&&... arguments) {
+[[gnu::always_inline]] inline T& World::add(EntityId id, Arguments&&... arguments) {
     static_assert(!std::is_const_v<T>);
-    Pool& pool = storage_.pool<T>();
-    if (!storage_.alive(id)) [[unlikely]]
-        return missing<T>(id);
+    Pool& pool = storage_.knownPool(typeKey<T>());
+    if (!storage_.canAppend(pool, id)) [[unlikely]]
+        return addSlowly<T, PassedOn<Arguments>...>(id, std::forward<Arguments>(arguments)...);
+    return append<T>(pool, id, std::forward<Arguments>(arguments)...);
+}
+
+template <class T, class... Arguments>
+[[gnu::always_inline]] inline T& World::append(Pool& pool, EntityId id, Arguments&&... arguments) {
     if constexpr (kIsTag<T>) {
-        pool.makeRoom(id.index);
-        if (pool.sparse[id.index].check == 0) storage_.append(pool, id);
+        storage_.append(pool, id);
         return kTagInstance<T>;
     } else {
-        pool.makeRoom(id.index);
-        if (pool.sparse[id.index].check != 0) [[unlikely]]
-            return replace<T>(id, std::forward<Arguments>(arguments)...);
         // A constructor that takes the World may add entities, even this component; so the place comes first.
         T* const place = reinterpret_cast<T*>(pool.column) + storage_.append(pool, id);
         return *constructComponent<T>(place, *this, std::forward<Arguments>(arguments)...);
     }
 }
 
+/// The first T of a world, one for which there is no room yet, a replacement, or one for the dead.
 template <class T, class... Arguments>
-[[gnu::noinline]] T& World::replace(EntityId id, Arguments&&... arguments) {
-    // Made aside first: the arguments may be parts of the component that is replaced.
-    alignas(T) std::byte made[sizeof(T)] = {};
-    constructComponent<T>(made, *this, std::forward<Arguments>(arguments)...);
-    T* const there = find<T>(id);
-    std::memcpy(static_cast<void*>(there), made, sizeof(T));
-    return *there;
+[[gnu::noinline]] T& World::addSlowly(EntityId id, Arguments... arguments) {
+    Pool& pool = storage_.pool<T>();
+    if (!storage_.alive(id)) return missing<T>(id);
+    if (!pool.has(id)) {
+        pool.makeRoom(id.index);
+        return append<T>(pool, id, std::forward<Arguments>(arguments)...);
+    }
+    if constexpr (kIsTag<T>) {
+        return kTagInstance<T>;
+    } else {
+        // Made aside first: the arguments may be parts of the component that is replaced.
+        alignas(T) std::byte made[sizeof(T)] = {};
+        constructComponent<T>(made, *this, std::forward<Arguments>(arguments)...);
+        T* const there = find<T>(id);
+        std::memcpy(static_cast<void*>(there), made, sizeof(T));
+        return *there;
+    }
 }
 
 template <class... T>
@@ -117,10 +137,21 @@ const T* World::find(EntityId id) const {
 
 template <class T>
 T& World::get(EntityId id) {
-    T* const found = find<T>(id);
-    if (found == nullptr) [[unlikely]]
-        return missing<T>(id);
-    return *found;
+    if constexpr (kIsTag<T>) {
+        T* const found = find<T>(id);
+        return found != nullptr ? *found : missing<T>(id);
+    } else {
+        // Everything that stays the same from one call to the next is read before anything is decided, so
+        // that loops around get() read it once.
+        const Pool& pool = storage_.knownPool(typeKey<T>());
+        T* const column = reinterpret_cast<T*>(pool.column);
+        std::uint64_t* const stamps = pool.stamps;
+        if (!pool.has(id)) [[unlikely]]
+            return missing<T>(id);
+        const std::uint32_t position = pool.sparse[id.index].position;
+        if constexpr (!std::is_const_v<T>) stamps[position >> kStampShift] = storage_.clock();
+        return column[position];
+    }
 }
 
 template <class T>
@@ -157,7 +188,7 @@ bool World::changedSince(std::uint64_t mark) const {
 }
 
 template <class T, class... Arguments>
-T& Entity::addComponent(Arguments&&... arguments) const {
+[[gnu::always_inline]] inline T& Entity::addComponent(Arguments&&... arguments) const {
     return world_->add<T>(id_, std::forward<Arguments>(arguments)...);
 }
 

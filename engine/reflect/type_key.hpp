@@ -7,6 +7,9 @@
 
 namespace plumb {
 
+/// Keys are below this, so that tables by key need no bounds check.
+inline constexpr TypeKey kMaxTypes = 2048;
+
 TypeKey nextTypeKey();
 
 template <class T>

@@ -1,7 +1,9 @@
 #include "ecs/entity.hpp"
 
+#include <array>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -246,6 +248,37 @@ TEST(EntityTest, reflectedAccessSeesTheSameComponents) {
     world.remove(tag, e);
     EXPECT_FALSE(world.has(type, e));
     EXPECT_FALSE(e.hasComponent<Frozen>());
+}
+
+template <std::size_t N>
+struct Block {
+    std::array<std::uint8_t, N> bytes{};
+};
+
+template <std::size_t N>
+void expectBytesToSurviveTheRemovalOfOthers() {
+    SCOPED_TRACE(N);
+    World world;
+    std::vector<Entity> entities;
+    for (std::uint8_t i = 0; i < 20; ++i) {
+        entities.push_back(world.createEntity());
+        auto& bytes = entities.back().addComponent<Block<N>>().bytes;
+        for (std::size_t k = 0; k < N; ++k) bytes[k] = static_cast<std::uint8_t>(i * 7 + k);
+    }
+    for (std::size_t i = 0; i < 20; i += 3) entities[i].removeComponent<Block<N>>();
+    for (std::size_t i = 0; i < 20; ++i) {
+        ASSERT_EQ(entities[i].hasComponent<Block<N>>(), i % 3 != 0);
+        if (i % 3 == 0) continue;
+        const auto& bytes = entities[i].get<Block<N>>().bytes;
+        for (std::size_t k = 0; k < N; ++k) ASSERT_EQ(bytes[k], static_cast<std::uint8_t>(i * 7 + k));
+    }
+}
+
+TEST(EntityTest, componentsOfEverySizeKeepTheirBytesWhenOthersGo) {
+    [&]<std::size_t... I>(std::index_sequence<I...>) {
+        (expectBytesToSurviveTheRemovalOfOthers<I + 1>(), ...);
+    }
+    (std::make_index_sequence<40>{});
 }
 
 }  // namespace

@@ -215,6 +215,32 @@ TEST(QueryTest, leavingALoopEarlyTidiesUp) {
     EXPECT_EQ(visited, 5);
 }
 
+TEST(QueryTest, noticesChangesThatKeepTheNumberOfEntities) {
+    World world;
+    std::vector<Entity> entities(8);
+    for (Entity& entity : entities) {
+        entity = world.createEntity();
+        entity.addComponent<Position>();
+    }
+    const auto sum = [&world] {
+        std::uint32_t total = 0;
+        for (auto [entity, position] : world.query<const Position>()) total += entity.id().index;
+        return total;
+    };
+    const std::uint32_t before = sum();
+    const Snapshot snapshot = world.save();
+    Entity newcomer = world.createEntity();
+    entities[2].removeComponent<Position>();
+    newcomer.addComponent<Position>();
+    EXPECT_EQ(sum(), before - entities[2].id().index + newcomer.id().index);
+    world.restore(snapshot);
+    EXPECT_EQ(sum(), before);
+    world.clear();
+    EXPECT_EQ(sum(), 0u);
+    for (int i = 0; i < 8; ++i) world.createEntity().addComponent<Position>();
+    EXPECT_EQ(sum(), before);
+}
+
 TEST(QueryTest, scatteredEntitiesAreFoundAfterEveryChange) {
     World world;
     fillWithMovers(world, 2000);
