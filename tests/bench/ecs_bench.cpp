@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <array>
 #include <cstdio>
 #include <memory>
@@ -72,6 +73,41 @@ std::vector<std::uint32_t> shuffled(std::size_t n) {
     return order;
 }
 
+/// The least that a set of things with two properties, found by number, must do: swap the last one into the
+/// gap.
+struct PlainSet {
+    explicit PlainSet(std::size_t n) : place(n), owner(n), position(n), velocity(n) {}
+    void add(std::uint32_t which) {
+        place[which] = count;
+        owner[count] = which;
+        position[count] = {};
+        velocity[count] = {};
+        ++count;
+    }
+    void remove(std::uint32_t which) {
+        const std::uint32_t gap = place[which];
+        const std::uint32_t last = --count;
+        const std::uint32_t moved = owner[last];
+        owner[gap] = moved;
+        place[moved] = gap;
+        position[gap] = position[last];
+        velocity[gap] = velocity[last];
+    }
+    void fill() {
+        count = 0;
+        for (std::uint32_t i = 0; i < place.size(); ++i) add(i);
+    }
+    void clear() {
+        std::fill(place.begin(), place.end(), 0u);
+        count = 0;
+    }
+    std::vector<std::uint32_t> place;  ///< of a number in the columns
+    std::vector<std::uint32_t> owner;
+    std::vector<Position> position;
+    std::vector<Velocity> velocity;
+    std::uint32_t count = 0;
+};
+
 Contestant growingVectors(std::size_t n) {
     return {{}, [n] {
                 std::vector<Position> position;
@@ -111,6 +147,7 @@ Case createBulk(std::size_t n) {
 
 Case destroyEach(std::size_t n) {
     auto world = std::make_shared<World>();
+    auto plain = std::make_shared<PlainSet>(n);
     auto ids = std::make_shared<std::vector<EntityId>>(n);
     const auto fill = [world, ids] {
         world->clear();
@@ -125,12 +162,17 @@ Case destroyEach(std::size_t n) {
              [world, ids] {
                  for (const EntityId id : *ids) world->destroy(id);
              }},
-            {},
+            {[plain] { plain->fill(); },
+             [plain, n] {
+                 for (std::uint32_t i = 0; i < n; ++i) plain->remove(i);
+                 keep(plain.get());
+             }},
             n};
 }
 
 Case destroyAll(std::size_t n) {
     auto world = std::make_shared<World>();
+    auto plain = std::make_shared<PlainSet>(n);
     const auto fill = [world, n] {
         for (std::size_t i = 0; i < n; ++i) {
             Entity entity = world->createEntity();
@@ -138,7 +180,11 @@ Case destroyAll(std::size_t n) {
             entity.addComponent<Velocity>();
         }
     };
-    return {{fill, [world] { world->clear(); }}, {}, n};
+    const auto clear = [plain] {
+        plain->clear();
+        keep(plain.get());
+    };
+    return {{fill, [world] { world->clear(); }}, {[plain] { plain->fill(); }, clear}, n};
 }
 
 Case randomGet(std::size_t n) {
@@ -170,6 +216,7 @@ Case addAndRemove(std::size_t n) {
     auto world = std::make_shared<World>();
     auto ids = std::make_shared<std::vector<EntityId>>(n);
     world->createEntities(*ids, Position{});
+    auto plain = std::make_shared<PlainSet>(n);
     return {{{},
              [world, ids] {
                  for (const EntityId id : *ids) {
@@ -177,7 +224,14 @@ Case addAndRemove(std::size_t n) {
                      world->remove<Velocity>(id);
                  }
              }},
-            {},
+            {{},
+             [plain, n] {
+                 for (std::uint32_t i = 0; i < n; ++i) {
+                     plain->add(i);
+                     plain->remove(i);
+                     keep(plain.get());
+                 }
+             }},
             n};
 }
 
@@ -308,6 +362,8 @@ Case churn(std::size_t n) {
     auto ids = std::make_shared<std::vector<EntityId>>(n);
     world->createEntities(*ids, Position{}, Velocity{});
     auto random = std::make_shared<Random>(Random::seeded(5));
+    auto plain = std::make_shared<PlainSet>(n);
+    plain->fill();
     return {{{},
              [world, ids, random, n] {
                  for (std::size_t k = 0; k < n / 100; ++k) {
@@ -320,7 +376,16 @@ Case churn(std::size_t n) {
                  }
                  world->each<Position, const Velocity>(move);
              }},
-            {},
+            {{},
+             [plain, random, n] {
+                 for (std::size_t k = 0; k < n / 100; ++k) {
+                     const std::uint32_t which = random->below(static_cast<std::uint32_t>(n));
+                     plain->remove(which);
+                     plain->add(which);
+                 }
+                 for (std::size_t i = 0; i < n; ++i) move(plain->position[i], plain->velocity[i]);
+                 keep(plain.get());
+             }},
             n};
 }
 
@@ -329,7 +394,16 @@ Case snapshot(std::size_t n) {
     std::vector<EntityId> ids(n);
     world->createEntities(ids, Position{}, Velocity{});
     auto saved = std::make_shared<Snapshot>();
-    return {{{}, [world, saved] { world->save(*saved); }}, {}, 1};
+    // Of the plain set everything is copied; of the world the place of each component can be worked out.
+    auto plain = std::make_shared<PlainSet>(n);
+    auto copy = std::make_shared<PlainSet>(n);
+    return {{{}, [world, saved] { world->save(*saved); }},
+            {{},
+             [plain, copy] {
+                 *copy = *plain;
+                 keep(copy.get());
+             }},
+            1};
 }
 
 struct Line {

@@ -8,12 +8,12 @@ namespace plumb::bench {
 inline constexpr std::array<std::size_t, 4> kSizes = {1000, 10000, 100000, 1000000};
 
 /// A line of the table of figures to beat: ns per item per size, measured on one machine. Elsewhere only the
-/// ratio of target to limit counts, both measured in one race; lines without a limit scale with how fast this
-/// machine walks two plain arrays. So do the lines that create: their limit, vectors that grow, measures the
-/// allocator, and allocators differ more than machines.
+/// ratio of target to limit counts, both measured in one race; lines whose limit was not measured there scale
+/// with how fast this machine walks two plain arrays. So do the lines that create: their limit, vectors that
+/// grow, measures the allocator, and allocators differ more than machines.
 struct TableLine {
     const char* name;
-    std::array<double, 4> limit;  ///< plain arrays; 0 for none
+    std::array<double, 4> limit;  ///< plain arrays; 0 where it was not measured
     std::array<double, 4> target;
 };
 
