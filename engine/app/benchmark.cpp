@@ -1,11 +1,13 @@
 #include "app/benchmark.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <vector>
 
 #include "app/game.hpp"
 #include "app/system_order.hpp"
+#include "core/clock.hpp"
 #include "core/profile.hpp"
 #include "core/random.hpp"
 #include "core/text.hpp"
@@ -16,9 +18,29 @@
 namespace plumb {
 namespace {
 
-constexpr float kSide = 8.0f;            ///< px of an entity
-constexpr float kRoomPerEntity = 16.0f;  ///< px of the arena's side for each: a quarter of it is filled
+constexpr float kRoomPerEntity = 16.0f;  ///< px, a side: a quarter of the arena is filled
 constexpr int kWarmUp = 30;              ///< ticks
+constexpr int kTexels = 16;              ///< a side of a picture
+constexpr float kWide = 640.0f;          ///< px of the picture
+constexpr float kHigh = 360.0f;
+constexpr std::array kSides{4, 6, 8, 10, 12};  ///< px of the entities
+
+/// A crate with a dark rim, or a ball; the tint gives the color.
+Image shadedPicture(bool round) {
+    Image image{kTexels, kTexels, {}};
+    constexpr float kMiddle = 0.5f * kTexels;
+    for (int y = 0; y < kTexels; ++y) {
+        for (int x = 0; x < kTexels; ++x) {
+            const Vec2 out{static_cast<float>(x) + 0.5f - kMiddle, static_cast<float>(y) + 0.5f - kMiddle};
+            const float reach = round ? length(out) : std::max(std::abs(out.x), std::abs(out.y));
+            const bool rim = reach > kMiddle - 2.0f;
+            const auto shade = static_cast<std::uint8_t>(rim ? 120 : 255 - y * 4);
+            const auto opacity = static_cast<std::uint8_t>(reach <= kMiddle ? 255 : 0);
+            image.rgba.insert(image.rgba.end(), {shade, shade, shade, opacity});
+        }
+    }
+    return image;
+}
 
 void addWall(World& world, Vec2 corner, Vec2 size) {
     Entity wall = world.createEntity();
@@ -27,39 +49,56 @@ void addWall(World& world, Vec2 corner, Vec2 size) {
     wall.addComponent<StaticBody>();
 }
 
-/// Boxes and circles that fly about in a closed room, each bouncing off the others.
+void addWalls(World& world, Vec2 room) {
+    constexpr float kThick = 32.0f;
+    addWall(world, {-kThick, -kThick}, {room.x + 2.0f * kThick, kThick});
+    addWall(world, {-kThick, room.y}, {room.x + 2.0f * kThick, kThick});
+    addWall(world, {-kThick, 0.0f}, {kThick, room.y});
+    addWall(world, {room.x, 0.0f}, {kThick, room.y});
+}
+
+/// One that flies about and bounces off all others. @param round  a ball, else a crate
+void addFlier(World& world, Vec2 corner, int side, TextureId picture, bool round, Random& random) {
+    Entity entity = world.createEntity();
+    entity.addComponent<Transform>(corner.x, corner.y);
+    Sprite& sprite = entity.addComponent<Sprite>(picture, side, side);
+    sprite.source = {0.0f, 0.0f, kTexels, kTexels};
+    const auto shade = static_cast<std::uint8_t>(random.below(160) + 80);
+    sprite.tint = {shade, static_cast<std::uint8_t>(255 - shade / 2), 220, 255};
+    sprite.layer = static_cast<int>(random.below(4));
+    RigidBody& body = entity.addComponent<RigidBody>(1.0f);
+    body.velocity = {random.between(-120.0f, 120.0f), random.between(-120.0f, 120.0f)};
+    body.friction = 0.0f;
+    body.bounciness = 1.0f;
+    const auto size = static_cast<float>(side);
+    if (round) {
+        entity.addComponent<CircleCollider>(size * 0.5f);
+    } else {
+        entity.addComponent<BoxCollider>(size, size);
+    }
+}
+
+/// Crates and balls of five sizes in a closed room of the window's shape, all in view.
 void fillArena(Game& game, int entities) {
     World& world = game.world;
     world.resource<PhysicsSettings>().gravity = {};
-    const float side = kRoomPerEntity * std::ceil(std::sqrt(static_cast<float>(entities)));
-    addWall(world, {-32.0f, -32.0f}, {side + 64.0f, 32.0f});
-    addWall(world, {-32.0f, side}, {side + 64.0f, 32.0f});
-    addWall(world, {-32.0f, 0.0f}, {32.0f, side});
-    addWall(world, {side, 0.0f}, {32.0f, side});
+    const TextureId crate = game.assets.addTexture("benchmark crate", shadedPicture(false));
+    const TextureId ball = game.assets.addTexture("benchmark ball", shadedPicture(true));
+    const auto columns = static_cast<int>(std::ceil(std::sqrt(static_cast<float>(entities) * kWide / kHigh)));
+    const int rows = (entities + columns - 1) / columns;
+    const Vec2 room = Vec2{static_cast<float>(columns), static_cast<float>(rows)} * kRoomPerEntity;
+    addWalls(world, room);
     Random random = Random::seeded(1);
-    const int columns = static_cast<int>(side / kRoomPerEntity);
     for (int i = 0; i < entities; ++i) {
-        Entity entity = world.createEntity();
-        entity.addComponent<Transform>(static_cast<float>(i % columns) * kRoomPerEntity + 4.0f,
-                                       static_cast<float>(i / columns) * kRoomPerEntity + 4.0f);
-        Sprite& sprite =
-            entity.addComponent<Sprite>(TextureId{}, static_cast<int>(kSide), static_cast<int>(kSide));
-        const auto shade = static_cast<std::uint8_t>(random.below(160) + 80);
-        sprite.tint = {shade, static_cast<std::uint8_t>(255 - shade / 2), 220, 255};
-        sprite.layer = i % 4;
-        RigidBody& body = entity.addComponent<RigidBody>(1.0f);
-        body.velocity = {random.between(-120.0f, 120.0f), random.between(-120.0f, 120.0f)};
-        body.friction = 0.0f;
-        body.bounciness = 1.0f;
-        if (i % 2 == 0) {
-            entity.addComponent<BoxCollider>(kSide, kSide);
-        } else {
-            entity.addComponent<CircleCollider>(kSide * 0.5f);
-        }
+        const Vec2 place{static_cast<float>(i % columns), static_cast<float>(i / columns)};
+        const bool round = i % 2 == 1;
+        addFlier(world, place * kRoomPerEntity + Vec2{2.0f, 2.0f},
+                 kSides[random.below(static_cast<std::uint32_t>(kSides.size()))], round ? ball : crate, round,
+                 random);
     }
     Entity camera = world.createEntity();
-    camera.addComponent<Transform>(side * 0.5f, side * 0.5f);
-    camera.addComponent<Camera>().zoom = 360.0f / side;
+    camera.addComponent<Transform>(room.x * 0.5f, room.y * 0.5f);
+    camera.addComponent<Camera>().zoom = std::min(kWide / room.x, kHigh / room.y);
 }
 
 double median(std::vector<double>& values) {
@@ -76,55 +115,86 @@ double secondsOf(const Profile& profile, std::string_view name) {
     return 0.0;
 }
 
+/// CPU seconds of each stage, frame by frame.
+class StageTimes {
+public:
+    void add(const Profile& profile, double simulation, double drawing) {
+        broad_.push_back(secondsOf(profile, "broad phase"));
+        narrow_.push_back(secondsOf(profile, "narrow phase"));
+        systems_.push_back(simulation - broad_.back() - narrow_.back());
+        render_.push_back(drawing);
+    }
+    void write(BenchmarkResult& result) {
+        result.systemsMs = median(systems_) * 1000.0;
+        result.broadMs = median(broad_) * 1000.0;
+        result.narrowMs = median(narrow_) * 1000.0;
+        result.renderMs = median(render_) * 1000.0;
+    }
+
+private:
+    std::vector<double> systems_;
+    std::vector<double> broad_;
+    std::vector<double> narrow_;
+    std::vector<double> render_;
+};
+
 }  // namespace
 
-BenchmarkResult runBenchmark(int entities, int ticks, Screen* screen) {
+BenchmarkResult runBenchmark(const BenchmarkSettings& settings, Screen* screen) {
     Game game;
     addAllSystems(game.world);
-    fillArena(game, entities);
+    fillArena(game, settings.entities);
     Profile profile;
     game.world.provide(profile);
-    std::vector<double> systems;
-    std::vector<double> broad;
-    std::vector<double> narrow;
-    std::vector<double> render;
+    StageTimes stages;
+    std::vector<double> frames;
+    std::vector<Event> events;
     BenchmarkResult result;
-    for (int tick = 0; tick < kWarmUp + ticks; ++tick) {
+    double before = wallSeconds();
+    for (int frame = 0; frame < kWarmUp + settings.frames; ++frame) {
         profile.reset();
         const double start = threadSeconds();
         tickGame(game, InputFrame{});
         const double simulated = threadSeconds();
-        if (screen != nullptr) {
-            screen->draw(game.world, game.assets, 0.5f);
-            result.drawCalls = screen->drawCalls();
-        }
+        if (screen != nullptr) screen->draw(game.world, game.assets, 1.0f);
         const double drawn = threadSeconds();
-        if (screen != nullptr) screen->swap();
-        if (tick < kWarmUp) continue;
-        result.contacts += game.world.events<ContactBegan>().size();
-        broad.push_back(secondsOf(profile, "broad phase"));
-        narrow.push_back(secondsOf(profile, "narrow phase"));
-        systems.push_back(simulated - start - broad.back() - narrow.back());
-        render.push_back(drawn - simulated);
+        if (screen != nullptr) {
+            screen->swap();
+            screen->window().pollEvents(events);
+            events.clear();
+        }
+        const double now = wallSeconds();
+        if (frame >= kWarmUp) {
+            stages.add(profile, simulated - start, drawn - simulated);
+            frames.push_back(now - before);
+            result.contacts += game.world.events<ContactBegan>().size();
+        }
+        before = now;
     }
-    result.entities = entities;
-    result.systemsMs = median(systems) * 1000.0;
-    result.broadMs = median(broad) * 1000.0;
-    result.narrowMs = median(narrow) * 1000.0;
-    result.renderMs = median(render) * 1000.0;
+    result.entities = settings.entities;
+    stages.write(result);
+    if (screen != nullptr) {
+        result.drawCalls = screen->drawCalls();
+        result.window = screen->window().drawableSize();
+        result.frameTimes = frameTimesOf(frames);
+    }
     return result;
 }
 
 std::string benchmarkTable(const BenchmarkResult& result) {
-    const auto ms = [](double value) { return fixedText(value, 2) + "ms"; };
+    const auto ms = [](double value) { return fixedText(value, 2) + "ms\n"; };
     std::string table = format("Entities: {}\n", result.entities);
-    table += "Systems Update: " + ms(result.systemsMs) + "\n";
-    table += "Collision Broad Phase: " + ms(result.broadMs) + "\n";
-    table += "Collision Narrow Phase: " + ms(result.narrowMs) + "\n";
-    table += "Render: " + ms(result.renderMs) + format(" ({} draw calls)\n", result.drawCalls);
-    table += "Total Frame: " + ms(result.totalMs()) +
-             format(" ({} FPS theoretical)\n", static_cast<int>(1000.0 / std::max(result.totalMs(), 0.001)));
-    return table + format("Contacts begun: {}\n", result.contacts);
+    table += "Systems Update: " + ms(result.systemsMs);
+    table += "Collision Broad Phase: " + ms(result.broadMs);
+    table += "Collision Narrow Phase: " + ms(result.narrowMs);
+    table += "Render: " + ms(result.renderMs);
+    table += format("Total Frame: {}ms ({} FPS theoretical)\n", fixedText(result.totalMs(), 2),
+                    static_cast<int>(1000.0 / std::max(result.totalMs(), 0.001)));
+    table += format("\nContacts Begun: {}\n", result.contacts);
+    if (result.frameTimes.frames == 0) return table;
+    table += format("Draw Calls: {}\nWindow: {}x{}\n", result.drawCalls, result.window.width,
+                    result.window.height);
+    return table + frameTimesText(result.frameTimes);
 }
 
 }  // namespace plumb

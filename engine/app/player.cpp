@@ -1,5 +1,6 @@
 #include "app/player.hpp"
 
+#include <algorithm>
 #include <cstdio>
 #include <memory>
 
@@ -18,8 +19,11 @@ namespace {
 ScreenSettings screenOf(const Project& project, const PlayerOptions& options) {
     ScreenSettings settings;
     settings.title = project.name;
-    settings.windowWidth = options.scale > 0 ? project.width * options.scale : project.windowWidth;
-    settings.windowHeight = options.scale > 0 ? project.height * options.scale : project.windowHeight;
+    PixelSize window{project.windowWidth, project.windowHeight};
+    if (options.scale > 0) window = {project.width * options.scale, project.height * options.scale};
+    if (options.window != PixelSize{}) window = options.window;
+    settings.windowWidth = window.width;
+    settings.windowHeight = window.height;
     settings.fullscreen = options.fullscreen || project.fullscreen;
     settings.picture = {static_cast<float>(project.width), static_cast<float>(project.height)};
     settings.scaling = project.scaling;
@@ -45,12 +49,12 @@ void listEffects(const SceneGame& game) {
 }
 
 int benchmark(const PlayerOptions& options) {
-    constexpr int kEntities = 10'000;
-    constexpr int kTicks = 120;
+    constexpr Vec2 kPicture{640.0f, 360.0f};
     std::unique_ptr<Screen> screen;
     if (!options.headless) {
-        Result<std::unique_ptr<Screen>> opened =
-            Screen::open({"Plumb benchmark", 640, 360, false, {640.0f, 360.0f}, WindowScale::Fit});
+        const PixelSize window = options.window == PixelSize{} ? PixelSize{640, 360} : options.window;
+        Result<std::unique_ptr<Screen>> opened = Screen::open(
+            {"Plumb benchmark", window.width, window.height, options.fullscreen, kPicture, WindowScale::Fit});
         if (!opened) {
             logError("Engine", opened.error());
             return 1;
@@ -58,7 +62,11 @@ int benchmark(const PlayerOptions& options) {
         screen = std::move(*opened);
         screen->window().setVsync(false);
     }
-    std::fputs(benchmarkTable(runBenchmark(kEntities, kTicks, screen.get())).c_str(), stdout);
+    BenchmarkSettings settings;
+    if (options.entities > 0) settings.entities = options.entities;
+    if (options.frames > 0)
+        settings.frames = static_cast<int>(std::min<std::int64_t>(options.frames, 1'000'000));
+    std::fputs(benchmarkTable(runBenchmark(settings, screen.get())).c_str(), stdout);
     return 0;
 }
 

@@ -9,6 +9,8 @@
 namespace plumb {
 namespace {
 
+constexpr std::int64_t kLargestWindow = 16384;  ///< px a side
+
 struct Option {
     std::string_view name;
     std::string_view value;  ///< what to write behind it; empty for a switch
@@ -42,12 +44,30 @@ bool setScale(PlayerOptions& options, std::string_view text) {
     return true;
 }
 
+bool setEntities(PlayerOptions& options, std::string_view text) {
+    std::int64_t entities = 0;
+    if (!setNumber(text, 1, entities) || entities > 1'000'000) return false;
+    options.entities = static_cast<int>(entities);
+    return true;
+}
+
+bool setWindow(PlayerOptions& options, std::string_view text) {
+    const std::size_t cross = text.find('x');
+    std::int64_t width = 0;
+    std::int64_t height = 0;
+    if (cross == std::string_view::npos || !setNumber(text.substr(0, cross), 1, width) ||
+        !setNumber(text.substr(cross + 1), 1, height) || width > kLargestWindow || height > kLargestWindow)
+        return false;
+    options.window = {static_cast<int>(width), static_cast<int>(height)};
+    return true;
+}
+
 constexpr std::array kOptions{
     Option{"--scene", "NAME", "start with this scene",
            [](PlayerOptions& o, std::string_view v) { return setText(v, o.scene); }},
     Option{"--headless", "", "no window, no GL, no audio: as fast as it can",
            [](PlayerOptions& o, std::string_view) { return o.headless = true; }},
-    Option{"--frames", "N", "stop after N ticks",
+    Option{"--frames", "N", "stop after N ticks; of the benchmark: measure N frames",
            [](PlayerOptions& o, std::string_view v) { return setNumber(v, 0, o.frames); }},
     Option{"--hash", "", "print the hash of the whole simulation state last",
            [](PlayerOptions& o, std::string_view) { return o.hash = true; }},
@@ -65,8 +85,10 @@ constexpr std::array kOptions{
            [](PlayerOptions& o, std::string_view) { return o.effects = true; }},
     Option{"--benchmark", "", "measure 10,000 moving, colliding, drawn entities",
            [](PlayerOptions& o, std::string_view) { return o.benchmark = true; }},
+    Option{"--entities", "N", "so many in the benchmark, 1..1000000", &setEntities},
     Option{"--seed", "N", "seed of the game's random numbers", &setSeed},
     Option{"--scale", "N", "window size in multiples of the game's resolution, 1..16", &setScale},
+    Option{"--window", "WxH", "window size in px, e.g. 1280x720", &setWindow},
     Option{"--fullscreen", "", "fill the screen",
            [](PlayerOptions& o, std::string_view) { return o.fullscreen = true; }},
     Option{"--help", "", "this text", [](PlayerOptions& o, std::string_view) { return o.help = true; }},

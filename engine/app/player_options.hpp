@@ -5,6 +5,7 @@
 #include <string>
 
 #include "core/result.hpp"
+#include "platform/window.hpp"
 
 namespace plumb {
 
@@ -22,8 +23,10 @@ struct PlayerOptions {
     std::string replay;
     bool effects = false;  ///< list what the scene calls for
     bool benchmark = false;
+    int entities = 0;  ///< of the benchmark; 0: as many as the seed's table has
     std::uint64_t seed = 1;
-    int scale = 0;  ///< window size in multiples of the game's resolution; 0: the project's window
+    int scale = 0;     ///< window size in multiples of the game's resolution; 0: the project's window
+    PixelSize window;  ///< px; nothing: the project's window
     bool fullscreen = false;
     bool help = false;
 };

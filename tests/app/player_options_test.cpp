@@ -12,8 +12,8 @@ Result<PlayerOptions> parsed(const std::vector<const char*>& arguments) {
 }
 
 TEST(PlayerOptions, everyOptionIsReadWithItsValueBehindItOrAfterAnEqualsSign) {
-    const auto options =
-        parsed({"projects/mine", "--frames", "600", "--seed=7", "--headless", "--hash", "--scale", "3"});
+    const auto options = parsed({"projects/mine", "--frames", "600", "--seed=7", "--headless", "--hash",
+                                 "--scale", "3", "--entities", "1000", "--window=640x360"});
 
     ASSERT_TRUE(options.ok());
     EXPECT_EQ(options->project, "projects/mine");
@@ -22,6 +22,8 @@ TEST(PlayerOptions, everyOptionIsReadWithItsValueBehindItOrAfterAnEqualsSign) {
     EXPECT_TRUE(options->headless);
     EXPECT_TRUE(options->hash);
     EXPECT_EQ(options->scale, 3);
+    EXPECT_EQ(options->entities, 1000);
+    EXPECT_EQ(options->window, (PixelSize{640, 360}));
 }
 
 TEST(PlayerOptions, aMistypedOptionNamesTheClosestOne) {
@@ -37,6 +39,10 @@ TEST(PlayerOptions, wrongAndMissingValuesAreErrorsWithARemedy) {
                                                                    {"--frames", "-1"},
                                                                    {"--frames"},
                                                                    {"--scale", "17"},
+                                                                   {"--entities", "0"},
+                                                                   {"--window", "640"},
+                                                                   {"--window", "0x360"},
+                                                                   {"--window", "640x99999"},
                                                                    {"--hash-every", "0"},
                                                                    {"--seed", "-3"},
                                                                    {"--screenshot", ""},
@@ -48,9 +54,9 @@ TEST(PlayerOptions, wrongAndMissingValuesAreErrorsWithARemedy) {
 }
 
 TEST(PlayerOptions, theUsageListsEveryOption) {
-    for (const char* name :
-         {"--scene", "--headless", "--frames", "--hash", "--hash-every", "--screenshot", "--capture",
-          "--record", "--replay", "--effects", "--benchmark", "--seed", "--scale", "--fullscreen"}) {
+    for (const char* name : {"--scene", "--headless", "--frames", "--hash", "--hash-every", "--screenshot",
+                             "--capture", "--record", "--replay", "--effects", "--benchmark", "--seed",
+                             "--scale", "--fullscreen", "--entities", "--window"}) {
         EXPECT_NE(playerUsage().find(name), std::string::npos) << name;
     }
 }
