@@ -25,6 +25,8 @@ constexpr std::uint32_t drawKey(int layer, std::uint32_t y, std::uint32_t group)
     return static_cast<std::uint32_t>(place) << 21 | std::min(y, 65535u) << 5 | std::min(group, 31u);
 }
 
+constexpr int layerOfKey(std::uint32_t key) { return static_cast<int>(key >> 21) + kLowestLayer; }
+
 /// Sorts by key and keeps the order of equal keys. Memory is reused from call to call.
 /// Least significant digit first, 3 digits of 11 bits; a digit that all keys share costs nothing, and keys
 /// that are in order already are only copied: 0.2 ms for 50,000 random keys where std::stable_sort takes 2.9.

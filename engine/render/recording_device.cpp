@@ -14,6 +14,7 @@ std::size_t pixelCount(int width, int height) {
 void RecordingDevice::forgetDraws() {
     spriteDraws.clear();
     geometryDraws.clear();
+    showings.clear();
 }
 
 TextureHandle RecordingDevice::createTexture(const Image& image, TextureFilter) {
@@ -68,6 +69,10 @@ void RecordingDevice::drawSprites(const SpriteBatch& batch) {
 
 void RecordingDevice::drawGeometry(const GeometryBatch& batch) {
     geometryDraws.push_back({{batch.vertices.begin(), batch.vertices.end()}, viewport_, spriteDraws.size()});
+}
+
+void RecordingDevice::show(TargetHandle source, const Viewport& viewport) {
+    showings.push_back({source, viewport, spriteDraws.size()});
 }
 
 Image RecordingDevice::readPixels(TargetHandle target) {

@@ -20,11 +20,19 @@ public:
         std::size_t afterSprites = 0;  ///< how many sprite draws came before
     };
 
+    struct Showing {
+        TargetHandle source;
+        Viewport viewport;
+        std::size_t afterSprites = 0;
+    };
+
     std::vector<SpriteDraw> spriteDraws;
     std::vector<GeometryDraw> geometryDraws;
+    std::vector<Showing> showings;
     std::size_t texturesCreated = 0;
     std::size_t buffersCreated = 0;
     std::size_t mostTextures = kTextureSlots;  ///< what batchTextures answers
+    bool software = false;                     ///< what drawsInSoftware answers
 
     [[nodiscard]] std::size_t drawCalls() const { return spriteDraws.size() + geometryDraws.size(); }
     /// Forgets the draws, keeps textures and buffers.
@@ -47,10 +55,12 @@ public:
     void unmapInstances() override {}
     void drawSprites(const SpriteBatch& batch) override;
     void drawGeometry(const GeometryBatch& batch) override;
+    void show(TargetHandle source, const Viewport& viewport) override;
     /// One color everywhere: that of the last clear.
     [[nodiscard]] Image readPixels(TargetHandle target) override;
     [[nodiscard]] std::string description() const override { return "recording"; }
     [[nodiscard]] std::size_t batchTextures() const override { return mostTextures; }
+    [[nodiscard]] bool drawsInSoftware() const override { return software; }
 
     /// The picture of a texture, as created and updated since.
     [[nodiscard]] const Image& image(TextureHandle texture) const { return textures_[texture.index]; }

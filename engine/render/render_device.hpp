@@ -129,12 +129,16 @@ public:
     virtual void unmapInstances() = 0;
     virtual void drawSprites(const SpriteBatch& batch) = 0;
     virtual void drawGeometry(const GeometryBatch& batch) = 0;
+    /// Fills a viewport with the picture of a target, enlarged without smoothing; what was there is replaced.
+    virtual void show(TargetHandle source, const Viewport& viewport) = 0;
 
     /// The pixels of a target or, before the swap, of the window.
     [[nodiscard]] virtual Image readPixels(TargetHandle target) = 0;
     [[nodiscard]] virtual std::string description() const = 0;
     /// Textures that a sprite batch should have at most, 1..kTextureSlots.
     [[nodiscard]] virtual std::size_t batchTextures() const { return kTextureSlots; }
+    /// True when no graphics card draws but the processor: every pixel costs.
+    [[nodiscard]] virtual bool drawsInSoftware() const { return false; }
 };
 
 }  // namespace plumb

@@ -14,21 +14,53 @@ std::span<const DrawItem> leadingSprites(std::span<const DrawItem> order) {
     return order.first(count);
 }
 
+/// How many instances these items need.
+std::size_t spritesIn(std::span<const DrawItem> order, const DrawList& list) {
+    if (order.size() == list.items().size()) return list.spriteCount();
+    return static_cast<std::size_t>(std::count_if(order.begin(), order.end(), [](DrawItem item) {
+        return DrawList::kindOf(item) == DrawList::Kind::Sprite;
+    }));
+}
+
+void countItems(const DrawList& list, RenderCounts& counts) {
+    counts.sprites += list.spriteCount();
+    counts.culled += list.culledCount();
+}
+
 }  // namespace
 
 void Renderer::draw(const DrawList& list, const Viewport& viewport) {
+    countItems(list, counts_);
+    drawItems(list, order_.sort(list.items()), viewport);
+}
+
+void Renderer::draw(const DrawList& list, const Viewport& viewport, const FarPicture& far) {
+    countItems(list, counts_);
+    const std::span<const DrawItem> order = order_.sort(list.items());
+    const std::uint32_t nearKey = drawKey(far.nearLayer, 0, 0);
+    const auto split = std::partition_point(order.begin(), order.end(),
+                                            [nearKey](const DrawItem& item) { return item.key < nearKey; });
+    const auto behind = static_cast<std::size_t>(split - order.begin());
+    if (behind == 0) return drawItems(list, order, viewport);
+    device_.setViewport(far.viewport);
+    device_.clear({0, 0, 0, 255});
+    drawItems(list, order.first(behind), far.viewport);
+    device_.show(far.viewport.target, viewport);
+    ++counts_.drawCalls;
+    drawItems(list, order.subspan(behind), viewport);
+}
+
+void Renderer::drawItems(const DrawList& list, std::span<const DrawItem> order, const Viewport& viewport) {
     device_.setViewport(viewport);
-    counts_.sprites += list.spriteCount();
-    counts_.culled += list.culledCount();
-    if (list.items().empty()) return;
+    if (order.empty()) return;
     steps_.clear();
-    planSprites(list, order_.sort(list.items()), transformOf(list.view()));
+    planSprites(list, order, transformOf(list.view()));
     submit();
 }
 
 void Renderer::planSprites(const DrawList& list, std::span<const DrawItem> order,
                            const ViewTransform& transform) {
-    const std::size_t sprites = list.spriteCount();
+    const std::size_t sprites = spritesIn(order, list);
     const std::span<SpriteInstance> memory =
         sprites > 0 ? device_.mapInstances(sprites) : std::span<SpriteInstance>{};
     std::size_t written = 0;

@@ -17,6 +17,13 @@ struct RenderCounts {
     std::size_t culled = 0;
 };
 
+/// What lies farthest back, drawn into a smaller picture of its own that is then enlarged: where every pixel
+/// costs, backdrops that cover each other cost that much less.
+struct FarPicture {
+    Viewport viewport;  ///< all of a target
+    int nearLayer = 0;  ///< this layer and those above it are drawn straight into the window
+};
+
 /// Draws lists on a device: sorts, writes the instances in order, cuts them into batches of at most 16
 /// textures.
 class Renderer {
@@ -24,6 +31,8 @@ public:
     explicit Renderer(RenderDevice& device) : device_{device} {}
 
     void draw(const DrawList& list, const Viewport& viewport);
+    /// The same, with what lies behind `far.nearLayer` enlarged to the viewport.
+    void draw(const DrawList& list, const Viewport& viewport, const FarPicture& far);
 
     [[nodiscard]] RenderDevice& device() { return device_; }
     [[nodiscard]] const RenderCounts& counts() const { return counts_; }
@@ -37,6 +46,7 @@ private:
         GeometryBatch geometry;
     };
 
+    void drawItems(const DrawList& list, std::span<const DrawItem> order, const Viewport& viewport);
     void planSprites(const DrawList& list, std::span<const DrawItem> order, const ViewTransform& transform);
     std::size_t fillRun(const DrawList& list, std::span<const DrawItem> run, std::span<SpriteInstance> out,
                         SpriteBatch& batch);

@@ -1,10 +1,12 @@
 #include "scene/draw_scene.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "ecs/hierarchy.hpp"
 #include "math/portable.hpp"
 #include "render/camera_motion.hpp"
+#include "scene/camera_target.hpp"
 #include "scene/components/camera.hpp"
 #include "scene/components/hidden.hpp"
 #include "scene/components/label.hpp"
@@ -44,7 +46,41 @@ SpriteQuad quadOf(const Sprite& sprite, const Pose& pose, const TextureRegion& p
     return quad;
 }
 
+/// How many times the picture is enlarged, when that is a whole number; else 0.
+int wholeFactor(Vec2 picture, const Viewport& viewport) {
+    const auto factor = static_cast<int>(static_cast<float>(viewport.width) / std::max(picture.x, 1.0f));
+    const auto enlarged = [factor](float side) { return static_cast<int>(side) * factor; };
+    return enlarged(picture.x) == viewport.width && enlarged(picture.y) == viewport.height ? factor : 0;
+}
+
+/// How many times fewer px a side are drawn and enlarged where every pixel costs: as many as leave three for
+/// each px of the picture, fine enough for what moves slowly.
+int shrinkOf(int factor) {
+    int shrink = 1;
+    for (int i = 2; factor / i >= 3; ++i) {
+        if (factor % i == 0) shrink = i;
+    }
+    return shrink;
+}
+
+/// A backdrop looks the same drawn small and enlarged when its texels are whole px of the picture.
+bool isWholeZoom(float zoom) { return zoom >= 1.0f && zoom == std::floor(zoom); }
+
 Vec2 topLeftOf(const View& view) { return view.center - view.size * (0.5f / view.zoom); }
+
+/// Neither turned nor enlarged: drawn texel for px.
+bool isPlain(const Pose& pose) {
+    return pose.rotation == 0.0f && std::fabs(pose.scale.x) == 1.0f && std::fabs(pose.scale.y) == 1.0f;
+}
+
+/// Where the quad's center comes to lie when its corner is moved onto the nearest px.
+Vec2 centerOnGrid(const SpriteQuad& quad, const View& view, float grid) {
+    if (!(grid > 0.0f) || quad.rotation != 0.0f) return quad.center;
+    const float pxPerWorld = grid * view.zoom;
+    const Vec2 origin = topLeftOf(view) + quad.half;
+    const Vec2 place = (quad.center - origin) * pxPerWorld;
+    return origin + Vec2{std::floor(place.x + 0.5f), std::floor(place.y + 0.5f)} / pxPerWorld;
+}
 
 /// How far a layer lies from its place because the camera has moved (px).
 Vec2 parallaxOf(const SceneLayer& layer, const SceneView& how) {
@@ -64,6 +100,11 @@ View cameraView(World& world, Vec2 picture, float alpha) {
         view.center = worldPose(world, entity, alpha).position;
         view.zoom = lerp(camera.previousZoom, camera.zoom, alpha);
         if (!(view.zoom > 0.0f)) view.zoom = 1.0f;
+        if (!camera.settled && world.alive(camera.follow)) {
+            // No tick has brought it to its target yet: look from there already.
+            const Vec2 target = cameraTarget(world, camera, view.center);
+            view.center = keptInLimits(target, picture / view.zoom, camera.limits);
+        }
         const float time = camera.shakeTime + alpha * static_cast<float>(kSecondsPerTick);
         view.center += shakeOffset(camera.shakeStrength, camera.shakeSeconds, time);
         break;
@@ -76,19 +117,44 @@ SceneRenderer::SceneRenderer(RenderDevice& device, AssetStore& assets)
       renderer_{device},
       textures_{device, assets},
       tiles_{device, assets, textures_},
-      labels_{device, assets} {}
+      labels_{device, assets},
+      far_{device},
+      canvas_{device} {}
 
 void SceneRenderer::draw(World& world, Vec2 picture, float alpha, const Viewport& viewport,
                          LabelText labelText) {
+    RenderDevice& device = renderer_.device();
+    const int factor = device.drawsInSoftware() ? wholeFactor(picture, viewport) : 1;
+    const int shrink = shrinkOf(factor);
+    const Viewport canvas =
+        shrink > 1 ? canvas_.whole(viewport.width / shrink, viewport.height / shrink) : viewport;
+    if (shrink > 1) {
+        device.setViewport(canvas);
+        device.clear({0, 0, 0, 255});
+    }
+    drawInto(world, picture, alpha, canvas, labelText);
+    if (shrink > 1) device.show(canvas.target, viewport);
+}
+
+void SceneRenderer::drawInto(World& world, Vec2 picture, float alpha, const Viewport& viewport,
+                             LabelText labelText) {
     SceneView how;
     const float pixelScale = picture.x > 0.0f ? static_cast<float>(viewport.width) / picture.x : 1.0f;
     how.view = snappedToPixels(cameraView(world, picture, alpha), pixelScale);
     how.alpha = alpha;
     how.labelText = labelText;
+    const bool farIsSmall = renderer_.device().drawsInSoftware() && wholeFactor(picture, viewport) > 1 &&
+                            isWholeZoom(how.view.zoom);
+    how.grid = farIsSmall ? 1.0f : pixelScale;
     labels_.setPixelScale(pixelScale);
     list_.begin(how.view);
     collect(world, how, list_);
-    renderer_.draw(list_, viewport);
+    if (farIsSmall) {
+        const Viewport& far = far_.whole(static_cast<int>(picture.x), static_cast<int>(picture.y));
+        renderer_.draw(list_, viewport, {far, nearLayer_});
+    } else {
+        renderer_.draw(list_, viewport);
+    }
 }
 
 void SceneRenderer::collect(World& world, const SceneView& how, DrawList& list) {
@@ -99,10 +165,15 @@ void SceneRenderer::collect(World& world, const SceneView& how, DrawList& list) 
         const Color background = loaded->scenes.front().background;
         if (background.a > 0) list.filledRect(visibleBox(how.view), background, kLowestLayer);
     }
+    nearLayer_ = kHighestLayer;
     collectBackdrops(world, how, list);
+    const std::size_t backdrops = list.items().size();
     collectTiles(world, how, list);
     collectSprites(world, how, list);
     collectLabels(world, how, list);
+    for (const DrawItem& item : list.items().subspan(backdrops)) {
+        nearLayer_ = std::min(nearLayer_, layerOfKey(item.key));
+    }
 }
 
 void SceneRenderer::readLayers(const World& world) {
@@ -148,12 +219,14 @@ void SceneRenderer::collectBackdrops(World& world, const SceneView& how, DrawLis
     const AABB seen = visibleBox(how.view);
     const Vec2 moved = topLeftOf(how.view) - how.parallaxOrigin;
     for (auto [entity, sprite, backdrop] : world.query<const Sprite, const ParallaxLayer>(without<Hidden>)) {
-        SpriteQuad quad =
-            quadOf(sprite, worldPose(world, entity, how.alpha), textures_.regionOf(sprite.texture));
+        const Pose pose = worldPose(world, entity, how.alpha);
+        SpriteQuad quad = quadOf(sprite, pose, textures_.regionOf(sprite.texture));
+        if (!isPlain(pose)) nearLayer_ = std::min(nearLayer_, quad.layer);
         if (how.parallax)
             quad.center += {moved.x * (1.0f - backdrop.factor.x), moved.y * (1.0f - backdrop.factor.y)};
         const Vec2 size = quad.half * 2.0f;
         if (!(size.x >= 1.0f) || !(size.y >= 1.0f)) continue;
+        quad.center = centerOnGrid(quad, how.view, how.grid);
         // The first copy is the leftmost that is seen; without repetition there is one.
         const Vec2 first = quad.center;
         const auto start = [](bool repeats, float center, float step, float from) {

@@ -6,6 +6,7 @@
 #include "ecs/world.hpp"
 #include "render/draw_list.hpp"
 #include "render/renderer.hpp"
+#include "render/sized_target.hpp"
 #include "render/texture_library.hpp"
 #include "scene/label_drawing.hpp"
 #include "scene/scene_layer.hpp"
@@ -24,6 +25,8 @@ struct SceneView {
     float alpha = 1.0f;    ///< between the last two ticks (ratio, 0..1)
     Vec2 parallaxOrigin;   ///< px, world: where the view's top-left corner shows backdrops at their place
     bool parallax = true;  ///< false draws backdrops where they are, as part of the world
+    float grid = 0.0f;     ///< px of the target for each px of the picture: backdrops keep to them; 0: they
+                           ///< lie where they come to lie
     LabelText labelText = nullptr;  ///< null shows texts as they are written
 };
 
@@ -36,7 +39,9 @@ public:
     /// Fills `list` with what `how` sees of the world.
     void collect(World& world, const SceneView& how, DrawList& list);
 
-    /// Collects by the scene's camera and draws. @param picture  px of the game's picture
+    /// Collects by the scene's camera and draws. Where no graphics card helps, what can be drawn small and
+    /// enlarged without showing it is: backdrops, and everything in large windows.
+    /// @param picture  px of the game's picture
     void draw(World& world, Vec2 picture, float alpha, const Viewport& viewport,
               LabelText labelText = nullptr);
 
@@ -44,6 +49,7 @@ public:
     [[nodiscard]] Renderer& renderer() { return renderer_; }
 
 private:
+    void drawInto(World& world, Vec2 picture, float alpha, const Viewport& viewport, LabelText labelText);
     void readLayers(const World& world);
     /// What its scene says of a layer number; null draws it plainly.
     [[nodiscard]] const SceneLayer* layerOf(int order) const;
@@ -61,6 +67,9 @@ private:
     LabelDrawing labels_;
     DrawList list_;
     std::vector<SceneLayer> layers_;  ///< of the scenes, by order
+    int nearLayer_ = 0;               ///< the lowest layer of the last collect that is no plain backdrop
+    SizedTarget far_;                 ///< the backdrops, one px for each px of the picture
+    SizedTarget canvas_;              ///< everything, before it is enlarged to a large window
 };
 
 }  // namespace plumb

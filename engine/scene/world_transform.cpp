@@ -2,6 +2,7 @@
 
 #include "ecs/hierarchy.hpp"
 #include "math/angle.hpp"
+#include "scene/components/camera.hpp"
 
 namespace plumb {
 namespace {
@@ -44,6 +45,7 @@ void storePreviousTransforms(World& world) {
         transform.previousRotation = transform.rotation;
         transform.previousScale = transform.scale;
     });
+    world.each<Camera>([](Camera& camera) { camera.previousZoom = camera.zoom; });
 }
 
 }  // namespace plumb

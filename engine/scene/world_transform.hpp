@@ -26,7 +26,7 @@ Pose relativeTo(const Pose& parent, const Pose& child);
 /// An entity without Transform takes its parent's.
 Pose worldPose(const World& world, EntityId entity, float alpha = 1.0f);
 
-/// Makes now the past of every Transform, so that the tick that follows is drawn from here.
+/// Makes now the past of every Transform and of every camera's zoom, so that the tick that follows is drawn from here.
 void storePreviousTransforms(World& world);
 
 }  // namespace plumb

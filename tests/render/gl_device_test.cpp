@@ -198,6 +198,44 @@ TEST_F(GlDeviceTest, opacityTintAndAddedLightMixAsTheyShould) {
     expectNear(at(image, 33, 36), {10, 20, 30, 255});
 }
 
+TEST_F(GlDeviceTest, aTargetIsShownEnlargedInWindowsAndInTargetsAndReplacesWhatWasThere) {
+    const TextureHandle texture = device->createTexture(chart(), TextureFilter::Nearest);
+    const TargetHandle small = device->createTarget(8, 6);
+    list.begin({.center = {4.0f, 3.0f}, .size = {8.0f, 6.0f}});
+    list.sprite({.center = {3.0f, 2.0f},
+                 .half = {2.0f, 1.0f},
+                 .texture = texture,
+                 .source = {0.0f, 0.0f, 4.0f, 2.0f}});
+    Renderer renderer{*device};
+    const Viewport inside{.target = small, .width = 8, .height = 6};
+    device->setViewport(inside);
+    device->clear({10, 20, 30, 0});
+    renderer.draw(list, inside);
+
+    const TargetHandle target = device->createTarget(kWidth, kHeight);
+    for (const TargetHandle into : {TargetHandle{}, target}) {
+        const Viewport whole{.target = into, .width = kWidth, .height = kHeight};
+        device->setViewport(whole);
+        device->clear({200, 0, 0, 255});
+        device->show(small, {into, 16, 8, 24, 18});
+        const Image image = device->readPixels(into);
+        for (int y = 0; y < 18; ++y) {
+            for (int x = 0; x < 24; ++x) {
+                SCOPED_TRACE(testing::Message() << x << "," << y);
+                const int column = x / 3 - 1;
+                const int row = y / 3 - 1;
+                const bool sprite = column >= 0 && column < 4 && row >= 0 && row < 2;
+                expectNear(at(image, 16 + x, 8 + y), sprite ? chartColor(column, row) : Color{10, 20, 30, 0});
+            }
+        }
+        for (const auto& [x, y] : {std::pair{15, 12}, std::pair{40, 12}, std::pair{20, 7}, std::pair{20, 26}})
+            expectNear(at(image, x, y), {200, 0, 0, 255});
+    }
+    device->destroyTarget(target);
+    device->destroyTarget(small);
+    device->destroyTexture(texture);
+}
+
 TEST_F(GlDeviceTest, anUpdatedTextureShowsItsNewPart) {
     const TextureHandle texture = device->createTexture(chart(), TextureFilter::Nearest);
     device->updateTexture(texture, 2, 1, {1, 1, {255, 255, 0, 255}});

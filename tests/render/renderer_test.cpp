@@ -201,6 +201,37 @@ TEST_F(RendererTest, outlinesShareTheCallOfTheSpritesAndFilledShapesShareOne) {
     EXPECT_EQ(device.geometryDraws.size(), 1u);
 }
 
+TEST_F(RendererTest, whatLiesFarBackIsDrawnIntoItsOwnPictureAndEnlargedBehindTheRest) {
+    for (const int layer : {7, -80, 0, -100, -80}) {
+        SpriteQuad quad = quadAt({100.0f + static_cast<float>(list.spriteCount()), 50.0f});
+        quad.layer = layer;
+        list.sprite(quad);
+    }
+    const Viewport small{device.createTarget(320, 180), 0, 0, 320, 180};
+    const Viewport window{.width = 1280, .height = 720};
+    renderer.draw(list, window, {small, 0});
+
+    ASSERT_EQ(device.spriteDraws.size(), 2u);
+    EXPECT_EQ(device.spriteDraws[0].viewport, small);
+    EXPECT_EQ(device.spriteDraws[1].viewport, window);
+    ASSERT_EQ(device.spriteDraws[0].instances.size(), 3u);
+    ASSERT_EQ(device.spriteDraws[1].instances.size(), 2u);
+    const std::array expected{103.0f, 101.0f, 104.0f, 102.0f, 100.0f};
+    for (std::size_t i = 0; i < 5; ++i) {
+        EXPECT_EQ(device.spriteDraws[i / 3].instances[i % 3].center.x, expected[i]);
+    }
+    ASSERT_EQ(device.showings.size(), 1u);
+    EXPECT_EQ(device.showings.front().source, small.target);
+    EXPECT_EQ(device.showings.front().viewport, window);
+    EXPECT_EQ(device.showings.front().afterSprites, 1u);
+    EXPECT_EQ(renderer.counts().drawCalls, 3u);
+
+    device.forgetDraws();
+    renderer.draw(list, window, {small, -200});
+    EXPECT_TRUE(device.showings.empty()) << "nothing lies behind";
+    EXPECT_EQ(device.spriteDraws.size(), 1u);
+}
+
 TEST_F(RendererTest, anEmptyListDrawsNothing) {
     EXPECT_TRUE(drawn().empty());
     EXPECT_EQ(device.drawCalls(), 0u);

@@ -66,7 +66,7 @@ Result<GlProgram> buildSpriteProgram(std::size_t slots) {
     return program;
 }
 
-bool drawsInSoftware(const std::string& renderer) {
+bool isSoftware(const std::string& renderer) {
     for (const std::string_view name : {"llvmpipe", "softpipe", "SwiftShader", "Software"}) {
         if (renderer.find(name) != std::string::npos) return true;
     }
@@ -97,7 +97,8 @@ Result<std::unique_ptr<GlDevice>> GlDevice::create() {
 
 void GlDevice::createState() {
     glGetIntegerv(GL_MAX_TEXTURE_SIZE, &maxTextureSide_);
-    if (drawsInSoftware(description())) batchTextures_ = kSoftwareSlots;
+    software_ = isSoftware(description());
+    if (software_) batchTextures_ = kSoftwareSlots;
     buffers_.resize(1);
     for (FrameBuffer& frame : frames_) glGenBuffers(1, &frame.name);
     glGenVertexArrays(1, &spriteArray_);
@@ -106,6 +107,7 @@ void GlDevice::createState() {
         glEnableVertexAttribArray(i);
         glVertexAttribDivisor(i, 1);
     }
+    glGenVertexArrays(1, &emptyArray_);
     glGenBuffers(1, &geometryBuffer_);
     glGenVertexArrays(1, &geometryArray_);
     glBindVertexArray(geometryArray_);
@@ -132,6 +134,10 @@ Result<Done> GlDevice::buildPrograms() {
     Result<GlProgram> program = buildProgram(sources.vertex, sources.fragment);
     if (!program) return program.error();
     geometryProgram_ = *program;
+    const ShaderSources picture = pictureShaders();
+    program = buildProgram(picture.vertex, picture.fragment);
+    if (!program) return program.error();
+    pictureProgram_ = *program;
     return Done{};
 }
 
@@ -148,8 +154,10 @@ GlDevice::~GlDevice() {
     glDeleteBuffers(1, &geometryBuffer_);
     glDeleteVertexArrays(1, &spriteArray_);
     glDeleteVertexArrays(1, &geometryArray_);
+    glDeleteVertexArrays(1, &emptyArray_);
     for (const GlProgram& program : spritePrograms_) glDeleteProgram(program.name);  // 0 is ignored
     glDeleteProgram(geometryProgram_.name);
+    glDeleteProgram(pictureProgram_.name);
 }
 
 TextureHandle GlDevice::keep(Texture texture) {
@@ -361,6 +369,18 @@ void GlDevice::drawGeometry(const GeometryBatch& batch) {
     glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(batch.vertices.size_bytes()), batch.vertices.data(),
                  GL_STREAM_DRAW);
     glDrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(batch.vertices.size()));
+}
+
+void GlDevice::show(TargetHandle source, const Viewport& viewport) {
+    setViewport(viewport);
+    glDisable(GL_BLEND);  // without it software drawing takes a third of the time
+    glUseProgram(pictureProgram_.name);
+    glUniform1f(pictureProgram_.up, flipped_ ? -1.0f : 1.0f);
+    glActiveTexture(GL_TEXTURE0);
+    glBindTexture(GL_TEXTURE_2D, textures_[targetTexture(source).index].name);
+    glBindVertexArray(emptyArray_);
+    glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
+    glEnable(GL_BLEND);
 }
 
 Image GlDevice::readPixels(TargetHandle target) {

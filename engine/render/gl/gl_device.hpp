@@ -36,9 +36,11 @@ public:
     void unmapInstances() override;
     void drawSprites(const SpriteBatch& batch) override;
     void drawGeometry(const GeometryBatch& batch) override;
+    void show(TargetHandle source, const Viewport& viewport) override;
     [[nodiscard]] Image readPixels(TargetHandle target) override;
     [[nodiscard]] std::string description() const override;
     [[nodiscard]] std::size_t batchTextures() const override { return batchTextures_; }
+    [[nodiscard]] bool drawsInSoftware() const override { return software_; }
 
 private:
     struct Texture {
@@ -68,7 +70,9 @@ private:
     /// By slots; built when first needed.
     std::array<GlProgram, kTextureSlots + 1> spritePrograms_{};
     std::size_t batchTextures_ = kTextureSlots;
+    bool software_ = false;
     GlProgram geometryProgram_;
+    GlProgram pictureProgram_;
     std::vector<Texture> textures_;
     std::vector<std::uint32_t> freeTextures_;
     std::vector<Target> targets_;
@@ -77,6 +81,7 @@ private:
     GlName spriteArray_ = 0;
     GlName geometryArray_ = 0;
     GlName geometryBuffer_ = 0;
+    GlName emptyArray_ = 0;
     std::array<FrameBuffer, 3> frames_{};
     std::size_t frame_ = 0;                  ///< the one written last
     std::vector<SpriteInstance> ownMemory_;  ///< used when the driver maps nothing

@@ -47,6 +47,7 @@ Result<GlProgram> buildProgram(const std::string& vertexSource, const std::strin
     program.viewOffset = glGetUniformLocation(program.name, "viewOffset");
     program.tint = glGetUniformLocation(program.name, "batchTint");
     program.texelScale = glGetUniformLocation(program.name, "texelScale");
+    program.up = glGetUniformLocation(program.name, "up");
     return program;
 }
 

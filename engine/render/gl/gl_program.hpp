@@ -18,6 +18,7 @@ struct GlProgram {
     int viewOffset = -1;
     int tint = -1;
     int texelScale = -1;
+    int up = -1;
     std::size_t slots = 0;
 };
 

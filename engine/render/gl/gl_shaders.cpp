@@ -87,6 +87,24 @@ out vec4 pixel;
 void main() { pixel = vec4(color.rgb * color.a, color.a); }
 )";
 
+// The picture's first row is the top one; `up` says which way is up in what is drawn into.
+constexpr const char* kPictureVertex = R"(
+uniform float up;
+out vec2 uv;
+void main() {
+    vec2 corner = vec2(float(gl_VertexID & 1), float(gl_VertexID >> 1));
+    uv = vec2(corner.x, 1.0 - corner.y);
+    gl_Position = vec4((corner * 2.0 - 1.0) * vec2(1.0, up), 0.0, 1.0);
+}
+)";
+
+constexpr const char* kPictureFragment = R"(
+uniform sampler2D picture;
+in vec2 uv;
+out vec4 pixel;
+void main() { pixel = texture(picture, uv); }
+)";
+
 std::string withSlots(std::string source, std::size_t slots) {
     const std::string name = "SLOTS";
     const std::string number = std::to_string(slots);
@@ -117,6 +135,10 @@ ShaderSources spriteShaders(std::size_t slots) {
 
 ShaderSources geometryShaders() {
     return {std::string{kFirstLines} + kGeometryVertex, std::string{kFirstLines} + kGeometryFragment};
+}
+
+ShaderSources pictureShaders() {
+    return {std::string{kFirstLines} + kPictureVertex, std::string{kFirstLines} + kPictureFragment};
 }
 
 }  // namespace plumb

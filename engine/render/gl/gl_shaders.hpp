@@ -15,5 +15,7 @@ struct ShaderSources {
 ShaderSources spriteShaders(std::size_t slots);
 /// Plain colored triangles.
 ShaderSources geometryShaders();
+/// One picture over the whole viewport.
+ShaderSources pictureShaders();
 
 }  // namespace plumb

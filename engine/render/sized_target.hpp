@@ -1,0 +1,29 @@
+#pragma once
+
+#include "render/render_device.hpp"
+
+namespace plumb {
+
+/// A picture to draw into that is made when first asked for, and anew when it is asked for in another size.
+class SizedTarget {
+public:
+    explicit SizedTarget(RenderDevice& device) : device_{device} {}
+    ~SizedTarget() { device_.destroyTarget(whole_.target); }
+    SizedTarget(const SizedTarget&) = delete;
+    SizedTarget& operator=(const SizedTarget&) = delete;
+
+    /// All of it, in this size (px).
+    const Viewport& whole(int width, int height) {
+        if (whole_.width != width || whole_.height != height) {
+            device_.destroyTarget(whole_.target);
+            whole_ = {device_.createTarget(width, height), 0, 0, width, height};
+        }
+        return whole_;
+    }
+
+private:
+    RenderDevice& device_;
+    Viewport whole_;
+};
+
+}  // namespace plumb
