@@ -28,13 +28,16 @@ void CellGrid::build(std::span<const std::uint32_t> bodies, std::span<const AABB
     heightMask_ = (1u << (bits - widthBits_)) - 1;
 
     // Counting sort by slot: entries of a slot keep the order of the bodies.
-    starts_.assign((std::size_t{1} << bits) + 1, 0);
-    for (const CellEntry& entry : unsorted_) ++starts_[slotIndex(entry.x, entry.y) + 1];
+    // Counted two places on, so that the placing, which moves each start to its end, leaves them where they
+    // belong.
+    starts_.assign((std::size_t{1} << bits) + 2, 0);
+    for (const Reached& reached : unsorted_) ++starts_[slotIndex(reached.x, reached.y) + 2];
     for (std::size_t i = 1; i < starts_.size(); ++i) starts_[i] += starts_[i - 1];
     entries_.resize(unsorted_.size());
-    for (const CellEntry& entry : unsorted_) entries_[starts_[slotIndex(entry.x, entry.y)]++] = entry;
-    for (std::size_t i = starts_.size() - 1; i > 0; --i) starts_[i] = starts_[i - 1];
-    starts_[0] = 0;
+    for (const Reached& reached : unsorted_) {
+        entries_[starts_[slotIndex(reached.x, reached.y) + 1]++] = {reached.body, reached.x, reached.y,
+                                                                    bounds[reached.body]};
+    }
 }
 
 float cellSizeFor(std::span<const std::uint32_t> bodies, std::span<const AABB> bounds) {

@@ -14,6 +14,7 @@ struct CellEntry {
     std::uint32_t body = 0;
     std::int32_t x = 0;  ///< cell
     std::int32_t y = 0;
+    AABB bounds;  ///< a copy: what lies in one cell is compared without looking elsewhere
 };
 
 /// A uniform grid over the whole plane in flat arrays: cells far apart share a slot of the table, which costs
@@ -43,7 +44,7 @@ public:
         const std::size_t slot = slotIndex(x, y);
         return {entries_.data() + starts_[slot], starts_[slot + 1] - starts_[slot]};
     }
-    [[nodiscard]] std::size_t slotCount() const { return starts_.empty() ? 0 : starts_.size() - 1; }
+    [[nodiscard]] std::size_t slotCount() const { return starts_.empty() ? 0 : starts_.size() - 2; }
     [[nodiscard]] std::span<const CellEntry> slot(std::size_t index) const {
         return {entries_.data() + starts_[index], starts_[index + 1] - starts_[index]};
     }
@@ -70,9 +71,15 @@ private:
     std::uint32_t widthMask_ = 0;
     std::uint32_t heightMask_ = 0;
     unsigned widthBits_ = 0;
-    std::vector<std::uint32_t> starts_;
+    struct Reached {
+        std::uint32_t body = 0;
+        std::int32_t x = 0;  ///< cell
+        std::int32_t y = 0;
+    };
+
+    std::vector<std::uint32_t> starts_;  ///< in entries_, of every slot; then their end; one more to count
     std::vector<CellEntry> entries_;
-    std::vector<CellEntry> unsorted_;
+    std::vector<Reached> unsorted_;
 };
 
 /// A cell about twice as wide as the usual body, a power of two so that cells are cut the same everywhere.

@@ -9,8 +9,11 @@ namespace {
 
 constexpr int kMostCellsOfMover = 64;
 
+/// All four compared whatever the first says: most pairs are apart, and which side says so cannot be guessed.
 bool overlaps(const AABB& a, const AABB& b) {
-    return a.max.x >= b.min.x && a.min.x <= b.max.x && a.max.y >= b.min.y && a.min.y <= b.max.y;
+    const int x = static_cast<int>(a.max.x >= b.min.x) & static_cast<int>(a.min.x <= b.max.x);
+    const int y = static_cast<int>(a.max.y >= b.min.y) & static_cast<int>(a.min.y <= b.max.y);
+    return (x & y) != 0;
 }
 
 /// True when the two bodies have anything to do with each other in this step.
@@ -33,12 +36,10 @@ void pairMovers(StepContext& step) {
         const auto slot = grid.slot(s);
         for (std::size_t i = 0; i + 1 < slot.size(); ++i) {
             const CellEntry one = slot[i];
-            const AABB& bounds = work.bounds[one.body];
             for (std::size_t j = i + 1; j < slot.size(); ++j) {
                 const CellEntry& other = slot[j];
-                if (!overlaps(bounds, work.bounds[other.body]) || other.x != one.x || other.y != one.y)
-                    continue;
-                if (grid.isFirstShared(bounds, work.bounds[other.body], one.x, one.y)) {
+                if (!overlaps(one.bounds, other.bounds) || other.x != one.x || other.y != one.y) continue;
+                if (grid.isFirstShared(one.bounds, other.bounds, one.x, one.y)) {
                     addPair(step, one.body, other.body);
                 }
             }
