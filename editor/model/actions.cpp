@@ -89,6 +89,12 @@ constexpr Action tool(std::string_view id, std::string_view label, Key key, Duri
 }
 
 const std::array kActions{
+    Action{"file.new",
+           "File",
+           "New scene...",
+           {Key::N, true, false, true},
+           always,
+           ask<WindowRequest::NameNewScene>},
     Action{"file.open", "File", "Open scene...", control(Key::O), always, ask<WindowRequest::ChooseScene>},
     Action{"file.save", "File", "Save", control(Key::S), editable,
            [](Workspace& w) { static_cast<void>(w.save().ok()); }},

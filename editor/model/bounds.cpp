@@ -9,6 +9,7 @@
 #include "scene/components/circle_collider.hpp"
 #include "scene/components/label.hpp"
 #include "scene/components/parallax_layer.hpp"
+#include "scene/components/prefab_instance.hpp"
 #include "scene/components/sprite.hpp"
 #include "scene/components/tile_layer.hpp"
 #include "scene/tile_bodies.hpp"
@@ -112,6 +113,15 @@ std::vector<ObjectId> pickAll(const Document& document, Vec2 point, float reach)
         ids.push_back(hit.id);
     }
     return ids;
+}
+
+ObjectId pickFirst(const Document& document, Vec2 point, float reach) {
+    const std::vector<ObjectId> hits = pickAll(document, point, reach);
+    if (hits.empty()) return {};
+    const PrefabPart* part = document.world.find<PrefabPart>(document.find(hits.front()));
+    if (part == nullptr || document.selection.has(hits.front())) return hits.front();
+    const ObjectId root{part->instance};
+    return document.find(root) ? root : hits.front();
 }
 
 std::vector<ObjectId> pickInside(const Document& document, const AABB& box) {

@@ -17,6 +17,10 @@ std::optional<AABB> boundsOf(const Document& document, const std::vector<ObjectI
 /// What lies under a point, front first. Tile layers and backdrops come last: they are everywhere.
 std::vector<ObjectId> pickAll(const Document& document, Vec2 point, float reach);
 
+/// What a click takes: the front-most thing, and the whole instance where that is a part of a prefab, unless
+/// the part is selected already. Nobody where nothing is.
+ObjectId pickFirst(const Document& document, Vec2 point, float reach);
+
 /// What a dragged box touches; tile layers and backdrops are left out.
 std::vector<ObjectId> pickInside(const Document& document, const AABB& box);
 

@@ -12,6 +12,17 @@
 #include "scene/components/transform.hpp"
 
 namespace plumb::editor {
+namespace {
+
+constexpr std::string_view kEmptyScene = R"({
+  "format": 1,
+  "effects": {},
+  "layers": [],
+  "entities": []
+}
+)";
+
+}  // namespace
 
 Workspace::Workspace(const TypeRegistry& types, AssetStore& store, ProjectFolder folder,
                      PrefabLibrary* prefabs)
@@ -30,6 +41,7 @@ Result<LoadReport> Workspace::open(std::string_view path) {
     if (!document.scenePath.empty()) unloadScene(document.world, document.scene);
     document.world.clear();
     undo.clear();
+    if (prefabs_ != nullptr) prefabs_->forget();  // their files may have changed
     Result<LoadReport> report = loadSceneFile(document.world, context(), wanted);
     document.scenePath = report ? wanted : std::string{};
     document.scene = report ? report->scene : SceneId{};
@@ -47,6 +59,19 @@ Result<LoadReport> Workspace::open(std::string_view path) {
     logNote("Editor", "{}", notice);
     showStart();
     return report;
+}
+
+Result<Done> Workspace::createScene(std::string_view name) {
+    const std::string path = format("scenes/{}.scene.json", name);
+    if (name.empty() || name.find('/') != std::string_view::npos)
+        return Error{path, "this is no name for a scene", "write a word, e.g. \"level1\""};
+    const Result<Path> file = pathInside(project.root, path);
+    if (!file) return file.error();
+    if (std::filesystem::exists(*file)) return Error{path, "there is such a scene", "choose another name"};
+    const Result<Done> written = writeFile(*file, kEmptyScene);
+    if (!written) return written;
+    const Result<LoadReport> opened = open(path);
+    return opened ? Result<Done>{Done{}} : Result<Done>{opened.error()};
 }
 
 void Workspace::showStart() {

@@ -27,6 +27,7 @@ struct ProjectFolder {
 enum class WindowRequest : unsigned char {
     None,
     ChooseScene,
+    NameNewScene,
     ChoosePrefab,
     Quit,
     LargerText,
@@ -51,6 +52,8 @@ public:
     UndoStack undo;
     ViewCamera view;
     PlayMode play;
+    bool followsGame =
+        true;  ///< the view goes with the camera of the game that plays, until it is moved by hand
     GridSettings grid;
     TilePaint tiles;
     std::vector<std::string> overlays{"grid", "camera"};  ///< those that are shown, by name
@@ -64,6 +67,10 @@ public:
     // The scene file.
 
     Result<LoadReport> open(std::string_view path);
+    /// Writes an empty scene and opens it.
+    /// @param name  of its file in scenes/, without ending
+    /// @error       no name, one that leaves the folder, or there is such a scene
+    Result<Done> createScene(std::string_view name);
     Result<Done> save();
     /// Looks at what the scene's camera sees, as large as whole pixels allow; without a camera, at all there
     /// is.

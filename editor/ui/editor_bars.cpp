@@ -141,14 +141,19 @@ void EditorWindow::drawDialogs() {
             ImGui::OpenPopup("Open scene");
             workspace_.request = WindowRequest::None;
             break;
+        case WindowRequest::NameNewScene:
+            ImGui::OpenPopup("New scene");
+            newScene_.fill('\0');
+            newSceneError_.clear();
+            workspace_.request = WindowRequest::None;
+            break;
         case WindowRequest::ChoosePrefab:
             ImGui::OpenPopup("Add prefab");
             workspace_.request = WindowRequest::None;
             break;
         case WindowRequest::Quit:
             workspace_.request = WindowRequest::None;
-            quitAfterAsking_ = askUnsaved_ = workspace_.unsaved();
-            quit_ = !askUnsaved_;
+            leaveFor([this] { quit_ = true; });
             break;
         case WindowRequest::None:
         case WindowRequest::LargerText:
@@ -157,6 +162,7 @@ void EditorWindow::drawDialogs() {
     }
     drawSceneChooser();
     drawPrefabChooser();
+    drawNewScene();
     if (std::exchange(askUnsaved_, false)) ImGui::OpenPopup("Unsaved changes");
     drawUnsaved();
 }
@@ -179,16 +185,50 @@ void EditorWindow::drawSceneChooser() {
         widgets_.mark("Open/" + path);
         if (!chosen) continue;
         ImGui::CloseCurrentPopup();
-        if (workspace_.unsaved()) {
-            pendingScene_ = path;
-            askUnsaved_ = true;
-        } else {
-            openScene(path);
-        }
+        leaveFor([this, path] { openScene(path); });
     }
     ImGui::EndChild();
-    if (ImGui::Button("Cancel", {ui_.px(90.0f), 0.0f}) || feed_->held(Key::Escape))
-        ImGui::CloseCurrentPopup();
+    if (ImGui::Button("Cancel", {ui_.px(90.0f), 0.0f})) ImGui::CloseCurrentPopup();
+    ImGui::EndPopup();
+}
+
+void EditorWindow::leaveFor(std::function<void()> next) {
+    if (!workspace_.unsaved()) return next();
+    next_ = std::move(next);
+    askUnsaved_ = true;
+}
+
+void EditorWindow::drawNewScene() {
+    const ImVec2 size{ui_.px(400.0f), ui_.px(150.0f)};
+    centerNext(size);
+    ImGui::SetNextWindowSize(size);
+    if (!ImGui::BeginPopupModal("New scene", nullptr, ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove))
+        return;
+    ImGui::TextDisabled("Its name in the folder scenes/");
+    if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
+    ImGui::SetNextItemWidth(-1.0f);
+    bool done = ImGui::InputTextWithHint("##name", "level1", newScene_.data(), newScene_.size(),
+                                         ImGuiInputTextFlags_EnterReturnsTrue);
+    widgets_.mark("New/name", newScene_.data());
+    ImGui::PushStyleColor(ImGuiCol_Text, palette::kWarning);
+    ImGui::TextUnformatted(newSceneError_.c_str());
+    ImGui::PopStyleColor();
+    ImGui::SetCursorPosY(size.y - ui_.px(40.0f));
+    const ImVec2 button{ui_.px(110.0f), 0.0f};
+    done |= ImGui::Button("Create", button);
+    widgets_.mark("New/Create");
+    ImGui::SameLine();
+    if (ImGui::Button("Cancel", button)) ImGui::CloseCurrentPopup();
+    if (done) {
+        const std::string name = newScene_.data();
+        leaveFor([this, name] {
+            const Result<Done> made = workspace_.createScene(name);
+            newSceneError_ = made ? std::string{} : made.error().what;
+            if (!made) workspace_.notice = made.error().text();
+            ui_.viewReady = false;
+        });
+        if (newSceneError_.empty()) ImGui::CloseCurrentPopup();
+    }
     ImGui::EndPopup();
 }
 
@@ -215,8 +255,7 @@ void EditorWindow::drawPrefabChooser() {
         workspace_.notice = added ? format("Added {}", path) : added.error().text();
     }
     ImGui::EndChild();
-    if (ImGui::Button("Cancel", {ui_.px(90.0f), 0.0f}) || feed_->held(Key::Escape))
-        ImGui::CloseCurrentPopup();
+    if (ImGui::Button("Cancel", {ui_.px(90.0f), 0.0f})) ImGui::CloseCurrentPopup();
     ImGui::EndPopup();
 }
 
@@ -231,11 +270,7 @@ void EditorWindow::drawUnsaved() {
     ImGui::SetCursorPosY(size.y - ui_.px(40.0f));
     const auto leave = [&] {
         ImGui::CloseCurrentPopup();
-        if (quitAfterAsking_) {
-            quit_ = true;
-        } else {
-            openScene(pendingScene_);
-        }
+        next_();
     };
     const ImVec2 button{ui_.px(110.0f), 0.0f};
     if (ImGui::Button("Save", button) && workspace_.save()) leave();
@@ -244,10 +279,7 @@ void EditorWindow::drawUnsaved() {
     if (ImGui::Button("Discard", button)) leave();
     widgets_.mark("Unsaved/Discard");
     ImGui::SameLine();
-    if (ImGui::Button("Cancel", button)) {
-        ImGui::CloseCurrentPopup();
-        quitAfterAsking_ = false;
-    }
+    if (ImGui::Button("Cancel", button)) ImGui::CloseCurrentPopup();
     widgets_.mark("Unsaved/Cancel");
     ImGui::EndPopup();
 }

@@ -110,11 +110,15 @@ void EditorWindow::frame(const FrameInput& input) {
 void EditorWindow::handleKeys(std::span<const Event> events) {
     const bool typing = ImGui::GetIO().WantTextInput;
     const bool playing = workspace_.play.running() && !workspace_.play.paused();
-    ui_.panHeld = !typing && feed_->held(Key::Space);
+    ui_.panHeld = !typing && !playing && feed_->held(Key::Space);
     for (const Event& event : events) {
         if (event.kind == EventKind::Quit) workspace_.request = WindowRequest::Quit;
         if (playing && !typing) devices_.handle(event);
         if (event.kind != EventKind::KeyDown || typing) continue;
+        if (anyPopupOpen()) {  // keys belong to the menu, and Esc leaves it
+            if (event.key == Key::Escape) closePopups();
+            continue;
+        }
         if (!workspace_.play.running() || actsWhilePlaying(event)) runShortcut(workspace_, event);
     }
     // A widget that vanished in the middle of a drag never says that it ended.

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -58,6 +60,9 @@ private:
     void drawDialogs();
     void drawSceneChooser();
     void drawPrefabChooser();
+    void drawNewScene();
+    /// Opens a scene or makes a new one, after the person said what to do with unsaved changes.
+    void leaveFor(std::function<void()> next);
     void drawUnsaved();
     void openScene(const std::string& path);
     void setScale(float scale);
@@ -74,9 +79,10 @@ private:
     std::size_t tabBefore_ = 1;  ///< what the tiles took the place of
     bool paintedTiles_ = false;
     DeviceState devices_;
-    std::string pendingScene_;  ///< to be opened once the person said what to do with unsaved changes
+    std::function<void()> next_;  ///< what comes once the person said what to do with unsaved changes
+    std::array<char, 64> newScene_{};
+    std::string newSceneError_;
     bool askUnsaved_ = false;
-    bool quitAfterAsking_ = false;
     bool quit_ = false;
     bool fontsChanged_ = true;
 };

@@ -10,7 +10,7 @@ constexpr Color kBackground{23, 24, 28, 255};
 }  // namespace
 
 std::uintptr_t ScenePicture::draw(World& world, AssetStore* assets, const View& view, PixelSize size,
-                                  float alpha) {
+                                  float alpha, bool asGame) {
     if (size != size_) {
         device_.destroyTarget(target_);
         target_ = device_.createTarget(size.width, size.height);
@@ -25,8 +25,7 @@ std::uintptr_t ScenePicture::draw(World& world, AssetStore* assets, const View& 
     SceneView how;
     how.view = snappedToPixels(view);
     how.alpha = alpha;
-    how.parallaxOrigin = cameraView(world, view.size / view.zoom, alpha).center;
-    how.parallax = false;
+    how.parallax = asGame;
     how.labelText = &fillPlaceholders;
     list_.begin(how.view);
     renderer.collect(world, how, list_);

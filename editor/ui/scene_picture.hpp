@@ -27,8 +27,12 @@ public:
     /// @param assets  those of the game that plays; null: the editor's own
     /// @param size   px of the texture
     /// @param alpha  between the last two ticks (ratio, 0..1)
+    /// @param asGame  backdrops and texts on the screen keep to the picture, as the player draws it; else
+    /// they
+    ///                are where the scene has them
     /// @return the graphics card's name of the texture
-    std::uintptr_t draw(World& world, AssetStore* assets, const View& view, PixelSize size, float alpha);
+    std::uintptr_t draw(World& world, AssetStore* assets, const View& view, PixelSize size, float alpha,
+                        bool asGame);
 
     /// Where a part of one of the editor's pictures is on the card. @param source  px; empty: all of it
     TexturePart part(TextureId id, const Rect& source);

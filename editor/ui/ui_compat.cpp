@@ -2,6 +2,8 @@
 
 #include <array>
 
+#include <imgui_internal.h>
+
 namespace plumb::editor::ui {
 namespace {
 
@@ -45,6 +47,11 @@ constexpr std::array kKeys{
 };
 
 }  // namespace
+
+bool anyPopupOpen() { return ImGui::GetCurrentContext()->OpenPopupStack.Size > 0; }
+void closePopups() {
+    if (anyPopupOpen()) ImGui::ClosePopupToLevel(0, true);
+}
 
 int imguiKey(Key key) {
     for (const KeyPair& pair : kKeys) {

@@ -77,13 +77,14 @@ inline void imageOfPixels(ImDrawList& list, ImTextureID texture, ImVec2 from, Im
 
 /// A part of a texture on four corners, clockwise from the top left, each with its place in the texture.
 inline void quadOfPixels(ImDrawList& list, ImTextureID texture, const std::array<ImVec2, 4>& corners,
-                         const std::array<Vec2, 4>& uv) {
+                         const std::array<Vec2, 4>& uv, ImU32 tint) {
     const auto at = [&](std::size_t i) { return ImVec2{uv[i].x, uv[i].y}; };
 #if IMGUI_VERSION_NUM >= 19280
     const ImGuiPlatformIO& io = ImGui::GetPlatformIO();
     list.AddCallback(io.DrawCallback_SetSamplerNearest, nullptr);
 #endif
-    list.AddImageQuad(texture, corners[0], corners[1], corners[2], corners[3], at(0), at(1), at(2), at(3));
+    list.AddImageQuad(texture, corners[0], corners[1], corners[2], corners[3], at(0), at(1), at(2), at(3),
+                      tint);
 #if IMGUI_VERSION_NUM >= 19280
     list.AddCallback(io.DrawCallback_ResetRenderState, nullptr);
 #endif
@@ -103,6 +104,10 @@ inline void buildFonts() {
     ImGui::GetIO().Fonts->Build();
 #endif
 }
+
+/// Whether a menu, a list or a question is open; and closes them all.
+bool anyPopupOpen();
+void closePopups();
 
 /// ImGui's name of a key, or none.
 int imguiKey(Key key);

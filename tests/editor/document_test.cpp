@@ -28,6 +28,18 @@ TEST_F(Documents, theListOfEntitiesIsSortedOnceAndFollowsWhatComesAndGoes) {
     EXPECT_EQ(document.objects().size(), 6u);
 }
 
+TEST_F(Documents, aNewSceneIsWrittenOpenedAndSavedAsItIs) {
+    ASSERT_TRUE(workspace.createScene("cave").ok());
+    EXPECT_EQ(workspace.document.scenePath, "scenes/cave.scene.json");
+    EXPECT_EQ(workspace.document.objectCount(), 0u);
+    EXPECT_EQ(workspace.text(), fileText("scenes/cave.scene.json"));
+
+    for (const char* wrong : {"", "cave", "../cave", "a/b", "level"}) {
+        EXPECT_FALSE(workspace.createScene(wrong).ok()) << wrong;
+    }
+    EXPECT_EQ(fileText(), kSceneText);
+}
+
 TEST(LogBooks, keepWhatWasSaidSinceTheyWereMadeAndPassItOn) {
     std::vector<std::string> heard;
     const LogSink before = setLogSink([&](const LogLine& line) { heard.push_back(line.text); });

@@ -124,6 +124,53 @@ TEST_F(EditorWindowTest, everyPanelAndOverlayDrawsAnEmptyAndAFullScene) {
     EXPECT_GT(ImGui::GetDrawData()->TotalVtxCount, 100);
 }
 
+TEST_F(EditorWindowTest, aNewSceneIsNamedAndUnsavedChangesAreAskedFor) {
+    hands.click("Scene/crate");
+    hands.key(Key::Delete);
+    hands.key(Key::N, {.control = true, .alt = true});
+    hands.rest(2);
+    hands.type("cave");
+    hands.click("New/Create");
+    hands.rest(2);
+    ASSERT_NE(window.widgets().find("Unsaved/Discard"), nullptr);
+    hands.click("Unsaved/Discard");
+    hands.rest(2);
+    EXPECT_EQ(workspace.document.scenePath, "scenes/cave.scene.json");
+    EXPECT_EQ(fileText(), kSceneText);
+}
+
+TEST_F(EditorWindowTest, escapeLeavesAMenuAndNothingElse) {
+    workspace.document.selection.set({named("sign")});
+    hands.click("Menu/Edit");
+    ASSERT_NE(window.widgets().find("Menu/Edit/Delete"), nullptr);
+    hands.key(Key::Delete);
+    EXPECT_TRUE(named("sign")) << "keys belong to the open menu";
+
+    hands.key(Key::Escape);
+    EXPECT_EQ(window.widgets().find("Menu/Edit/Delete"), nullptr);
+    EXPECT_EQ(workspace.document.selection.size(), 1u);
+    hands.key(Key::Escape);
+    EXPECT_TRUE(workspace.document.selection.empty());
+}
+
+TEST_F(EditorWindowTest, theViewGoesWithTheGameAndComesBackAfterwards) {
+    const View before = workspace.view.view();
+    hands.key(Key::F5);
+    hands.rest(5);
+    EXPECT_TRUE(workspace.followsGame);
+    const Vec2 camera = workspace.play.world().get<Transform>(workspace.play.find(named("camera"))).position;
+    EXPECT_LT(distance(workspace.view.view().center, camera), 8.0f);
+
+    const Vec2 middle = hands.middleOf("Viewport");
+    hands.moveTo(middle), hands.press(MouseButton::Middle), hands.moveTo(middle + Vec2{30.0f, 0.0f});
+    hands.release(MouseButton::Middle);
+    EXPECT_FALSE(workspace.followsGame) << "until one looks elsewhere";
+    hands.key(Key::F5);
+    hands.rest();
+    EXPECT_EQ(workspace.view.view().center, before.center);
+    EXPECT_EQ(workspace.view.view().zoom, before.zoom);
+}
+
 TEST_F(EditorWindowTest, theConsoleShowsWhatWasSaidBeforeThereWasAWindow) {
     LogBook early;
     logNote("Test", "said early");

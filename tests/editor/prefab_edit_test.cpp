@@ -4,6 +4,7 @@
 #include "editor/model/actions.hpp"
 #include "editor/model/commands/delete_entities.hpp"
 #include "editor/model/commands/set_field.hpp"
+#include "editor/model/tools/select_tool.hpp"
 #include "tests/editor/support/editor_fixture.hpp"
 
 namespace plumb::editor {
@@ -149,6 +150,18 @@ TEST_F(Prefabs, onlyWhatAnInstanceHasForItselfIsMarked) {
     set<Transform>(flameOf(kFirst), "position", Vec2{1.0f, 1.0f});
     EXPECT_TRUE(overrides(flameOf(kFirst)).has(workspace.document.types().of<Transform>(), "position"));
     EXPECT_FALSE(overrides(named("nobody")).isPart);
+}
+
+TEST_F(Prefabs, aClickOnAPartTakesTheWholeInstanceAndAltTakesThePart) {
+    const Vec2 onFlame{17.0f, 8.0f};
+    SelectTool tool;
+    tool.press(workspace.tools(), {.position = onFlame, .reach = 0.0f});
+    tool.release(workspace.tools(), {.position = onFlame});
+    EXPECT_EQ(workspace.document.selection.all(), std::vector{kFirst});
+
+    tool.press(workspace.tools(), {.position = onFlame, .reach = 0.0f, .modifiers = {.alt = true}});
+    tool.release(workspace.tools(), {.position = onFlame});
+    EXPECT_EQ(workspace.document.selection.all(), std::vector{flameOf(kFirst)});
 }
 
 TEST_F(Prefabs, oneFieldIsRevertedAloneAndUndoBringsItBack) {

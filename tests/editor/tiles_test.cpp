@@ -95,6 +95,20 @@ TEST_F(Tiles, aPickedBoxIsPaintedElsewhere) {
     EXPECT_EQ(workspace.undo.size(), 0u);
 }
 
+TEST_F(Tiles, theBrushShowsWhatItWouldPaint) {
+    workspace.tiles.stamp = {2, 1, {3, 4}};
+    const TileTool tool{Mode::Brush};
+    Overlay overlay;
+    tool.draw(workspace.tools(), {.position = middleOf(1, 1)}, overlay);
+    std::vector<TileCell> shown;
+    for (const Overlay::Shape& shape : overlay.shapes()) {
+        if (shape.kind != Overlay::Kind::Tile) continue;
+        EXPECT_EQ(shape.from, (Vec2{16.0f + 16.0f * static_cast<float>(shown.size()), 16.0f}));
+        shown.push_back(shape.cell);
+    }
+    EXPECT_EQ(shown, (std::vector<TileCell>{3, 4}));
+}
+
 TEST_F(Tiles, anUnfinishedRectangleIsForgottenByEscape) {
     TileTool tool{Mode::Rectangle};
     tool.press(workspace.tools(), {.position = middleOf(0, 0)});

@@ -9,7 +9,7 @@ namespace plumb::editor {
 
 void InsertEntities::apply(Document& document) {
     insertEntities(document, states_);
-    document.selection.set(ids());
+    document.selection.set(outermost(document, ids()));
 }
 
 void InsertEntities::revert(Document& document) { eraseEntities(document, ids()); }

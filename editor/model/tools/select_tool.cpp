@@ -11,9 +11,9 @@ constexpr Color kBoxLine{77, 163, 255, 220};
 constexpr Color kBoxFill{77, 163, 255, 36};
 
 ObjectId hitOf(const ToolContext& context, const Pointer& pointer) {
+    if (!pointer.modifiers.alt) return pickFirst(context.document, pointer.position, pointer.reach);
     const std::vector<ObjectId> hits = pickAll(context.document, pointer.position, pointer.reach);
     if (hits.empty()) return {};
-    if (!pointer.modifiers.alt) return hits.front();
     for (std::size_t i = 0; i < hits.size(); ++i) {
         if (context.selection.has(hits[i])) return hits[(i + 1) % hits.size()];
     }

@@ -17,6 +17,7 @@ constexpr Color kErase{240, 104, 104, 255};
 constexpr Color kEraseFill{240, 104, 104, 50};
 constexpr Color kPick{255, 221, 87, 255};
 constexpr Color kPickFill{255, 221, 87, 40};
+constexpr Color kGhost{255, 255, 255, 190};
 constexpr Color kLayer{226, 164, 96, 150};
 constexpr float kFarCell = 1e6f;  // cells; farther away is the same to us
 
@@ -183,6 +184,21 @@ void TileTool::pick(const ToolContext& context) const {
     if (grid != nullptr) context.tiles.stamp = stampFrom(*grid, start_, last_);
 }
 
+/// What a click would paint here.
+void TileTool::drawGhost(const ToolContext& context, CellPlace at, Overlay& overlay) const {
+    const Document& document = context.document;
+    const ObjectId layer = activeTileLayer(document, context.tiles);
+    const TileLayer* tiles = document.world.find<TileLayer>(document.find(layer));
+    const TileStamp& stamp = context.tiles.stamp;
+    const CellPlace from = doing_ == Doing::Nothing ? at : start_;
+    for (int i = 0; i < stamp.width * stamp.height; ++i) {
+        const CellPlace place{at.x + i % stamp.width, at.y + i / stamp.width};
+        const TileCell cell =
+            stamp.at(wrapped(place.x - from.x, stamp.width), wrapped(place.y - from.y, stamp.height));
+        if (cell != 0) overlay.tile(boxOfCell(document, layer, place), tiles->tileset, cell, kGhost);
+    }
+}
+
 void TileTool::draw(const ToolContext& context, const Pointer& pointer, Overlay& overlay) const {
     const Document& document = context.document;
     const ObjectId layer = activeTileLayer(document, context.tiles);
@@ -200,11 +216,13 @@ void TileTool::draw(const ToolContext& context, const Pointer& pointer, Overlay&
         from = start_;
         to = last_;
     } else if (!picks && mode_ == Mode::Brush) {
+        drawGhost(context, at, overlay);
         to = {at.x + context.tiles.stamp.width - 1, at.y + context.tiles.stamp.height - 1};
     }
     const bool erases = !picks && mode_ == Mode::Erase;
     const AABB box = boxOfCells(document, layer, from, to);
-    overlay.filledBox(box, picks ? kPickFill : erases ? kEraseFill : kCursorFill);
+    const bool ghost = !picks && mode_ == Mode::Brush;
+    if (!ghost) overlay.filledBox(box, picks ? kPickFill : erases ? kEraseFill : kCursorFill);
     overlay.box(box, picks ? kPick : erases ? kErase : kCursor, 1.5f);
 }
 

@@ -31,6 +31,7 @@ private:
     void fillBox(const ToolContext& context) const;
     void fillConnected(const ToolContext& context, CellPlace at) const;
     void pick(const ToolContext& context) const;
+    void drawGhost(const ToolContext& context, CellPlace at, Overlay& overlay) const;
 
     Mode mode_;
     Doing doing_ = Doing::Nothing;

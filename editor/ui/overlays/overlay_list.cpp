@@ -26,7 +26,13 @@ constexpr Color kName{221, 224, 229, 220};
 constexpr float kClosestLines = 6.0f;     // px on screen; a finer grid is only its tenth lines
 constexpr float kVelocitySeconds = 0.2f;  // s of way that an arrow shows
 
+/// Whether one looks at a running game as its player would.
+bool showsGamePicture(const Workspace& workspace) {
+    return workspace.play.running() && workspace.followsGame;
+}
+
 void drawGrid(const Workspace& workspace, const World&, Overlay& overlay) {
+    if (showsGamePicture(workspace)) return;
     const AABB seen = visibleBox(workspace.view.view());
     Vec2 step = workspace.grid.size;
     while (step.x * workspace.view.zoom() < kClosestLines || step.y * workspace.view.zoom() < kClosestLines) {
@@ -76,6 +82,7 @@ void drawNames(const Workspace& workspace, const World& world, Overlay& overlay)
 }
 
 void drawCameras(const Workspace& workspace, const World& world, Overlay& overlay) {
+    if (showsGamePicture(workspace)) return;  // all of it is what the camera sees
     world.each<const Camera, const Transform>([&](const Camera& camera, const Transform& transform) {
         const Vec2 half = workspace.project.picture * (0.5f / std::max(camera.zoom, 0.01f));
         overlay.box({transform.position - half, transform.position + half}, kCamera, 1.5f);

@@ -126,6 +126,7 @@ private:
         ImGui::TextUnformatted(count == 0 ? "unchanged" : format("{} changed", count).c_str());
         ImGui::PopStyleColor();
         ui.widgets.mark("Inspector/prefab", format("{}", count));
+        if (count == 0) return;
         const float width = (ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemSpacing.x) * 0.5f;
         if (ImGui::Button("Revert all", {width, 0.0f})) asked_ = Asked{false, {}};
         ui.widgets.mark("Inspector/prefab/revert");
@@ -147,8 +148,8 @@ private:
 
     /// The bar beside what differs from the prefab.
     static void drawBar(const Ui& ui, ImVec2 from, float height) {
-        ImGui::GetWindowDrawList()->AddRectFilled({from.x - ui.px(6.0f), from.y},
-                                                  {from.x - ui.px(3.0f), from.y + height}, palette::kAccent);
+        ImGui::GetWindowDrawList()->AddRectFilled({from.x - ui.px(4.0f), from.y},
+                                                  {from.x - ui.px(1.0f), from.y + height}, palette::kAccent);
     }
 
     void drawRemoved(Ui& ui, const TypeInfo& type) {
@@ -180,7 +181,7 @@ private:
         const PrefabOverrides::Component* changed = overrides_.find(type);
         if (changed != nullptr) {
             const ImVec2 at = ImGui::GetItemRectMin();
-            drawBar(ui, {at.x + ui.px(3.0f), at.y}, ImGui::GetItemRectMax().y - at.y);
+            drawBar(ui, {at.x + ui.px(4.0f), at.y}, ImGui::GetItemRectMax().y - at.y);
         }
         if (ui.workspace.canEdit() && ImGui::BeginPopupContextItem("component")) {
             if (overrides_.isPart) prefabItems(ui, "Inspector/" + name, {&type}, changed != nullptr);
@@ -238,14 +239,15 @@ private:
 
     static void drawLabel(Ui& ui, const FieldInfo& field, bool isDefault, float end) {
         pushFont(isDefault ? ui.fonts.text : ui.fonts.strong, ui.fonts.size);
-        ImGui::AlignTextToFramePadding();
         const ImVec2 at = ImGui::GetCursorScreenPos();
-        ImGui::PushClipRect(at, {at.x + end - ImGui::GetCursorPosX() - ui.px(4.0f), at.y + ui.px(40.0f)},
-                            true);
-        ImGui::PushStyleColor(ImGuiCol_Text, isDefault ? IM_COL32(172, 178, 188, 255) : palette::kText);
-        ImGui::TextUnformatted(field.name.data(), field.name.data() + field.name.size());
-        ImGui::PopStyleColor();
-        ImGui::PopClipRect();
+        const ImVec2 size{end - ImGui::GetCursorPosX() - ui.px(4.0f), ImGui::GetFrameHeight()};
+        ImDrawList& list = *ImGui::GetWindowDrawList();
+        list.PushClipRect(at, {at.x + size.x, at.y + size.y}, true);
+        list.AddText({at.x, at.y + ImGui::GetStyle().FramePadding.y},
+                     isDefault ? IM_COL32(172, 178, 188, 255) : palette::kText, field.name.data(),
+                     field.name.data() + field.name.size());
+        list.PopClipRect();
+        ImGui::Dummy(size);  // all of it takes the mouse, not only the letters
         ImGui::PopFont();
         const char* unit = shownUnit(field.unit);
         const std::string help = *unit == '\0'       ? std::string{field.doc}

@@ -26,15 +26,13 @@ public:
             return;
         }
         beginChild("lines", {0.0f, 0.0f}, false);
-        pushFont(ui.fonts.mono, ui.fonts.size);
         for (const LogLine& line : lines) {
-            ImGui::TextDisabled("%-8s", line.channel.c_str());
-            ImGui::SameLine();
+            ImGui::TextDisabled("%s", line.channel.c_str());
+            ImGui::SameLine(ui.px(72.0f));
             ImGui::PushStyleColor(ImGuiCol_Text, colorOfLevel(line.level));
             ImGui::TextWrapped("%s", line.text.c_str());
             ImGui::PopStyleColor();
         }
-        ImGui::PopFont();
         ui.widgets.mark("Console/last", lines.back().text);
         if (ui.log.count() != shown_) ImGui::SetScrollHereY(1.0f);
         shown_ = ui.log.count();

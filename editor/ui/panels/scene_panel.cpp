@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <array>
 #include <map>
 
@@ -28,9 +29,12 @@ public:
         ImGui::Dummy({0.0f, ui.px(1.0f)});
         beginChild("tree", {0.0f, 0.0f}, false);
         if (document.scenePath.empty()) {
-            ImGui::TextWrapped("No scene is open. Choose one with File > Open scene (Ctrl+O).");
+            ImGui::TextDisabled("No scene is open.");
         } else if (document.objectCount() == 0) {
-            ImGui::TextWrapped("This scene is empty. Ctrl+N creates an entity.");
+            ImGui::TextWrapped("This scene is empty.");
+            ImGui::PushStyleColor(ImGuiCol_Text, palette::kTextDim);
+            ImGui::TextWrapped("Ctrl+N creates an entity, Ctrl+Shift+N adds a prefab.");
+            ImGui::PopStyleColor();
         } else {
             drawTree(ui);
         }
@@ -39,7 +43,11 @@ public:
 
 private:
     void drawTree(Ui& ui) {
+        const Selection& selection = ui.workspace.document.selection;
+        const bool moved = std::exchange(shownSelection_, selection.revision()) != selection.revision();
+        if (moved && !selection.empty()) openParents(ui.workspace.document, selection.all().back());
         collect(ui.workspace.document);
+        if (moved && !selection.empty()) scrollTo(ui, selection.all().back());
         ImGuiListClipper clipper;
         clipper.Begin(static_cast<int>(rows_.size()), rowHeight(ui));
         while (clipper.Step()) {
@@ -51,6 +59,24 @@ private:
         if (rest.y > 4.0f && ImGui::InvisibleButton("below", {rest.x, rest.y}))
             ui.workspace.document.selection.clear();
         dropOn(ui, {});
+    }
+
+    void openParents(const Document& document, ObjectId id) {
+        for (EntityId at = parentOf(document.world, document.find(id)); at;
+             at = parentOf(document.world, at)) {
+            closed_.erase(document.idOf(at));
+        }
+    }
+
+    /// Brings a row into sight that was selected elsewhere.
+    void scrollTo(const Ui& ui, ObjectId id) const {
+        const auto row =
+            std::find_if(rows_.begin(), rows_.end(), [&](const Row& item) { return item.id == id; });
+        if (row == rows_.end()) return;
+        const float top = rowHeight(ui) * static_cast<float>(row - rows_.begin());
+        const float room = ImGui::GetWindowHeight();
+        if (top < ImGui::GetScrollY() || top + rowHeight(ui) > ImGui::GetScrollY() + room)
+            ImGui::SetScrollY(top - room * 0.5f);
     }
 
     struct Row {
@@ -235,6 +261,7 @@ private:
     ObjectId renaming_;
     bool focusRename_ = false;
     std::map<ObjectId, bool> closed_;
+    std::uint64_t shownSelection_ = 0;  ///< revision
     std::vector<Row> rows_;
 };
 

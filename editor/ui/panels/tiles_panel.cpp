@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 
 #include "assets/asset_store.hpp"
@@ -5,8 +6,8 @@
 #include "editor/model/tile_palette.hpp"
 #include "editor/model/tools/tile_tools.hpp"
 #include "editor/ui/panels/panels.hpp"
-#include "editor/ui/scene_picture.hpp"
 #include "editor/ui/ui_compat.hpp"
+#include "editor/ui/widgets/tile_picture.hpp"
 #include "scene/components/tile_layer.hpp"
 
 namespace plumb::editor::ui {
@@ -51,9 +52,9 @@ private:
         ImGui::TextDisabled(
             "%s", stamp.single() ? "Tile" : format("Pattern {} x {}", stamp.width, stamp.height).c_str());
         if (tileset != nullptr) drawStamp(ui, *tileset);
-        stampButton(ui, "tiles.flipX", "Flip");
+        stampButton(ui, "tiles.flipX", "Flip X");
         ImGui::SameLine();
-        stampButton(ui, "tiles.flipY", "Upend");
+        stampButton(ui, "tiles.flipY", "Flip Y");
         ImGui::SameLine();
         stampButton(ui, "tiles.turn", "Turn");
         ImGui::Spacing();
@@ -117,23 +118,6 @@ private:
         }
         outline(list, from, to, palette::kAccent);
         ImGui::Dummy({room, room});
-    }
-
-    /// One tile, turned over as its cell says: the corners of the picture change places.
-    static void drawTile(Ui& ui, ImDrawList& list, const Tileset& tileset, TileCell cell, const AABB& box) {
-        const int tile = tileOf(cell);
-        if (tile < 0 || ui.picture == nullptr) return;
-        const TileImage* own = tileset.imageOf(tile);
-        const TexturePart part = ui.picture->part(own != nullptr ? own->texture : tileset.texture,
-                                                  own != nullptr ? own->source : tileset.sourceOf(tile));
-        std::array<Vec2, 4> uv{part.from, Vec2{part.to.x, part.from.y}, part.to,
-                               Vec2{part.from.x, part.to.y}};
-        if ((cell & kTileFlipDiagonal) != 0) std::swap(uv[1], uv[3]);
-        if ((cell & kTileFlipX) != 0) std::swap(uv[0], uv[1]), std::swap(uv[2], uv[3]);
-        if ((cell & kTileFlipY) != 0) std::swap(uv[0], uv[3]), std::swap(uv[1], uv[2]);
-        const std::array corners{ImVec2{box.min.x, box.min.y}, ImVec2{box.max.x, box.min.y},
-                                 ImVec2{box.max.x, box.max.y}, ImVec2{box.min.x, box.max.y}};
-        quadOfPixels(list, textureId(part.texture), corners, uv);
     }
 
     void drawPalette(Ui& ui, const Tileset& tileset) {

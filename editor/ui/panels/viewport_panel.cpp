@@ -1,11 +1,15 @@
+#include <algorithm>
 #include <cmath>
 
+#include "assets/asset_store.hpp"
 #include "editor/model/actions.hpp"
 #include "editor/model/bounds.hpp"
 #include "editor/ui/overlays/overlay_list.hpp"
 #include "editor/ui/panels/panels.hpp"
 #include "editor/ui/scene_picture.hpp"
 #include "editor/ui/ui_compat.hpp"
+#include "editor/ui/widgets/tile_picture.hpp"
+#include "scene/draw_scene.hpp"
 
 namespace plumb::editor::ui {
 namespace {
@@ -30,6 +34,7 @@ public:
         ui.widgets.mark("Viewport");
         from_ = {from.x, from.y};
         offerMenu(ui);
+        followGame(ui);
         lookAround(ui);
         useTool(ui);
         drawScene(ui, from, size);
@@ -43,15 +48,35 @@ private:
         ui.viewReady = true;
     }
 
+    /// A game is looked at through its own camera, as large as whole pixels allow; the place of before comes
+    /// back when it stops.
+    void followGame(Ui& ui) {
+        Workspace& workspace = ui.workspace;
+        const bool running = workspace.play.running();
+        if (running != playing_) {
+            playing_ = running;
+            workspace.followsGame = true;
+            if (!running) {
+                workspace.view.centerOn(before_.center);
+                workspace.view.setZoom(before_.zoom);
+                return;
+            }
+            before_ = workspace.view.view();
+        }
+        if (!running || !workspace.followsGame) return;
+        const Vec2 picture = workspace.project.picture;
+        const View game = cameraView(workspace.play.world(), picture, ui.playAlpha);
+        workspace.view.setZoom(pictureZoom(workspace) * game.zoom);
+        workspace.view.centerOn(game.center);
+    }
+
     /// Of what lies under the mouse. While tiles are painted the right button picks tiles instead.
     void offerMenu(Ui& ui) const {
         Workspace& workspace = ui.workspace;
         if (!workspace.canEdit() || workspace.paintsTiles() || workspace.document.scenePath.empty()) return;
         if (ImGui::IsItemClicked(ImGuiMouseButton_Right)) {
-            const std::vector<ObjectId> under =
-                pickAll(workspace.document, pointer_.position, pointer_.reach);
-            if (!under.empty() && !workspace.document.selection.has(under.front()))
-                workspace.document.selection.set({under.front()});
+            const ObjectId under = pickFirst(workspace.document, pointer_.position, pointer_.reach);
+            if (under && !workspace.document.selection.has(under)) workspace.document.selection.set({under});
         }
         if (!ImGui::BeginPopupContextItem("scene menu")) return;
         selectionMenu(ui, "Viewport/menu");
@@ -63,9 +88,15 @@ private:
         const ImGuiIO& io = ImGui::GetIO();
         const Vec2 mouse = Vec2{io.MousePos.x, io.MousePos.y} - from_;
         ui.mouseOverScene = ImGui::IsItemHovered();
-        if (ui.mouseOverScene && io.MouseWheel != 0.0f) view.zoomAt(mouse, io.MouseWheel);
+        if (ui.mouseOverScene && io.MouseWheel != 0.0f) {
+            view.zoomAt(mouse, io.MouseWheel);
+            ui.workspace.followsGame = false;
+        }
         panning_ = ImGui::IsItemActive() && (ImGui::IsMouseDown(2) || (ui.panHeld && ImGui::IsMouseDown(0)));
-        if (panning_) view.pan({io.MouseDelta.x, io.MouseDelta.y});
+        if (panning_) {
+            view.pan({io.MouseDelta.x, io.MouseDelta.y});
+            ui.workspace.followsGame = false;
+        }
         if (panning_ || (ui.panHeld && ui.mouseOverScene)) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeAll);
         ui.mouseInScene = view.toWorldPoint(mouse);
     }
@@ -125,12 +156,7 @@ private:
             return;
         }
         World& world = workspace.shownWorld();
-        if (ui.picture != nullptr) {
-            const PixelSize pixels{static_cast<int>(size.x), static_cast<int>(size.y)};
-            const std::uintptr_t texture =
-                ui.picture->draw(world, workspace.play.assets(), workspace.view.view(), pixels, ui.playAlpha);
-            imageOfPixels(list, textureId(texture), from, to);
-        }
+        if (ui.picture != nullptr) drawPicture(ui, list, world, from, size);
         overlay_.clear();
         for (const OverlayRow& row : overlayTable()) {
             if (workspace.shows(row.name)) row.draw(workspace, world, overlay_);
@@ -142,6 +168,33 @@ private:
         }
         if (workspace.play.running()) drawPlayFrame(ui, list, from, to);
         list.PopClipRect();
+    }
+
+    /// All of the panel shows the scene; a game that is looked at through its camera has its own picture in
+    /// the middle, with nothing around it that the player would not see.
+    static void drawPicture(const Ui& ui, ImDrawList& list, World& world, ImVec2 from, ImVec2 size) {
+        const Workspace& workspace = ui.workspace;
+        View view = workspace.view.view();
+        const bool asGame = workspace.play.running() && workspace.followsGame;
+        if (asGame) {
+            list.AddRectFilled(from, {from.x + size.x, from.y + size.y}, palette::kCanvas);
+            view.size = min(view.size, workspace.project.picture * pictureZoom(workspace));
+            from.x += std::floor((size.x - view.size.x) * 0.5f);
+            from.y += std::floor((size.y - view.size.y) * 0.5f);
+        }
+        const PixelSize pixels{static_cast<int>(view.size.x), static_cast<int>(view.size.y)};
+        const std::uintptr_t texture =
+            ui.picture->draw(world, workspace.play.assets(), view, pixels, ui.playAlpha, asGame);
+        imageOfPixels(
+            list, textureId(texture), from,
+            {from.x + static_cast<float>(pixels.width), from.y + static_cast<float>(pixels.height)});
+    }
+
+    /// How many px of the screen each px of the game's picture takes.
+    static float pictureZoom(const Workspace& workspace) {
+        const Vec2 room = workspace.view.view().size;
+        const Vec2 picture = workspace.project.picture;
+        return std::max(std::floor(std::min(room.x / picture.x, room.y / picture.y)), 1.0f);
     }
 
     /// Nobody should take the running game for the scene: what is changed now is gone afterwards.
@@ -163,10 +216,9 @@ private:
     void drawSelection(Ui& ui, const World& world) {
         const Document& document = ui.workspace.document;
         if (ui.mouseOverScene && !pressed_ && ui.workspace.canEdit() && !ui.workspace.paintsTiles()) {
-            const std::vector<ObjectId> under = pickAll(document, pointer_.position, pointer_.reach);
-            if (!under.empty() && !document.selection.has(under.front())) {
-                overlay_.box(boundsOf(world, document.find(under.front())), kHovered);
-            }
+            const ObjectId under = pickFirst(document, pointer_.position, pointer_.reach);
+            if (under && !document.selection.has(under))
+                overlay_.box(boundsOf(world, document.find(under)), kHovered);
         }
         for (const ObjectId id : document.selection.all()) {
             const EntityId entity = ui.workspace.shownEntity(id);
@@ -179,7 +231,7 @@ private:
         return {at.x, at.y};
     }
 
-    void drawShape(const Ui& ui, ImDrawList& list, const Overlay::Shape& shape) const {
+    void drawShape(Ui& ui, ImDrawList& list, const Overlay::Shape& shape) const {
         const ImVec2 a = onScreen(ui, shape.from);
         const ImVec2 b = onScreen(ui, shape.to);
         const ImU32 color = toImgui(shape.color);
@@ -190,6 +242,10 @@ private:
             case Overlay::Kind::FilledBox: list.AddRectFilled(a, b, color); break;
             case Overlay::Kind::Circle:
                 list.AddCircle(a, shape.radius * ui.workspace.view.zoom(), color, 0, shape.thickness);
+                break;
+            case Overlay::Kind::Tile:
+                if (const Tileset* tileset = ui.workspace.assets.find(shape.tileset))
+                    drawTile(ui, list, *tileset, shape.cell, {{a.x, a.y}, {b.x, b.y}}, color);
                 break;
             case Overlay::Kind::Text:
                 list.AddText({a.x + 1.0f, a.y - ui.fonts.size}, IM_COL32(0, 0, 0, 200), shape.text.c_str());
@@ -208,7 +264,7 @@ private:
     }
 
     static void drawHint(ImDrawList& list, ImVec2 from, ImVec2 size) {
-        const char* text = "No scene is open. Press Ctrl+O to choose one.";
+        const char* text = "No scene is open. Ctrl+O chooses one, Ctrl+Alt+N makes a new one.";
         const ImVec2 extent = ImGui::CalcTextSize(text);
         list.AddText({from.x + (size.x - extent.x) * 0.5f, from.y + size.y * 0.5f}, palette::kTextDim, text);
     }
@@ -216,8 +272,10 @@ private:
     Vec2 from_;
     Vec2 moved_;
     Pointer pointer_;
+    View before_;  ///< where one looked before the game was played
     bool panning_ = false;
     bool pressed_ = false;
+    bool playing_ = false;
     Overlay overlay_;
 };
 
