@@ -23,7 +23,8 @@ Path findEngineAssets() {
     const std::array candidates{
         Path{chosen != nullptr ? chosen : ""},
         beside / "assets",
-        beside / "../../../assets",  // build/<preset>/bin/plumb-player
+        beside / "../share/plumb/assets",  // where cmake --install puts them
+        beside / "../../../assets",        // build/<preset>/bin/plumb-player
         Path{PLUMB_SOURCE_ASSETS},
     };
     for (const Path& candidate : candidates) {

@@ -1,0 +1,31 @@
+# cmake --install puts the engine where find_package(plumb) finds it:
+#
+#   find_package(plumb REQUIRED)                      # or COMPONENTS physics for that library alone
+#   target_link_libraries(my_game PRIVATE plumb::engine)
+include(GNUInstallDirs)
+include(CMakePackageConfigHelpers)
+
+set(package ${CMAKE_INSTALL_LIBDIR}/cmake/plumb)
+
+get_property(table GLOBAL PROPERTY PLUMB_LAYERS)
+foreach(line IN LISTS table)
+    string(REPLACE " " ";" words "${line}")
+    list(GET words 0 name)
+    list(GET words 1 folder)
+    list(GET words 2 include_name)
+    if(NOT folder MATCHES "^${CMAKE_CURRENT_SOURCE_DIR}/")
+        continue()  # the editor's layers are no part of the library
+    endif()
+    list(APPEND layers ${name})
+    install(DIRECTORY ${folder}/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/plumb/${include_name}
+        FILES_MATCHING PATTERN "*.hpp")
+endforeach()
+install(DIRECTORY public/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/plumb FILES_MATCHING PATTERN "*.hpp")
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/assets/ DESTINATION ${CMAKE_INSTALL_DATADIR}/plumb/assets)
+
+set_target_properties(plumb_sdl PROPERTIES EXPORT_NAME sdl)
+set_target_properties(plumb_stb PROPERTIES EXPORT_NAME stb)
+install(TARGETS ${layers} engine plumb_sdl plumb_stb EXPORT plumb)
+install(EXPORT plumb NAMESPACE plumb:: FILE plumbTargets.cmake DESTINATION ${package})
+write_basic_package_version_file(plumbConfigVersion.cmake COMPATIBILITY SameMinorVersion)
+install(FILES cmake/plumbConfig.cmake ${CMAKE_CURRENT_BINARY_DIR}/plumbConfigVersion.cmake DESTINATION ${package})

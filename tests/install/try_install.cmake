@@ -1,0 +1,29 @@
+# Installs the engine into an empty folder and builds and runs programs against it that know nothing of the
+# source tree:
+#   cmake -D BUILD=… -D SOURCE=… -D WORK=… -D FLAGS=… -P try_install.cmake
+
+function(run)
+    execute_process(COMMAND ${ARGN} RESULT_VARIABLE result OUTPUT_VARIABLE output ERROR_VARIABLE output)
+    if(NOT result EQUAL 0)
+        list(JOIN ARGN " " command)
+        message(FATAL_ERROR "${command}\nended with ${result}:\n${output}")
+    endif()
+    set(output "${output}" PARENT_SCOPE)
+endfunction()
+
+function(expect text)
+    if(NOT output MATCHES "${text}")
+        message(FATAL_ERROR "expected '${text}' in:\n${output}")
+    endif()
+endfunction()
+
+file(REMOVE_RECURSE ${WORK})
+run(${CMAKE_COMMAND} --install ${BUILD} --prefix ${WORK}/prefix)
+run(${CMAKE_COMMAND} -S ${SOURCE} -B ${WORK}/build -G ${GENERATOR} -D CMAKE_BUILD_TYPE=Debug
+    -D CMAKE_CXX_COMPILER=${COMPILER} -D CMAKE_PREFIX_PATH=${WORK}/prefix "-DCMAKE_CXX_FLAGS=${FLAGS}")
+run(${CMAKE_COMMAND} --build ${WORK}/build)
+run(${WORK}/build/game)
+expect("entities: 2")
+run(${WORK}/build/falling)
+expect("fell 4.9[0-9]* m in 1 s")
+file(REMOVE_RECURSE ${WORK})
