@@ -4,6 +4,7 @@
 #include "editor/model/bounds.hpp"
 #include "editor/model/tile_palette.hpp"
 #include "editor/model/tools/tile_tools.hpp"
+#include "scene/components/tile_collider.hpp"
 #include "tests/editor/support/editor_fixture.hpp"
 
 namespace plumb::editor {
@@ -141,7 +142,7 @@ TEST_F(Tiles, aScaledLayerIsPaintedWhereItIsSeen) {
     EXPECT_EQ(cellAt(workspace.document, named("ground"), {165.0f, 83.0f}), (CellPlace{2, 1}));
 }
 
-TEST_F(Tiles, theLayerInHandIsTheSelectedTheLastOrTheFirst) {
+TEST_F(Tiles, theLayerInHandIsTheSelectedTheLastOrTheFirstSolidOne) {
     const Document& document = workspace.document;
     const ObjectId ground = named("ground");
     runAction(workspace, "edit.selectAll");
@@ -151,8 +152,10 @@ TEST_F(Tiles, theLayerInHandIsTheSelectedTheLastOrTheFirst) {
     EXPECT_EQ(activeTileLayer(document, workspace.tiles), copy);
     workspace.document.selection.clear();
     EXPECT_EQ(activeTileLayer(document, workspace.tiles), ground);
-    workspace.tiles.layer = copy;
-    EXPECT_EQ(activeTileLayer(document, workspace.tiles), copy);
+    workspace.document.world.add<TileCollider>(document.find(copy));
+    EXPECT_EQ(activeTileLayer(document, workspace.tiles), copy) << "what is solid comes before what is not";
+    workspace.tiles.layer = ground;
+    EXPECT_EQ(activeTileLayer(document, workspace.tiles), ground);
 }
 
 TEST(TileStamps, turningFourTimesAndFlippingTwiceChangesNothing) {

@@ -4,6 +4,7 @@
 #include <cstdlib>
 #include <utility>
 
+#include "scene/components/tile_collider.hpp"
 #include "scene/components/tile_layer.hpp"
 #include "scene/tile_bodies.hpp"
 #include "scene/world_transform.hpp"
@@ -55,10 +56,13 @@ ObjectId activeTileLayer(const Document& document, const TilePaint& paint) {
         if (isLayer(id)) return id;
     }
     if (isLayer(paint.layer)) return paint.layer;
+    ObjectId first;
     for (const ObjectId id : document.objects()) {
-        if (isLayer(id)) return id;
+        if (!isLayer(id)) continue;
+        if (document.world.has<TileCollider>(document.find(id))) return id;
+        if (!first) first = id;
     }
-    return {};
+    return first;
 }
 
 CellPlace cellAt(const Document& document, ObjectId layer, Vec2 point) {

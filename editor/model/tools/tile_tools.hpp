@@ -41,7 +41,7 @@ private:
 };
 
 /// The tile layer that tile tools work on: the selected one, else the one they worked on last, else the
-/// first of the scene.
+/// first that is solid, else the first.
 ObjectId activeTileLayer(const Document& document, const TilePaint& paint);
 
 /// The cell of a layer at a point of the world, and the box of a cell (px, world).

@@ -122,6 +122,10 @@ private:
 
     void drawPalette(Ui& ui, const Tileset& tileset) {
         const TilePalette shown = paletteOf(tileset);
+        if (zoom_ == 0.0f) {
+            const float room = ImGui::GetContentRegionAvail().x / (shown.size().x * ui.scale);
+            zoom_ = std::clamp(std::floor(room), 2.0f, 4.0f);
+        }
         const float zoom = zoom_ * ui.scale;
         const Vec2 size = shown.size() * zoom;
         const ImVec2 at = ImGui::GetCursorScreenPos();
@@ -182,7 +186,7 @@ private:
         if (!paints && workspace.canEdit()) workspace.useTool("tool.brush");
     }
 
-    float zoom_ = 2.0f;
+    float zoom_ = 0.0f;  ///< 0: as large as the panel is wide
     CellPlace start_;
     CellPlace end_;
     TileStamp made_;
