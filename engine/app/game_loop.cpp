@@ -4,12 +4,14 @@
 
 #include "core/clock.hpp"
 #include "core/log.hpp"
+#include "platform/display.hpp"
 #include "platform/image_file.hpp"
 
 namespace plumb {
 namespace {
 
 constexpr std::int64_t kDemoTicks = 600;      ///< played where nobody can see it: 10 s
+constexpr double kPausedWait = 0.1;           ///< s until a paused game looks again
 constexpr std::int64_t kHeadlessTicks = 600;  ///< played when nothing says for how long
 
 bool isFullscreenKey(const Event& event) {
@@ -74,16 +76,15 @@ void GameLoop::runHeadless() {
 void GameLoop::runScreen() {
     // Pictures of known ticks are wanted: one tick a frame, whatever the clock says.
     const bool lockstep = !screen_->window().hasDisplay() || !options_.capture.empty();
+    pacer_ = FramePacer{refreshRate()};
     double before = wallSeconds();
     rateStart_ = before;
     while (running_ && ticks_ != options_.frames) {
         handleEvents();
         if (!lockstep) reloadEdited();
         const double now = wallSeconds();
-        StepClock::Frame frame = clock_.advance(snappedToRefresh(now - before, 60.0));
+        const StepClock::Frame frame = lockstep ? StepClock::Frame{1, 1.0f} : pacer_.next(now - before);
         before = now;
-        if (lockstep) frame = {1, 1.0f};
-        if (paused_) frame = {0, 1.0f};
         for (int i = 0; i < frame.ticks && running_ && ticks_ != options_.frames; ++i) {
             tick();
         }
@@ -95,19 +96,22 @@ void GameLoop::runScreen() {
 
 void GameLoop::handleEvents() {
     pending_.clear();
-    screen_->window().pollEvents(pending_);
+    if (pacer_.paused()) {
+        screen_->window().waitEvents(pending_, kPausedWait);  // nothing moves: leave the machine to others
+    } else {
+        screen_->window().pollEvents(pending_);
+    }
     for (const Event& event : pending_) {
         if (event.kind == EventKind::Quit) quit();
         if (isFullscreenKey(event)) screen_->window().setFullscreen(!screen_->window().fullscreen());
         if (event.kind == EventKind::FocusLost) {
-            paused_ = true;
+            pacer_.pause();
             sounds_->setPaused(true);
             devices_.releaseAll();
         }
         if (event.kind == EventKind::FocusGained) {
-            paused_ = false;
+            pacer_.resume();
             sounds_->setPaused(false);
-            clock_.reset();
         }
         devices_.handle(event);
     }

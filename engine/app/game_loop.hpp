@@ -6,11 +6,11 @@
 #include <string>
 
 #include "app/event_log.hpp"
+#include "app/frame_pacer.hpp"
 #include "app/game.hpp"
 #include "app/player_options.hpp"
 #include "app/screen.hpp"
 #include "app/sound_output.hpp"
-#include "app/step_clock.hpp"
 #include "input/device_state.hpp"
 #include "input/recorder.hpp"
 
@@ -45,7 +45,7 @@ private:
     Screen* screen_;
     PlayerOptions options_;
     std::string projectName_;
-    StepClock clock_;
+    FramePacer pacer_;
     DeviceState devices_;
     EventLog events_;
     std::optional<SoundOutput> sounds_;  ///< none headless
@@ -58,7 +58,6 @@ private:
     double rateStart_ = 0.0;  // s, wall clock
     std::int64_t rateFrames_ = 0;
     bool running_ = true;
-    bool paused_ = false;
     bool failed_ = false;
 };
 

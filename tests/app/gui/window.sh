@@ -1,0 +1,43 @@
+#!/bin/bash
+# Plays in a real window under Xvfb: resized by hand, left and come back to.
+# (Full screen needs a window manager, which Xvfb has not.)
+#   window.sh PLAYER PROJECT WORK-FOLDER
+set -eu
+player=$1 project=$2 work=$3
+command -v Xvfb > /dev/null && command -v xdotool > /dev/null || { echo "Xvfb or xdotool is missing: skipped"; exit 77; }
+rm -rf "$work" && mkdir -p "$work"
+display=$work/display
+Xvfb -displayfd 3 -screen 0 1280x720x24 -nolisten tcp 3> "$display" > /dev/null 2>&1 &
+server=$!
+trap 'kill $program $server 2> /dev/null || true' EXIT
+program=
+for _ in $(seq 200); do [ -s "$display" ] && break; sleep 0.05; done
+export DISPLAY=:$(cat "$display") SDL_VIDEODRIVER=x11 SDL_AUDIODRIVER=dummy LIBGL_ALWAYS_SOFTWARE=1
+"$player" "$project" --scene level1 --window 640x360 --frames 600 --screenshot "$work/last.png" > "$work/log" 2>&1 &
+program=$!
+fail() { echo "$1"; cat "$work/log"; exit 1; }
+window=
+for _ in $(seq 200); do window=$(xdotool search --name Wickwood 2> /dev/null | head -1) && [ -n "$window" ] && break; sleep 0.1; done
+[ -n "$window" ] || fail "no window appeared"
+size() { xdotool getwindowgeometry --shell "$window" | sed -n 's/^WIDTH=\(.*\)/\1/p;s/^HEIGHT=\(.*\)/x\1/p' | tr -d '\n'; }
+becomes() {  # SIZE: waits until the window has it
+    for _ in $(seq 100); do [ "$(size)" = "$1" ] && return 0; sleep 0.05; done
+    fail "the window is $(size), not $1"
+}
+becomes 640x360
+xdotool windowfocus "$window"; sleep 0.3
+xdotool windowsize "$window" 700 500
+becomes 700x500
+# Left alone it waits: 600 ticks are 10 s, and it is still there long after.
+other=$(xdotool search --maxdepth 0 --name '' 2> /dev/null | head -1)
+xdotool windowfocus "${other:-1}" 2> /dev/null || true
+sleep 12
+kill -0 "$program" 2> /dev/null || fail "it went on playing without the focus"
+xdotool windowfocus "$window"
+for _ in $(seq 300); do kill -0 "$program" 2> /dev/null || break; sleep 0.1; done
+kill -0 "$program" 2> /dev/null && fail "it did not go on when the focus came back"
+wait "$program" || fail "it ended with an error"
+program=
+# The last picture is the window's: 700x500, in the bytes 16..23 of the PNG.
+[ "$(od -An -tu1 -j16 -N8 "$work/last.png" | tr -s ' ')" = " 0 0 2 188 0 0 1 244" ] || fail "the picture is not 700x500"
+echo "resized, paused without the focus"

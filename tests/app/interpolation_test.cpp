@@ -1,0 +1,57 @@
+#include <gtest/gtest.h>
+
+#include "app/scene_game.hpp"
+#include "gameplay/components.hpp"
+#include "scene/components/camera.hpp"
+#include "scene/components/transform.hpp"
+#include "scene/draw_scene.hpp"
+#include "scene/scene_requests.hpp"
+
+namespace plumb {
+namespace {
+
+constexpr Vec2 kPicture{320.0f, 180.0f};
+constexpr float kFarthest = 24.0f;  ///< px in a tick: nothing in the game is faster
+
+/// The farthest that anything but the camera is drawn to move between the last two ticks (px).
+float farthestStep(const World& world) {
+    float farthest = 0.0f;
+    for (auto [entity, transform] : world.query<const Transform>(without<Camera>)) {
+        farthest = std::max(farthest, distance(transform.previousPosition, transform.position));
+    }
+    return farthest;
+}
+
+/// The camera may hurry after a player that came back elsewhere, but never past half of what it sees.
+float cameraStep(World& world) {
+    return distance(cameraView(world, kPicture, 0.0f).center, cameraView(world, kPicture, 1.0f).center);
+}
+
+TEST(Interpolation, nothingSmearsAcrossTheScreenInPlayInDeathAndFromSceneToScene) {
+    Result<Project> project = loadProject(Path{PLUMB_SOURCE_DIR} / "projects/platformer");
+    ASSERT_TRUE(project.ok());
+    SceneGame game{*project, "level1"};
+    game.assets.logging = false;
+    game.onCreate();
+    for (int tick = 0; tick < 900; ++tick) {
+        SCOPED_TRACE(tick);
+        InputFrame frame;
+        frame.set(Key::Right, tick % 120 < 90);
+        frame.set(Key::Space, tick % 45 < 12);
+        if (tick == 250) {
+            Entity player = game.world.first<PlayerController, Transform>();
+            ASSERT_TRUE(player);
+            teleport(player.get<Transform>(), {300.0f, 5000.0f});  // far below: it dies and comes back
+        }
+        if (tick == 600) {
+            game.world.resource<SceneRequests>().next = game.world.texts().add("scenes/level3.scene.json");
+        }
+        tickGame(game, frame);
+        ASSERT_LE(farthestStep(game.world), kFarthest);
+        ASSERT_LE(cameraStep(game.world), kPicture.x * 0.5f);
+    }
+    EXPECT_GT(cameraView(game.world, kPicture, 1.0f).center.x, 0.0f);
+}
+
+}  // namespace
+}  // namespace plumb
