@@ -25,6 +25,7 @@ void LabelDrawing::draw(const World& world, const Label& label, const Pose& pose
     style.shape = shapeOf(label, pose.scale.y);
     style.color = label.color;
     style.shadow = label.shadow;
+    style.outline = label.outline;
     style.layer = label.layer;
     painter_.draw(list, *font, text_, pose.position, style);
 }

@@ -9,6 +9,7 @@
 #include "reflect/type_registry.hpp"
 #include "render/recording_device.hpp"
 #include "scene/components/camera.hpp"
+#include "scene/components/label.hpp"
 #include "scene/components/parallax_layer.hpp"
 #include "scene/components/sprite.hpp"
 #include "scene/components/transform.hpp"
@@ -26,7 +27,7 @@ constexpr float kDt = 1.0f / 60.0f;
 struct DrawScene : testing::Test {
     TypeRegistry types;
     World world{types};
-    AssetStore assets;
+    AssetStore assets{{}, Path{PLUMB_SOURCE_DIR} / "assets"};
     RecordingDevice device;
     SceneRenderer renderer{device, assets};
 
@@ -148,6 +149,29 @@ TEST_F(DrawScene, aSpriteOfConstantSpeedTakesEvenStepsAt144FramesASecond) {
         }
         before = x;
     }
+}
+
+TEST_F(DrawScene, aLabelsOutlineLiesOnePixelAroundEveryLetter) {
+    Entity entity = world.createEntity();
+    entity.addComponent<Transform>(100.0f, 50.0f);
+    Label& label = entity.addComponent<Label>();
+    label.text = world.texts().add("i");
+    label.color = {250, 240, 200, 255};
+    draw(1.0f);
+    ASSERT_EQ(device.spriteDraws.size(), 1u);
+    const std::vector<SpriteInstance> plain = device.spriteDraws.front().instances;
+    label.outline = {20, 15, 35, 255};
+    draw(1.0f);
+    const std::vector<SpriteInstance> outlined = device.spriteDraws.front().instances;
+    ASSERT_EQ(plain.size(), 1u);
+    ASSERT_EQ(outlined.size(), 9u);
+    for (std::size_t i = 0; i < 8; ++i) {
+        const Vec2 aside = outlined[i].center - plain[0].center;
+        EXPECT_EQ(outlined[i].tint, label.outline);
+        EXPECT_EQ(std::max(std::fabs(aside.x), std::fabs(aside.y)), 1.0f);
+    }
+    EXPECT_EQ(outlined.back().tint, label.color);
+    EXPECT_EQ(outlined.back().center, plain[0].center);
 }
 
 TEST_F(DrawScene, aTeleportIsNeverDrawnOnTheWay) {

@@ -16,7 +16,8 @@ struct Label {
     FontId font;        ///< empty for the engine's own
     float size = 8.0f;  ///< px, height of a line
     Color color;
-    Color shadow{0, 0, 0, 0};  ///< one px below and right; invisible without opacity
+    Color shadow{0, 0, 0, 0};   ///< one px below and right; invisible without opacity
+    Color outline{0, 0, 0, 0};  ///< one px all around; invisible without opacity
     LabelAlign align = LabelAlign::Left;
     int layer = 100;      ///< order of drawing: higher is in front
     bool screen = false;  ///< stays on the screen: the Transform is px of the view from its top-left corner
@@ -28,6 +29,7 @@ struct Label {
         type.field<&Label::size>("size").unit(Unit::Pixels).range(1.0f, 512.0f).doc("Height of a line.");
         type.field<&Label::color>("color");
         type.field<&Label::shadow>("shadow").doc("One pixel below and right; none without opacity.");
+        type.field<&Label::outline>("outline").doc("One pixel all around; none without opacity.");
         type.field<&Label::align>("align").names({{"left", 0}, {"center", 1}, {"right", 2}});
         type.field<&Label::layer>("layer").range(-1000.0f, 1000.0f).doc("Higher is in front.");
         type.field<&Label::screen>("screen").doc("Stays on the screen while the camera moves.");
