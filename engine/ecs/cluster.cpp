@@ -84,7 +84,7 @@ std::vector<std::uint32_t> clusteredOrder(const Storage& storage) {
     return order;
 }
 
-/// Puts a pool into the given order; `scratch` holds its column meanwhile.
+/// Puts a pool into the given order; `scratch` holds its column meanwhile. Tags have none.
 void reorder(Pool& pool, const std::vector<std::uint32_t>& order, std::vector<std::byte>& scratch) {
     const std::size_t stride = pool.stride;
     scratch.resize(std::max(scratch.size(), stride * pool.count));
@@ -92,12 +92,12 @@ void reorder(Pool& pool, const std::vector<std::uint32_t>& order, std::vector<st
     for (const std::uint32_t index : order) {
         if (!pool.holds(index)) continue;
         Slot& slot = pool.sparse[index];
-        std::memcpy(scratch.data() + stride * to, pool.at(slot.position), stride);
+        if (stride > 0) std::memcpy(scratch.data() + stride * to, pool.at(slot.position), stride);
         slot.position = to;
         pool.dense[to++] = index;
     }
     PLUMB_ASSERT(to == pool.count, "a pool and the entity records disagree");
-    std::memcpy(pool.column, scratch.data(), stride * to);
+    if (stride > 0) std::memcpy(pool.column, scratch.data(), stride * to);
 }
 
 }  // namespace

@@ -203,6 +203,13 @@ TEST(EntityTest, moreThanSixtyFourComponentTypesWork) {
     EXPECT_EQ(countAll(world.createEntity(), All{}), 0) << "the new one at the same place has nothing";
 }
 
+TEST(EntityTest, aWorldOfTagsOnlyIsClustered) {
+    World world;
+    for (int i = 0; i < 10; ++i) world.createEntity().addComponent<Frozen>();
+    world.cluster();
+    EXPECT_EQ(world.count<Frozen>(), 10u);
+}
+
 TEST(EntityTest, manyAreCreatedAtOnce) {
     World world;
     world.createEntity().destroy();
