@@ -55,7 +55,9 @@ InstanceBufferHandle RecordingDevice::createInstances(std::span<const SpriteInst
     return {static_cast<std::uint32_t>(buffers_.size() - 1)};
 }
 
-void RecordingDevice::destroyInstances(InstanceBufferHandle buffer) { buffers_[buffer.index].clear(); }
+void RecordingDevice::destroyInstances(InstanceBufferHandle buffer) {
+    buffers_[buffer.index] = std::vector<SpriteInstance>{};  // clear() would keep its memory
+}
 
 std::span<SpriteInstance> RecordingDevice::mapInstances(std::size_t count) {
     buffers_.front().resize(count);
@@ -63,11 +65,13 @@ std::span<SpriteInstance> RecordingDevice::mapInstances(std::size_t count) {
 }
 
 void RecordingDevice::drawSprites(const SpriteBatch& batch) {
+    if (!keepsDraws) return;
     const auto first = buffers_[batch.buffer.index].begin() + static_cast<std::ptrdiff_t>(batch.first);
     spriteDraws.push_back({batch, viewport_, {first, first + static_cast<std::ptrdiff_t>(batch.count)}});
 }
 
 void RecordingDevice::drawGeometry(const GeometryBatch& batch) {
+    if (!keepsDraws) return;
     geometryDraws.push_back({{batch.vertices.begin(), batch.vertices.end()}, viewport_, spriteDraws.size()});
 }
 

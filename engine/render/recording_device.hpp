@@ -33,6 +33,7 @@ public:
     std::size_t buffersCreated = 0;
     std::size_t mostTextures = kTextureSlots;  ///< what batchTextures answers
     bool software = false;                     ///< what drawsInSoftware answers
+    bool keepsDraws = true;                    ///< false: draws are taken and forgotten, at no memory
 
     [[nodiscard]] std::size_t drawCalls() const { return spriteDraws.size() + geometryDraws.size(); }
     /// Forgets the draws, keeps textures and buffers.

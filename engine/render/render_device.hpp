@@ -36,7 +36,8 @@ enum class TextureFilter : std::uint8_t { Nearest, Linear };
 inline constexpr float kUvPerTexel = 4.0f;
 constexpr std::uint16_t uvFromTexels(float texels) {
     const float quarters = texels * kUvPerTexel + 0.5f;
-    return quarters >= 65535.0f ? 65535 : quarters > 0.0f ? static_cast<std::uint16_t>(quarters) : 0;
+    if (quarters >= 65535.0f) return 65535;
+    return quarters > 0.0f ? static_cast<std::uint16_t>(quarters) : std::uint16_t{0};
 }
 
 /// One textured quad as the device reads it. 36 bytes: 50,000 of them are 1.8 MB a frame.
