@@ -14,7 +14,10 @@ set(PLUMB_SANITIZE "" CACHE STRING "sanitizers to build with, e.g. address,undef
 if(PLUMB_SANITIZE)
     add_compile_options(-fsanitize=${PLUMB_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
     add_link_options(-fsanitize=${PLUMB_SANITIZE})
+    # Who looks for mistakes wants the assertions too: ours and those of the standard library.
+    add_compile_definitions(PLUMB_ASSERTS _GLIBCXX_ASSERTIONS)
 endif()
+add_compile_definitions($<$<CONFIG:RelWithDebInfo>:PLUMB_ASSERTS>)
 
 option(PLUMB_FUZZ "build the fuzzers of tests/fuzz; needs clang" OFF)
 if(PLUMB_FUZZ)
