@@ -3,6 +3,7 @@
 #include "app/scene_game.hpp"
 #include "gameplay/game_progress.hpp"
 #include "input/recorder.hpp"
+#include "tests/app/platformer.hpp"
 
 namespace plumb {
 namespace {
@@ -12,10 +13,9 @@ namespace {
 constexpr std::uint64_t kHashAtTheEnd = 0xd449d480d33b6e03ull;
 
 TEST(PlatformerReplay, playsFromTheTitleThroughAllLevelsToTheEndScreenBitForBit) {
-    Result<Project> project = loadProject(Path{PLUMB_SOURCE_DIR} / "projects/platformer");
     Result<Replay> replay = loadReplay(Path{PLUMB_SOURCE_DIR} / "tests/replay/platformer.replay");
-    ASSERT_TRUE(project.ok() && replay.ok());
-    SceneGame game{*project};
+    ASSERT_TRUE(replay.ok());
+    SceneGame game{platformer()};
     game.assets.logging = false;
     game.onCreate();
     ReplayPlayer player{*replay};

@@ -2,29 +2,25 @@
 
 #include <gtest/gtest.h>
 
-#include "core/file.hpp"
-#include "scene/scene_requests.hpp"
+#include "tests/app/platformer.hpp"
 
 namespace plumb {
 namespace {
-
-Project platformer() {
-    Result<Project> project = loadProject(Path{PLUMB_SOURCE_DIR} / "projects/platformer");
-    EXPECT_TRUE(project.ok());
-    return *project;
-}
 
 std::uint64_t hashAfter(const std::string& scene, int ticks) {
     SceneGame game{platformer(), scene};
     game.assets.logging = false;
     game.onCreate();
     EXPECT_FALSE(game.failed());
+    std::size_t moved = 0;
     for (int i = 0; i < ticks; ++i) {
         InputFrame frame;
         frame.set(Key::Right, i % 90 < 70);
         frame.set(Key::Space, i % 45 < 12);
         tickGame(game, frame);
+        moved += movedEntities(game.world);
     }
+    EXPECT_GT(moved, 0u) << "nothing happens in this scene";
     return game.world.hash();
 }
 
@@ -33,7 +29,6 @@ TEST(SceneGame, theSameInputGivesTheSameBits) {
         SCOPED_TRACE(scene);
         const std::uint64_t first = hashAfter(scene, 300);
         EXPECT_EQ(hashAfter(scene, 300), first);
-        EXPECT_NE(hashAfter(scene, 301), first) << "nothing happens in this scene";
     }
 }
 
@@ -55,19 +50,6 @@ TEST(SceneGame, aRestoredSnapshotReplaysToTheSameState) {
     }
 }
 
-TEST(SceneGame, aHundredSceneSwitchesLeaveNothingBehind) {
-    SceneGame game{platformer(), "level1"};
-    game.assets.logging = false;
-    game.onCreate();
-    const std::size_t entities = game.world.entityCount();
-    for (int i = 0; i < 100; ++i) {
-        ASSERT_TRUE(
-            game.openScene(i % 2 == 0 ? "scenes/level2.scene.json" : "scenes/level1.scene.json").ok());
-        tickGame(game, InputFrame{});
-    }
-    EXPECT_EQ(game.world.entityCount(), entities);
-}
-
 TEST(SceneGame, aSceneThatIsNotThereIsAnErrorAndTheOldOneGoesOn) {
     SceneGame game{platformer(), "level1"};
     game.assets.logging = false;
@@ -79,24 +61,6 @@ TEST(SceneGame, aSceneThatIsNotThereIsAnErrorAndTheOldOneGoesOn) {
     ASSERT_FALSE(opened.ok());
     EXPECT_FALSE(opened.error().remedy.empty());
     EXPECT_EQ(game.world.entityCount(), entities);
-}
-
-TEST(SceneGameProperty, openingAndSavingEverySceneOfEveryProjectChangesNoByte) {
-    int scenes = 0;
-    for (const std::string& path : filesBelow(Path{PLUMB_SOURCE_DIR} / "projects", ".scene.json")) {
-        SCOPED_TRACE(path);
-        const std::size_t cut = path.find('/');
-        Result<Project> project = loadProject(Path{PLUMB_SOURCE_DIR} / "projects" / path.substr(0, cut));
-        ASSERT_TRUE(project.ok());
-        SceneGame game{*project};
-        game.assets.logging = false;
-        const std::string name = path.substr(cut + 1);
-        ASSERT_TRUE(game.openScene(name).ok());
-        EXPECT_EQ(sceneToJson(game.world, game.context(), sceneId(name)),
-                  *readFile(Path{PLUMB_SOURCE_DIR} / "projects" / path));
-        ++scenes;
-    }
-    EXPECT_GE(scenes, 6);
 }
 
 }  // namespace

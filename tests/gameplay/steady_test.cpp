@@ -1,20 +1,5 @@
-#include <cstdlib>
-#include <new>
-
 #include "tests/gameplay/level.hpp"
-
-namespace {
-std::size_t allocations = 0;
-}
-
-// Counts what the program allocates, so that a test can ask a tick for none.
-void* operator new(std::size_t size) {
-    ++allocations;
-    if (void* memory = std::malloc(size == 0 ? 1 : size)) return memory;
-    throw std::bad_alloc{};
-}
-void operator delete(void* memory) noexcept { std::free(memory); }
-void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
+#include "tests/support/allocations.hpp"
 
 namespace plumb {
 namespace {
@@ -46,9 +31,9 @@ TEST(Steady, aTickOfAPlayedLevelAllocatesNothing) {
         }
     };
     play(600);
-    const std::size_t before = allocations;
+    const std::size_t before = test::allocations().made;
     play(600);
-    EXPECT_EQ(allocations, before);
+    EXPECT_EQ(test::allocations().made, before);
 }
 
 }  // namespace

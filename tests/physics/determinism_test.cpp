@@ -1,20 +1,7 @@
-#include <cstdlib>
-#include <new>
+#include <cmath>
 
 #include "tests/physics/scene_of_bodies.hpp"
-
-namespace {
-std::size_t allocations = 0;
-}
-
-// Counts what the program allocates, so that a test can ask a step for none.
-void* operator new(std::size_t size) {
-    ++allocations;
-    if (void* memory = std::malloc(size == 0 ? 1 : size)) return memory;
-    throw std::bad_alloc{};
-}
-void operator delete(void* memory) noexcept { std::free(memory); }
-void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
+#include "tests/support/allocations.hpp"
 
 namespace plumb::physics {
 namespace {
@@ -81,9 +68,9 @@ TEST(Determinism, aSteadyStepAllocatesNothing) {
     Stage60 s;
     fill(s, 5, 500);
     s.run(300);
-    const std::size_t before = allocations;
+    const std::size_t before = test::allocations().made;
     s.run(60);
-    EXPECT_EQ(allocations, before);
+    EXPECT_EQ(test::allocations().made, before);
 }
 
 TEST(Determinism, wildScenesStayFinite) {

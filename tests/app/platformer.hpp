@@ -1,0 +1,40 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "app/project.hpp"
+#include "core/file.hpp"
+#include "ecs/world.hpp"
+#include "scene/components/transform.hpp"
+
+namespace plumb {
+
+inline Project platformer() {
+    Result<Project> project = loadProject(Path{PLUMB_SOURCE_DIR} / "projects/platformer");
+    EXPECT_TRUE(project.ok());
+    return *project;
+}
+
+/// The paths of its scenes, as the project names them.
+inline std::vector<std::string> platformerScenes() {
+    std::vector<std::string> scenes;
+    for (const std::string& name :
+         filesBelow(Path{PLUMB_SOURCE_DIR} / "projects/platformer/scenes", ".scene.json")) {
+        scenes.push_back("scenes/" + name);
+    }
+    return scenes;
+}
+
+/// How many entities the last tick moved.
+inline std::size_t movedEntities(World& world) {
+    std::size_t moved = 0;
+    for (auto [entity, transform] : world.query<const Transform>()) {
+        if (!(transform.position == transform.previousPosition)) ++moved;
+    }
+    return moved;
+}
+
+}  // namespace plumb

@@ -1,0 +1,46 @@
+#include "tests/support/allocations.hpp"
+
+#include <atomic>
+#include <cstdlib>
+#include <new>
+
+namespace {
+
+// Audio devices allocate on threads of their own.
+std::atomic<std::size_t> made{0};
+std::atomic<std::size_t> freed{0};
+
+void* allocate(std::size_t size) noexcept {
+    made.fetch_add(1, std::memory_order_relaxed);
+    return std::malloc(size == 0 ? 1 : size);
+}
+
+void* allocateOrThrow(std::size_t size) {
+    if (void* memory = allocate(size)) return memory;
+    throw std::bad_alloc{};
+}
+
+void release(void* memory) noexcept {
+    if (memory != nullptr) freed.fetch_add(1, std::memory_order_relaxed);
+    std::free(memory);
+}
+
+}  // namespace
+
+// The whole family, or a sanitizer's own members of it would meet ours.
+void* operator new(std::size_t size) { return allocateOrThrow(size); }
+void* operator new[](std::size_t size) { return allocateOrThrow(size); }
+void* operator new(std::size_t size, const std::nothrow_t&) noexcept { return allocate(size); }
+void* operator new[](std::size_t size, const std::nothrow_t&) noexcept { return allocate(size); }
+void operator delete(void* memory) noexcept { release(memory); }
+void operator delete[](void* memory) noexcept { release(memory); }
+void operator delete(void* memory, std::size_t) noexcept { release(memory); }
+void operator delete[](void* memory, std::size_t) noexcept { release(memory); }
+void operator delete(void* memory, const std::nothrow_t&) noexcept { release(memory); }
+void operator delete[](void* memory, const std::nothrow_t&) noexcept { release(memory); }
+
+namespace plumb::test {
+
+Allocations allocations() { return {made.load(), freed.load()}; }
+
+}  // namespace plumb::test
