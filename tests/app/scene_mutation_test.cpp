@@ -1,19 +1,21 @@
-#include <algorithm>
-#include <array>
 #include <cstdlib>
+#include <deque>
 #include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
 
+#include "app/game.hpp"
+#include "app/system_order.hpp"
 #include "core/file.hpp"
 #include "core/random.hpp"
-#include "ecs/world.hpp"
-#include "reflect/type_registry.hpp"
-#include "scene/components/persistent.hpp"
+#include "gameplay/game_progress.hpp"
+#include "platform/paths.hpp"
+#include "render/recording_device.hpp"
+#include "scene/draw_scene.hpp"
 #include "scene/prefab.hpp"
-#include "scene/register_components.hpp"
 #include "scene/scene_file.hpp"
+#include "tests/support/damage.hpp"
 #include "tests/support/random_world.hpp"
 
 namespace plumb {
@@ -27,125 +29,102 @@ std::uint64_t mutationCount() {
     return wanted != nullptr ? std::strtoull(wanted, nullptr, 10) : 1000;
 }
 
-/// Damages a file as disks, editors and people do.
-std::string mutated(std::string bytes, Random& random) {
-    static constexpr std::array kTokens{"{",
-                                        "}",
-                                        "[",
-                                        "]",
-                                        ",",
-                                        "\"",
-                                        ":",
-                                        "null",
-                                        "-1",
-                                        "1e999",
-                                        "NaN",
-                                        "true",
-                                        "\"\"",
-                                        "{}",
-                                        "[]",
-                                        "\\",
-                                        "\xff",
-                                        "99999999999999999999",
-                                        "\"id\": \"a1\",",
-                                        "\"parent\": \"a1\",",
-                                        "\"prefab\": \"x\","};
-    const std::uint32_t changes = 1 + random.below(4);
-    for (std::uint32_t i = 0; i < changes && !bytes.empty(); ++i) {
-        const std::size_t at = random.below(static_cast<std::uint32_t>(bytes.size()));
-        const std::size_t length = std::min<std::size_t>(1 + random.below(40), bytes.size() - at);
-        switch (random.below(6)) {
-            case 0: bytes[at] = static_cast<char>(random.next()); break;
-            case 1: bytes.erase(at, length); break;
-            case 2: bytes.insert(at, bytes.substr(at, length)); break;
-            case 3: bytes.insert(at, kTokens[random.below(kTokens.size())]); break;
-            case 4:
-                bytes.replace(at, std::min<std::size_t>(length, 4), kTokens[random.below(kTokens.size())]);
-                break;
-            default:
-                if (random.below(20) == 0) bytes.resize(at);
-                break;
-        }
-    }
-    return bytes;
-}
+/// A file that is damaged, and the prefabs that it names.
+struct Sample {
+    std::string text;
+    PrefabLibrary prefabs;
+};
 
 struct SceneMutations : testing::Test {
-    TypeRegistry types;
-    PrefabLibrary prefabs{types};
-    SceneContext context{types, &prefabs};
-    World world{types};
-    World again{types};
+    Game game;
+    World again{game.types};
+    RecordingDevice device;
+    SceneRenderer renderer{device, game.assets};
+    std::deque<Sample> samples;
 
-    SceneMutations() { registerSceneComponents(types); }
+    SceneMutations() {
+        const Path projects = Path{PLUMB_SOURCE_DIR} / "projects";
+        game.assets = AssetStore{projects / "platformer", engineAssets()};
+        game.assets.logging = false;
+        device.keepsDraws = false;
+        addAllSystems(game.world);
+        for (const std::string& name : filesBelow(projects, ".scene.json")) {
+            auto text = readFile(projects / name);
+            EXPECT_TRUE(text.ok());
+            samples.push_back(
+                {std::move(*text), PrefabLibrary{game.types, projects / name.substr(0, name.find('/'))}});
+        }
+        // And one with every component there is.
+        samples.push_back({{}, PrefabLibrary{game.types}});
+        World made{game.types};
+        const SceneId scene = addRandomScene(made, game.types, 77, 6, true);
+        samples.back().text = sceneToJson(made, contextOf(samples.back()), scene);
+    }
+
+    SceneContext contextOf(Sample& sample) const { return {game.types, &sample.prefabs}; }
+    Sample& sampleOf(std::uint64_t seed) { return samples[seed % samples.size()]; }
 
     static void empty(World& used) {
         unloadScene(used, sceneId(kPath));
         used.clear();
     }
 
-    /// The scenes of all projects, and one of our own with every component.
-    std::vector<std::string> samples() {
-        std::vector<std::string> texts;
-        for (const std::string& name : filesBelow(Path{PLUMB_SOURCE_DIR} / "projects", ".scene.json")) {
-            if (auto text = readFile(Path{PLUMB_SOURCE_DIR} / "projects" / name))
-                texts.push_back(std::move(*text));
-        }
-        World made{types};
-        texts.push_back(sceneToJson(made, context, addRandomScene(made, types, 77, 6, true)));
-        return texts;
-    }
-
     /// What loaded is written, and what was written loads to the same.
-    void expectStable(std::size_t loaded) {
-        const std::string saved = sceneToJson(world, context, sceneId(kPath));
+    void expectStable(const SceneContext& context, std::size_t loaded) {
+        const std::string saved = sceneToJson(game.world, context, sceneId(kPath));
         const auto second = loadScene(again, context, kPath, saved);
         ASSERT_TRUE(second) << second.error().text() << saved;
         EXPECT_EQ(second->loaded, loaded);
         EXPECT_EQ(sceneToJson(again, context, sceneId(kPath)), saved);
         empty(again);
     }
-};
 
-TEST_F(SceneMutations, propertyADamagedSceneLoadsInPartOrIsRefusedAndNothingIsLost) {
-    const std::vector<std::string> texts = samples();
-    for (std::uint64_t seed = 1; seed <= mutationCount(); ++seed) {
-        SCOPED_TRACE(seed);
-        Random random = Random::seeded(seed);
-        const std::string text = mutated(texts[seed % texts.size()], random);
-        const auto report = loadScene(world, context, kPath, text);
+    /// What loaded can be played and drawn, whatever its numbers are.
+    void play() {
+        loadAssets(game.world, game.types, game.assets);
+        game.assets.clearErrors();
+        InputFrame frame;
+        frame.set(Key::Right, true);
+        for (int i = 0; i < 3; ++i) tickGame(game, frame);
+        renderer.draw(game.world, {320.0f, 180.0f}, 0.5f, {{}, 0, 0, 640, 360}, &fillPlaceholders);
+    }
+
+    void expectFine(const SceneContext& context, const Result<LoadReport>& report) {
         if (report) {
-            expectStable(report->loaded);
+            expectStable(context, report->loaded);
+            play();
         } else {
             EXPECT_FALSE(report.error().what.empty());
         }
-        empty(world);
+        empty(game.world);
+    }
+};
+
+TEST_F(SceneMutations, propertyADamagedSceneIsPlayedInPartOrRefusedAndNothingIsLost) {
+    for (std::uint64_t seed = 1; seed <= mutationCount(); ++seed) {
+        SCOPED_TRACE(seed);
+        Random random = Random::seeded(seed);
+        Sample& sample = sampleOf(seed);
+        const SceneContext context = contextOf(sample);
+        expectFine(context, loadScene(game.world, context, kPath, test::damaged(sample.text, random)));
         ASSERT_FALSE(HasFailure());
     }
 }
 
-TEST_F(SceneMutations, propertyADamagedBinaryLoadsInPartOrIsRefused) {
-    World made{types};
-    const std::string bytes = sceneToBinary(made, context, addRandomScene(made, types, 78, 6, true));
+TEST_F(SceneMutations, propertyADamagedBinaryIsPlayedInPartOrRefused) {
+    std::vector<std::string> binaries;
+    for (Sample& sample : samples) {
+        ASSERT_TRUE(loadScene(game.world, contextOf(sample), kPath, sample.text));
+        binaries.push_back(sceneToBinary(game.world, contextOf(sample), sceneId(kPath)));
+        empty(game.world);
+    }
     for (std::uint64_t seed = 1; seed <= mutationCount() / 2; ++seed) {
         SCOPED_TRACE(seed);
         Random random = Random::seeded(seed);
-        const auto report = loadSceneBinary(world, context, kPath, mutated(bytes, random));
-        if (report) expectStable(report->loaded);
-        empty(world);
+        const SceneContext context = contextOf(sampleOf(seed));
+        const std::string bytes = test::damaged(binaries[seed % binaries.size()], random);
+        expectFine(context, loadSceneBinary(game.world, context, kPath, bytes));
         ASSERT_FALSE(HasFailure());
-    }
-}
-
-TEST_F(SceneMutations, aHundredSwitchesLeaveNothingBehind) {
-    const std::vector<std::string> texts = samples();
-    for (int i = 0; i < 100; ++i) {
-        ASSERT_TRUE(loadScene(world, context, kPath, texts[static_cast<std::size_t>(i) % texts.size()]));
-        EXPECT_GT(world.entityCount(), 0u);
-        for (auto [entity, tag] : world.query<const Persistent>()) entity.removeComponent<Persistent>();
-        unloadScene(world, sceneId(kPath));
-        EXPECT_EQ(world.entityCount(), 0u);
-        EXPECT_EQ(world.tiles().size(), 0u);
     }
 }
 

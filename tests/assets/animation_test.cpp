@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "core/random.hpp"
+#include "tests/support/damage.hpp"
 
 namespace plumb {
 namespace {
@@ -93,11 +94,7 @@ TEST(AnimationSet, aTransitionWithAWrongConditionIsLeftOutAsAWhole) {
 TEST(AnimationSet, randomMutationsNeverCrashAndWhatIsReadWritesBack) {
     Random random = Random::seeded(3);
     for (int i = 0; i < 3000; ++i) {
-        std::string text{kFull};
-        for (std::uint32_t n = 1 + random.below(3); n > 0; --n) {
-            text[random.below(static_cast<std::uint32_t>(text.size()))] =
-                static_cast<char>(random.below(256));
-        }
+        const std::string text = test::withWrongBytes(std::string{kFull}, random);
         std::vector<Error> problems;
         const Result<AnimationSet> read = parseAnimationSet(text, "x", problems);
         if (!read.ok()) continue;

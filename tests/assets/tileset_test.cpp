@@ -7,6 +7,7 @@
 #include "core/random.hpp"
 #include "core/text.hpp"
 #include "math/vec2.hpp"
+#include "tests/support/damage.hpp"
 
 namespace plumb {
 namespace {
@@ -152,11 +153,7 @@ TEST(Tileset, whatIsWrongInsideIsToldAndLeftOut) {
 TEST(Tileset, randomMutationsNeverCrashAndWhatIsReadWritesBack) {
     Random random = Random::seeded(2);
     for (int i = 0; i < 3000; ++i) {
-        std::string text{kFull};
-        for (std::uint32_t n = 1 + random.below(3); n > 0; --n) {
-            text[random.below(static_cast<std::uint32_t>(text.size()))] =
-                static_cast<char>(random.below(256));
-        }
+        const std::string text = test::withWrongBytes(std::string{kFull}, random);
         std::vector<Error> problems;
         const Result<Tileset> read = parseTileset(text, "x", problems);
         if (!read.ok()) continue;

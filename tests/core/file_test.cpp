@@ -1,21 +1,18 @@
 #include "core/file.hpp"
 
-#include <unistd.h>
-
 #include <gtest/gtest.h>
+
+#include "tests/support/temporary_folder.hpp"
 
 namespace plumb {
 namespace {
 
 class FileTest : public ::testing::Test {
 protected:
-    void SetUp() override {
-        root_ = std::filesystem::temp_directory_path() / ("plumb_file_test_" + std::to_string(::getpid()));
-        std::filesystem::create_directories(root_ / "inside");
-    }
-    void TearDown() override { std::filesystem::remove_all(root_); }
+    FileTest() { std::filesystem::create_directories(root_ / "inside"); }
 
-    Path root_;
+    const test::TemporaryFolder folder_;
+    const Path root_ = folder_.path;
 };
 
 TEST_F(FileTest, whatIsWrittenReadsBackAndNoTemporaryFileStays) {

@@ -5,6 +5,7 @@
 #include "core/random.hpp"
 #include "core/text.hpp"
 #include "core/zstd.hpp"
+#include "tests/support/damage.hpp"
 
 namespace plumb {
 namespace {
@@ -132,12 +133,7 @@ TEST(UnpackTest, mutatedDataNeverCrashesAndNeverOutgrowsItsRoom) {
         const std::string original = *bytesFromBase64(packed.base64, "test");
         Random random = Random::seeded(7);
         for (int i = 0; i < 1000; ++i) {
-            std::string bytes = original;
-            const int changes = 1 + static_cast<int>(random.below(4));
-            for (int change = 0; change < changes; ++change) {
-                bytes[random.below(static_cast<std::uint32_t>(bytes.size()))] =
-                    static_cast<char>(random.below(256));
-            }
+            const std::string bytes = test::withWrongBytes(original, random, 4);
             const Result<std::string> result = packed.unpack(bytes, kRoom, "test");
             EXPECT_LE(result.ok() ? result->size() : 0u, kRoom);
         }

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "core/random.hpp"
+#include "tests/support/damage.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace plumb {
@@ -157,11 +158,7 @@ TEST(Recorder, randomMutationsNeverCrashAndWhatIsReadWritesBack) {
     const std::string good = writeReplay(randomRecording(11).replay);
     Random random = Random::seeded(1);
     for (int i = 0; i < 800; ++i) {
-        std::string text = good;
-        for (std::uint32_t n = 1 + random.below(3); n > 0; --n) {
-            text[random.below(static_cast<std::uint32_t>(text.size()))] =
-                static_cast<char>(random.below(256));
-        }
+        const std::string text = test::withWrongBytes(good, random);
         const Result<Replay> read = parseReplay(text, "x");
         if (!read.ok()) continue;
         ASSERT_TRUE(parseReplay(writeReplay(*read), "x").ok());

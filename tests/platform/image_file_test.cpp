@@ -6,6 +6,7 @@
 
 #include "core/limits.hpp"
 #include "core/random.hpp"
+#include "tests/support/damage.hpp"
 
 namespace plumb {
 namespace {
@@ -120,11 +121,7 @@ TEST(ImageFile, randomBytesAndMutationsNeverCrash) {
     const std::string png = *encodePng(noise(12, 9, 3));
     Random random = Random::seeded(9);
     for (int i = 0; i < 5000; ++i) {
-        std::string bytes = png;
-        for (std::uint32_t n = 1 + random.below(4); n > 0; --n) {
-            bytes[random.below(static_cast<std::uint32_t>(bytes.size()))] =
-                static_cast<char>(random.below(256));
-        }
+        std::string bytes = test::withWrongBytes(png, random, 4);
         if (random.below(3) == 0) bytes.resize(random.below(static_cast<std::uint32_t>(bytes.size())));
         const Result<Image> result = decodeImage(bytes, "x");
         EXPECT_TRUE(!result.ok() || result->rgba.size() <= limits::kImageBytes);

@@ -9,6 +9,7 @@
 #include "core/random.hpp"
 #include "core/text.hpp"
 #include "reflect/json.hpp"
+#include "tests/support/damage.hpp"
 
 namespace plumb {
 namespace {
@@ -263,11 +264,7 @@ TEST(JsonText, randomBytesAndMutationsNeverCrash) {
         R"({"format": 1, "a": [1, 2.5e3, "x\u00e9\n"], "b": {"c": [true, false, null]}})";
     Random random = Random::seeded(5);
     for (int i = 0; i < 50000; ++i) {
-        std::string text = good;
-        for (std::uint32_t n = random.below(4) + 1; n > 0; --n) {
-            text[random.below(static_cast<std::uint32_t>(text.size()))] =
-                static_cast<char>(random.below(256));
-        }
+        std::string text = test::withWrongBytes(good, random, 4);
         text.resize(random.below(static_cast<std::uint32_t>(text.size()) + 1));
         if (const Result<Json> result = parseJson(text, "x"); result.ok()) {
             EXPECT_TRUE(parseJson(writeJson(*result), "x").ok());
