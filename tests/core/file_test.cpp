@@ -26,7 +26,8 @@ TEST_F(FileTest, whatIsWrittenReadsBackAndNoTemporaryFileStays) {
 TEST_F(FileTest, aMissingAFolderAndATooLargeFileSayWhatWasFoundAndWhatToDo) {
     ASSERT_TRUE(writeFile(root_ / "ten", "0123456789").ok());
 
-    for (const auto& result : {readFile(root_ / "none"), readFile(root_ / "inside"), readFile(root_ / "ten", 9)}) {
+    for (const auto& result :
+         {readFile(root_ / "none"), readFile(root_ / "inside"), readFile(root_ / "ten", 9)}) {
         ASSERT_FALSE(result.ok());
         EXPECT_FALSE(result.error().where.empty());
         EXPECT_FALSE(result.error().what.empty());
@@ -38,8 +39,9 @@ TEST_F(FileTest, aMissingAFolderAndATooLargeFileSayWhatWasFoundAndWhatToDo) {
 TEST_F(FileTest, pathsThatLeaveTheProjectAreRefusedAndThoseInsideAreNot) {
     std::filesystem::create_symlink("/etc", root_ / "link");
     std::filesystem::create_symlink("inside", root_ / "good");
-    for (const char* outside : {"../x", "a/../../x", "/etc/passwd", "", "C:/x", "a\\b", "\\\\host\\share", "link/passwd",
-                                "link", "a\nb", "..", "inside/..", "\x7f", "\xff\xfe", "//x"}) {
+    for (const char* outside :
+         {"../x", "a/../../x", "/etc/passwd", "", "C:/x", "a\\b", "\\\\host\\share", "link/passwd", "link",
+          "a\nb", "..", "inside/..", "\x7f", "\xff\xfe", "//x"}) {
         EXPECT_FALSE(pathInside(root_, outside).ok()) << outside;
     }
     for (const char* inside : {"x", "inside/x", "inside/./x", "good/x", "with space/é.png", "...", "a..b"}) {
