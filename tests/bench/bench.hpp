@@ -13,6 +13,7 @@ namespace plumb::bench {
 struct Options {
     std::string jsonPath;  ///< empty: no file
     bool quick = false;    ///< small sizes and few rounds: does it run at all?
+    double seconds = 0.4;  ///< for each contestant of a race
     std::vector<std::string> rest;
 };
 
@@ -22,7 +23,7 @@ struct Contestant {
     std::function<void()> run;
 };
 
-/// CPU seconds of one run.
+/// Seconds of one run.
 struct Timing {
     double minimum = 0.0;
     double median = 0.0;

@@ -1,5 +1,7 @@
+#include <algorithm>
 #include <array>
 #include <cstdio>
+#include <cstdlib>
 #include <string_view>
 
 #include "tests/bench/bench.hpp"
@@ -19,7 +21,12 @@ constexpr std::array kPrograms{
 };
 
 int usage() {
-    std::printf("plumb-bench NAME [--json FILE] [--quick]\nnames:");
+    std::printf(
+        "plumb-bench NAME [LINE] [--json FILE] [--quick] [--seconds S]\n"
+        "  LINE         only the lines with this in their name\n"
+        "  --quick      small sizes and few rounds: does it run at all?\n"
+        "  --seconds S  for each side of each line, default 0.4; where other machines share the\n"
+        "               processor, only patience finds the moments in which they rest\nnames:");
     for (const Program& program : kPrograms)
         std::printf(" %.*s", static_cast<int>(program.name.size()), program.name.data());
     std::printf("\n");
@@ -37,6 +44,8 @@ int main(int count, char** arguments) {
             options.jsonPath = arguments[++i];
         } else if (argument == "--quick") {
             options.quick = true;
+        } else if (argument == "--seconds" && i + 1 < count) {
+            options.seconds = std::clamp(std::atof(arguments[++i]), 0.01, 600.0);
         } else if (name.empty() && argument.substr(0, 1) != "-") {
             name = argument;
         } else {
