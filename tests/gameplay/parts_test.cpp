@@ -207,6 +207,19 @@ TEST(SceneLink, followsConfirmAfterItsDelayAndStartsANewGame) {
     EXPECT_EQ(level.world.resource<GameProgress>().coins, 0);
 }
 
+TEST(SceneLink, aPressIsHeard) {
+    Level level{{}};
+    Entity title = level.world.createEntity();
+    title.addComponent<SceneLink>().scene = {textId("scenes/one.scene.json")};
+    title.addComponent<SoundCues>().activate = {textId("assets/confirm.wav")};
+    level.tick();
+    EXPECT_EQ(level.count<PlaySound>(), 0);
+    level.hold(Key::Enter);
+    level.tick();
+    ASSERT_EQ(level.count<PlaySound>(), 1);
+    EXPECT_EQ(level.world.events<PlaySound>()[0].sound, (SoundId{textId("assets/confirm.wav")}));
+}
+
 TEST(Door, opensForAKeyAndWhileItsButtonIsPressed) {
     Level level{kFlat};
     level.addPlayer({40, kFloor});

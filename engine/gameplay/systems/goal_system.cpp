@@ -42,11 +42,12 @@ void leave(World& world, Goal& goal) {
     if (--goal.leaving == 1 && !goal.next.empty()) request(world, goal.next, false);
 }
 
-void follow(World& world, SceneLink& link, bool confirmed, float dt) {
+void follow(World& world, EntityId entity, SceneLink& link, bool confirmed, float dt) {
     const float seconds = static_cast<float>(link.ticks++) * dt;
     const bool pressed = confirmed && seconds >= link.delay;
     if (!pressed && (link.after <= 0.0f || seconds < link.after)) return;
     if (link.scene.empty()) return;
+    if (pressed) playCue(world, entity, &SoundCues::activate);
     if (link.newGame) world.resource<GameProgress>() = {};
     request(world, link.scene, link.overlay);
 }
@@ -59,7 +60,7 @@ void GoalSystem::update(World& world, float dt) {
     for (auto [entity, goal] : world.query<Goal>()) leave(world, goal);
     if (world.count<SceneLink>() == 0) return;
     const bool confirmed = world.resource<Input>().isPressed(Action::Confirm);
-    for (auto [entity, link] : world.query<SceneLink>()) follow(world, link, confirmed, dt);
+    for (auto [entity, link] : world.query<SceneLink>()) follow(world, entity, link, confirmed, dt);
 }
 
 }  // namespace plumb

@@ -8,7 +8,7 @@ class World;
 
 /// Ends the level for who touches its goal, and follows links of titles and endings.
 /// Reads: TriggerEntered, Input. Writes: Goal, SceneLink, GameProgress, SceneRequests.
-/// When: after physics.
+/// Emits: PlaySound. When: after physics.
 struct GoalSystem {
     static constexpr std::string_view kName = "goal";
 
