@@ -1,5 +1,6 @@
 #include "ecs/component_type.hpp"
 
+#include <algorithm>
 #include <cstring>
 #include <deque>
 #include <mutex>
@@ -36,6 +37,8 @@ const ComponentType& componentTypeOf(const TypeInfo& info) {
     type.name = info.name;
     type.info.name = type.name;
     type.nameHash = hashText(type.name);
+    type.namesTiles = std::any_of(info.fields.begin(), info.fields.end(),
+                                  [](const FieldInfo& field) { return field.kind == FieldKind::Tiles; });
     return type;
 }
 

@@ -18,6 +18,7 @@ struct ComponentType {
     TypeInfo info;               ///< without fields when the type is not described
     std::string name;            ///< the described name, else the compiler's
     std::uint64_t nameHash = 0;  ///< orders types wherever the order can be seen: keys differ between builds
+    bool namesTiles = false;     ///< a field of it names a grid of the TileStore
 };
 
 /// The one description of a type: the first to arrive stays. May be called from any thread.

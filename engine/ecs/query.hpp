@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "ecs/entity.hpp"
+#include "ecs/paused.hpp"
 #include "ecs/storage.hpp"
 
 namespace plumb {
@@ -155,7 +156,8 @@ private:
     Span span_;
 };
 
-/// The entities that have all of T. Cheap to make; the answer is looked up when a loop begins.
+/// The entities that have all of T, but for the paused ones. Cheap to make; the answer is looked up when a
+/// loop begins.
 ///
 ///     for (auto [entity, body, transform] : world.query<const RigidBody, Transform>(without<Asleep>)) …
 ///
@@ -316,6 +318,18 @@ void addTerms(Without<T...>, Storage& storage, QueryCache& cache) {
     (cache.excluded.push_back(&storage.pool<T>()), ...);
 }
 
+inline void addTerms(WithPaused, Storage&, QueryCache&) {}
+
+/// Whether a term of a query says by itself what becomes of the paused.
+template <class Term>
+inline constexpr bool kNamesPaused = std::is_same_v<std::remove_const_t<Term>, Paused>;
+template <>
+inline constexpr bool kNamesPaused<WithPaused> = true;
+template <class... T>
+inline constexpr bool kNamesPaused<With<T...>> = (kNamesPaused<T> || ...);
+template <class... T>
+inline constexpr bool kNamesPaused<Without<T...>> = (kNamesPaused<T> || ...);
+
 /// The cache of a query in a storage, made on first use.
 template <class... T, class... Filters>
 QueryCache& queryCache(Storage& storage, Filters... filters) {
@@ -324,6 +338,8 @@ QueryCache& queryCache(Storage& storage, Filters... filters) {
         addTerms(With<std::remove_const_t<T>...>{}, storage, cache);
         cache.columns = sizeof...(T);
         (addTerms(filters, storage, cache), ...);
+        constexpr bool kSaysItself = (kNamesPaused<T> || ...) || (kNamesPaused<Filters> || ...);
+        if constexpr (!kSaysItself) cache.excluded.push_back(&storage.pool<Paused>());
         cache.prepare();
     }
     return cache;

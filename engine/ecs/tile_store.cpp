@@ -18,23 +18,21 @@ std::uint64_t nextStamp() {
 
 TilesId TileStore::add(TileGrid grid) {
     Entry& entry = entries_.emplace_back();
-    entry.present = true;
+    entry.id = ++lastId_;
     entry.grid = std::move(grid);
     entry.stamp = nextStamp();
-    return {static_cast<std::uint32_t>(entries_.size())};
+    return {entry.id};
 }
 
 void TileStore::remove(TilesId id) {
-    if (entry(id) == nullptr) return;
-    Entry& gone = entries_[id.value - 1];
-    gone = {};
-    gone.stamp = nextStamp();
+    if (const Entry* gone = entry(id)) entries_.erase(entries_.begin() + (gone - entries_.data()));
 }
 
-const TileStore::Entry* TileStore::entry(TilesId id) const {
-    if (id.value == 0 || id.value > entries_.size()) return nullptr;
-    const Entry& found = entries_[id.value - 1];
-    return found.present ? &found : nullptr;
+TileStore::Entry* TileStore::entry(TilesId id) const {
+    const auto at =
+        std::lower_bound(entries_.begin(), entries_.end(), id.value,
+                         [](const Entry& entry, std::uint32_t value) { return entry.id < value; });
+    return at != entries_.end() && at->id == id.value ? const_cast<Entry*>(&*at) : nullptr;
 }
 
 const TileGrid* TileStore::find(TilesId id) const {
@@ -43,33 +41,48 @@ const TileGrid* TileStore::find(TilesId id) const {
 }
 
 TileGrid* TileStore::edit(TilesId id) {
-    if (entry(id) == nullptr) return nullptr;
-    Entry& found = entries_[id.value - 1];
-    found.stamp = nextStamp();
-    return &found.grid;
+    Entry* found = entry(id);
+    if (found == nullptr) return nullptr;
+    found->stamp = nextStamp();
+    return &found->grid;
 }
 
-std::size_t TileStore::size() const {
-    return static_cast<std::size_t>(
-        std::count_if(entries_.begin(), entries_.end(), [](const Entry& entry) { return entry.present; }));
+void TileStore::unmarkAll() {
+    for (Entry& entry : entries_) entry.marked = false;
+}
+
+void TileStore::mark(TilesId id) {
+    if (Entry* found = entry(id)) found->marked = true;
+}
+
+void TileStore::dropUnmarked() {
+    std::erase_if(entries_, [](const Entry& entry) { return !entry.marked; });
 }
 
 TileStore& TileStore::operator=(const TileStore& other) {
     if (this == &other) return *this;
-    entries_.resize(other.entries_.size());
-    for (std::size_t i = 0; i < entries_.size(); ++i) {
+    lastId_ = other.lastId_;
+    // Mostly the same grids as before: what is the same keeps its memory and its place.
+    std::size_t same = 0;
+    const std::size_t both = std::min(entries_.size(), other.entries_.size());
+    while (same < both && entries_[same].id == other.entries_[same].id) {
+        if (!entries_[same].same(other.entries_[same])) entries_[same] = other.entries_[same];
+        ++same;
+    }
+    std::vector<Entry> rest(std::make_move_iterator(entries_.begin() + static_cast<std::ptrdiff_t>(same)),
+                            std::make_move_iterator(entries_.end()));
+    entries_.resize(same);
+    for (std::size_t i = same; i < other.entries_.size(); ++i) {
         const Entry& from = other.entries_[i];
-        const bool same =
-            entries_[i].stamp == from.stamp && entries_[i].grid.version() == from.grid.version();
-        if (!same) entries_[i] = from;
+        const auto kept =
+            std::find_if(rest.begin(), rest.end(), [&](const Entry& e) { return e.same(from); });
+        entries_.push_back(kept != rest.end() ? std::move(*kept) : from);
     }
     return *this;
 }
 
 void TileStore::addTo(Hasher& hasher) const {
-    for (std::size_t i = 0; i < entries_.size(); ++i) {
-        const Entry& entry = entries_[i];
-        if (!entry.present) continue;
+    for (const Entry& entry : entries_) {
         if (entry.hashedStamp != entry.stamp || entry.hashedVersion != entry.grid.version()) {
             Hasher cells;
             cells.add(static_cast<std::uint64_t>(entry.grid.width()));
@@ -78,7 +91,7 @@ void TileStore::addTo(Hasher& hasher) const {
             entry.hashedStamp = entry.stamp;
             entry.hashedVersion = entry.grid.version();
         }
-        hasher.add(std::uint64_t{i});
+        hasher.add(std::uint64_t{entry.id} - 1);
         hasher.add(entry.hash);
     }
 }

@@ -9,6 +9,7 @@
 #include "core/log.hpp"
 #include "core/text.hpp"
 #include "ecs/hierarchy.hpp"
+#include "ecs/paused.hpp"
 
 namespace plumb {
 
@@ -28,6 +29,7 @@ std::uint32_t nextQueryKey() {
 World::World() {
     storage_.watch(typeKey<Parent>());
     storage_.watch(typeKey<Children>());
+    storage_.pool<Paused>();  // among the first, as every query asks for it
 }
 
 void World::leaveFamily(EntityId id) { plumb::leaveFamily(*this, id); }
@@ -40,7 +42,34 @@ void World::beginTick() {
                     static_cast<TypeKey>(missed_.key));
         missed_ = {};
     }
-    if (!storage_.iterating() && entityCount() <= kTidyEntities && storage_.fragmented()) storage_.cluster();
+    dropUnusedTiles();
+    // What is paused comes back in the order in which it was left.
+    const bool tidy = !storage_.iterating() && entityCount() <= kTidyEntities && count<Paused>() == 0;
+    if (tidy && storage_.fragmented()) storage_.cluster();
+}
+
+void World::dropUnusedTiles() {
+    if (tiles_.size() == 0) return;
+    tiles_.unmarkAll();
+    for (const std::unique_ptr<Pool>& pool : storage_.pools()) {
+        if (!pool->type->namesTiles) continue;
+        for (const FieldInfo& field : pool->type->info.fields) {
+            if (field.kind != FieldKind::Tiles) continue;
+            eachOf(pool->type->info, [&](EntityId, const void* component) {
+                tiles_.mark(*static_cast<const TilesId*>(field.in(component)));
+            });
+        }
+    }
+    tiles_.dropUnmarked();
+}
+
+std::vector<EntityId> World::entities() const {
+    std::vector<EntityId> ids;
+    ids.reserve(entityCount());
+    for (std::uint32_t index = 1; index <= storage_.usedIndices(); ++index) {
+        if (storage_.livesAt(index)) ids.push_back(storage_.idAt(index));
+    }
+    return ids;
 }
 
 // types known at run time

@@ -52,6 +52,8 @@ public:
         storage_.destroy(id);
     }
     [[nodiscard]] std::size_t entityCount() const { return storage_.entityCount(); }
+    /// All that are alive, paused ones too, by index.
+    [[nodiscard]] std::vector<EntityId> entities() const;
     /// Destroys all entities. Resources, services, systems, texts and tiles stay.
     void clear() { storage_.clear(); }
 
@@ -88,11 +90,14 @@ public:
     /// is gone.
     void* add(const TypeInfo& type, EntityId id);
     void remove(const TypeInfo& type, EntityId id);
+    /// Calls `f(EntityId, const void* component)` for everything that has one.
+    template <class F>
+    void eachOf(const TypeInfo& type, F&& f) const;
     [[nodiscard]] const TypeRegistry* types() const { return types_; }
 
     // queries
 
-    /// The entities that have all of T: see Query. Filters: `with<A>`, `without<B, C>`.
+    /// The entities that have all of T: see Query. Filters: `with<A>`, `without<B, C>`, `withPaused`.
     template <class... T, class... Filters>
     [[nodiscard]] Query<T...> query(Filters... filters) {
         return {*this, storage_, queryCache<T...>(storage_, filters...)};
@@ -157,6 +162,8 @@ public:
     [[nodiscard]] const TextStore& texts() const { return texts_; }
     [[nodiscard]] TileStore& tiles() { return tiles_; }
     [[nodiscard]] const TileStore& tiles() const { return tiles_; }
+    /// Drops the grids that no component names; every tick begins with it.
+    void dropUnusedTiles();
 
     // events
 
@@ -190,7 +197,8 @@ public:
     [[nodiscard]] std::vector<std::string_view> systemNames() const { return schedule_.names(); }
     [[nodiscard]] CommandBuffer& commands() { return commands_; }
 
-    /// Starts a fixed update: counts the tick, forgets the events, tidies small worlds that are in disorder.
+    /// Starts a fixed update: counts the tick, forgets the events, drops tile grids that nobody names, tidies
+    /// small worlds that are in disorder.
     void beginTick();
     /// Runs all systems in order; commands are applied after each.
     /// @param dt  s

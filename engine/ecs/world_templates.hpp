@@ -182,6 +182,16 @@ bool World::changedSince(EntityId id, std::uint64_t mark) const {
            pool->stamps[pool->sparse[id.index].position >> kStampShift] > mark;
 }
 
+template <class F>
+void World::eachOf(const TypeInfo& type, F&& f) const {
+    const Pool* const pool = storage_.findPool(type.key);
+    if (pool == nullptr) return;
+    for (std::uint32_t position = 0; position < pool->count; ++position) {
+        const std::uint32_t index = pool->dense[position];
+        if (index != 0) f(storage_.idAt(index), static_cast<const void*>(pool->at(position)));
+    }
+}
+
 template <class T>
 bool World::changedSince(std::uint64_t mark) const {
     return storage_.knownPool(typeKey<T>()).writtenSince(mark);

@@ -33,6 +33,18 @@ struct Health {
     int shield = 0;
 };
 
+/// Names a grid of the world, as a tile layer does.
+struct Tiled {
+    TilesId cells;
+    int layer = 0;
+
+    static void describe(TypeBuilder<Tiled>& type) {
+        type.name("Tiled");
+        type.field<&Tiled::cells>("cells");
+        type.field<&Tiled::layer>("layer");
+    }
+};
+
 struct Frozen {};
 struct Player {};
 

@@ -267,5 +267,41 @@ TEST(QueryTest, scatteredEntitiesAreFoundAfterEveryChange) {
     }
 }
 
+TEST(PausedTest, queriesLeaveOutWhatIsPausedUnlessTheyAskForIt) {
+    World world;
+    fillWithMovers(world, 10);
+    for (const std::uint32_t index : {3u, 4u, 9u}) world.add<Paused>(EntityId{index, 1});
+
+    EXPECT_EQ(world.query<const Position>().count(), 7u);
+    EXPECT_EQ((world.query<const Position, const Velocity>(without<Frozen>).count()), 7u);
+    EXPECT_EQ(world.query<const Position>(withPaused).count(), 10u);
+    EXPECT_EQ(world.query<const Position>(with<Paused>).count(), 3u);
+    EXPECT_EQ((world.query<const Position, const Paused>().count()), 3u);
+    EXPECT_EQ(world.query<const Position>(without<Paused>).count(), 7u);
+    int seen = 0;
+    world.each<Position>([&seen](Position&) { ++seen; });
+    EXPECT_EQ(seen, 7);
+    EXPECT_TRUE(world.has<Position>(EntityId{3, 1})) << "whoever knows it still finds its components";
+
+    world.remove<Paused>(EntityId{3, 1});
+    EXPECT_EQ(world.query<const Position>().count(), 8u);
+}
+
+TEST(PausedTest, theOrderStaysWhatItWasWhileSomethingIsPaused) {
+    World world;
+    fillWithMovers(world, 2000);
+    for (std::uint32_t i = 1; i < 2000; i += 3) world.add<Paused>(EntityId{i, 1});
+    for (std::uint32_t i = 2; i < 2000; i += 3) world.destroy(EntityId{i, 1});
+    const auto order = [&world] {
+        std::vector<EntityId> ids;
+        for (auto [entity, position] : std::as_const(world).query<const Position>(withPaused))
+            ids.push_back(entity);
+        return ids;
+    };
+    const std::vector<EntityId> before = order();
+    world.beginTick();
+    EXPECT_EQ(order(), before);
+}
+
 }  // namespace
 }  // namespace plumb

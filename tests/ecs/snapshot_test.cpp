@@ -65,6 +65,7 @@ TEST(SnapshotTest, bringsBackResourcesTilesAndTick) {
     World world;
     world.resource<Score>().coins = 3;
     const TilesId tiles = world.tiles().add(TileGrid{4, 4});
+    world.createEntity().addComponent<Tiled>().cells = tiles;
     world.tiles().edit(tiles)->set(1, 1, 7);
     world.beginTick();
     const Snapshot saved = world.save();
