@@ -13,6 +13,7 @@ namespace {
 
 constexpr std::string_view kEnginePrefix = "engine:";
 constexpr std::size_t kMaxErrors = 1000;
+constexpr std::uint32_t kRevisionStep = 0x10000;  // more than a file is edited while it is loaded
 
 }  // namespace
 
@@ -55,6 +56,7 @@ Result<Done> AssetStore::readEntry(AssetEntry<T>& entry) {
     if (!file) return file.error();
     entry.file = std::move(*file);
     entry.stamp = fileStamp(entry.file);
+    ++loads_;
     const Result<std::string> bytes = readFile(entry.file);
     if (!bytes) return Error{entry.path, bytes.error().what, bytes.error().remedy};
     return readBytes(*bytes, entry.path, entry.value);
@@ -66,6 +68,7 @@ TextId AssetStore::loadInto(AssetTable<T>& table, std::string_view path) {
     if (id.empty() || table.find(id) != nullptr) return id;
     // The entry exists before it is read: a set that names itself finds it and stops.
     AssetEntry<T>& entry = table.add(id, std::string{path});
+    entry.revision = firstRevision_;
     if (const Result<Done> read = readEntry(entry); !read) {
         entry.missing = true;
         report(read.error());
@@ -287,7 +290,34 @@ std::size_t AssetStore::unloadUnused() {
     std::size_t count =
         std::apply([&](auto&, auto&... others) { return (unload(others.table) + ...); }, shelves_);
     count += unload(std::get<0>(shelves_).table);
+    if (count > 0) firstRevision_ += kRevisionStep;
     return count;
+}
+
+namespace {
+
+std::size_t bytesOf(const Texture& texture) { return texture.image.rgba.size(); }
+std::size_t bytesOf(const Tileset& set) {
+    return set.tiles.size() * sizeof(Tile) + set.images.size() * sizeof(TileImage);
+}
+std::size_t bytesOf(const AnimationSet& set) {
+    std::size_t bytes = set.clips.size() * sizeof(Animation);
+    for (const Animation& clip : set.clips) bytes += clip.frames.size() * sizeof(clip.frames[0]);
+    return bytes;
+}
+std::size_t bytesOf(const FileBytes& file) { return file.bytes.size(); }
+std::size_t bytesOf(const WatchedFile&) { return 0; }
+
+}  // namespace
+
+std::size_t AssetStore::byteCount() const {
+    std::size_t bytes = 0;
+    const auto add = [&bytes](const auto& table) {
+        for (std::size_t i = 0; i < table.size(); ++i)
+            bytes += sizeof(table.at(i)) + bytesOf(table.at(i).value);
+    };
+    std::apply([&](const auto&... shelf) { (add(shelf.table), ...); }, shelves_);
+    return bytes;
 }
 
 // ---- hot reload ---------------------------------------------------------------------------------

@@ -95,6 +95,11 @@ public:
     /// @return how many
     std::size_t unloadUnused();
 
+    /// How often a file was read, each time it was loaded anew counted.
+    [[nodiscard]] std::size_t loadCount() const { return loads_; }
+    /// Memory that loaded assets hold: decoded pixels, bytes of files, tables (bytes).
+    [[nodiscard]] std::size_t byteCount() const;
+
     /// Looks at the next few files and reloads those that changed. A file that became broken is told in
     /// `errors()` and the old asset stays.
     /// @param budget  files to look at; the next call goes on behind them. About 2 us each
@@ -178,6 +183,10 @@ private:
     Shelves shelves_;
     std::vector<Error> errors_;
     std::size_t pollAt_ = 0;
+    std::size_t loads_ = 0;
+    /// Of what is loaded now: past all those before the last unloading, so that whoever remembers what was
+    /// made of an asset sees that it is another one.
+    std::uint32_t firstRevision_ = 1;
 };
 
 }  // namespace plumb

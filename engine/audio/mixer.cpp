@@ -32,7 +32,8 @@ AudioDevice::SoundHandle Mixer::handleOf(SoundId sound) {
     const std::uint32_t revision = assets_.revisionOf(AssetKind::Sound, sound.path);
     auto at =
         std::find_if(loaded_.begin(), loaded_.end(), [&](const Loaded& item) { return item.sound == sound; });
-    if (at != loaded_.end() && at->revision == revision) return at->handle;
+    // What a scene that is gone asked for at its end is still heard after its files were unloaded.
+    if (at != loaded_.end() && (at->revision == revision || revision == 0)) return at->handle;
     if (at == loaded_.end()) at = loaded_.insert(loaded_.end(), Loaded{sound});
     if (at->handle >= 0) device_->unload(at->handle);
     at->handle = -1;

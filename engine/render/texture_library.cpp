@@ -18,10 +18,15 @@ const TextureRegion& TextureLibrary::regionOf(TextureId id) {
 }
 
 void TextureLibrary::refresh() {
-    for (std::size_t i = 0; i < uploaded_.size(); ++i) {
+    for (std::size_t i = 0; i < uploaded_.size();) {
         AssetEntry<Uploaded>& entry = uploaded_.at(i);
         const std::uint32_t revision = assets_.revisionOf(AssetKind::Texture, entry.id);
-        if (revision == entry.value.revision || revision == 0) continue;
+        if (revision == 0 && entry.value.revision != 0) {  // unloaded: its place is free for others
+            forget(TextureId{entry.id});
+            continue;
+        }
+        ++i;
+        if (revision == entry.value.revision) continue;
         const TextureId id{entry.id};
         const TextureRegion before = entry.value.region;
         entry.value.region = atlas_.replace(before, assets_.image(id));

@@ -18,7 +18,8 @@ public:
     /// missing.
     const TextureRegion& regionOf(TextureId id);
 
-    /// Brings pictures that changed to the card. Once a frame; a few ns for each picture.
+    /// Brings pictures that changed to the card and takes off those that the store unloaded. Once a frame; a
+    /// few ns for each picture.
     void refresh();
     /// Takes a picture off the card, e.g. after the store unloaded it.
     void forget(TextureId id);

@@ -1,5 +1,8 @@
 #include "scene/label_drawing.hpp"
 
+#include <algorithm>
+
+#include "core/hash.hpp"
 #include "core/log.hpp"
 
 namespace plumb {
@@ -38,17 +41,29 @@ Vec2 LabelDrawing::measure(const World& world, const Label& label, LabelText lab
 }
 
 const Font* LabelDrawing::fontOf(FontId id) {
-    if (id.empty()) id = FontId{textId(kDefaultFont)};
+    if (id.empty()) {
+        id = FontId{textId(kDefaultFont)};
+        if (!holdsDefault_) {  // no entity names it, so nobody else keeps it loaded
+            assets_.loadFont(kDefaultFont);
+            assets_.acquire(AssetKind::Font, id.path);
+            holdsDefault_ = true;
+        }
+    }
     for (const Face& face : faces_) {
         if (face.id == id && face.revision == assets_.revisionOf(AssetKind::Font, id.path))
             return face.font.get();
     }
-    if (assets_.find(id) == nullptr && id.path == textId(kDefaultFont)) assets_.loadFont(kDefaultFont);
     const FileBytes* file = assets_.find(id);
-    Face& face = faces_.emplace_back();
+    if (file == nullptr || file->bytes.empty()) return nullptr;
+    const auto known = std::find_if(faces_.begin(), faces_.end(), [id](const Face& f) { return f.id == id; });
+    Face& face = known != faces_.end() ? *known : faces_.emplace_back();
     face.id = id;
     face.revision = assets_.revisionOf(AssetKind::Font, id.path);
-    if (file == nullptr || file->bytes.empty()) return nullptr;
+    // A font that comes back as it was keeps the letters that were drawn of it.
+    const std::uint64_t content = hashText(file->bytes);
+    if (face.content == content) return face.font.get();
+    face.content = content;
+    face.font.reset();
     Result<Font> font = Font::fromBytes(file->bytes, std::string{assets_.pathOf(id)});
     if (font) {
         face.font = std::make_unique<Font>(std::move(*font));

@@ -30,6 +30,7 @@ private:
     struct Face {
         FontId id;
         std::uint32_t revision = 0;
+        std::uint64_t content = 0;   ///< hash of the file
         std::unique_ptr<Font> font;  ///< null when the file is no font
     };
 
@@ -39,6 +40,7 @@ private:
     AssetStore& assets_;
     TextPainter painter_;
     std::vector<Face> faces_;
+    bool holdsDefault_ = false;
     std::string text_;  // reused, so that a steady frame allocates nothing
 };
 

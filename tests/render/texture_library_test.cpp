@@ -57,6 +57,20 @@ TEST_F(TextureLibraryTest, aChangedPictureIsBroughtAgain) {
     EXPECT_NE(textures.version(), version) << "what was made of the old region must be made anew";
 }
 
+TEST_F(TextureLibraryTest, aPictureThatTheStoreUnloadedLeavesItsPlaceToOthers) {
+    const TextureId gone = assets.loadTexture("nowhere.png");
+    const TextureRegion place = textures.regionOf(gone);
+    const std::uint32_t version = textures.version();
+    EXPECT_EQ(assets.unloadUnused(), 1u);
+
+    textures.refresh();
+
+    EXPECT_NE(textures.version(), version) << "what was made of the old region must be made anew";
+    const TextureId next = assets.addTexture("next", filled(place.width, place.height, 9));
+    EXPECT_EQ(textures.regionOf(next), place);
+    EXPECT_EQ(device.texturesCreated, 1u);
+}
+
 TEST_F(TextureLibraryTest, aPartOutsideThePictureIsCutOff) {
     const TextureRegion region{TextureHandle{1}, 100, 200, 32, 16};
     EXPECT_EQ(region.part({8.0f, 0.0f, 8.0f, 16.0f}), (Rect{108.0f, 200.0f, 8.0f, 16.0f}));
