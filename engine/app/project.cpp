@@ -131,6 +131,7 @@ Result<Project> projectFromText(std::string_view text, const Path& root, const s
     reader.text("name", project.name);
     reader.text("version", project.version);
     reader.text("startScene", project.startScene);
+    reader.text("pauseScene", project.pauseScene);
     if (const Json* window = reader.object("window")) readWindow(*window, where, project);
     auto width = static_cast<float>(project.windowWidth);
     auto height = static_cast<float>(project.windowHeight);

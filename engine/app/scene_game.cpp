@@ -5,16 +5,26 @@
 
 #include "app/system_order.hpp"
 #include "core/log.hpp"
+#include "gameplay/pause_scene.hpp"
 #include "platform/paths.hpp"
 #include "reflect/json.hpp"
 #include "reflect/json_text.hpp"
 #include "scene/game_random.hpp"
+#include "scene/loaded_scene.hpp"
 #include "scene/physics_state.hpp"
 #include "scene/scene_requests.hpp"
+#include "scene/scene_stack.hpp"
 #include "scene/systems/camera_system.hpp"
 #include "scene/world_transform.hpp"
 
 namespace plumb {
+namespace {
+
+/// What a scene leaves behind stays this long: its last sounds are still being heard, and who goes straight
+/// back finds it.
+constexpr int kUnloadTicks = 60;
+
+}  // namespace
 
 SceneGame::SceneGame(Project project, std::string firstScene, std::uint64_t seed)
     : project_{std::move(project)},
@@ -26,6 +36,7 @@ SceneGame::SceneGame(Project project, std::string firstScene, std::uint64_t seed
     world.resource<PhysicsSettings>().gravity = project_.gravity;
     world.resource<PictureSize>().size = {static_cast<float>(project_.width),
                                           static_cast<float>(project_.height)};
+    world.resource<PauseScene>().path = {world.texts().add(project_.pauseScene)};
     addAllSystems(world);
 }
 
@@ -43,71 +54,89 @@ void SceneGame::onCreate() {
 }
 
 Result<Done> SceneGame::openScene(std::string_view path) {
-    // The new scene comes first: when it cannot be read, the old one goes on.
-    const std::vector<SceneId> before = std::exchange(stack_, {});
-    const bool again = sceneId(path) == sceneId(current_);
-    if (again) {
-        for (const SceneId scene : before) unloadScene(world, scene);
-    }
-    if (auto loaded = load(path); !loaded) {
-        if (!again) stack_ = before;
-        return loaded;
-    }
-    if (!again) {
-        for (const SceneId scene : before) unloadScene(world, scene);
-    }
-    current_ = path;
+    const Result<LoadReport> report = switchScene(world, context(), path);
+    if (!report) return report.error();
+    tell(*report);
+    followed_.clear();
+    followAssets();
     storePreviousTransforms(world);
     world.cluster();
     return Done{};
 }
 
-Result<Done> SceneGame::load(std::string_view path) {
-    Result<LoadReport> report = loadSceneFile(world, context(), path);
-    if (!report) return report.error();
-    for (const Error& problem : report->problems) {
+void SceneGame::tell(const LoadReport& report) const {
+    for (const Error& problem : report.problems) {
         logWarning("Scene", problem);
     }
-    stack_.push_back(report->scene);
-    assets.load(AssetKind::Scene, path);  // watched: editing it begins it anew
-    return Done{};
+}
+
+std::string SceneGame::currentPath() const {
+    const LoadedScenes* loaded = world.findResource<LoadedScenes>();
+    return loaded == nullptr || loaded->scenes.empty() ? std::string{} : loaded->scenes.front().path;
+}
+
+/// Also after a snapshot was restored: the scenes of the world say what is needed, not the way to them.
+void SceneGame::followAssets() {
+    const LoadedScenes& loaded = world.resource<LoadedScenes>();
+    const bool same =
+        std::equal(loaded.scenes.begin(), loaded.scenes.end(), followed_.begin(), followed_.end(),
+                   [](const LoadedScene& scene, SceneId id) { return scene.id == id; });
+    if (same) return;
+    followed_.clear();
+    for (const LoadedScene& scene : loaded.scenes) followed_.push_back(scene.id);
+    held_.follow(world, types);
+    unloadIn_ = kUnloadTicks;
+}
+
+void SceneGame::unloadLater() {
+    if (unloadIn_ == 0 || --unloadIn_ > 0) return;
+    held_.follow(world, types);  // what the game itself began to use meanwhile
+    assets.unloadUnused();
 }
 
 void SceneGame::onAssetsChanged(std::span<const AssetChange> changes) {
+    const std::string current = currentPath();
     const auto isCurrent = [&](const AssetChange& change) {
-        return change.kind == AssetKind::Scene && change.path == textId(current_);
+        return change.kind == AssetKind::Scene && change.path == textId(current);
     };
     if (std::none_of(changes.begin(), changes.end(), isCurrent)) return;
     // A file that cannot be read leaves the game as it is.
-    const Result<Path> file = assets.resolve(current_);
+    const Result<Path> file = assets.resolve(current);
     const Result<std::string> text = file ? readFile(*file) : Result<std::string>{file.error()};
-    const Result<Json> json = text ? parseJson(*text, current_) : Result<Json>{text.error()};
+    const Result<Json> json = text ? parseJson(*text, current) : Result<Json>{text.error()};
     if (!json) {
         logError("Scene", json.error());
         return;
     }
-    follow(std::string{current_}, false);
+    follow(current, false);
 }
 
 void SceneGame::onLateUpdate(float) {
+    followScenes();
+    followAssets();
+    unloadLater();
+}
+
+void SceneGame::followScenes() {
     SceneRequests& requests = world.resource<SceneRequests>();
     if (requests.empty()) return;
     const SceneRequests wanted = std::exchange(requests, {});
     if (wanted.quit) quit_ = true;
-    if (wanted.close && stack_.size() > 1) {
-        unloadScene(world, stack_.back());
-        stack_.pop_back();
-    }
+    if (wanted.close) closeOverlay(world);
     if (!wanted.next.empty()) {
         follow(std::string{world.texts().find(wanted.next)}, wanted.overlay);
     } else if (wanted.reload) {
-        follow(current_, false);
+        follow(currentPath(), false);
     }
 }
 
 void SceneGame::follow(const std::string& path, bool overlay) {
-    const auto done = overlay ? load(path) : openScene(path);
-    if (!done) logError("Scene", done.error());
+    if (!overlay) {
+        if (const auto opened = openScene(path); !opened) logError("Scene", opened.error());
+        return;
+    }
+    const auto opened = openOverlay(world, context(), path);
+    opened ? tell(*opened) : logError("Scene", opened.error());
 }
 
 }  // namespace plumb

@@ -7,6 +7,7 @@
 #include "app/game.hpp"
 #include "app/project.hpp"
 #include "scene/prefab.hpp"
+#include "scene/scene_assets.hpp"
 #include "scene/scene_file.hpp"
 
 namespace plumb {
@@ -31,14 +32,19 @@ public:
     [[nodiscard]] SceneContext context() { return {types, &prefabs_, project_.root}; }
 
 private:
-    Result<Done> load(std::string_view path);
+    void tell(const LoadReport& report) const;
+    [[nodiscard]] std::string currentPath() const;
+    void followAssets();
+    void unloadLater();
+    void followScenes();
     void follow(const std::string& path, bool overlay);
 
     Project project_;
     std::string firstScene_;
     PrefabLibrary prefabs_;
-    std::vector<SceneId> stack_;  // the scenes that are loaded, the top one last
-    std::string current_;
+    SceneAssets held_{assets};
+    std::vector<SceneId> followed_;  // the scenes whose assets are held
+    int unloadIn_ = 0;               // ticks until what no scene names is unloaded; 0 for nothing to unload
     bool quit_ = false;
     bool failed_ = false;
 };

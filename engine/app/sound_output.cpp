@@ -9,7 +9,10 @@ void SoundOutput::listen(World& world) {
     for (const PlaySound& sound : world.events<PlaySound>()) {
         queue_.add({sound.tick, sound.sound, sound.volume, 0.0f});
     }
-    if (const Entity entity = world.first<const Music>()) {
+    // An overlay without music of its own keeps that of what it pauses.
+    Entity entity = world.first<const Music>();
+    if (!entity) entity = world.query<const Music>(withPaused).first();
+    if (entity) {
         const auto& music = std::as_const(world).get<Music>(entity);
         mixer_.playMusic(music.sound, music.volume);
         hasMusic_ = true;

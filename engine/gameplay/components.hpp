@@ -11,6 +11,8 @@
 #include "gameplay/components/health.hpp"
 #include "gameplay/components/kill_plane.hpp"
 #include "gameplay/components/lifetime.hpp"
+#include "gameplay/components/menu.hpp"
+#include "gameplay/components/menu_item.hpp"
 #include "gameplay/components/moving_platform.hpp"
 #include "gameplay/components/music.hpp"
 #include "gameplay/components/patrol.hpp"

@@ -39,7 +39,7 @@ std::string_view pathOfLevel(const World& world, TextId level) {
 }
 
 int healthOfPlayer(const World& world) {
-    for (auto [entity, player, health] : world.query<const PlayerController, const Health>())
+    for (auto [entity, player, health] : world.query<const PlayerController, const Health>(withPaused))
         return health.points;
     return 0;
 }

@@ -10,6 +10,8 @@
 #include "gameplay/components/health.hpp"
 #include "gameplay/components/kill_plane.hpp"
 #include "gameplay/components/lifetime.hpp"
+#include "gameplay/components/menu.hpp"
+#include "gameplay/components/menu_item.hpp"
 #include "gameplay/components/moving_platform.hpp"
 #include "gameplay/components/music.hpp"
 #include "gameplay/components/patrol.hpp"
@@ -45,6 +47,8 @@ void registerGameplayComponents(TypeRegistry& types) {
     types.add<Lifetime>();
     types.add<SoundCues>();
     types.add<Music>();
+    types.add<Menu>();
+    types.add<MenuItem>();
 }
 
 }  // namespace plumb

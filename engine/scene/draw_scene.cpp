@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "ecs/hierarchy.hpp"
+#include "ecs/paused.hpp"
 #include "math/portable.hpp"
 #include "render/camera_motion.hpp"
 #include "scene/camera_target.hpp"
@@ -13,6 +14,7 @@
 #include "scene/components/parallax_layer.hpp"
 #include "scene/components/sprite.hpp"
 #include "scene/loaded_scene.hpp"
+#include "scene/scene_stack.hpp"
 #include "scene/world_transform.hpp"
 
 namespace plumb {
@@ -89,23 +91,28 @@ Vec2 parallaxOf(const SceneLayer& layer, const SceneView& how) {
     return {moved.x * (1.0f - layer.parallax.x), moved.y * (1.0f - layer.parallax.y)};
 }
 
+bool isAt(const World& world, EntityId entity, int place) {
+    return place == kEveryScene || placeOf(world, entity) == static_cast<std::size_t>(place);
+}
+
 }  // namespace
 
-View cameraView(World& world, Vec2 picture, float alpha) {
+View cameraView(World& world, Vec2 picture, float alpha, int place) {
     View view;
     view.size = picture;
     view.center = picture * 0.5f;
-    for (auto [entity, camera] : world.query<const Camera>(without<Hidden>)) {
-        if (!camera.enabled) continue;
-        view.center = worldPose(world, entity, alpha).position;
-        view.zoom = lerp(camera.previousZoom, camera.zoom, alpha);
+    for (auto [entity, camera] : world.query<const Camera>(without<Hidden>, withPaused)) {
+        if (!camera.enabled || !isAt(world, entity, place)) continue;
+        const float between = world.has<Paused>(entity) ? 1.0f : alpha;
+        view.center = worldPose(world, entity, between).position;
+        view.zoom = lerp(camera.previousZoom, camera.zoom, between);
         if (!(view.zoom > 0.0f)) view.zoom = 1.0f;
         if (!camera.settled && world.alive(camera.follow)) {
             // No tick has brought it to its target yet: look from there already.
             const Vec2 target = cameraTarget(world, camera, view.center);
             view.center = keptInLimits(target, picture / view.zoom, camera.limits);
         }
-        const float time = camera.shakeTime + alpha * static_cast<float>(kSecondsPerTick);
+        const float time = camera.shakeTime + between * static_cast<float>(kSecondsPerTick);
         view.center += shakeOffset(camera.shakeStrength, camera.shakeSeconds, time);
         break;
     }
@@ -132,19 +139,26 @@ void SceneRenderer::draw(World& world, Vec2 picture, float alpha, const Viewport
         device.setViewport(canvas);
         device.clear({0, 0, 0, 255});
     }
-    drawInto(world, picture, alpha, canvas, labelText);
+    const auto* loaded = world.findResource<LoadedScenes>();
+    const int scenes = loaded == nullptr ? 0 : static_cast<int>(loaded->scenes.size());
+    // What an overlay paused is shown where it stands until it moves again.
+    const bool resumed = loaded != nullptr && loaded->resumedAt == world.tick && world.tick > 0;
+    SceneView how;
+    how.alpha = resumed ? 1.0f : alpha;
+    how.labelText = labelText;
+    for (int place = 0; place < std::max(scenes, 1); ++place) {
+        how.place = scenes > 1 ? place : kEveryScene;
+        drawInto(world, picture, how, canvas);
+    }
     if (shrink > 1) device.show(canvas.target, viewport);
 }
 
-void SceneRenderer::drawInto(World& world, Vec2 picture, float alpha, const Viewport& viewport,
-                             LabelText labelText) {
-    SceneView how;
+void SceneRenderer::drawInto(World& world, Vec2 picture, SceneView& how, const Viewport& viewport) {
     const float pixelScale = picture.x > 0.0f ? static_cast<float>(viewport.width) / picture.x : 1.0f;
-    how.view = snappedToPixels(cameraView(world, picture, alpha), pixelScale);
-    how.alpha = alpha;
-    how.labelText = labelText;
-    const bool farIsSmall = renderer_.device().drawsInSoftware() && wholeFactor(picture, viewport) > 1 &&
-                            isWholeZoom(how.view.zoom);
+    how.view = snappedToPixels(cameraView(world, picture, how.alpha, how.place), pixelScale);
+    // An overlay lets what is below be seen, so it has no backdrop of its own to draw first.
+    const bool farIsSmall = how.place <= 0 && renderer_.device().drawsInSoftware() &&
+                            wholeFactor(picture, viewport) > 1 && isWholeZoom(how.view.zoom);
     how.grid = farIsSmall ? 1.0f : pixelScale;
     labels_.setPixelScale(pixelScale);
     list_.begin(how.view);
@@ -159,12 +173,10 @@ void SceneRenderer::drawInto(World& world, Vec2 picture, float alpha, const View
 
 void SceneRenderer::collect(World& world, const SceneView& how, DrawList& list) {
     textures_.refresh();
-    tiles_.beginFrame(static_cast<double>(world.tick) * kSecondsPerTick);
-    readLayers(world);
-    if (const auto* loaded = world.findResource<LoadedScenes>(); loaded && !loaded->scenes.empty()) {
-        const Color background = loaded->scenes.front().background;
-        if (background.a > 0) list.filledRect(visibleBox(how.view), background, kLowestLayer);
-    }
+    if (how.place <= 0) tiles_.beginFrame(static_cast<double>(world.tick) * kSecondsPerTick);
+    anyPaused_ = world.count<Paused>() > 0;
+    readLayers(world, how);
+    collectBackground(world, how, list);
     nearLayer_ = kHighestLayer;
     collectBackdrops(world, how, list);
     const std::size_t backdrops = list.items().size();
@@ -176,13 +188,27 @@ void SceneRenderer::collect(World& world, const SceneView& how, DrawList& list) 
     }
 }
 
-void SceneRenderer::readLayers(const World& world) {
+void SceneRenderer::collectBackground(const World& world, const SceneView& how, DrawList& list) {
+    const auto* loaded = world.findResource<LoadedScenes>();
+    const auto place = static_cast<std::size_t>(std::max(how.place, 0));
+    if (loaded == nullptr || place >= loaded->scenes.size()) return;
+    const Color background = loaded->scenes[place].background;
+    if (background.a > 0) list.filledRect(visibleBox(how.view), background, kLowestLayer);
+}
+
+void SceneRenderer::readLayers(const World& world, const SceneView& how) {
     layers_.clear();
-    if (const auto* loaded = world.findResource<LoadedScenes>()) {
-        for (const LoadedScene& scene : loaded->scenes) {
-            layers_.insert(layers_.end(), scene.layers.begin(), scene.layers.end());
-        }
+    const auto* loaded = world.findResource<LoadedScenes>();
+    if (loaded == nullptr) return;
+    for (std::size_t i = 0; i < loaded->scenes.size(); ++i) {
+        const std::vector<SceneLayer>& layers = loaded->scenes[i].layers;
+        const bool wanted = how.place == kEveryScene || static_cast<std::size_t>(how.place) == i;
+        if (wanted) layers_.insert(layers_.end(), layers.begin(), layers.end());
     }
+}
+
+float SceneRenderer::alphaOf(const World& world, EntityId entity, const SceneView& how) const {
+    return anyPaused_ && world.has<Paused>(entity) ? 1.0f : how.alpha;
 }
 
 const SceneLayer* SceneRenderer::layerOf(int order) const {
@@ -205,12 +231,15 @@ void SceneRenderer::add(SpriteQuad quad, float y, const SceneView& how, DrawList
 void SceneRenderer::collectSprites(World& world, const SceneView& how, DrawList& list) {
     // Most sprites have no parent; they skip the walk up.
     for (auto [entity, sprite, transform] :
-         world.query<const Sprite, const Transform>(without<Hidden, ParallaxLayer, Parent>)) {
-        const Pose pose = interpolated(transform, how.alpha);
+         world.query<const Sprite, const Transform>(without<Hidden, ParallaxLayer, Parent>, withPaused)) {
+        if (!isAt(world, entity, how.place)) continue;
+        const Pose pose = interpolated(transform, alphaOf(world, entity, how));
         add(quadOf(sprite, pose, textures_.regionOf(sprite.texture)), pose.position.y, how, list);
     }
-    for (auto [entity, sprite] : world.query<const Sprite>(with<Parent>, without<Hidden, ParallaxLayer>)) {
-        const Pose pose = worldPose(world, entity, how.alpha);
+    for (auto [entity, sprite] :
+         world.query<const Sprite>(with<Parent>, without<Hidden, ParallaxLayer>, withPaused)) {
+        if (!isAt(world, entity, how.place)) continue;
+        const Pose pose = worldPose(world, entity, alphaOf(world, entity, how));
         add(quadOf(sprite, pose, textures_.regionOf(sprite.texture)), pose.position.y, how, list);
     }
 }
@@ -218,8 +247,10 @@ void SceneRenderer::collectSprites(World& world, const SceneView& how, DrawList&
 void SceneRenderer::collectBackdrops(World& world, const SceneView& how, DrawList& list) {
     const AABB seen = visibleBox(how.view);
     const Vec2 moved = topLeftOf(how.view) - how.parallaxOrigin;
-    for (auto [entity, sprite, backdrop] : world.query<const Sprite, const ParallaxLayer>(without<Hidden>)) {
-        const Pose pose = worldPose(world, entity, how.alpha);
+    for (auto [entity, sprite, backdrop] :
+         world.query<const Sprite, const ParallaxLayer>(without<Hidden>, withPaused)) {
+        if (!isAt(world, entity, how.place)) continue;
+        const Pose pose = worldPose(world, entity, alphaOf(world, entity, how));
         SpriteQuad quad = quadOf(sprite, pose, textures_.regionOf(sprite.texture));
         if (!isPlain(pose)) nearLayer_ = std::min(nearLayer_, quad.layer);
         if (how.parallax)
@@ -247,8 +278,9 @@ void SceneRenderer::collectBackdrops(World& world, const SceneView& how, DrawLis
 
 void SceneRenderer::collectTiles(World& world, const SceneView& how, DrawList& list) {
     const Vec2 moved = topLeftOf(how.view) - how.parallaxOrigin;
-    for (auto [entity, layer] : world.query<const TileLayer>(without<Hidden>)) {
-        Pose pose = worldPose(world, entity, how.alpha);
+    for (auto [entity, layer] : world.query<const TileLayer>(without<Hidden>, withPaused)) {
+        if (!isAt(world, entity, how.place)) continue;
+        Pose pose = worldPose(world, entity, alphaOf(world, entity, how));
         if (const auto* backdrop = world.find<ParallaxLayer>(entity); backdrop != nullptr && how.parallax) {
             pose.position += {moved.x * (1.0f - backdrop->factor.x), moved.y * (1.0f - backdrop->factor.y)};
         }
@@ -264,8 +296,9 @@ void SceneRenderer::collectTiles(World& world, const SceneView& how, DrawList& l
 
 void SceneRenderer::collectLabels(World& world, const SceneView& how, DrawList& list) {
     const Vec2 corner = how.parallax ? topLeftOf(how.view) : Vec2{};
-    for (auto [entity, label] : world.query<const Label>(without<Hidden>)) {
-        Pose pose = worldPose(world, entity, how.alpha);
+    for (auto [entity, label] : world.query<const Label>(without<Hidden>, withPaused)) {
+        if (!isAt(world, entity, how.place)) continue;
+        Pose pose = worldPose(world, entity, alphaOf(world, entity, how));
         if (label.screen) pose.position += corner;
         if (const SceneLayer* look = layerOf(label.layer); look != nullptr && !look->visible) continue;
         labels_.draw(world, label, pose, how.labelText, list);

@@ -14,10 +14,14 @@
 
 namespace plumb {
 
+/// For a place in the stack of scenes: all of them.
+inline constexpr int kEveryScene = -1;
+
 /// The view of the first enabled camera between its last two ticks, shake included; without one, the view
 /// whose top-left corner is the world's origin.
 /// @param picture  px, size of the game's picture
-View cameraView(World& world, Vec2 picture, float alpha);
+/// @param place    in the stack of scenes: only a camera of that scene
+View cameraView(World& world, Vec2 picture, float alpha, int place = kEveryScene);
 
 /// How a world is looked at.
 struct SceneView {
@@ -27,6 +31,7 @@ struct SceneView {
     bool parallax = true;  ///< false draws backdrops where they are, as part of the world
     float grid = 0.0f;     ///< px of the target for each px of the picture: backdrops keep to them; 0: they
                            ///< lie where they come to lie
+    int place = kEveryScene;        ///< in the stack of scenes: what is drawn
     LabelText labelText = nullptr;  ///< null shows texts as they are written
 };
 
@@ -39,8 +44,9 @@ public:
     /// Fills `list` with what `how` sees of the world.
     void collect(World& world, const SceneView& how, DrawList& list);
 
-    /// Collects by the scene's camera and draws. Where no graphics card helps, what can be drawn small and
-    /// enlarged without showing it is: backdrops, and everything in large windows.
+    /// Collects and draws each scene by its own camera, overlays over those below. Where no graphics card
+    /// helps, what can be drawn small and enlarged without showing it is: backdrops, and everything in large
+    /// windows.
     /// @param picture  px of the game's picture
     void draw(World& world, Vec2 picture, float alpha, const Viewport& viewport,
               LabelText labelText = nullptr);
@@ -49,8 +55,11 @@ public:
     [[nodiscard]] Renderer& renderer() { return renderer_; }
 
 private:
-    void drawInto(World& world, Vec2 picture, float alpha, const Viewport& viewport, LabelText labelText);
-    void readLayers(const World& world);
+    void drawInto(World& world, Vec2 picture, SceneView& how, const Viewport& viewport);
+    void readLayers(const World& world, const SceneView& how);
+    /// What is paused stands where its last tick left it.
+    [[nodiscard]] float alphaOf(const World& world, EntityId entity, const SceneView& how) const;
+    void collectBackground(const World& world, const SceneView& how, DrawList& list);
     /// What its scene says of a layer number; null draws it plainly.
     [[nodiscard]] const SceneLayer* layerOf(int order) const;
     /// Adds a sprite as its layer wants it. @param y  px, world: where it stands, for layers sorted by y
@@ -70,6 +79,7 @@ private:
     int nearLayer_ = 0;               ///< the lowest layer of the last collect that is no plain backdrop
     SizedTarget far_;                 ///< the backdrops, one px for each px of the picture
     SizedTarget canvas_;              ///< everything, before it is enlarged to a large window
+    bool anyPaused_ = false;
 };
 
 }  // namespace plumb

@@ -14,6 +14,8 @@
 
 namespace plumb {
 
+struct PhysicsState;
+
 /// A value in a file that could not be used as it stands. Saving writes it back while the field still holds
 /// what it got instead.
 struct KeptField {
@@ -52,14 +54,17 @@ struct LoadedScene {
     Json effects = Json::object();
     std::vector<SceneLayer> layers;
     Color background{0, 0, 0, 0};  ///< behind everything; nothing is drawn when it is clear
-    int depth = 0;                 ///< place in the stack: an overlay is drawn over those below
-    /// Shared, because snapshots copy resources and this never changes.
+    bool pauses = false;           ///< an overlay: those below stand still
+    bool takesInput = false;       ///< an overlay: those below hear nothing of the player
+    /// Shared, because snapshots copy resources and these never change.
     std::shared_ptr<const SceneRest> rest;
+    std::shared_ptr<const PhysicsState> below;  ///< the bodies of what it paused, as they were; else null
 };
 
-/// The scenes of a world, in the order of their loading. A resource.
+/// The scenes of a world, from the bottom to the top: an overlay is drawn over those before it. A resource.
 struct LoadedScenes {
     std::vector<LoadedScene> scenes;
+    std::uint64_t resumedAt = 0;  ///< the tick in which an overlay was closed: things are where they stood
 
     [[nodiscard]] LoadedScene* find(SceneId id) {
         for (LoadedScene& scene : scenes) {

@@ -10,6 +10,7 @@
 #include "scene/components/kinematic_body.hpp"
 #include "scene/components/label.hpp"
 #include "scene/components/name.hpp"
+#include "scene/components/overlay.hpp"
 #include "scene/components/parallax_layer.hpp"
 #include "scene/components/persistent.hpp"
 #include "scene/components/prefab_instance.hpp"
@@ -44,6 +45,7 @@ void registerSceneComponents(TypeRegistry& types) {
     types.add<CircleCollider>();
     types.add<Hidden>();
     types.add<Persistent>();
+    types.add<Overlay>();
 }
 
 }  // namespace plumb

@@ -7,13 +7,14 @@
 #include "core/limits.hpp"
 #include "core/text.hpp"
 #include "ecs/hierarchy.hpp"
+#include "ecs/paused.hpp"
 #include "reflect/cbor.hpp"
 #include "reflect/field_json.hpp"
 #include "reflect/json_text.hpp"
 #include "reflect/type_registry.hpp"
 #include "scene/components/persistent.hpp"
-#include "scene/components/tile_layer.hpp"
 #include "scene/json_slices.hpp"
+#include "scene/scene_assets.hpp"
 #include "scene/scene_reader.hpp"
 #include "scene/scene_writer.hpp"
 
@@ -239,14 +240,13 @@ SceneId addScene(World& world, std::string_view path) {
     LoadedScene scene;
     scene.id = {world.texts().add(path)};
     scene.path = path;
-    scene.depth = static_cast<int>(scenes.scenes.size());
     scenes.scenes.push_back(std::move(scene));
     return scenes.scenes.back().id;
 }
 
 Entity createSceneEntity(World& world, SceneId scene, Random& ids) {
     int order = -1;
-    for (auto [other, source] : std::as_const(world).query<const SceneEntity>()) {
+    for (auto [other, source] : std::as_const(world).query<const SceneEntity>(withPaused)) {
         if (source.scene == scene) order = std::max(order, source.order);
     }
     const Entity entity = world.createEntity();
@@ -254,46 +254,46 @@ Entity createSceneEntity(World& world, SceneId scene, Random& ids) {
     return entity;
 }
 
-void unloadScene(World& world, SceneId scene) {
-    std::vector<EntityId> gone;
-    for (auto [entity, source] : std::as_const(world).query<const SceneEntity>(without<Persistent>)) {
-        if (source.scene == scene) gone.push_back(entity.id());
+bool persists(const World& world, EntityId id) {
+    for (; world.alive(id); id = parentOf(world, id)) {
+        if (world.has<Persistent>(id)) return true;
     }
-    const auto persists = [&world](EntityId id) {
-        for (; world.alive(id); id = parentOf(std::as_const(world), id)) {
-            if (std::as_const(world).has<Persistent>(id)) return true;
-        }
-        return false;
-    };
-    for (const EntityId id : gone) {
-        if (!world.alive(id) || persists(id)) continue;
-        if (const TileLayer* tiles = std::as_const(world).find<TileLayer>(id))
-            world.tiles().remove(tiles->cells);
-        world.destroy(id);
+    return false;
+}
+
+namespace {
+
+std::vector<EntityId> entitiesOf(const World& world, SceneId scene) {
+    std::vector<EntityId> ids;
+    for (auto [entity, source] : world.query<const SceneEntity>(without<Persistent>, withPaused)) {
+        if (source.scene == scene) ids.push_back(entity.id());
     }
+    return ids;
+}
+
+void unload(World& world, SceneId scene, const std::vector<EntityId>& entities) {
+    for (const EntityId id : entities) {
+        if (world.alive(id) && !persists(world, id)) world.destroy(id);
+    }
+    world.dropUnusedTiles();
     if (LoadedScenes* scenes = world.findResource<LoadedScenes>()) {
         std::erase_if(scenes->scenes, [scene](const LoadedScene& s) { return s.id == scene; });
     }
 }
 
+}  // namespace
+
+void unloadScene(World& world, SceneId scene) { unload(world, scene, entitiesOf(world, scene)); }
+
+void unloadOverlay(World& world, SceneId scene) {
+    std::vector<EntityId> entities = entitiesOf(world, scene);
+    std::reverse(entities.begin(), entities.end());
+    unload(world, scene, entities);
+}
+
 void loadAssets(const World& world, const TypeRegistry& types, AssetStore& assets) {
-    std::vector<std::pair<std::uint64_t, AssetKind>> seen;
-    std::vector<EntityId> entities;
-    for (auto [entity, source] : world.query<const SceneEntity>()) entities.push_back(entity.id());
-    for (const TypeInfo& type : types.all()) {
-        for (const FieldInfo& field : type.fields) {
-            if (field.kind != FieldKind::Asset || field.transient) continue;
-            for (const EntityId entity : entities) {
-                const void* object = world.find(type, entity);
-                if (object == nullptr) continue;
-                const auto id = *static_cast<const TextId*>(field.in(object));
-                if (!id.empty()) seen.emplace_back(id.value, field.asset);
-            }
-        }
-    }
-    std::sort(seen.begin(), seen.end());
-    seen.erase(std::unique(seen.begin(), seen.end()), seen.end());
-    for (const auto& [id, kind] : seen) assets.load(kind, world.texts().find(id));
+    for (const AssetName& name : namedAssets(world, types))
+        assets.load(name.kind, world.texts().find(name.path));
 }
 
 std::uint64_t newStableId(Random& random) {

@@ -66,6 +66,10 @@ Entity createSceneEntity(World& world, SceneId scene, Random& ids);
 
 /// Destroys the scene's entities, but for the persistent ones and their children, and forgets its file.
 void unloadScene(World& world, SceneId scene);
+/// The same from the last entity to the first, which leaves the order of those made before as it was.
+void unloadOverlay(World& world, SceneId scene);
+/// Whether an entity, or one that it is a child of, stays when its scene goes.
+bool persists(const World& world, EntityId id);
 
 /// Loads every asset that components name.
 void loadAssets(const World& world, const TypeRegistry& types, AssetStore& assets);

@@ -387,7 +387,6 @@ LoadReport SceneReader::finish() {
         transform.previousScale = transform.scale;
     }
     LoadedScenes& scenes = world_.resource<LoadedScenes>();
-    scene_.depth = static_cast<int>(scenes.scenes.size());
     scene_.rest = std::make_shared<const SceneRest>(std::move(rest_));
     scenes.scenes.push_back(std::move(scene_));
     return std::move(report_);

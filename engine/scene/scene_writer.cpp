@@ -30,7 +30,7 @@ SceneWriter::SceneWriter(World& world, const SceneContext& context, const Loaded
 
 std::vector<SceneWriter::Item> SceneWriter::itemsInOrder() const {
     std::vector<Item> items;
-    for (auto [entity, source] : std::as_const(world_).query<const SceneEntity>(without<PrefabPart>)) {
+    for (auto [entity, source] : std::as_const(world_).query<const SceneEntity>(without<PrefabPart>, withPaused)) {
         if (source.scene == scene_.id) items.push_back({source.order, source.id, entity.id(), nullptr});
     }
     if (scene_.rest != nullptr) {
@@ -95,7 +95,7 @@ Json SceneWriter::withoutList(EntityId entity, const PrefabEntity& base) const {
 
 PlacedPrefab SceneWriter::partsOf(EntityId root, std::uint64_t id, const Prefab& prefab) {
     if (partIndex_.empty()) {
-        for (auto [entity, part] : std::as_const(world_).query<const PrefabPart>()) {
+        for (auto [entity, part] : std::as_const(world_).query<const PrefabPart>(withPaused)) {
             partIndex_.emplace(std::pair{part.instance, part.part}, entity.id());
         }
         partIndex_.emplace(std::pair{0, 0}, EntityId{});  // not empty, also without any part

@@ -17,7 +17,7 @@ std::uint64_t WorldFieldContext::stableId(EntityId entity) const {
 EntityId WorldFieldContext::entity(std::uint64_t stableId) const {
     if (!indexed_) {
         const World& world = world_;
-        for (auto [entity, source] : world.query<const SceneEntity>()) {
+        for (auto [entity, source] : world.query<const SceneEntity>(withPaused)) {
             index_.emplace_back(source.id, entity.id());
         }
         std::sort(index_.begin(), index_.end());
@@ -53,7 +53,7 @@ bool WorldFieldContext::sameTiles(TilesId a, TilesId b) const {
 }
 
 Entity findById(World& world, std::uint64_t stableId) {
-    for (auto [entity, source] : world.query<const SceneEntity>()) {
+    for (auto [entity, source] : world.query<const SceneEntity>(withPaused)) {
         if (source.id == stableId) return entity;
     }
     return {};

@@ -1,10 +1,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "gameplay/pause_scene.hpp"
 #include "gameplay/register_components.hpp"
 #include "math/portable.hpp"
 #include "reflect/type_registry.hpp"
 #include "scene/components/hidden.hpp"
+#include "scene/components/label.hpp"
 #include "scene/components/scene_entity.hpp"
 #include "scene/components/sprite.hpp"
 #include "scene/play_sound.hpp"
@@ -218,6 +220,114 @@ TEST(SceneLink, aPressIsHeard) {
     level.tick();
     ASSERT_EQ(level.count<PlaySound>(), 1);
     EXPECT_EQ(level.world.events<PlaySound>()[0].sound, (SoundId{textId("assets/confirm.wav")}));
+}
+
+TEST(Pause, opensItsSceneWhereSomebodyPlays) {
+    Level level{kFlat};
+    level.world.addSystem<PauseSystem>();
+    level.hold(Key::P);
+    level.tick();
+    EXPECT_TRUE(level.world.resource<SceneRequests>().empty()) << "the project has no such scene";
+    level.world.resource<PauseScene>().path = {textId("scenes/pause.scene.json")};
+    level.hold(Key::P, false);
+    level.tick();
+    level.hold(Key::P);
+    level.tick();
+    EXPECT_TRUE(level.world.resource<SceneRequests>().empty()) << "nobody plays";
+    level.hold(Key::P, false);
+    level.addPlayer({40, kFloor});
+    level.tick();
+    level.hold(Key::P);
+    level.tick();
+    EXPECT_EQ(level.world.resource<SceneRequests>().next, textId("scenes/pause.scene.json"));
+    EXPECT_TRUE(level.world.resource<SceneRequests>().overlay);
+}
+
+/// A menu with three items, made in another order than they are read in.
+struct MenuLevel : Level {
+    Entity menu, first, second, third, cursor;
+
+    MenuLevel() : Level{{}} {
+        world.addSystem<MenuSystem>();
+        cursor = world.createEntity();
+        cursor.addComponent<Transform>();
+        menu = world.createEntity();
+        menu.addComponent<Menu>().cursor = cursor;
+        menu.addComponent<SoundCues>().step = {textId("assets/select.wav")};
+        third = item(9, MenuAction::Quit);
+        first = item(1, MenuAction::Close);
+        second = item(5, MenuAction::GoTo);
+        second.get<MenuItem>().scene = {textId("scenes/title.scene.json")};
+    }
+    Entity item(int order, MenuAction action) {
+        Entity entity = world.createEntity();
+        entity.addComponent<Transform>(100.0f, static_cast<float>(order) * 10.0f);
+        entity.addComponent<Label>();
+        MenuItem& made = entity.addComponent<MenuItem>();
+        made.order = order;
+        made.action = action;
+        return entity;
+    }
+    void press(Key key) {
+        hold(key);
+        tick();
+        hold(key, false);
+    }
+    SceneRequests requests() { return std::exchange(world.resource<SceneRequests>(), {}); }
+};
+
+TEST(Menu, movesOneItemAPushAndGoesRound) {
+    MenuLevel level;
+    level.tick();
+    const auto selected = [&level] { return level.menu.get<Menu>().selected; };
+    EXPECT_EQ(level.cursor.get<Transform>().position, (Vec2{88, 10}));
+    EXPECT_EQ(level.first.get<Label>().color, level.menu.get<Menu>().selectedColor);
+    level.hold(Key::Down);
+    level.run(30);
+    EXPECT_EQ(selected(), 1) << "holding is one push";
+    EXPECT_EQ(level.first.get<Label>().color, level.menu.get<Menu>().color);
+    EXPECT_EQ(level.cursor.get<Transform>().position, (Vec2{88, 50}));
+    level.hold(Key::Down, false);
+    level.tick();
+    level.press(Key::Down);
+    EXPECT_EQ(level.count<PlaySound>(), 1);
+    level.tick();
+    EXPECT_EQ(selected(), 2);
+    level.press(Key::Down);
+    level.tick();
+    EXPECT_EQ(selected(), 0);
+    level.press(Key::Up);
+    EXPECT_EQ(selected(), 2);
+}
+
+TEST(Menu, takesWhatConfirmSays) {
+    MenuLevel level;
+    level.tick();
+    level.press(Key::Enter);
+    EXPECT_TRUE(level.requests().close);
+    level.tick();
+    level.press(Key::Down);
+    level.tick();
+    level.press(Key::Enter);
+    EXPECT_EQ(level.requests().next, textId("scenes/title.scene.json"));
+    level.tick();
+    level.press(Key::Down);
+    level.tick();
+    level.press(Key::Enter);
+    EXPECT_TRUE(level.requests().quit);
+}
+
+TEST(Menu, pauseAndCancelCloseIt) {
+    for (const Key key : {Key::P, Key::Escape, Key::Backspace}) {
+        MenuLevel level;
+        level.tick();
+        level.press(key);
+        EXPECT_TRUE(level.requests().close);
+        level.menu.get<Menu>().closes = false;
+        level.tick();
+        level.press(key);
+        EXPECT_TRUE(level.requests().empty());
+    }
 }
 
 TEST(Door, opensForAKeyAndWhileItsButtonIsPressed) {

@@ -13,6 +13,7 @@
 #include "input/input.hpp"
 #include "math/portable.hpp"
 #include "scene/scene_requests.hpp"
+#include "scene/scene_stack.hpp"
 
 namespace plumb {
 
@@ -42,7 +43,8 @@ void leave(World& world, Goal& goal) {
     if (--goal.leaving == 1 && !goal.next.empty()) request(world, goal.next, false);
 }
 
-void follow(World& world, EntityId entity, SceneLink& link, bool confirmed, float dt) {
+void follow(World& world, EntityId entity, SceneLink& link, float dt) {
+    const bool confirmed = inputFor(world, entity).isPressed(Action::Confirm);
     const float seconds = static_cast<float>(link.ticks++) * dt;
     const bool pressed = confirmed && seconds >= link.delay;
     if (!pressed && (link.after <= 0.0f || seconds < link.after)) return;
@@ -58,9 +60,7 @@ void GoalSystem::update(World& world, float dt) {
     forEachTouch<TriggerEntered, Goal, PlayerController>(
         world, [&world](EntityId goal, EntityId player) { reach(world, goal, player); });
     for (auto [entity, goal] : world.query<Goal>()) leave(world, goal);
-    if (world.count<SceneLink>() == 0) return;
-    const bool confirmed = world.resource<Input>().isPressed(Action::Confirm);
-    for (auto [entity, link] : world.query<SceneLink>()) follow(world, entity, link, confirmed, dt);
+    for (auto [entity, link] : world.query<SceneLink>()) follow(world, entity, link, dt);
 }
 
 }  // namespace plumb

@@ -16,6 +16,7 @@
 #include "scene/components/rigid_body.hpp"
 #include "scene/components/transform.hpp"
 #include "scene/physics_bridge.hpp"
+#include "scene/scene_stack.hpp"
 
 namespace plumb {
 
@@ -235,16 +236,17 @@ bool isDead(const World& world, EntityId entity) {
 }  // namespace
 
 void PlayerControllerSystem::update(World& world, float dt) {
-    if (world.count<PlayerController>() == 0) return;
+    if (world.query<const PlayerController>().empty()) return;
     for (auto [entity, player] : world.query<const PlayerController>(with<RigidBody, BoxCollider, Transform>,
                                                                      without<CharacterBody>)) {
         entity.addComponent<CharacterBody>();
     }
     syncBodies(world, dt);
-    const Wishes wishes = wishesOf(world.resource<Input>());
     for (auto [entity, player] :
          world.query<const PlayerController>(with<RigidBody, BoxCollider, Transform, CharacterBody>)) {
-        if (!isDead(world, entity)) Character{world, entity, wishes, dt}.run();
+        if (isDead(world, entity)) continue;
+        const Wishes wishes = wishesOf(inputFor(world, entity));
+        Character{world, entity, wishes, dt}.run();
     }
 }
 

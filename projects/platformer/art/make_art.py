@@ -17,6 +17,7 @@ sys.dont_write_bytecode = True
 import animations  # noqa: E402
 import backdrops  # noqa: E402
 import creatures  # noqa: E402
+import menu  # noqa: E402
 import music  # noqa: E402
 import pixel_font  # noqa: E402
 import player  # noqa: E402
@@ -25,7 +26,7 @@ import sounds  # noqa: E402
 import tilesets  # noqa: E402
 import title  # noqa: E402
 
-PAINTERS = [animations, backdrops, creatures, music, pixel_font, player, props, sounds, tilesets, title]
+PAINTERS = [animations, backdrops, creatures, menu, music, pixel_font, player, props, sounds, tilesets, title]
 ASSETS = Path(__file__).resolve().parent.parent / "assets"
 
 

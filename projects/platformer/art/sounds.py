@@ -106,6 +106,7 @@ def effects():
                     steps("triangle", [261.6, 329.6, 392.0, 523.3, 392.0, 523.3, 659.3], 0.09, 0.8, 0.4)),
         "stomp": softened(mix(tone("noise", [1800, 300], 0.12, 0.36), tone("square", [300, 90], 0.14, 0.3),
                               late(0.05, tone("triangle", [240, 620], 0.14, 0.4)))),
+        "select": softened(tone("triangle", [880, 988], 0.05, 0.4, decay=2)),
         "confirm": steps("pulse", [659.3, 987.8, 1318.5], 0.05, 0.25, 0.26),
     }
 

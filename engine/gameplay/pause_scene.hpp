@@ -1,0 +1,12 @@
+#pragma once
+
+#include "reflect/field_types.hpp"
+
+namespace plumb {
+
+/// The overlay that the Pause action opens. A resource, set from the project when a game starts.
+struct PauseScene {
+    SceneId path;  ///< empty for none
+};
+
+}  // namespace plumb

@@ -1,0 +1,99 @@
+#include "gameplay/systems/menu_system.hpp"
+
+#include <algorithm>
+
+#include "core/fixed_list.hpp"
+#include "ecs/world.hpp"
+#include "gameplay/components/menu.hpp"
+#include "gameplay/components/menu_item.hpp"
+#include "gameplay/sound_cue.hpp"
+#include "input/input.hpp"
+#include "scene/components/label.hpp"
+#include "scene/components/scene_entity.hpp"
+#include "scene/components/transform.hpp"
+#include "scene/scene_requests.hpp"
+#include "scene/scene_stack.hpp"
+#include "scene/world_transform.hpp"
+
+namespace plumb {
+
+namespace {
+
+constexpr std::size_t kMostItems = 32;
+constexpr float kPushed = 0.5f;  // of the axis
+
+using Items = FixedList<EntityId, kMostItems>;
+
+SceneId sceneOf(const World& world, EntityId entity) {
+    const auto* source = world.find<SceneEntity>(entity);
+    return source == nullptr ? SceneId{} : source->scene;
+}
+
+Items itemsOf(World& world, EntityId menu) {
+    Items items;
+    const SceneId scene = sceneOf(world, menu);
+    for (auto [entity, item] : world.query<const MenuItem>()) {
+        if (sceneOf(world, entity) == scene && !items.full()) items.push(entity.id());
+    }
+    const auto orderOf = [&world](EntityId id) { return std::as_const(world).get<MenuItem>(id).order; };
+    std::sort(items.begin(), items.end(), [&](EntityId a, EntityId b) {
+        return orderOf(a) != orderOf(b) ? orderOf(a) < orderOf(b) : a.index < b.index;
+    });
+    return items;
+}
+
+void move(World& world, EntityId id, Menu& menu, const Input& input, int count) {
+    const float axis = input.getAxis(Axis::Vertical);
+    const int push = axis > kPushed ? 1 : axis < -kPushed ? -1 : 0;
+    if (push != 0 && push != menu.pushed) {
+        menu.selected = (menu.selected + push + count) % count;
+        playCue(world, id, &SoundCues::step);
+    }
+    menu.pushed = push;
+}
+
+void show(World& world, const Menu& menu, const Items& items) {
+    for (int i = 0; i < static_cast<int>(items.size()); ++i) {
+        if (Label* label = world.find<Label>(items[static_cast<std::size_t>(i)]))
+            label->color = i == menu.selected ? menu.selectedColor : menu.color;
+    }
+    const auto* at = std::as_const(world).find<Transform>(items[static_cast<std::size_t>(menu.selected)]);
+    Transform* cursor = world.find<Transform>(menu.cursor);
+    if (at != nullptr && cursor != nullptr) teleport(*cursor, at->position + menu.cursorOffset);
+}
+
+void take(World& world, const MenuItem& item) {
+    SceneRequests& requests = world.resource<SceneRequests>();
+    switch (item.action) {
+        case MenuAction::Close: requests.close = true; break;
+        case MenuAction::GoTo:
+            requests.next = item.scene.path;
+            requests.overlay = false;
+            break;
+        case MenuAction::Restart: requests.reload = true; break;
+        case MenuAction::Quit: requests.quit = true; break;
+    }
+}
+
+}  // namespace
+
+void MenuSystem::update(World& world, float) {
+    for (auto [entity, menu] : world.query<Menu>()) {
+        const Input& input = inputFor(world, entity);
+        const Items items = itemsOf(world, entity);
+        if (menu.closes && (input.isPressed(Action::Pause) || input.isPressed(Action::Cancel))) {
+            playCue(world, entity, &SoundCues::activate);
+            world.resource<SceneRequests>().close = true;
+            continue;
+        }
+        if (items.empty()) continue;
+        menu.selected = std::clamp(menu.selected, 0, static_cast<int>(items.size()) - 1);
+        move(world, entity, menu, input, static_cast<int>(items.size()));
+        show(world, menu, items);
+        if (!input.isPressed(Action::Confirm)) continue;
+        playCue(world, entity, &SoundCues::activate);
+        take(world, std::as_const(world).get<MenuItem>(items[static_cast<std::size_t>(menu.selected)]));
+    }
+}
+
+}  // namespace plumb

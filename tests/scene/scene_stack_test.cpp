@@ -1,0 +1,255 @@
+#include "scene/scene_stack.hpp"
+
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "assets/asset_store.hpp"
+#include "core/file.hpp"
+#include "ecs/paused.hpp"
+#include "ecs/world.hpp"
+#include "input/input.hpp"
+#include "reflect/type_registry.hpp"
+#include "render/recording_device.hpp"
+#include "scene/components/box_collider.hpp"
+#include "scene/components/camera.hpp"
+#include "scene/components/persistent.hpp"
+#include "scene/components/rigid_body.hpp"
+#include "scene/components/scene_entity.hpp"
+#include "scene/components/sprite.hpp"
+#include "scene/contact_events.hpp"
+#include "scene/draw_scene.hpp"
+#include "scene/loaded_scene.hpp"
+#include "scene/register_components.hpp"
+#include "scene/systems/camera_system.hpp"
+#include "scene/systems/physics_system.hpp"
+#include "scene/world_field_context.hpp"
+#include "scene/world_transform.hpp"
+#include "tests/support/temporary_folder.hpp"
+
+namespace plumb {
+namespace {
+
+constexpr const char* kLevel = "scenes/level.scene.json";
+constexpr const char* kMenu = "scenes/menu.scene.json";
+constexpr const char* kHud = "scenes/hud.scene.json";
+constexpr std::uint64_t kCrate = 0x11, kFloor = 0x12, kKept = 0x13, kButton = 0x21, kLamp = 0x31;
+
+/// A level where a crate falls and bounces on a floor, a menu that pauses, and a strip that does not.
+class SceneStackTest : public ::testing::Test {
+protected:
+    void SetUp() override {
+        registerSceneComponents(types_);
+        world_.addSystem<PhysicsSystem>();
+        world_.addSystem<CameraSystem>();
+        write(kLevel, {R"("id": "11", "components": {"Transform": {"position": [50, 10]},
+                          "Sprite": {"width": 16, "height": 16, "layer": 900}, "RigidBody": {"bounciness": 0.7},
+                          "BoxCollider": {"width": 16, "height": 16}})",
+                       R"("id": "12", "components": {"Transform": {"position": [0, 170]},
+                          "Sprite": {"width": 400, "height": 16}, "BoxCollider": {"width": 400, "height": 16}})",
+                       R"("id": "13", "components": {"Persistent": {}, "Transform": {"position": [20, 20]},
+                          "RigidBody": {}})",
+                       R"("id": "14", "components": {"Transform": {"position": [160, 90]}, "Camera": {}})"});
+        write(kMenu, {R"("id": "21", "components": {"Transform": {"position": [5, 5]},
+                         "Sprite": {"width": 8, "height": 8, "layer": -900}, "RigidBody": {},
+                         "BoxCollider": {"width": 8, "height": 8}})",
+                      R"("id": "22", "components": {"Transform": {"position": [10, 10]}, "Camera": {}})"});
+        write(kHud, {R"("id": "31", "components": {"Transform": {},
+                        "Sprite": {"width": 4, "height": 4}, "Overlay": {"pauses": false, "takesInput": false}})"});
+        ASSERT_TRUE(switchScene(world_, context_, kLevel).ok());
+    }
+
+    void write(const std::string& path, const std::vector<std::string>& entities) {
+        std::string text = R"({"format": 1, "effects": {}, "layers": [], "entities": [)";
+        for (const std::string& entity : entities) {
+            text.append(text.back() == '[' ? "{" : ", {").append(entity).append("}");
+        }
+        ASSERT_TRUE(writeFile(folder_.path / path, text.append("]}")).ok());
+    }
+    void tick(int count = 1) {
+        for (int i = 0; i < count; ++i) {
+            world_.beginTick();
+            storePreviousTransforms(world_);
+            world_.update(1.0f / 60.0f);
+        }
+    }
+    Entity entity(std::uint64_t id) { return world_.entity(WorldFieldContext{world_}.entity(id)); }
+    Vec2 at(std::uint64_t id) { return entity(id).get<Transform>().position; }
+    /// The hash of all but the time.
+    std::uint64_t state() {
+        const std::uint64_t tick = std::exchange(world_.tick, 0);
+        const std::uint64_t hash = world_.hash();
+        world_.tick = tick;
+        return hash;
+    }
+
+    test::TemporaryFolder folder_;
+    TypeRegistry types_;
+    World world_{types_};
+    SceneContext context_{types_, nullptr, folder_.path};
+};
+
+TEST_F(SceneStackTest, anOverlayPausesWhatIsBelowAndRunsItself) {
+    tick(20);
+    const Vec2 crate = at(kCrate);
+    ASSERT_GT(crate.y, 11.0f);
+    ASSERT_TRUE(openOverlay(world_, context_, kMenu).ok());
+
+    tick(30);
+
+    EXPECT_EQ(at(kCrate), crate);
+    EXPECT_GT(at(kButton).y, 20.0f) << "the overlay's own bodies fall";
+    EXPECT_TRUE(closeOverlay(world_));
+    EXPECT_FALSE(entity(kButton));
+    tick(5);
+    EXPECT_GT(at(kCrate).y, crate.y);
+    EXPECT_FALSE(closeOverlay(world_)) << "the bottom scene is no overlay";
+}
+
+TEST_F(SceneStackTest, whatComesBackIsBitForBitWhatWasLeftAtAnyMoment) {
+    std::vector<std::uint64_t> undisturbed;
+    Snapshot start = world_.save();
+    for (int i = 0; i < 200; ++i) tick(), undisturbed.push_back(state());
+
+    world_.restore(start);
+    for (int i = 0; i < 200; ++i) {
+        tick();
+        ASSERT_EQ(state(), undisturbed[static_cast<std::size_t>(i)]) << "tick " << i;
+        if (i % 7 != 0) continue;
+        ASSERT_TRUE(openOverlay(world_, context_, kMenu).ok());
+        EXPECT_NE(state(), undisturbed[static_cast<std::size_t>(i)]);
+        tick(i % 5);
+        world_.createEntity().addComponent<Transform>();  // made by code while the menu is open
+        if (i % 3 == 0) {
+            ASSERT_TRUE(openOverlay(world_, context_, kHud).ok());
+            tick(2);
+            ASSERT_TRUE(closeOverlay(world_));
+        }
+        ASSERT_TRUE(closeOverlay(world_));
+        ASSERT_EQ(state(), undisturbed[static_cast<std::size_t>(i)]) << "tick " << i;
+    }
+}
+
+TEST_F(SceneStackTest, overlaysOverOverlaysEndInTurn) {
+    write("scenes/second.scene.json", {R"("id": "41", "components": {"Transform": {}, "RigidBody": {}})"});
+    ASSERT_TRUE(openOverlay(world_, context_, kMenu).ok());
+    tick(5);
+    const Vec2 button = at(kButton);
+    ASSERT_TRUE(openOverlay(world_, context_, "scenes/second.scene.json").ok());
+    tick(5);
+    EXPECT_EQ(at(kButton), button);
+    EXPECT_GT(at(0x41).y, 0.0f);
+    closeOverlay(world_);
+    tick();
+    EXPECT_GT(at(kButton).y, button.y);
+    EXPECT_TRUE(entity(kCrate).hasComponent<Paused>());
+    closeOverlay(world_);
+    EXPECT_EQ(world_.count<Paused>(), 0u);
+}
+
+TEST_F(SceneStackTest, anOverlayMayLetWhatIsBelowGoOnAndHear) {
+    ASSERT_TRUE(openOverlay(world_, context_, kHud).ok());
+    const Vec2 crate = at(kCrate);
+    tick(10);
+    EXPECT_GT(at(kCrate).y, crate.y);
+    InputFrame frame;
+    frame.set(Key::Space, true);
+    world_.resource<Input>().advance(frame);
+    EXPECT_TRUE(inputFor(world_, entity(kCrate)).isPressed(Action::Jump));
+    EXPECT_TRUE(inputFor(world_, entity(kLamp)).isPressed(Action::Jump));
+}
+
+TEST_F(SceneStackTest, theInputGoesToTheTop) {
+    write(kHud, {R"("id": "31", "components": {"Transform": {}, "Overlay": {"pauses": false}})"});
+    ASSERT_TRUE(openOverlay(world_, context_, kHud).ok());
+    InputFrame frame;
+    frame.set(Key::Space, true);
+    world_.resource<Input>().advance(frame);
+    EXPECT_FALSE(inputFor(world_, entity(kCrate)).isHeld(Action::Jump));
+    EXPECT_TRUE(inputFor(world_, entity(kLamp)).isHeld(Action::Jump));
+    closeOverlay(world_);
+    EXPECT_TRUE(inputFor(world_, entity(kCrate)).isHeld(Action::Jump));
+}
+
+TEST_F(SceneStackTest, anOverlayThatCannotBeReadChangesNothing) {
+    tick(10);
+    const std::uint64_t before = state();
+    ASSERT_TRUE(writeFile(folder_.path / "scenes/broken.scene.json", "{").ok());
+    for (const char* path : {"scenes/broken.scene.json", "scenes/nowhere.scene.json", kLevel}) {
+        const auto opened = openOverlay(world_, context_, path);
+        ASSERT_FALSE(opened.ok()) << path;
+        EXPECT_FALSE(opened.error().remedy.empty());
+        EXPECT_EQ(state(), before) << path;
+    }
+}
+
+TEST_F(SceneStackTest, goingElsewhereTakesTheWholeStackAndKeepsThePersistent) {
+    write("scenes/title.scene.json", {R"("id": "51", "components": {"Transform": {}})"});
+    tick(10);
+    ASSERT_TRUE(openOverlay(world_, context_, kMenu).ok());
+    const Entity made = world_.createEntity();
+    tick(3);
+    const Vec2 kept = at(kKept);
+    ASSERT_TRUE(switchScene(world_, context_, "scenes/title.scene.json").ok());
+
+    EXPECT_FALSE(entity(kCrate) || entity(kButton) || made.alive());
+    ASSERT_TRUE(entity(kKept));
+    EXPECT_EQ(world_.count<Paused>(), 0u);
+    EXPECT_EQ(world_.entityCount(), 2u);
+    EXPECT_EQ(world_.resource<LoadedScenes>().scenes.size(), 1u);
+    tick(3);
+    EXPECT_GT(at(kKept).y, kept.y) << "it runs on in the next scene";
+}
+
+TEST_F(SceneStackTest, aPersistentEntityOfAnOverlayStaysWhenItCloses) {
+    ASSERT_TRUE(openOverlay(world_, context_, kMenu).ok());
+    entity(kButton).addComponent<Persistent>();
+    closeOverlay(world_);
+    ASSERT_TRUE(entity(kButton));
+    const Vec2 button = at(kButton);
+    tick(5);
+    EXPECT_GT(at(kButton).y, button.y);
+}
+
+TEST_F(SceneStackTest, aSnapshotHoldsTheStack) {
+    tick(10);
+    const std::uint64_t left = state();
+    ASSERT_TRUE(openOverlay(world_, context_, kMenu).ok());
+    tick(5);
+    const Snapshot inMenu = world_.save();
+    const std::uint64_t hash = world_.hash();
+    closeOverlay(world_);
+    tick(20);
+
+    world_.restore(inMenu);
+
+    EXPECT_EQ(world_.hash(), hash);
+    ASSERT_TRUE(closeOverlay(world_));
+    EXPECT_EQ(state(), left);
+}
+
+TEST_F(SceneStackTest, savingWhileAnOverlayIsOpenWritesAllOfTheSceneBelow) {
+    const std::string before = sceneToJson(world_, context_, sceneId(kLevel));
+    ASSERT_TRUE(openOverlay(world_, context_, kMenu).ok());
+    EXPECT_EQ(sceneToJson(world_, context_, sceneId(kLevel)), before);
+}
+
+TEST_F(SceneStackTest, overlaysAreDrawnOverThoseBelowEachByItsOwnCamera) {
+    ASSERT_TRUE(openOverlay(world_, context_, kMenu).ok());
+    EXPECT_EQ(cameraView(world_, {320, 180}, 1.0f, 0).center, (Vec2{160, 90}));
+    EXPECT_EQ(cameraView(world_, {320, 180}, 1.0f, 1).center, (Vec2{10, 10}));
+
+    RecordingDevice device;
+    AssetStore assets;
+    SceneRenderer renderer{device, assets};
+    renderer.draw(world_, {320, 180}, 1.0f, {TargetHandle{}, 0, 0, 320, 180});
+
+    // The crate has the highest layer and the button the lowest, yet the button comes last.
+    ASSERT_EQ(device.spriteDraws.size(), 2u);
+    EXPECT_EQ(device.spriteDraws[0].instances.size(), 2u);
+    EXPECT_EQ(device.spriteDraws[1].instances.size(), 1u);
+}
+
+}  // namespace
+}  // namespace plumb
