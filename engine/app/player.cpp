@@ -5,13 +5,12 @@
 #include <memory>
 
 #include "app/benchmark.hpp"
+#include "app/effect_list.hpp"
 #include "app/game_loop.hpp"
 #include "app/project.hpp"
 #include "app/scene_game.hpp"
 #include "app/screen.hpp"
-#include "app/system_order.hpp"
 #include "core/log.hpp"
-#include "scene/components/scene_entity.hpp"
 
 namespace plumb {
 namespace {
@@ -30,22 +29,16 @@ ScreenSettings screenOf(const Project& project, const PlayerOptions& options) {
     return settings;
 }
 
-/// One line per component type of the scene, and per system whether it is called for.
-void listEffects(const SceneGame& game) {
-    std::printf("%-22s %9s\n", "component", "entities");
+/// What the scene is made of, and what that calls for.
+void listEffects(SceneGame& game) {
+    std::printf("%-20sentities\n", "components");
     for (const TypeInfo& type : game.types.all()) {
         std::size_t count = 0;
-        for (auto [entity, member] : game.world.query<const SceneEntity>()) {
-            if (game.world.has(type, entity)) ++count;
-        }
+        game.world.eachOf(type, [&count](EntityId, const void*) { ++count; });
         if (count > 0)
-            std::printf("%-22.*s %9zu\n", static_cast<int>(type.name.size()), type.name.data(), count);
+            std::printf("  %-18.*s%zu\n", static_cast<int>(type.name.size()), type.name.data(), count);
     }
-    std::printf("\n%-22s called for by\n", "system");
-    for (const SystemRow& system : systemTable()) {
-        std::printf("%-22.*s %.*s\n", static_cast<int>(system.name.size()), system.name.data(),
-                    static_cast<int>(system.calledFor.size()), system.calledFor.data());
-    }
+    std::printf("\n%s", effectList(game.world, game.types).c_str());
 }
 
 int benchmark(const PlayerOptions& options) {

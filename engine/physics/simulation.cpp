@@ -1,10 +1,12 @@
 #include "physics/simulation.hpp"
 
+#include <array>
 #include <cmath>
 #include <iterator>
 
 #include "core/assert.hpp"
 #include "core/profile.hpp"
+#include "physics/stage_names.hpp"
 #include "physics/stages.hpp"
 
 namespace plumb::physics {
@@ -28,6 +30,15 @@ constexpr Stage kStages[] = {
 };
 
 }  // namespace
+
+std::span<const StageName> stageNames() {
+    static const auto kNames = [] {
+        std::array<StageName, std::size(kStages)> names;
+        for (std::size_t i = 0; i < names.size(); ++i) names[i] = {kStages[i].name, kStages[i].effects};
+        return names;
+    }();
+    return kNames;
+}
 
 Vec2 upOf(const Settings& settings) {
     const Vec2 up = normalized(-settings.gravity);

@@ -317,6 +317,7 @@ TEST_F(BrokenProjects, aWrongValueInTheProjectIsOneWarningAndTheGameRuns) {
         {R"("physics": {"pixelsPerMetre": -1})", "pixelsPerMetre"},
         {R"("input": {"actions": {"Jump": ["Spacebaar"]}})", "Spacebaar"},
         {R"("input": {"actions": 4})", "actions"},
+        {R"("pauseScene": 7)", "pauseScene"},
         {R"("name": "one", "name": "two")", "stands twice"},
     };
     for (const auto& [property, what] : kinds) {
