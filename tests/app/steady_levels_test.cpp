@@ -70,7 +70,9 @@ TEST(SteadyLevels, aDrawnTickOfEveryLevelAllocatesNothing) {
         EXPECT_LT(test::allocations().made - before, kGrowing);
         EXPECT_EQ(game.world().hash(), end);
         EXPECT_GT(game.drawCalls(), 0u);
-        EXPECT_GT(game.moved(), moved) << "nothing happens in this scene";
+        if (scene.find("pause") == std::string::npos) {  // in a menu nothing moves by itself
+            EXPECT_GT(game.moved(), moved) << "nothing happens in this scene";
+        }
         ++levels;
     }
     EXPECT_GE(levels, 6);

@@ -190,8 +190,9 @@ TEST_F(EditorWindowTest, aPatternIsChosenInThePaletteAndPaintedInOneStep) {
 
     hands.key(Key::B);
     ASSERT_NE(window.widgets().find("Tiles/palette"), nullptr) << "the palette comes with the brush";
-    const Vec2 corner = window.widgets().find("Tiles/palette")->box.min;
-    hands.drag(corner + Vec2{48.0f, 16.0f}, corner + Vec2{80.0f, 16.0f});
+    const auto& box = window.widgets().find("Tiles/palette")->box;
+    const float cell = (box.max.x - box.min.x) / 4.0f;  // the palette is as large as the panel allows
+    hands.drag(box.min + Vec2{1.5f, 0.5f} * cell, box.min + Vec2{2.5f, 0.5f} * cell);
     EXPECT_EQ(workspace.tiles.stamp, (TileStamp{2, 1, {cellOf(1), cellOf(2)}}));
 
     hands.drag(onScreen({8.0f, 8.0f}), onScreen({40.0f, 8.0f}));

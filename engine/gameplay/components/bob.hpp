@@ -10,6 +10,7 @@ struct Bob {
     Vec2 amplitude = {0.0f, 2.0f};  ///< px, to both sides
     float period = 1.5f;            ///< s
     float phase = 0.0f;             ///< ratio, where in its period it begins
+    float time = 0.0f;              ///< s since its period began; its own, so that a pause stops it
     Vec2 shown;                     ///< px, the offset that the picture has now
 
     static void describe(TypeBuilder<Bob>& type) {
@@ -20,6 +21,7 @@ struct Bob {
             .unit(Unit::Ratio)
             .range(0.0f, 1.0f)
             .doc("Where in its period it begins.");
+        type.field<&Bob::time>("time").unit(Unit::Seconds).transient();
         type.field<&Bob::shown>("shown").unit(Unit::Pixels).transient();
     }
 };

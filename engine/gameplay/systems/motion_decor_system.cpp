@@ -24,9 +24,10 @@ void showAt(Sprite& sprite, Bob& bob, Vec2 offset) {
 }  // namespace
 
 void MotionDecorSystem::update(World& world, float dt) {
-    const float seconds = static_cast<float>(world.tick % 216000u) * dt;
-    world.each<Bob, Sprite>([seconds](Bob& bob, Sprite& sprite) {
-        const float turns = bob.period > 0.0f ? seconds / bob.period + bob.phase : bob.phase;
+    world.each<Bob, Sprite>([dt](Bob& bob, Sprite& sprite) {
+        bob.time += dt;
+        if (bob.time >= bob.period) bob.time = bob.time < 2.0f * bob.period ? bob.time - bob.period : 0.0f;
+        const float turns = bob.period > 0.0f ? bob.time / bob.period + bob.phase : bob.phase;
         showAt(sprite, bob, bob.amplitude * sine(wrapAngle(turns * kTau)));
     });
     world.each<const Spin, Transform>([dt](const Spin& spin, Transform& transform) {
