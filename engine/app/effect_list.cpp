@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::string_view kMoving = "RigidBody, KinematicBody";
 constexpr std::string_view kColliders = "BoxCollider, CircleCollider, TileCollider";
-constexpr std::size_t kNameWidth = 18;
+constexpr std::size_t kNameWidth = 20;  // "character animation" is the longest
 
 /// A device of the player that is opened only for who needs it.
 struct Device {

@@ -31,12 +31,12 @@ ScreenSettings screenOf(const Project& project, const PlayerOptions& options) {
 
 /// What the scene is made of, and what that calls for.
 void listEffects(SceneGame& game) {
-    std::printf("%-20sentities\n", "components");
+    std::printf("%-22sentities\n", "components");
     for (const TypeInfo& type : game.types.all()) {
         std::size_t count = 0;
         game.world.eachOf(type, [&count](EntityId, const void*) { ++count; });
         if (count > 0)
-            std::printf("  %-18.*s%zu\n", static_cast<int>(type.name.size()), type.name.data(), count);
+            std::printf("  %-20.*s%zu\n", static_cast<int>(type.name.size()), type.name.data(), count);
     }
     std::printf("\n%s", effectList(game.world, game.types).c_str());
 }

@@ -39,8 +39,8 @@ TEST(EffectList, saysWhatWorksAndForWhom) {
     for (const char* stage : {"forces", "broad phase", "narrow phase", "solver", "motion", "contact events"})
         EXPECT_FALSE(works(still, stage)) << stage;
     EXPECT_EQ(lineOf(still, "broad phase"),
-              "  broad phase       no     BoxCollider (1), but nothing of it moves");
-    EXPECT_EQ(lineOf(still, "motion"), "  motion            no     nobody has RigidBody, KinematicBody");
+              "  broad phase         no     BoxCollider (1), but nothing of it moves");
+    EXPECT_EQ(lineOf(still, "motion"), "  motion              no     nobody has RigidBody, KinematicBody");
     EXPECT_TRUE(works(still, "picture"));
     EXPECT_FALSE(works(still, "sound"));
     EXPECT_FALSE(works(still, "spring"));
@@ -48,10 +48,10 @@ TEST(EffectList, saysWhatWorksAndForWhom) {
     wall.addComponent<RigidBody>();
     world.createEntity().addComponent<Music>();
     const std::string moving = effectList(world, types);
-    EXPECT_EQ(lineOf(moving, "solver"), "  solver            yes    BoxCollider (1)");
-    EXPECT_EQ(lineOf(moving, "motion"), "  motion            yes    RigidBody (1)");
+    EXPECT_EQ(lineOf(moving, "solver"), "  solver              yes    BoxCollider (1)");
+    EXPECT_EQ(lineOf(moving, "motion"), "  motion              yes    RigidBody (1)");
     EXPECT_TRUE(works(moving, "physics"));
-    EXPECT_EQ(lineOf(moving, "sound"), "  sound             yes    Music (1)");
+    EXPECT_EQ(lineOf(moving, "sound"), "  sound               yes    Music (1)");
 }
 
 }  // namespace
