@@ -1,5 +1,6 @@
 #include <filesystem>
 #include <functional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -110,6 +111,17 @@ protected:
         EXPECT_EQ(saved_, text_);
         expectTold(where, what);
     }
+    /// Of each of these in turn in place of the file at `path`, and of no file there.
+    void expectOneErrorOfEach(const std::string& path,
+                              std::span<const std::pair<std::string, const char*>> kinds) {
+        for (const auto& [bytes, what] : kinds) {
+            SCOPED_TRACE(bytes.substr(0, 160));
+            write(path, bytes);
+            expectOneError("", what);
+        }
+        remove(path);
+        expectOneError(path, "");
+    }
     void expectTold(const std::string& where, const std::string& what) {
         ASSERT_EQ(told_.size(), 1u) << ::testing::PrintToString(told_);
         EXPECT_NE(told_[0].find(where), std::string::npos) << told_[0];
@@ -215,13 +227,7 @@ TEST_F(BrokenProjects, aTilesetThatCannotBeReadIsOneErrorAndTheMapKeepsItsTiles)
              "tiles": [{"id": 0}, {"id": 0}]})",
          "twice"},
     };
-    for (const auto& [bytes, what] : kinds) {
-        SCOPED_TRACE(bytes.substr(0, 160));
-        write(kPath, bytes);
-        expectOneError("", what);
-    }
-    remove(kPath);
-    expectOneError(kPath, "");
+    expectOneErrorOfEach(kPath, kinds);
     link(kPath, "secret.tileset.json");
     expectOneError(kPath, "leaves the project");
 }
@@ -252,13 +258,7 @@ TEST_F(BrokenProjects, anAnimationThatCannotBeReadIsOneErrorAndItsSpriteIsStillT
              "states": [{"name": "idle", "clip": "idle"}, {"name": "run", "clip": "run"}]})",
          "\"run\""},
     };
-    for (const auto& [bytes, what] : kinds) {
-        SCOPED_TRACE(bytes.substr(0, 160));
-        write(kPath, bytes);
-        expectOneError("", what);
-    }
-    remove(kPath);
-    expectOneError(kPath, "");
+    expectOneErrorOfEach(kPath, kinds);
 }
 
 TEST_F(BrokenProjects, aFontOrASoundThatCannotBeUsedIsOneErrorAndTheTextWaits) {

@@ -1,28 +1,25 @@
 #pragma once
 
-#include "editor/model/tools/select_tool.hpp"
+#include "editor/model/tools/handle_tool.hpp"
 
 namespace plumb::editor {
 
-/// Turns what is selected about the origin of the thing in hand, by a ring around it. Snapping turns to
-/// multiples of 15 degrees.
-class RotateTool final : public Tool {
+/// Turns what is selected about the origin of the thing in hand, by a ring around it: its one handle.
+/// Snapping turns to multiples of 15 degrees.
+class RotateTool final : public HandleTool {
 public:
     static constexpr float kRing = 48.0f;  ///< px on screen
 
-    void press(const ToolContext& context, const Pointer& pointer) override;
-    void drag(const ToolContext& context, const Pointer& pointer) override;
-    void release(const ToolContext& context, const Pointer& pointer) override;
-    bool cancel(const ToolContext& context) override;
-    void draw(const ToolContext& context, const Pointer& pointer, Overlay& overlay) const override;
+protected:
+    [[nodiscard]] Handle handleAt(const Pose& pose, const Pointer& pointer) const override;
+    void take(const Pointer& pointer) override;
+    void pull(const ToolContext& context, const Pointer& pointer) override;
+    void drawHandles(const Pose& pose, Handle hot, const Pointer& pointer, Overlay& overlay) const override;
 
 private:
-    bool turning_ = false;
     float before_ = 0.0f;  // rad: of the hand, at the last move
     float turned_ = 0.0f;  // rad: by the hand, since the press
     float angle_ = 0.0f;   // rad: of the things, snapped
-    TransformDrag drag_;
-    SelectTool select_;
 };
 
 }  // namespace plumb::editor

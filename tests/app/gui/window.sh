@@ -4,15 +4,8 @@
 #   window.sh PLAYER PROJECT WORK-FOLDER
 set -eu
 player=$1 project=$2 work=$3
-command -v Xvfb > /dev/null && command -v xdotool > /dev/null || { echo "Xvfb or xdotool is missing: skipped"; exit 77; }
 rm -rf "$work" && mkdir -p "$work"
-display=$work/display
-Xvfb -displayfd 3 -screen 0 1280x720x24 -nolisten tcp 3> "$display" > /dev/null 2>&1 &
-server=$!
-trap 'kill $program $server 2> /dev/null || true' EXIT
-program=
-for _ in $(seq 200); do [ -s "$display" ] && break; sleep 0.05; done
-export DISPLAY=:$(cat "$display") SDL_VIDEODRIVER=x11 SDL_AUDIODRIVER=dummy LIBGL_ALWAYS_SOFTWARE=1
+. "$(dirname "$0")/../../support/xvfb.sh"
 "$player" "$project" --scene level1 --window 640x360 --frames 600 --screenshot "$work/last.png" > "$work/log" 2>&1 &
 program=$!
 fail() { echo "$1"; cat "$work/log"; exit 1; }

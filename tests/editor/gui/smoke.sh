@@ -3,16 +3,9 @@
 #   smoke.sh EDITOR PROJECT WORK-FOLDER
 set -eu
 editor=$1 project=$2 work=$3
-command -v Xvfb > /dev/null && command -v xdotool > /dev/null || { echo "Xvfb or xdotool is missing: skipped"; exit 77; }
 rm -rf "$work" && cp -r "$project" "$work"
 scene=$work/scenes/level1.scene.json
-display=$work/display
-Xvfb -displayfd 3 -screen 0 1280x720x24 -nolisten tcp 3> "$display" > /dev/null 2>&1 &
-server=$!
-trap 'kill $program $server 2> /dev/null || true' EXIT
-program=
-for _ in $(seq 200); do [ -s "$display" ] && break; sleep 0.05; done
-export DISPLAY=:$(cat "$display") SDL_VIDEODRIVER=x11 SDL_AUDIODRIVER=dummy LIBGL_ALWAYS_SOFTWARE=1
+. "$(dirname "$0")/../../support/xvfb.sh"
 "$editor" "$work" --scene level1 --select player --size 1280x720 > "$work/log" 2>&1 &
 program=$!
 for _ in $(seq 200); do xdotool search --name Plumb > /dev/null 2>&1 && break; sleep 0.1; done
