@@ -6,8 +6,8 @@
 #include "app/system_order.hpp"
 #include "core/text.hpp"
 #include "ecs/world.hpp"
-#include "physics/simulation.hpp"
-#include "physics/stage_names.hpp"
+#include "box_physics/simulation.hpp"
+#include "box_physics/stage_names.hpp"
 #include "reflect/type_registry.hpp"
 #include "scene/physics_bridge.hpp"
 #include "scene/systems/physics_system.hpp"
@@ -85,14 +85,14 @@ private:
 
 /// The components for which any of these effects runs.
 std::string_view callersOfPhysics(unsigned effects) {
-    if ((effects & physics::kAllEffects) == physics::kAllEffects) return kMoving;
-    return (effects & (physics::kContacts | physics::kTriggers)) != 0 ? kColliders : kMoving;
+    if ((effects & box_physics::kAllEffects) == box_physics::kAllEffects) return kMoving;
+    return (effects & (box_physics::kContacts | box_physics::kTriggers)) != 0 ? kColliders : kMoving;
 }
 
 void listPhysics(EffectTable& table, unsigned called) {
     table.heading("physics");
-    for (const physics::StageName& stage : physics::stageNames()) {
-        const bool moves = (stage.effects & physics::kMotion) != 0;
+    for (const box_physics::StageName& stage : box_physics::stageNames()) {
+        const bool moves = (stage.effects & box_physics::kMotion) != 0;
         table.line(stage.name, (stage.effects & called) != 0,
                    moves ? kMoving : callersOfPhysics(stage.effects));
     }

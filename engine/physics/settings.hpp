@@ -1,41 +1,58 @@
 #pragma once
 
-#include "math/vec2.hpp"
+#include <cstdint>
+
+#include "physics/body.hpp"
+#include "physics/broadphase/broad_phase.hpp"
 
 namespace plumb::physics {
 
-/// Every tolerance of the step, with what happens when it is larger or smaller.
+/// How velocities and positions are made from each other and from forces.
+enum class SolverKind : std::uint8_t {
+    SoftStep,       ///< substeps, soft constraints, a relax pass: the best all-round
+    Pgs,            ///< one step, many iterations, errors fed back into velocities (Baumgarte)
+    PgsProjection,  ///< one step, many iterations, errors taken out of positions afterwards
+    Count
+};
+
+enum class IntegratorKind : std::uint8_t { ExplicitEuler, SemiImplicitEuler, Verlet, Rk4, Count };
+
+/// Every tolerance of the simulation. Part of the world and its snapshot.
 struct Settings {
-    /// m/s2. Which way is down for one-way platforms and "grounded"; screen down where it is zero.
-    Vec2 gravity{0.0f, 9.81f};
+    Vec2 gravity{0.0f, 10.0f};  ///< m/s2
 
-    /// m. Closer than this counts as touching. Larger: contacts live longer; smaller: they flicker.
-    float touchDistance = 0.0005f;
+    SolverKind solver = SolverKind::SoftStep;
+    IntegratorKind integrator = IntegratorKind::SemiImplicitEuler;
+    BroadPhaseKind broadPhase = BroadPhaseKind::Tree;
+    /// 2^quality substeps: each more costs 1.3 to 2 times the time and makes errors 3 to 4 times smaller.
+    Quality quality = 2;
+    /// Velocity iterations of a substep. More makes chains and high stacks converge where substeps are few.
+    std::uint8_t iterations = 1;
+    /// Islands in hard positions (mass ratios, high stacks, long chains) get more substeps by themselves.
+    bool automaticQuality = false;
+    std::uint8_t projectionIterations = 3;  ///< of PgsProjection
 
-    /// m. Two outlines must overlap by more than this across a contact before it counts, so that a box
-    /// sliding over the seam of two floors does not trip. Larger: corners feel rounded.
-    float seamDistance = 0.002f;
-
-    /// m. Overlap that is left alone, so that resting contacts stay. Smaller: jitter.
-    float slop = 0.0005f;
-
-    /// m per step that an overlap is pushed apart at most. Larger: deep overlaps pop.
-    float maxPush = 0.1f;
-
-    /// m. How far a body may be inside a one-way platform and still stand on it.
-    float oneWayDepth = 0.01f;
-
-    /// m/s. Slower hits do not bounce. Smaller: bodies never come to rest; larger: no small bounces.
-    float bounceSpeed = 0.25f;
-
-    /// Cosine of the steepest ground: a contact whose normal is closer to "up" grounds the body. 50 degrees.
-    float groundCosine = 0.643f;
-
-    /// m/s. Faster is cut to this. Protects the arithmetic from its own range.
-    float maxSpeed = 20000.0f;
-
-    int velocityIterations = 8;  ///< sweeps over all contacts; more: stiffer stacks, linear cost
-    int positionIterations = 3;  ///< sweeps that push overlaps apart
+    /// Contacts are springs of this part of the substep rate. Larger is stiffer; above 1/4 they ring.
+    float contactStiffness = 0.125f;
+    float jointStiffness = 0.25f;      ///< the same of joints
+    float contactDampingRatio = 10.0f; ///< much above 1: overlaps go away without a bounce
+    float jointDampingRatio = 2.0f;
+    /// m/s: how fast overlapping bodies are pushed apart at most. Larger explodes deep overlaps.
+    float pushSpeed = 3.0f;
+    /// m: overlap that is left alone, so that contacts of resting things do not come and go.
+    float slop = 0.005f;
+    /// m: nearer than this two shapes have a contact, though they do not touch yet.
+    float speculativeDistance = 0.02f;
+    /// m: bounds are this much larger than shapes, so that few movements leave them; at most an eighth
+    /// of a shape's size. Larger: fewer searches, more pairs.
+    float boundsMargin = 0.05f;
+    float bounceSpeed = 1.0f;     ///< m/s: slower than this nothing bounces
+    float sleepTime = 0.5f;       ///< s: at rest for so long an island falls asleep
+    float maxSpeed = 4000.0f;     ///< m/s: faster is slowed down to it
+    /// Fast bodies are swept, so that they do not pass through what does not move.
+    bool continuous = true;
+    bool sleeping = true;
+    bool stayEvents = true;       ///< a contact that goes on is an event in each step
 };
 
 }  // namespace plumb::physics

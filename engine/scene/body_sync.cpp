@@ -25,10 +25,10 @@ namespace plumb {
 
 namespace {
 
-using physics::BodyDefinition;
-using physics::BodyId;
-using physics::BodyKind;
-using physics::Shape;
+using box_physics::BodyDefinition;
+using box_physics::BodyId;
+using box_physics::BodyKind;
+using box_physics::Shape;
 
 std::uint64_t userOf(EntityId entity) { return std::uint64_t{entity.index} << 32 | entity.generation; }
 
@@ -140,7 +140,7 @@ private:
                                                      : Vec2{};
         BodyId body = bodyOf(world_, entity);
         if (body && state_.world.bodies.kind[body.index] != kind) {
-            physics::destroyBody(state_.world, body);
+            box_physics::destroyBody(state_.world, body);
             body = {};
         }
         if (!body) {
@@ -150,13 +150,13 @@ private:
         const std::uint32_t i = body.index;
         BodyLink& link = state_.links[i];
         link.seen = state_.syncs;
-        physics::Bodies& bodies = state_.world.bodies;
-        if (!(bodies.shape[i] == shape)) accept(physics::setShape(state_.world, body, shape), entity);
+        box_physics::Bodies& bodies = state_.world.bodies;
+        if (!(bodies.shape[i] == shape)) accept(box_physics::setShape(state_.world, body, shape), entity);
         bodies.layers[i] = collider.layers;
         bodies.mask[i] = collider.mask;
-        const bool flagsDiffer = ((bodies.flags[i] & physics::kTrigger) != 0) != collider.isTrigger ||
-                                 ((bodies.flags[i] & physics::kOneWay) != 0) != isOneWay(collider);
-        if (flagsDiffer) physics::setFlags(state_.world, body, collider.isTrigger, isOneWay(collider));
+        const bool flagsDiffer = ((bodies.flags[i] & box_physics::kTrigger) != 0) != collider.isTrigger ||
+                                 ((bodies.flags[i] & box_physics::kOneWay) != 0) != isOneWay(collider);
+        if (flagsDiffer) box_physics::setFlags(state_.world, body, collider.isTrigger, isOneWay(collider));
         if (kind == BodyKind::Kinematic) {
             steer(body, link, place, velocity, rigid);
         } else {
@@ -167,7 +167,7 @@ private:
 
     /// Somebody put the entity elsewhere: the body goes there without a way.
     void jump(BodyId body, BodyLink& link, Vec2 place) {
-        if (!accept(physics::setPosition(state_.world, body, toMetres(place)), link.entity)) {
+        if (!accept(box_physics::setPosition(state_.world, body, toMetres(place)), link.entity)) {
             world_.get<Transform>(link.entity).position = link.place;
             return;
         }
@@ -178,16 +178,16 @@ private:
     void steer(BodyId body, BodyLink& link, Vec2 place, Vec2 velocity, const RigidBody* driver) {
         link.drivenByOwner = driver != nullptr || place != link.place;
         const Vec2 target = link.drivenByOwner ? place : place + velocity * dt_;
-        if (!accept(physics::moveTo(state_.world, body, toMetres(target)), link.entity)) {
+        if (!accept(box_physics::moveTo(state_.world, body, toMetres(target)), link.entity)) {
             world_.get<Transform>(link.entity).position = link.place;
         }
     }
 
     void followRigid(BodyId body, BodyLink& link, const RigidBody& rigid) {
         const std::uint32_t i = body.index;
-        physics::Bodies& bodies = state_.world.bodies;
+        box_physics::Bodies& bodies = state_.world.bodies;
         if (rigid.velocity != link.velocity) {
-            if (accept(physics::setVelocity(state_.world, body, toMetres(rigid.velocity)), link.entity)) {
+            if (accept(box_physics::setVelocity(state_.world, body, toMetres(rigid.velocity)), link.entity)) {
                 link.velocity = rigid.velocity;
             } else {
                 world_.get<RigidBody>(link.entity).velocity = link.velocity;
@@ -195,16 +195,16 @@ private:
         }
         const Vec2 acceleration = toMetres(rigid.acceleration);
         if (bodies.acceleration[i] != acceleration) {
-            accept(physics::setAcceleration(state_.world, body, acceleration), link.entity);
+            accept(box_physics::setAcceleration(state_.world, body, acceleration), link.entity);
         }
         if (bodies.friction[i] != rigid.friction || bodies.bounciness[i] != rigid.bounciness ||
             bodies.gravityScale[i] != rigid.gravityScale) {
             accept(
-                physics::setSurface(state_.world, body, rigid.friction, rigid.bounciness, rigid.gravityScale),
+                box_physics::setSurface(state_.world, body, rigid.friction, rigid.bounciness, rigid.gravityScale),
                 link.entity);
         }
         if (bodies.inverseMass[i] != 1.0f / rigid.mass) {
-            accept(physics::setMass(state_.world, body, rigid.mass), link.entity);
+            accept(box_physics::setMass(state_.world, body, rigid.mass), link.entity);
         }
     }
 
@@ -223,7 +223,7 @@ private:
             d.gravityScale = rigid->gravityScale;
             d.acceleration = toMetres(rigid->acceleration);
         }
-        const auto body = physics::createBody(state_.world, d);
+        const auto body = box_physics::createBody(state_.world, d);
         if (!body) {
             tell(entity, body.error());
             return {};
@@ -253,30 +253,30 @@ private:
             d.kind = BodyKind::Static;
             d.position = toMetres(transform.position);
             d.user = userOf(entity);
-            const auto made = physics::createBody(state_.world, d);
+            const auto made = box_physics::createBody(state_.world, d);
             if (!made) return tell(entity, made.error());
             body = *made;
             adopt(body, entity, transform.position, {});
             state_.world.bodies.shape[body.index].field =
-                physics::addField(state_.world, std::make_shared<const physics::TileField>());
+                box_physics::addField(state_.world, std::make_shared<const box_physics::TileField>());
         }
         BodyLink& link = state_.links[body.index];
         link.seen = state_.syncs;
-        physics::Bodies& bodies = state_.world.bodies;
+        box_physics::Bodies& bodies = state_.world.bodies;
         const Vec2 size = tileSizeOf(world_, layer);
         if (link.tilesVersion != grid->version() || link.tiles != layer.cells ||
             link.tileset != layer.tileset || link.tileSize != size) {
             const std::uint32_t number = bodies.shape[body.index].field;
-            physics::replaceField(state_.world, number,
-                                  std::make_shared<const physics::TileField>(tileFieldOf(world_, layer)));
-            accept(physics::setShape(state_.world, body, physics::shapeOfField(state_.world, number)),
+            box_physics::replaceField(state_.world, number,
+                                  std::make_shared<const box_physics::TileField>(tileFieldOf(world_, layer)));
+            accept(box_physics::setShape(state_.world, body, box_physics::shapeOfField(state_.world, number)),
                    entity);
             link.tilesVersion = grid->version();
             link.tiles = layer.cells;
             link.tileset = layer.tileset;
             link.tileSize = size;
         }
-        physics::setFilter(state_.world, body, collider.layers, collider.mask);
+        box_physics::setFilter(state_.world, body, collider.layers, collider.mask);
         bodies.friction[body.index] = collider.friction;
         bodies.bounciness[body.index] = std::clamp(collider.bounciness, 0.0f, 1.0f);
         if (transform.position != link.place) jump(body, link, transform.position);
@@ -288,9 +288,9 @@ private:
             if (!link.entity || link.seen == state_.syncs) continue;
             if (state_.bodyOf[link.entity.index] == i + 1) state_.bodyOf[link.entity.index] = 0;
             const Shape& shape = state_.world.bodies.shape[i];
-            if (shape.kind == physics::ShapeKind::Tiles)
-                physics::replaceField(state_.world, shape.field, nullptr);
-            physics::destroyBody(state_.world, {i, state_.world.bodies.generation[i]});
+            if (shape.kind == box_physics::ShapeKind::Tiles)
+                box_physics::replaceField(state_.world, shape.field, nullptr);
+            box_physics::destroyBody(state_.world, {i, state_.world.bodies.generation[i]});
             link = {};
         }
     }
@@ -319,8 +319,8 @@ bool hasColliders(const World& world) {
            world.count<TileCollider>() > 0;
 }
 
-physics::Settings physicsSettingsOf(World& world) {
-    physics::Settings settings;
+box_physics::Settings physicsSettingsOf(World& world) {
+    box_physics::Settings settings;
     settings.gravity = toMetres(world.resource<PhysicsSettings>().gravity);
     return settings;
 }

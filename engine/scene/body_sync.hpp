@@ -1,7 +1,7 @@
 #pragma once
 
 #include "ecs/world.hpp"
-#include "physics/settings.hpp"
+#include "box_physics/settings.hpp"
 
 namespace plumb {
 
@@ -10,6 +10,6 @@ namespace plumb {
 [[nodiscard]] bool hasColliders(const World& world);
 
 /// The tolerances and gravity of a world, in metres.
-[[nodiscard]] physics::Settings physicsSettingsOf(World& world);
+[[nodiscard]] box_physics::Settings physicsSettingsOf(World& world);
 
 }  // namespace plumb

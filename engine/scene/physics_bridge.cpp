@@ -37,8 +37,8 @@ void placeEntity(World& world, EntityId entity, Vec2 place) {
 }
 
 void writeRigidBody(World& world, const PhysicsState& state, std::uint32_t index, BodyLink& link) {
-    const physics::Bodies& bodies = state.world.bodies;
-    const bool grounded = (bodies.flags[index] & physics::kGrounded) != 0;
+    const box_physics::Bodies& bodies = state.world.bodies;
+    const bool grounded = (bodies.flags[index] & box_physics::kGrounded) != 0;
     const Vec2 velocity = toPixels(bodies.velocity[index]);
     const RigidBody* known = std::as_const(world).find<RigidBody>(link.entity);
     if (known == nullptr || (known->velocity == velocity && known->grounded == grounded)) return;
@@ -49,22 +49,22 @@ void writeRigidBody(World& world, const PhysicsState& state, std::uint32_t index
 
 /// Poses and velocities back into the components, only where something changed.
 void publishBodies(World& world, PhysicsState& state) {
-    const physics::Bodies& bodies = state.world.bodies;
+    const box_physics::Bodies& bodies = state.world.bodies;
     for (const std::uint32_t index : state.world.work.movers) {
         BodyLink& link = state.links[index];
-        const bool moved = (bodies.flags[index] & physics::kMoved) != 0;
+        const bool moved = (bodies.flags[index] & box_physics::kMoved) != 0;
         const Vec2 place = toPixels(bodies.position[index]);
         if (moved && place != link.place) {
-            const bool driven = bodies.kind[index] == physics::BodyKind::Kinematic && link.drivenByOwner;
+            const bool driven = bodies.kind[index] == box_physics::BodyKind::Kinematic && link.drivenByOwner;
             if (!driven) placeEntity(world, link.entity, place);
             link.place = place;
         }
-        if (bodies.kind[index] == physics::BodyKind::Dynamic) writeRigidBody(world, state, index, link);
+        if (bodies.kind[index] == box_physics::BodyKind::Dynamic) writeRigidBody(world, state, index, link);
     }
 }
 
 template <class Event>
-void emitContact(World& world, const physics::ContactEvent& event) {
+void emitContact(World& world, const box_physics::ContactEvent& event) {
     Event out;
     out.a = entityOf(event.userA);
     out.b = entityOf(event.userB);
@@ -75,9 +75,9 @@ void emitContact(World& world, const physics::ContactEvent& event) {
 }
 
 template <class Event>
-void emitOverlap(World& world, const PhysicsState& state, const physics::ContactEvent& event) {
-    const auto isTrigger = [&](physics::BodyId body) {
-        return (state.world.bodies.flags[body.index] & physics::kTrigger) != 0;
+void emitOverlap(World& world, const PhysicsState& state, const box_physics::ContactEvent& event) {
+    const auto isTrigger = [&](box_physics::BodyId body) {
+        return (state.world.bodies.flags[body.index] & box_physics::kTrigger) != 0;
     };
     // When a body is gone, or no trigger any more, its partner's part is told all the same.
     const bool first = isTrigger(event.a);
@@ -86,17 +86,17 @@ void emitOverlap(World& world, const PhysicsState& state, const physics::Contact
 }
 
 void publishContacts(World& world, const PhysicsState& state) {
-    for (const physics::ContactEvent& event : state.world.events) {
+    for (const box_physics::ContactEvent& event : state.world.events) {
         switch (event.phase) {
-            case physics::ContactPhase::Began:
+            case box_physics::ContactPhase::Began:
                 event.isTrigger ? emitOverlap<TriggerEntered>(world, state, event)
                                 : emitContact<ContactBegan>(world, event);
                 break;
-            case physics::ContactPhase::Stayed:
+            case box_physics::ContactPhase::Stayed:
                 event.isTrigger ? emitOverlap<TriggerStayed>(world, state, event)
                                 : emitContact<ContactStayed>(world, event);
                 break;
-            case physics::ContactPhase::Ended:
+            case box_physics::ContactPhase::Ended:
                 event.isTrigger ? emitOverlap<TriggerLeft>(world, state, event)
                                 : emitContact<ContactEnded>(world, event);
                 break;
@@ -110,15 +110,15 @@ unsigned effectsOf(World& world) {
     const unsigned set = world.resource<PhysicsSettings>().effects;
     if (set != 0) return set;
     const unsigned bySystems =
-        (world.hasSystem<GravitySystem>() ? physics::kGravity : 0u) |
-        (world.hasSystem<MovementSystem>() ? physics::kMotion : 0u) |
-        (world.hasSystem<CollisionSystem>() ? physics::kContacts | physics::kTriggers : 0u);
+        (world.hasSystem<GravitySystem>() ? box_physics::kGravity : 0u) |
+        (world.hasSystem<MovementSystem>() ? box_physics::kMotion : 0u) |
+        (world.hasSystem<CollisionSystem>() ? box_physics::kContacts | box_physics::kTriggers : 0u);
     if (bySystems != 0) return bySystems;
     const bool falls = world.count<RigidBody>() > 0;
     const bool moves = falls || world.count<KinematicBody>() > 0;
     const bool meets = moves && hasColliders(world);
-    return (falls ? physics::kGravity : 0u) | (moves ? physics::kMotion : 0u) |
-           (meets ? physics::kContacts | physics::kTriggers : 0u);
+    return (falls ? box_physics::kGravity : 0u) | (moves ? box_physics::kMotion : 0u) |
+           (meets ? box_physics::kContacts | box_physics::kTriggers : 0u);
 }
 
 void stepPhysics(World& world, float dt) {
@@ -130,13 +130,13 @@ void stepPhysics(World& world, float dt) {
         const ProfileScope scope{profile, "physics sync"};
         syncBodies(world, dt);
     }
-    physics::step(state.world, physicsSettingsOf(world), dt, effects, profile);
+    box_physics::step(state.world, physicsSettingsOf(world), dt, effects, profile);
     const ProfileScope scope{profile, "physics sync"};
     publishBodies(world, state);
     publishContacts(world, state);
 }
 
-physics::BodyId bodyOf(World& world, EntityId entity) {
+box_physics::BodyId bodyOf(World& world, EntityId entity) {
     const PhysicsState& state = world.resource<PhysicsState>();
     if (entity.index >= state.bodyOf.size() || state.bodyOf[entity.index] == 0) return {};
     const std::uint32_t index = state.bodyOf[entity.index] - 1;

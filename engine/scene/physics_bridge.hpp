@@ -1,7 +1,7 @@
 #pragma once
 
 #include "ecs/world.hpp"
-#include "physics/body.hpp"
+#include "box_physics/body.hpp"
 
 namespace plumb {
 
@@ -16,12 +16,12 @@ void syncBodies(World& world, float dt);
 /// Writes: Transform, RigidBody; emits contact_events.hpp.
 void stepPhysics(World& world, float dt);
 
-/// Bits of physics::Effect that this world calls for: by its settings, else by its systems, else by its
+/// Bits of box_physics::Effect that this world calls for: by its settings, else by its systems, else by its
 /// components.
 unsigned effectsOf(World& world);
 
 /// The body of an entity, or nobody.
-physics::BodyId bodyOf(World& world, EntityId entity);
+box_physics::BodyId bodyOf(World& world, EntityId entity);
 
 /// Makes tile colliders anew in the next sync, e.g. after a tileset was changed.
 void rebuildTileColliders(World& world);

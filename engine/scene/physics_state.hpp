@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "core/text_store.hpp"
-#include "physics/simulation.hpp"
+#include "box_physics/simulation.hpp"
 #include "reflect/entity_id.hpp"
 #include "reflect/field_types.hpp"
 
@@ -15,7 +15,7 @@ struct PhysicsSettings {
     static constexpr Vec2 kGravity{0.0f, 980.0f};
 
     Vec2 gravity = kGravity;  ///< px/s^2
-    /// Bits of physics::Effect; 0 takes what the systems, or else the components, call for.
+    /// Bits of box_physics::Effect; 0 takes what the systems, or else the components, call for.
     unsigned effects = 0;
 
     void addTo(Hasher& hasher) const {
@@ -38,13 +38,13 @@ struct BodyLink {
 
 /// The simulated bodies of a world and whose they are. A resource: snapshots and the hash include it.
 struct PhysicsState {
-    physics::World world;
+    box_physics::World world;
     std::vector<BodyLink> links;        ///< by body index
     std::vector<std::uint32_t> bodyOf;  ///< by entity index: body index + 1, 0 for none
     std::vector<EntityId> refused;      ///< whose numbers were bad, so that each is told once
     std::uint64_t syncs = 0;
 
-    void addTo(Hasher& hasher) const { physics::addTo(hasher, world); }
+    void addTo(Hasher& hasher) const { box_physics::addTo(hasher, world); }
 };
 
 }  // namespace plumb

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "ecs/world.hpp"
-#include "physics/tile_field.hpp"
+#include "box_physics/tile_field.hpp"
 #include "scene/components/tile_layer.hpp"
 
 namespace plumb {
@@ -11,6 +11,6 @@ Vec2 tileSizeOf(const World& world, const TileLayer& layer);
 
 /// The solid cells of a tile layer in metres, each with the shape that its tileset gives it.
 /// Without an AssetStore every tile is full.
-physics::TileField tileFieldOf(const World& world, const TileLayer& layer);
+box_physics::TileField tileFieldOf(const World& world, const TileLayer& layer);
 
 }  // namespace plumb

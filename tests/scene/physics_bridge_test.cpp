@@ -104,14 +104,14 @@ TEST(PhysicsBridge, bodiesComeAndGoWithTheirComponents) {
     const Entity ball = falling(world, {0, 0});
     const Entity floor = ground(world, {-50, 20}, 100, 10);
     run(world, 30);
-    EXPECT_EQ(physics::bodyCount(world.resource<PhysicsState>().world), 2u);
+    EXPECT_EQ(box_physics::bodyCount(world.resource<PhysicsState>().world), 2u);
     floor.removeComponent<BoxCollider>();
     run(world, 30);
     EXPECT_GT(ball.get<Transform>().position.y, 20.0f);
-    EXPECT_EQ(physics::bodyCount(world.resource<PhysicsState>().world), 1u);
+    EXPECT_EQ(box_physics::bodyCount(world.resource<PhysicsState>().world), 1u);
     ball.destroy();
     run(world, 1);
-    EXPECT_EQ(physics::bodyCount(world.resource<PhysicsState>().world), 0u);
+    EXPECT_EQ(box_physics::bodyCount(world.resource<PhysicsState>().world), 0u);
 }
 
 TEST(PhysicsBridge, aColliderWithoutAnyBodyIsGround) {
@@ -201,7 +201,7 @@ TEST(PhysicsBridge, destroyingWhatIsTouchedInsideTheLoopIsSafe) {
         }
     }
     EXPECT_EQ(killed, 50u);
-    EXPECT_EQ(physics::bodyCount(world.resource<PhysicsState>().world), 1u);
+    EXPECT_EQ(box_physics::bodyCount(world.resource<PhysicsState>().world), 1u);
 }
 
 TEST(PhysicsBridge, childrenCollideWhereTheyAreInTheWorld) {

@@ -1,0 +1,80 @@
+#pragma once
+
+#include <cstdint>
+
+#include "math/rect.hpp"
+#include "math/rot.hpp"
+
+namespace plumb::physics {
+
+/// A place and a direction. What is written in it is carried along by `toWorld(frame, …)`.
+struct Frame {
+    Vec2 position;
+    Rot rotation;
+
+    friend constexpr bool operator==(const Frame&, const Frame&) = default;
+};
+
+constexpr Vec2 apply(const Frame& frame, Vec2 point) { return frame.position + rotate(frame.rotation, point); }
+constexpr Vec2 applyInverse(const Frame& frame, Vec2 point) {
+    return unrotate(frame.rotation, point - frame.position);
+}
+
+/// The kinds of outlines. Each has a row in shapes/shape_types.cpp.
+enum class ShapeKind : std::uint8_t { Circle, Capsule, Box, Polygon, Segment, ChainSegment, Count };
+
+/// A corner of a polygon and the outward direction of the face from it to the next corner.
+struct Corner {
+    Vec2 point;
+    Vec2 normal;
+
+    friend constexpr bool operator==(const Corner&, const Corner&) = default;
+};
+
+/// An outline, written in its body's frame (m). What a member means depends on the kind:
+///
+///            | a               | b          | turn      | radius            | first, count
+///   Circle   | centre          |            |           | of the circle     |
+///   Capsule  | start           | end        |           | of its ends       |
+///   Box      | centre          | half size  | of the box| of round corners  |
+///   Polygon  | centroid        |            |           | of round corners  | its corners in World::corners
+///   Segment  | start           | end        |           | 0                 |
+///   ChainSegment as Segment, and the neighbours' far ends are `before` and `after`; solid on the side of
+///   its normal only, which is perpendicular(b - a) turned back: to the right hand of the way from a to b
+///   when y points up, to the left hand on a screen with y down. See normalOfChain().
+struct Geometry {
+    ShapeKind kind = ShapeKind::Box;
+    std::uint8_t count = 0;
+    std::uint32_t first = 0;
+    float radius = 0.0f;
+    Vec2 a;
+    Vec2 b{0.5f, 0.5f};
+    Rot turn;
+    Vec2 before;
+    Vec2 after;
+
+    friend constexpr bool operator==(const Geometry&, const Geometry&) = default;
+};
+
+inline constexpr int kMaxCorners = 32;  ///< of one polygon; World::corners has them in a row
+
+/// The solid side of a chain segment.
+inline Vec2 normalOfChain(const Geometry& segment) {
+    const Vec2 way = segment.b - segment.a;
+    return normalized(Vec2{way.y, -way.x});
+}
+
+constexpr Geometry circle(float radius, Vec2 centre = {}) {
+    return {.kind = ShapeKind::Circle, .radius = radius, .a = centre, .b = {}};
+}
+constexpr Geometry capsule(Vec2 start, Vec2 end, float radius) {
+    return {.kind = ShapeKind::Capsule, .radius = radius, .a = start, .b = end};
+}
+constexpr Geometry box(Vec2 half, Vec2 centre = {}, Rot turn = {}, float radius = 0.0f) {
+    return {.kind = ShapeKind::Box, .radius = radius, .a = centre, .b = half, .turn = turn};
+}
+constexpr Geometry segment(Vec2 start, Vec2 end) {
+    return {.kind = ShapeKind::Segment, .a = start, .b = end};
+}
+
+}  // namespace plumb::physics
