@@ -1,0 +1,101 @@
+#include "physics/shapes/check.hpp"
+
+#include "core/text.hpp"
+
+namespace plumb::physics {
+
+namespace {
+
+using Corners = std::span<const Corner>;
+
+bool isPlace(Vec2 v) { return std::fabs(v.x) <= kLargestShape && std::fabs(v.y) <= kLargestShape; }
+
+Error badPlace(const char* where, Vec2 found) {
+    return {
+        where,
+        format("expected a place within {} m of the body, found ({}, {})", kLargestShape, found.x, found.y),
+        "write metres, not pixels, and move the body rather than its shapes"};
+}
+
+/// @param least  m; 0 for what may be missing
+Result<Done> checkSize(const char* where, float found, float least) {
+    if (found >= least && found <= kLargestShape) return Done{};
+    return Error{where, format("expected {} to {} m, found {}", least, kLargestShape, found),
+                 "write metres; give the shape a size that can be seen"};
+}
+
+/// Faces with normals of length 1 that lead from corner to corner, and all corners behind all of them.
+bool isConvex(Corners corners) {
+    float size = 0.0f;
+    for (const Corner& corner : corners) {
+        const Vec2 way = corner.point - corners[0].point;
+        size = std::fmax(size, std::fmax(std::fabs(way.x), std::fabs(way.y)));
+    }
+    const float slack = 1.0e-3f * size;
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        const Corner& face = corners[i];
+        const Vec2 side = corners[i + 1 < corners.size() ? i + 1 : 0].point - face.point;
+        if (!(std::fabs(lengthSquared(face.normal) - 1.0f) < 1.0e-4f)) return false;
+        if (!(dot(perpendicular(face.normal), side) > 0.0f && dot(face.normal, side) > -slack)) return false;
+        for (const Corner& corner : corners) {
+            if (dot(face.normal, corner.point - face.point) > slack) return false;
+        }
+    }
+    return size >= kSmallestShape;
+}
+
+}  // namespace
+
+Result<Done> checkCircle(const Geometry& geometry, Corners) {
+    if (!isPlace(geometry.a)) return badPlace("circle.a", geometry.a);
+    return checkSize("circle.radius", geometry.radius, 0.5f * kSmallestShape);
+}
+
+Result<Done> checkCapsule(const Geometry& geometry, Corners) {
+    if (!isPlace(geometry.a)) return badPlace("capsule.a", geometry.a);
+    if (!isPlace(geometry.b)) return badPlace("capsule.b", geometry.b);
+    return checkSize("capsule.radius", geometry.radius, 0.5f * kSmallestShape);
+}
+
+Result<Done> checkBox(const Geometry& geometry, Corners) {
+    if (!isPlace(geometry.a)) return badPlace("box.a", geometry.a);
+    const Rot turn = geometry.turn;
+    if (!(std::fabs(turn.cos * turn.cos + turn.sin * turn.sin - 1.0f) < 1.0e-3f)) {
+        return Error{"box.turn", format("({}, {}) is no cosine and sine", turn.cos, turn.sin),
+                     "use rotFromAngle()"};
+    }
+    if (auto checked = checkSize("box.radius", geometry.radius, 0.0f); !checked) return checked;
+    if (auto checked = checkSize("box.b.x", geometry.b.x, 0.5f * kSmallestShape); !checked) return checked;
+    return checkSize("box.b.y", geometry.b.y, 0.5f * kSmallestShape);
+}
+
+Result<Done> checkPolygon(const Geometry& geometry, Corners pool) {
+    if (geometry.count < 3 || geometry.count > kMaxCorners) {
+        return Error{"polygon.count",
+                     format("expected 3 to {} corners, found {}", kMaxCorners, int{geometry.count}),
+                     "make it with makeHull()"};
+    }
+    if (geometry.first > pool.size() || pool.size() - geometry.first < geometry.count) {
+        return Error{"polygon.first", "its corners are not in the world", "add them to World::corners first"};
+    }
+    const Corners corners = pool.subspan(geometry.first, geometry.count);
+    if (!isPlace(geometry.a)) return badPlace("polygon.a", geometry.a);
+    for (const Corner& corner : corners) {
+        if (!isPlace(corner.point)) return badPlace("polygon.corners", corner.point);
+    }
+    if (!isConvex(corners)) {
+        return Error{"polygon.corners", "are not those of a convex polygon with outward normals",
+                     "make it with makeHull(), or decompose() what is not convex"};
+    }
+    return checkSize("polygon.radius", geometry.radius, 0.0f);
+}
+
+Result<Done> checkSegment(const Geometry& geometry, Corners) {
+    if (!isPlace(geometry.a)) return badPlace("segment.a", geometry.a);
+    if (!isPlace(geometry.b)) return badPlace("segment.b", geometry.b);
+    if (!isPlace(geometry.before)) return badPlace("segment.before", geometry.before);
+    if (!isPlace(geometry.after)) return badPlace("segment.after", geometry.after);
+    return checkSize("segment length", distance(geometry.a, geometry.b), kSmallestShape);
+}
+
+}  // namespace plumb::physics

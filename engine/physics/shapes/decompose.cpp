@@ -1,0 +1,187 @@
+#include "physics/shapes/decompose.hpp"
+
+#include <algorithm>
+#include <optional>
+
+#include "core/text.hpp"
+#include "physics/shapes/check.hpp"
+#include "physics/shapes/exact.hpp"
+
+namespace plumb::physics {
+
+namespace {
+
+using Loop = std::vector<Vec2>;
+
+Error error(std::string what, const char* remedy) { return {"decompose", std::move(what), remedy}; }
+
+std::string text(Vec2 v) { return format("({}, {})", v.x, v.y); }
+
+/// Points without the repeated ones and those in the middle of a straight side.
+Loop cleaned(std::span<const Vec2> outline) {
+    Loop loop;
+    for (const Vec2 point : outline) {
+        if (loop.empty() || !(loop.back() == point)) loop.push_back(point);
+    }
+    while (loop.size() > 1 && loop.back() == loop.front()) loop.pop_back();
+    for (std::size_t i = 0; i < loop.size() && loop.size() > 3;) {
+        const Vec2 before = loop[i > 0 ? i - 1 : loop.size() - 1];
+        const Vec2 after = loop[i + 1 < loop.size() ? i + 1 : 0];
+        const bool straight =
+            areaOf(before, loop[i], after) == 0.0 && dot(after - loop[i], loop[i] - before) > 0.0f;
+        if (straight) {
+            loop.erase(loop.begin() + static_cast<std::ptrdiff_t>(i));
+            i = i > 0 ? i - 1 : 0;
+        } else {
+            ++i;
+        }
+    }
+    return loop;
+}
+
+bool isBetween(Vec2 a, Vec2 b, Vec2 point) {
+    return std::fmin(a.x, b.x) <= point.x && point.x <= std::fmax(a.x, b.x) &&
+           std::fmin(a.y, b.y) <= point.y && point.y <= std::fmax(a.y, b.y);
+}
+
+/// Sides that cross or touch.
+bool meet(Vec2 a, Vec2 b, Vec2 c, Vec2 d) {
+    const double abc = areaOf(a, b, c);
+    const double abd = areaOf(a, b, d);
+    const double cda = areaOf(c, d, a);
+    const double cdb = areaOf(c, d, b);
+    if (((abc > 0.0) != (abd > 0.0)) && ((cda > 0.0) != (cdb > 0.0)) && abc != 0.0 && abd != 0.0 &&
+        cda != 0.0 && cdb != 0.0) {
+        return true;
+    }
+    return (abc == 0.0 && isBetween(a, b, c)) || (abd == 0.0 && isBetween(a, b, d)) ||
+           (cda == 0.0 && isBetween(c, d, a)) || (cdb == 0.0 && isBetween(c, d, b));
+}
+
+std::optional<Error> findCrossing(const Loop& loop) {
+    const std::size_t n = loop.size();
+    for (std::size_t i = 0; i < n; ++i) {
+        const Vec2 a = loop[i];
+        const Vec2 b = loop[(i + 1) % n];
+        const Vec2 c = loop[(i + 2) % n];
+        if (areaOf(a, b, c) == 0.0) {
+            return error(format("turns back on itself at {}", text(b)), "take the spike out");
+        }
+        for (std::size_t k = i + 2; k < n; ++k) {
+            if (i == 0 && k == n - 1) continue;  // neighbours
+            if (!meet(a, b, loop[k], loop[(k + 1) % n])) continue;
+            return error(format("the sides from {} and from {} cross or touch", text(a), text(loop[k])),
+                         "move a point, or cut the outline in two");
+        }
+    }
+    return std::nullopt;
+}
+
+double twiceArea(const Loop& loop) {
+    double sum = 0.0;
+    for (std::size_t i = 1; i + 1 < loop.size(); ++i) sum += areaOf(loop[0], loop[i], loop[i + 1]);
+    return sum;
+}
+
+bool isEar(const Loop& loop, std::size_t i) {
+    const std::size_t n = loop.size();
+    const Vec2 a = loop[(i + n - 1) % n];
+    const Vec2 b = loop[i];
+    const Vec2 c = loop[(i + 1) % n];
+    if (areaOf(a, b, c) <= 0.0) return false;
+    return std::none_of(loop.begin(), loop.end(), [&](Vec2 p) {
+        if (p == a || p == b || p == c) return false;
+        return areaOf(a, b, p) >= 0.0 && areaOf(b, c, p) >= 0.0 && areaOf(c, a, p) >= 0.0;
+    });
+}
+
+/// Cuts off ears, going round, so that triangles do not all meet at one point.
+std::optional<std::vector<Loop>> triangles(Loop loop) {
+    std::vector<Loop> pieces;
+    std::size_t i = 0;
+    std::size_t misses = 0;
+    while (loop.size() > 3) {
+        const std::size_t n = loop.size();
+        i %= n;
+        if (isEar(loop, i)) {
+            pieces.push_back({loop[(i + n - 1) % n], loop[i], loop[(i + 1) % n]});
+            loop.erase(loop.begin() + static_cast<std::ptrdiff_t>(i));
+            misses = 0;
+        } else if (++misses > n) {
+            return std::nullopt;
+        }
+        ++i;
+    }
+    pieces.push_back(std::move(loop));
+    return pieces;
+}
+
+/// The two loops as one, if they share a side and no corner of the whole is dented.
+std::optional<Loop> joined(const Loop& a, const Loop& b) {
+    if (a.size() + b.size() - 2 > kMaxCorners) return std::nullopt;
+    for (std::size_t i = 0; i < a.size(); ++i) {
+        const Vec2 start = a[i];
+        const Vec2 end = a[(i + 1) % a.size()];
+        for (std::size_t k = 0; k < b.size(); ++k) {
+            if (!(b[k] == end && b[(k + 1) % b.size()] == start)) continue;
+            Loop whole;
+            for (std::size_t m = 1; m <= a.size(); ++m) whole.push_back(a[(i + m) % a.size()]);
+            for (std::size_t m = 2; m < b.size(); ++m) whole.push_back(b[(k + m) % b.size()]);
+            for (std::size_t m = 0; m < whole.size(); ++m) {
+                const Vec2 next = whole[(m + 1) % whole.size()];
+                if (areaOf(whole[m], next, whole[(m + 2) % whole.size()]) < 0.0) return std::nullopt;
+            }
+            return whole;
+        }
+    }
+    return std::nullopt;
+}
+
+void joinPieces(std::vector<Loop>& pieces) {
+    for (std::size_t i = 0; i < pieces.size(); ++i) {
+        for (std::size_t k = i + 1; k < pieces.size();) {
+            if (auto whole = joined(pieces[i], pieces[k])) {
+                pieces[i] = std::move(*whole);
+                pieces.erase(pieces.begin() + static_cast<std::ptrdiff_t>(k));
+                k = i + 1;  // those that could not join before may do so now
+            } else {
+                ++k;
+            }
+        }
+    }
+}
+
+}  // namespace
+
+Result<std::vector<Hull>> decompose(std::span<const Vec2> outline) {
+    if (outline.size() > kMaxOutline) {
+        return error(format("the outline has {} points, of at most {}", outline.size(), kMaxOutline),
+                     "leave out some");
+    }
+    for (const Vec2 point : outline) {
+        if (std::fabs(point.x) <= kLargestShape && std::fabs(point.y) <= kLargestShape) continue;
+        return error(format("the point {} is not within {} m", text(point), kLargestShape), "write metres");
+    }
+    Loop loop = cleaned(outline);
+    if (loop.size() < 3)
+        return error("the outline has no area", "give at least 3 points that are not on one line");
+    if (auto crossing = findCrossing(loop)) return *crossing;
+    const double area = 0.5 * twiceArea(loop);
+    if (area < 0.0) std::reverse(loop.begin(), loop.end());
+
+    auto pieces = triangles(std::move(loop));
+    if (!pieces) return error("no corner can be cut off", "move points that nearly touch another side apart");
+    joinPieces(*pieces);
+
+    std::vector<Hull> hulls;
+    for (const Loop& piece : *pieces) {
+        auto hull = makeHull(piece);
+        // A triangle too thin to be a shape may remain; nobody misses it.
+        if (!hull && twiceArea(piece) > 1.0e-4 * std::fabs(area)) return hull.error();
+        if (hull) hulls.push_back(*hull);
+    }
+    if (hulls.empty()) return error("the outline is too thin to have an inside", "use segments or a capsule");
+    return hulls;
+}
+
+}  // namespace plumb::physics

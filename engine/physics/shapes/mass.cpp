@@ -1,0 +1,98 @@
+#include "physics/shapes/mass.hpp"
+
+#include "math/portable.hpp"
+
+namespace plumb::physics {
+
+namespace {
+
+/// Double, and seen from the first corner: the differences of large moments stay exact.
+struct Wide {
+    double x = 0.0;
+    double y = 0.0;
+};
+
+Wide wide(Vec2 v) { return {static_cast<double>(v.x), static_cast<double>(v.y)}; }
+Wide operator+(Wide a, Wide b) { return {a.x + b.x, a.y + b.y}; }
+Wide operator-(Wide a, Wide b) { return {a.x - b.x, a.y - b.y}; }
+Wide operator*(Wide a, double s) { return {a.x * s, a.y * s}; }
+double dot(Wide a, Wide b) { return a.x * b.x + a.y * b.y; }
+double cross(Wide a, Wide b) { return a.x * b.y - a.y * b.x; }
+
+/// Sums over all parts, about one point: of area, of area times place, of area times place squared.
+struct Moments {
+    double area = 0.0;
+    Wide first;
+    double second = 0.0;
+
+    void addTriangle(Wide a, Wide b) {  // with the origin
+        const double part = 0.5 * cross(a, b);
+        area += part;
+        first = first + (a + b) * (part / 3.0);
+        second += part / 6.0 * (dot(a, a) + dot(a, b) + dot(b, b));
+    }
+    void addStrip(Wide start, Wide end, Wide normal, double width) {
+        const Wide way = end - start;
+        const double part = std::sqrt(dot(way, way)) * width;
+        const Wide middle = (start + end) * 0.5 + normal * (0.5 * width);
+        area += part;
+        first = first + middle * part;
+        second += part * ((dot(way, way) + width * width) / 12.0 + dot(middle, middle));
+    }
+    void addSector(Wide corner, Wide from, Wide to, double angle, double radius) {
+        const double part = 0.5 * angle * radius * radius;
+        const double cube = radius * radius * radius / 3.0;
+        const Wide moment{cube * (to.y - from.y), cube * (from.x - to.x)};  // about the corner
+        area += part;
+        first = first + moment + corner * part;
+        second += 0.5 * part * radius * radius + 2.0 * dot(corner, moment) + part * dot(corner, corner);
+    }
+};
+
+/// rad, 0..pi: normals of a convex outline never turn back.
+double turnBetween(Vec2 from, Vec2 to) {
+    return static_cast<double>(arcTangent(std::fabs(cross(from, to)), dot(from, to)));
+}
+
+Moments momentsOf(const Convex& convex) {
+    const std::span<const Corner> corners = convex.corners();
+    const Wide origin = wide(corners[0].point);
+    const auto radius = static_cast<double>(convex.radius);
+    Moments sum;
+    if (convex.count == 1) {
+        sum.addSector({}, {}, {}, static_cast<double>(kTau), radius);
+        return sum;
+    }
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        const Corner& before = corners[i > 0 ? i - 1 : corners.size() - 1];
+        const Corner& corner = corners[i];
+        const Corner& after = corners[i + 1 < corners.size() ? i + 1 : 0];
+        const Wide here = wide(corner.point) - origin;
+        const Wide next = wide(after.point) - origin;
+        sum.addTriangle(here, next);
+        if (!(radius > 0.0)) continue;
+        sum.addStrip(here, next, wide(corner.normal), radius);
+        sum.addSector(here, wide(before.normal), wide(corner.normal),
+                      turnBetween(before.normal, corner.normal), radius);
+    }
+    return sum;
+}
+
+}  // namespace
+
+MassProperties massOf(const Convex& convex, float density) {
+    const Moments sum = momentsOf(convex);
+    MassProperties mass{.centre = convex.centre};
+    if (!(sum.area > 0.0)) return mass;
+    const Wide centre = sum.first * (1.0 / sum.area);
+    const Vec2 origin = convex.corners()[0].point;
+    mass.centre = {static_cast<float>(static_cast<double>(origin.x) + centre.x),
+                   static_cast<float>(static_cast<double>(origin.y) + centre.y)};
+    if (!(density > 0.0f)) return mass;
+    const auto perArea = static_cast<double>(density);
+    mass.mass = static_cast<float>(perArea * sum.area);
+    mass.inertia = static_cast<float>(perArea * (sum.second - sum.area * dot(centre, centre)));
+    return mass;
+}
+
+}  // namespace plumb::physics

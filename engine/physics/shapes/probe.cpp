@@ -1,0 +1,127 @@
+#include "physics/shapes/probe.hpp"
+
+namespace plumb::physics {
+
+namespace {
+
+/// m: nearer than this, the square of a distance loses its digits.
+constexpr float kNoDistance = 1.0e-18f;
+
+/// The face that a place is farthest in front of.
+struct Face {
+    std::size_t index = 0;
+    float distance = 0.0f;
+};
+
+Face faceTowards(std::span<const Corner> corners, Vec2 place) {
+    Face best{0, dot(corners[0].normal, place - corners[0].point)};
+    for (std::size_t i = 1; i < corners.size(); ++i) {
+        const float distance = dot(corners[i].normal, place - corners[i].point);
+        if (distance > best.distance) best = {i, distance};
+    }
+    return best;
+}
+
+/// The nearest place on the line from `start` to `end`.
+Vec2 nearestOn(Vec2 start, Vec2 end, Vec2 place) {
+    const Vec2 way = end - start;
+    const float along = dot(place - start, way);
+    const float square = lengthSquared(way);
+    if (!(along > 0.0f)) return start;
+    return along < square ? start + way * (along / square) : end;
+}
+
+/// Keeps the earliest of several entries.
+void keep(std::optional<RayHit>& first, float fraction, Vec2 normal) {
+    if (fraction >= 0.0f && fraction <= 1.0f && (!first || fraction < first->fraction))
+        first = RayHit{fraction, normal};
+}
+
+/// Seen from where the ray is nearest to the centre, so that a long ray does not lose a small disc.
+void castAtDisc(const Ray& ray, Vec2 centre, float radius, std::optional<RayHit>& first) {
+    const float length = plumb::length(ray.way);
+    if (!(length > 0.0f)) return;
+    const Vec2 direction = ray.way / length;
+    const float along = dot(centre - ray.from, direction);
+    const Vec2 aside = ray.from + direction * along - centre;
+    const float square = radius * radius - lengthSquared(aside);
+    if (!(square >= 0.0f)) return;
+    const float half = std::sqrt(square);
+    keep(first, (along - half) / length, normalized(aside - direction * half));
+}
+
+void castAtFace(const Ray& ray, const Corner& corner, Vec2 next, float radius, std::optional<RayHit>& first) {
+    const float speed = dot(ray.way, corner.normal);
+    if (!(speed < 0.0f)) return;
+    const float fraction = (dot(corner.point - ray.from, corner.normal) + radius) / speed;
+    const Vec2 edge = next - corner.point;
+    const float along = dot(ray.from + ray.way * fraction - corner.point, edge);
+    if (along >= 0.0f && along <= lengthSquared(edge)) keep(first, fraction, corner.normal);
+}
+
+/// Faces and discs at the corners overlap where they meet, so no ray slips between them.
+std::optional<RayHit> castAtRounded(const Convex& convex, const Ray& ray) {
+    const std::span<const Corner> corners = convex.corners();
+    std::optional<RayHit> first;
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        const Vec2 next = corners[i + 1 < corners.size() ? i + 1 : 0].point;
+        if (corners.size() > 1) castAtFace(ray, corners[i], next, convex.radius, first);
+        if (convex.radius > 0.0f) castAtDisc(ray, corners[i].point, convex.radius, first);
+    }
+    return first;
+}
+
+/// The part of the ray that is behind all faces.
+/// Source: M. Cyrus, J. Beck, "Generalized two- and three-dimensional clipping", 1978.
+std::optional<RayHit> castAtSharp(std::span<const Corner> corners, const Ray& ray) {
+    float enter = 0.0f;
+    float leave = 1.0f;
+    std::optional<Vec2> normal;
+    for (const Corner& corner : corners) {
+        const float depth = dot(corner.normal, corner.point - ray.from);
+        const float speed = dot(corner.normal, ray.way);
+        if (speed < 0.0f) {
+            if (depth < enter * speed) {
+                enter = depth / speed;
+                normal = corner.normal;
+            }
+        } else if (speed > 0.0f) {
+            if (depth < leave * speed) leave = depth / speed;
+        } else if (depth < 0.0f) {
+            return std::nullopt;
+        }
+        if (leave < enter) return std::nullopt;
+    }
+    if (!normal) return std::nullopt;
+    return RayHit{enter, *normal};
+}
+
+}  // namespace
+
+ClosestPoint closestPointOf(const Convex& convex, Vec2 place) {
+    const std::span<const Corner> corners = convex.corners();
+    const Face face = faceTowards(corners, place);
+    const Corner& corner = corners[face.index];
+    if (convex.count > 2 && face.distance <= 0.0f) {
+        const float distance = face.distance - convex.radius;
+        return {place - corner.normal * distance, corner.normal, distance};
+    }
+    // Outside of a convex core, the nearest feature belongs to the face that the place is farthest in front
+    // of.
+    const Vec2 next = corners[face.index + 1 < corners.size() ? face.index + 1 : 0].point;
+    const Vec2 nearest = nearestOn(corner.point, next, place);
+    const float gap = distance(nearest, place);
+    const Vec2 normal = gap > kNoDistance ? (place - nearest) / gap : corner.normal;
+    return {nearest + normal * convex.radius, normal, gap - convex.radius};
+}
+
+std::optional<RayHit> castRayAt(const Convex& convex, const Ray& ray) {
+    const ClosestPoint start = closestPointOf(convex, ray.from);
+    if (convex.radius > 0.0f || convex.count > 2) {
+        if (start.distance <= 0.0f) return RayHit{0.0f, start.normal};
+    }
+    if (convex.radius > 0.0f || convex.count < 3) return castAtRounded(convex, ray);
+    return castAtSharp(convex.corners(), ray);
+}
+
+}  // namespace plumb::physics
