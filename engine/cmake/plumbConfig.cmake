@@ -1,6 +1,7 @@
 # The physics library stands on nothing but the language; the engine needs the system's packages.
+include(CMakeFindDependencyMacro)
+find_dependency(Threads)
 if(NOT plumb_FIND_COMPONENTS OR "engine" IN_LIST plumb_FIND_COMPONENTS)
-    include(CMakeFindDependencyMacro)
     find_dependency(SDL2 CONFIG)
     find_dependency(SDL2_image CONFIG)
     find_dependency(SDL2_mixer CONFIG)

@@ -49,9 +49,9 @@ struct BodyDefinition {
     float angularDrag = 0.0f;      ///< 1/s
     float sleepSpeed = 0.05f;      ///< m/s: slower than this for a while it falls asleep
     bool fixedRotation = false;
-    bool lockX = false;      ///< its velocity along x stays 0
+    bool lockX = false;  ///< its velocity along x stays 0
     bool lockY = false;
-    bool bullet = false;     ///< swept against moving bodies too
+    bool bullet = false;  ///< swept against moving bodies too
     bool canSleep = true;
     bool awake = true;
     Quality quality = kQualityOfWorld;

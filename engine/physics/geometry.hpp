@@ -15,7 +15,9 @@ struct Frame {
     friend constexpr bool operator==(const Frame&, const Frame&) = default;
 };
 
-constexpr Vec2 apply(const Frame& frame, Vec2 point) { return frame.position + rotate(frame.rotation, point); }
+constexpr Vec2 apply(const Frame& frame, Vec2 point) {
+    return frame.position + rotate(frame.rotation, point);
+}
 constexpr Vec2 applyInverse(const Frame& frame, Vec2 point) {
     return unrotate(frame.rotation, point - frame.position);
 }

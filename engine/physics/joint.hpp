@@ -3,8 +3,8 @@
 #include <cstdint>
 #include <limits>
 
-#include "physics/body.hpp"
 #include "math/vec2.hpp"
+#include "physics/body.hpp"
 
 namespace plumb::physics {
 
@@ -54,19 +54,19 @@ struct JointDefinition {
     float ratio = 1.0f;           ///< of Gear and Pulley
     Vec2 groundA;                 ///< m, world, near the origin of the step: fixed ends of Pulley
     Vec2 groundB;
-    Place target;                 ///< m: of Mouse
-    Vec2 offset;                  ///< m, in A's frame: of Motor
-    JointId jointA;               ///< of Gear
+    Place target;    ///< m: of Mouse
+    Vec2 offset;     ///< m, in A's frame: of Motor
+    JointId jointA;  ///< of Gear
     JointId jointB;
     JointLimit limit;
     JointMotor motor;
     JointSpring spring;
-    float maxForce = std::numeric_limits<float>::infinity();   ///< N: of Mouse and Motor
-    float maxTorque = std::numeric_limits<float>::infinity();  ///< N m: of Motor
+    float maxForce = std::numeric_limits<float>::infinity();     ///< N: of Mouse and Motor
+    float maxTorque = std::numeric_limits<float>::infinity();    ///< N m: of Motor
     float breakForce = std::numeric_limits<float>::infinity();   ///< N: harder pulled, it breaks
     float breakTorque = std::numeric_limits<float>::infinity();  ///< N m
-    float hertz = 0.0f;           ///< 1/s: stiffness of the joint itself; 0 as stiff as the substeps allow
-    float dampingRatio = 2.0f;    ///< of that
+    float hertz = 0.0f;         ///< 1/s: stiffness of the joint itself; 0 as stiff as the substeps allow
+    float dampingRatio = 2.0f;  ///< of that
     bool collideConnected = false;
     Quality quality = kQualityOfWorld;
     std::uint64_t user = 0;

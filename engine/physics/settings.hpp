@@ -34,8 +34,8 @@ struct Settings {
 
     /// Contacts are springs of this part of the substep rate. Larger is stiffer; above 1/4 they ring.
     float contactStiffness = 0.125f;
-    float jointStiffness = 0.25f;      ///< the same of joints
-    float contactDampingRatio = 10.0f; ///< much above 1: overlaps go away without a bounce
+    float jointStiffness = 0.25f;       ///< the same of joints
+    float contactDampingRatio = 10.0f;  ///< much above 1: overlaps go away without a bounce
     float jointDampingRatio = 2.0f;
     /// m/s: how fast overlapping bodies are pushed apart at most. Larger explodes deep overlaps.
     float pushSpeed = 3.0f;
@@ -46,13 +46,13 @@ struct Settings {
     /// m: bounds are this much larger than shapes, so that few movements leave them; at most an eighth
     /// of a shape's size. Larger: fewer searches, more pairs.
     float boundsMargin = 0.05f;
-    float bounceSpeed = 1.0f;     ///< m/s: slower than this nothing bounces
-    float sleepTime = 0.5f;       ///< s: at rest for so long an island falls asleep
-    float maxSpeed = 4000.0f;     ///< m/s: faster is slowed down to it
+    float bounceSpeed = 1.0f;  ///< m/s: slower than this nothing bounces
+    float sleepTime = 0.5f;    ///< s: at rest for so long an island falls asleep
+    float maxSpeed = 4000.0f;  ///< m/s: faster is slowed down to it
     /// Fast bodies are swept, so that they do not pass through what does not move.
     bool continuous = true;
     bool sleeping = true;
-    bool stayEvents = true;       ///< a contact that goes on is an event in each step
+    bool stayEvents = false;  ///< a contact that goes on is an event in each step
 };
 
 }  // namespace plumb::physics

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <atomic>
+#include <condition_variable>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <thread>
+#include <vector>
+
+namespace plumb {
+
+/// Threads that work on one thing at a time, together with the caller. Made once, used for every step.
+///
+/// Work is handed out as numbered parts; who takes which part is a matter of chance, so parts must not depend
+/// on each other and must write to places of their own. Then results are the same for any number of threads.
+class TaskPool {
+public:
+    /// @param threads  including the caller's, at least 1
+    explicit TaskPool(int threads);
+    ~TaskPool();
+    TaskPool(const TaskPool&) = delete;
+    TaskPool& operator=(const TaskPool&) = delete;
+
+    [[nodiscard]] int threads() const { return static_cast<int>(workers_.size()) + 1; }
+
+    /// Runs `task(part, thread)` for every part in 0..count-1 and waits for all. `thread` is 0..threads()-1.
+    /// @pre not called from within a task
+    template <class Task>
+    void run(int count, Task&& task) {
+        using Plain = std::remove_reference_t<Task>;
+        run(
+            count, [](void* context, int part, int thread) { (*static_cast<Plain*>(context))(part, thread); },
+            const_cast<void*>(static_cast<const void*>(&task)));
+    }
+
+private:
+    using Call = void (*)(void* context, int part, int thread);
+
+    void run(int count, Call call, void* context);
+    void work(int thread);
+    void takeParts(int thread);
+
+    std::vector<std::thread> workers_;
+    Call call_ = nullptr;
+    void* context_ = nullptr;
+    int count_ = 0;
+    alignas(64) std::atomic<int> next_{0};  // the next part to take
+    alignas(64) std::atomic<int> busy_{0};  // workers that have not finished this round
+    alignas(64) std::atomic<std::uint32_t> round_{0};
+    std::atomic<int> asleep_{0};
+    std::mutex mutex_;
+    std::condition_variable wake_;
+    bool stop_ = false;
+};
+
+}  // namespace plumb

@@ -1,0 +1,334 @@
+#include "physics/bodies.hpp"
+
+#include <cmath>
+
+#include "physics/bounds.hpp"
+#include "physics/checks.hpp"
+#include "physics/joints.hpp"
+#include "physics/mass.hpp"
+#include "physics/shapes.hpp"
+#include "physics/sleeping.hpp"
+
+namespace plumb::physics {
+
+namespace {
+
+Result<Done> check(const BodyDefinition& definition) {
+    return firstOf(
+        checkPlace("BodyDefinition.position", definition.position),
+        checkNumber("BodyDefinition.angle", definition.angle, -1.0e5, 1.0e5),
+        checkVector("BodyDefinition.velocity", definition.velocity, kFastest),
+        checkNumber("BodyDefinition.angularVelocity", definition.angularVelocity, -kFastest, kFastest),
+        checkVector("BodyDefinition.acceleration", definition.acceleration, kFastest),
+        checkNumber("BodyDefinition.gravityScale", definition.gravityScale, -kFastest, kFastest),
+        checkNumber("BodyDefinition.linearDrag", definition.linearDrag, 0.0, kFastest),
+        checkNumber("BodyDefinition.angularDrag", definition.angularDrag, 0.0, kFastest),
+        checkNumber("BodyDefinition.sleepSpeed", definition.sleepSpeed, 0.0, kFastest),
+        checkQuality("BodyDefinition.quality", definition.quality));
+}
+
+std::uint32_t takePlace(World& world) {
+    Bodies& bodies = world.bodies;
+    if (!bodies.free.empty()) {
+        const std::uint32_t index = bodies.free.back();
+        bodies.free.pop_back();
+        return index;
+    }
+    const std::size_t count = bodies.size() + 1;
+    bodies.pose.resize(count);
+    bodies.motion.resize(count);
+    bodies.mass.resize(count);
+    bodies.drive.resize(count);
+    bodies.info.resize(count);
+    world.sleepers.nextBody.resize(count, kNone);
+    world.sleepers.islandOf.resize(count, kNone);
+    return static_cast<std::uint32_t>(count - 1);
+}
+
+std::uint8_t flagsOf(const BodyDefinition& definition) {
+    return static_cast<std::uint8_t>((definition.bullet ? kBullet : 0) |
+                                     (definition.canSleep ? kCanSleep : 0) |
+                                     (definition.fixedRotation ? kFixedRotation : 0) |
+                                     (definition.lockX ? kLockX : 0) | (definition.lockY ? kLockY : 0));
+}
+
+/// The effects that a body calls for by itself.
+void callFor(World& world, std::uint32_t body, int times) {
+    const BodyInfo& info = world.bodies.info[body];
+    const BodyDrive& drive = world.bodies.drive[body];
+    const bool dynamic = info.kind == BodyKind::Dynamic;
+    Manifest& manifest = world.manifest;
+    manifest.call(Effect::Gravity, dynamic && drive.gravityScale != 0.0f, times);
+    manifest.call(Effect::Rotation, dynamic && (info.flags & kFixedRotation) == 0, times);
+    manifest.call(Effect::Drag, dynamic && (drive.linearDrag > 0.0f || drive.angularDrag > 0.0f), times);
+    manifest.call(Effect::Continuous, dynamic, times);
+    manifest.call(Effect::Sleep, dynamic && (info.flags & kCanSleep) != 0, times);
+    manifest.call(Effect::Kinematics, info.kind == BodyKind::Kinematic, times);
+    if (info.quality != kQualityOfWorld) world.qualityCallers += static_cast<std::uint32_t>(times);
+    manifest.call(Effect::Locks, dynamic && (info.flags & (kLockX | kLockY)) != 0, times);
+}
+
+/// Changes something that effects depend on.
+template <class Change>
+void change(World& world, BodyId body, Change&& change) {
+    callFor(world, body.index, -1);
+    change();
+    callFor(world, body.index, 1);
+}
+
+bool isDynamic(const World& world, BodyId body) {
+    return world.bodies.info[body.index].kind == BodyKind::Dynamic;
+}
+
+}  // namespace
+
+bool alive(const World& world, BodyId body) {
+    return body.generation != 0 && body.index < world.bodies.size() &&
+           world.bodies.info[body.index].generation == body.generation &&
+           world.bodies.info[body.index].kind != BodyKind::None;
+}
+
+std::size_t bodyCount(const World& world) {
+    return world.bodies.size() - world.bodies.free.size() - world.bodies.dying.size();
+}
+
+Result<BodyId> createBody(World& world, const BodyDefinition& definition) {
+    if (const Result<Done> checked = check(definition); !checked) return checked.error();
+    const std::uint32_t index = takePlace(world);
+    Bodies& bodies = world.bodies;
+    BodyInfo& info = bodies.info[index];
+    const std::uint32_t generation = info.generation + 1;
+    info = {};
+    info.generation = generation;
+    info.kind = definition.kind;
+    info.flags = flagsOf(definition);
+    info.quality = definition.quality;
+    info.island = index;
+    info.sleepSpeed = definition.sleepSpeed;
+    info.user = definition.user;
+    bodies.pose[index] = {definition.position, rotFromAngle(definition.angle), {}};
+    bodies.motion[index] = {definition.velocity, definition.angularVelocity, 0.0f};
+    bodies.drive[index] = {{},
+                           definition.acceleration,
+                           0.0f,
+                           definition.gravityScale,
+                           definition.linearDrag,
+                           definition.angularDrag};
+    if (definition.kind == BodyKind::Static) bodies.motion[index] = {};
+    updateMass(world, index);
+    callFor(world, index, 1);
+    if (definition.kind == BodyKind::Kinematic ||
+        (definition.kind == BodyKind::Dynamic && definition.awake)) {
+        addAwake(world, index);
+    } else if (definition.kind == BodyKind::Dynamic) {
+        addAsleep(world, index);
+    }
+    return BodyId{index, generation};
+}
+
+void destroyBody(World& world, BodyId body) {
+    if (!alive(world, body)) return;
+    wake(world, body.index);
+    BodyInfo& info = world.bodies.info[body.index];
+    while (info.firstJoint != kNone) {
+        destroyJoint(world, {info.firstJoint, world.joints.hot[info.firstJoint].generation});
+    }
+    while (info.firstShape != kNone) {
+        destroyShape(world, {info.firstShape, world.shapes.info[info.firstShape].generation});
+    }
+    callFor(world, body.index, -1);
+    removeAwake(world, body.index);
+    info.kind = BodyKind::None;
+    world.bodies.mass[body.index] = {};
+    world.bodies.motion[body.index] = {};
+    world.bodies.dying.push_back(body.index);
+}
+
+Place positionOf(const World& world, BodyId body) {
+    const BodyPose& pose = world.bodies.pose[body.index];
+    return pose.centre + -rotate(pose.rotation, pose.localCentre);
+}
+
+bool isAwake(const World& world, BodyId body) { return world.bodies.info[body.index].place != kNone; }
+
+Frame predictTransform(const World& world, BodyId body, float dt) {
+    const BodyMotion& motion = world.bodies.motion[body.index];
+    const BodyDrive& drive = world.bodies.drive[body.index];
+    const BodyPose& pose = world.bodies.pose[body.index];
+    Vec2 way = motion.velocity * dt;
+    if (isDynamic(world, body)) {
+        const Vec2 pull = drive.acceleration + drive.gravityScale * world.settings.gravity +
+                          world.bodies.mass[body.index].inverseMass * drive.force;
+        way += (0.5f * dt * dt) * pull;
+    }
+    const Rot rotation = normalized(rotFromAngle(motion.angularVelocity * dt) * pose.rotation);
+    return {toVec2(pose.centre + way) - rotate(rotation, pose.localCentre), rotation};
+}
+
+Result<Done> setPosition(World& world, BodyId body, Place position, float angle) {
+    const auto checked = firstOf(checkAlive("setPosition", world, body), checkPlace("setPosition", position),
+                                 checkNumber("setPosition angle", angle, -1.0e5, 1.0e5));
+    if (!checked) return checked;
+    wakeTouching(world, body.index);
+    BodyPose& pose = world.bodies.pose[body.index];
+    pose.rotation = rotFromAngle(angle);
+    pose.centre = position + rotate(pose.rotation, pose.localCentre);
+    refreshBounds(world, body.index);
+    return Done{};
+}
+
+Result<Done> setVelocity(World& world, BodyId body, Vec2 velocity) {
+    const auto checked =
+        firstOf(checkAlive("setVelocity", world, body), checkVector("setVelocity", velocity, kFastest));
+    if (!checked) return checked;
+    if (world.bodies.info[body.index].kind == BodyKind::Static) return Done{};
+    if (velocity != Vec2{}) wake(world, body.index);
+    world.bodies.motion[body.index].velocity = velocity;
+    return Done{};
+}
+
+Result<Done> setAngularVelocity(World& world, BodyId body, float velocity) {
+    const auto checked = firstOf(checkAlive("setAngularVelocity", world, body),
+                                 checkNumber("setAngularVelocity", velocity, -kFastest, kFastest));
+    if (!checked) return checked;
+    if (world.bodies.info[body.index].kind == BodyKind::Static) return Done{};
+    if (velocity != 0.0f) wake(world, body.index);
+    world.bodies.motion[body.index].angularVelocity = velocity;
+    return Done{};
+}
+
+Result<Done> setAcceleration(World& world, BodyId body, Vec2 acceleration) {
+    const auto checked = firstOf(checkAlive("setAcceleration", world, body),
+                                 checkVector("setAcceleration", acceleration, kFastest));
+    if (!checked) return checked;
+    if (acceleration != world.bodies.drive[body.index].acceleration) wake(world, body.index);
+    world.bodies.drive[body.index].acceleration = acceleration;
+    return Done{};
+}
+
+Result<Done> setGravityScale(World& world, BodyId body, float scale) {
+    const auto checked = firstOf(checkAlive("setGravityScale", world, body),
+                                 checkNumber("setGravityScale", scale, -kFastest, kFastest));
+    if (!checked) return checked;
+    if (scale != world.bodies.drive[body.index].gravityScale) wake(world, body.index);
+    change(world, body, [&] { world.bodies.drive[body.index].gravityScale = scale; });
+    return Done{};
+}
+
+Result<Done> setDrag(World& world, BodyId body, float linear, float angular) {
+    const auto checked =
+        firstOf(checkAlive("setDrag", world, body), checkNumber("setDrag linear", linear, 0.0, kFastest),
+                checkNumber("setDrag angular", angular, 0.0, kFastest));
+    if (!checked) return checked;
+    change(world, body, [&] {
+        world.bodies.drive[body.index].linearDrag = linear;
+        world.bodies.drive[body.index].angularDrag = angular;
+    });
+    return Done{};
+}
+
+Result<Done> setMass(World& world, BodyId body, float mass) {
+    const auto checked =
+        firstOf(checkAlive("setMass", world, body), checkNumber("setMass", mass, 0.0, kStrongest));
+    if (!checked) return checked;
+    world.bodies.info[body.index].setMass = mass;
+    updateMass(world, body.index);
+    return Done{};
+}
+
+Result<Done> setQuality(World& world, BodyId body, Quality quality) {
+    const auto checked = firstOf(checkAlive("setQuality", world, body), checkQuality("setQuality", quality));
+    if (!checked) return checked;
+    change(world, body, [&] { world.bodies.info[body.index].quality = quality; });
+    return Done{};
+}
+
+Result<Done> applyForce(World& world, BodyId body, Vec2 force) {
+    const auto checked =
+        firstOf(checkAlive("applyForce", world, body), checkVector("applyForce", force, kStrongest));
+    if (!checked) return checked;
+    if (!isDynamic(world, body)) return Done{};
+    wake(world, body.index);
+    world.bodies.drive[body.index].force += force;
+    return Done{};
+}
+
+Result<Done> applyForceAt(World& world, BodyId body, Vec2 force, Place point) {
+    if (const auto checked = checkPlace("applyForceAt point", point); !checked) return checked;
+    const Result<Done> applied = applyForce(world, body, force);
+    if (!applied || !isDynamic(world, body)) return applied;
+    world.bodies.drive[body.index].torque += cross(point - world.bodies.pose[body.index].centre, force);
+    return applied;
+}
+
+Result<Done> applyTorque(World& world, BodyId body, float torque) {
+    const auto checked = firstOf(checkAlive("applyTorque", world, body),
+                                 checkNumber("applyTorque", torque, -kStrongest, kStrongest));
+    if (!checked) return checked;
+    if (!isDynamic(world, body)) return Done{};
+    wake(world, body.index);
+    world.bodies.drive[body.index].torque += torque;
+    return Done{};
+}
+
+Result<Done> applyImpulse(World& world, BodyId body, Vec2 impulse) {
+    const auto checked =
+        firstOf(checkAlive("applyImpulse", world, body), checkVector("applyImpulse", impulse, kStrongest));
+    if (!checked) return checked;
+    if (!isDynamic(world, body)) return Done{};
+    wake(world, body.index);
+    world.bodies.motion[body.index].velocity += world.bodies.mass[body.index].inverseMass * impulse;
+    return Done{};
+}
+
+Result<Done> applyImpulseAt(World& world, BodyId body, Vec2 impulse, Place point) {
+    if (const auto checked = checkPlace("applyImpulseAt point", point); !checked) return checked;
+    const Result<Done> applied = applyImpulse(world, body, impulse);
+    if (!applied || !isDynamic(world, body)) return applied;
+    world.bodies.motion[body.index].angularVelocity +=
+        world.bodies.mass[body.index].inverseInertia *
+        cross(point - world.bodies.pose[body.index].centre, impulse);
+    return applied;
+}
+
+Result<Done> moveTo(World& world, BodyId body, Place position, float angle, float dt) {
+    const auto checked = firstOf(checkAlive("moveTo", world, body), checkPlace("moveTo", position),
+                                 checkNumber("moveTo angle", angle, -1.0e5, 1.0e5),
+                                 checkNumber("moveTo dt", dt, 1.0e-6, 1.0e6));
+    if (!checked) return checked;
+    if (world.bodies.info[body.index].kind != BodyKind::Kinematic) {
+        return wrong("moveTo", "expected a kinematic body, found one of another kind",
+                     "set the velocity of a dynamic body, or the position of a static one");
+    }
+    const BodyPose& pose = world.bodies.pose[body.index];
+    const Rot target = rotFromAngle(angle);
+    BodyMotion& motion = world.bodies.motion[body.index];
+    motion.velocity = (position + rotate(target, pose.localCentre) - pose.centre) / dt;
+    motion.angularVelocity = angleOf(between(pose.rotation, target)) / dt;
+    world.bodies.info[body.index].flags |= kHasTarget;
+    wake(world, body.index);
+    return Done{};
+}
+
+void setAwake(World& world, BodyId body, bool awake) {
+    if (!alive(world, body)) return;
+    awake ? wake(world, body.index) : sleepNow(world, body.index);
+}
+
+void setFixedRotation(World& world, BodyId body, bool fixed) {
+    if (!alive(world, body)) return;
+    change(world, body, [&] {
+        std::uint8_t& flags = world.bodies.info[body.index].flags;
+        flags = static_cast<std::uint8_t>(fixed ? flags | kFixedRotation : flags & ~kFixedRotation);
+    });
+    world.bodies.motion[body.index].angularVelocity = 0.0f;
+    updateMass(world, body.index);
+}
+
+void setBullet(World& world, BodyId body, bool bullet) {
+    if (!alive(world, body)) return;
+    std::uint8_t& flags = world.bodies.info[body.index].flags;
+    flags = static_cast<std::uint8_t>(bullet ? flags | kBullet : flags & ~kBullet);
+}
+
+}  // namespace plumb::physics

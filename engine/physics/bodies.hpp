@@ -1,0 +1,64 @@
+#pragma once
+
+#include "core/result.hpp"
+#include "physics/world.hpp"
+
+namespace plumb::physics {
+
+/// Adds a body without shapes.
+/// @error a number that is not finite or absurd, a drag below 0
+Result<BodyId> createBody(World& world, const BodyDefinition& definition);
+
+/// Removes a body with its shapes and joints; its contacts end in the next step. A stale id does nothing.
+void destroyBody(World& world, BodyId body);
+
+[[nodiscard]] bool alive(const World& world, BodyId body);
+[[nodiscard]] std::size_t bodyCount(const World& world);
+
+// Reading. All need a living body.
+
+[[nodiscard]] Place positionOf(const World& world, BodyId body);  ///< m, of the frame of its shapes
+[[nodiscard]] inline Place centreOf(const World& world, BodyId body) {
+    return world.bodies.pose[body.index].centre;
+}
+[[nodiscard]] inline Rot rotationOf(const World& world, BodyId body) {
+    return world.bodies.pose[body.index].rotation;
+}
+[[nodiscard]] inline Vec2 velocityOf(const World& world, BodyId body) {
+    return world.bodies.motion[body.index].velocity;
+}
+[[nodiscard]] inline float angularVelocityOf(const World& world, BodyId body) {
+    return world.bodies.motion[body.index].angularVelocity;
+}
+[[nodiscard]] inline float massOf(const World& world, BodyId body) {
+    return world.bodies.mass[body.index].mass;
+}
+[[nodiscard]] bool isAwake(const World& world, BodyId body);
+/// Where it would be after dt (s) if nothing but gravity and its own acceleration acted on it.
+[[nodiscard]] Frame predictTransform(const World& world, BodyId body, float dt);
+
+// Setters refuse what is not finite, with a message, and change nothing then. What moves or drives a body
+// wakes it.
+
+Result<Done> setPosition(World& world, BodyId body, Place position, float angle);  ///< m, rad; a jump
+Result<Done> setVelocity(World& world, BodyId body, Vec2 velocity);                ///< m/s
+Result<Done> setAngularVelocity(World& world, BodyId body, float velocity);        ///< rad/s
+Result<Done> setAcceleration(World& world, BodyId body, Vec2 acceleration);  ///< m/s2, on top of gravity
+Result<Done> setGravityScale(World& world, BodyId body, float scale);
+Result<Done> setDrag(World& world, BodyId body, float linear, float angular);  ///< 1/s, not below 0
+/// Kilograms whatever its shapes weigh; their distribution stays. 0 goes back to the shapes.
+Result<Done> setMass(World& world, BodyId body, float mass);
+Result<Done> setQuality(World& world, BodyId body, Quality quality);
+/// Acts in the next step only. `point` is in the world (m); without it, at the centre of mass.
+Result<Done> applyForce(World& world, BodyId body, Vec2 force);  ///< N
+Result<Done> applyForceAt(World& world, BodyId body, Vec2 force, Place point);
+Result<Done> applyTorque(World& world, BodyId body, float torque);   ///< N m
+Result<Done> applyImpulse(World& world, BodyId body, Vec2 impulse);  ///< N s
+Result<Done> applyImpulseAt(World& world, BodyId body, Vec2 impulse, Place point);
+/// Gives a kinematic body the velocity that leads there within dt (s); it stops after that step.
+Result<Done> moveTo(World& world, BodyId body, Place position, float angle, float dt);
+void setAwake(World& world, BodyId body, bool awake);
+void setFixedRotation(World& world, BodyId body, bool fixed);
+void setBullet(World& world, BodyId body, bool bullet);
+
+}  // namespace plumb::physics

@@ -1,0 +1,86 @@
+#include "physics/bounds.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "physics/contacts.hpp"
+#include "physics/shapes/shape_types.hpp"
+#include "physics/workspace.hpp"
+
+namespace plumb::physics {
+
+namespace {
+
+/// m: float places far from the origin are rounded, so bounds there must be wider.
+float roundingAt(const AABB& box) {
+    const float far = std::max(std::max(std::fabs(box.min.x), std::fabs(box.max.x)),
+                               std::max(std::fabs(box.min.y), std::fabs(box.max.y)));
+    return far * 2.5e-7f;
+}
+
+float marginOf(const AABB& tight, const Settings& settings) {
+    const Vec2 size = tight.size();
+    return std::min(settings.boundsMargin, 0.125f * std::max(size.x, size.y));
+}
+
+}  // namespace
+
+ProxyMotion motionOf(const World& world, std::uint32_t body) {
+    const BodyInfo& info = world.bodies.info[body];
+    if (info.kind == BodyKind::Static) return ProxyMotion::Static;
+    if (info.kind == BodyKind::Kinematic) return ProxyMotion::Kinematic;
+    return info.place == kNone ? ProxyMotion::Asleep : ProxyMotion::Awake;
+}
+
+Frame frameOf(const BodyPose& pose) {
+    return {toVec2(pose.centre) - rotate(pose.rotation, pose.localCentre), pose.rotation};
+}
+
+AABB tightBounds(const World& world, std::uint32_t shape) {
+    const Shapes& shapes = world.shapes;
+    return boundsOf(shapes.geometry[shape], shapes.corners,
+                    frameOf(world.bodies.pose[shapes.info[shape].body]));
+}
+
+void setBounds(World& world, std::uint32_t shape) {
+    ShapeInfo& info = world.shapes.info[shape];
+    const AABB tight = tightBounds(world, shape);
+    // What never moves needs no margin: those who come near have one.
+    const bool moves = world.bodies.info[info.body].kind != BodyKind::Static;
+    info.margin = moves ? marginOf(tight, world.settings) : 0.0f;
+    world.shapes.bounds[shape] = grown(tight, info.margin + roundingAt(tight));
+    noteChanged(world, shape);
+    noteMoved(world, shape);
+}
+
+void refreshBounds(World& world, std::uint32_t body) {
+    for (std::uint32_t s = world.bodies.info[body].firstShape; s != kNone; s = world.shapes.info[s].next) {
+        setBounds(world, s);
+    }
+}
+
+void noteChanged(World& world, std::uint32_t shape) {
+    if (world.work.stale()) return;  // it will be filled anew
+    Workspace& work = world.work.get();
+    if (work.isChanged.size() < world.shapes.size()) work.isChanged.resize(world.shapes.size());
+    if (work.isChanged[shape] != 0) return;
+    work.isChanged[shape] = 1;
+    work.changedProxies.push_back(shape);
+}
+
+void noteMoved(World& world, std::uint32_t shape) {
+    ShapeInfo& info = world.shapes.info[shape];
+    if ((info.flags & kLeftBounds) != 0) return;
+    info.flags |= kLeftBounds;
+    world.moved.push_back(shape);
+}
+
+void refreshContacts(World& world, std::uint32_t shape) {
+    const auto refresh = [&](Contact& contact) {
+        if (contact.shapeA == shape || contact.shapeB == shape) copyMaterials(world, contact);
+    };
+    for (Contact& contact : world.contacts) refresh(contact);
+    for (Contact& contact : world.sleepers.contacts) refresh(contact);
+}
+
+}  // namespace plumb::physics

@@ -1,0 +1,39 @@
+#include "physics/checks.hpp"
+
+#include <cmath>
+
+#include "core/text.hpp"
+#include "physics/bodies.hpp"
+
+namespace plumb::physics {
+
+Error wrong(const char* where, const std::string& what, const char* remedy) { return {where, what, remedy}; }
+
+Result<Done> checkNumber(const char* where, double value, double low, double high) {
+    if (value >= low && value <= high) return Done{};
+    return wrong(where,
+                 "expected a number from " + shortestText(low) + " to " + shortestText(high) + ", found " +
+                     shortestText(value),
+                 "check the calculation that it comes from");
+}
+
+Result<Done> checkVector(const char* where, Vec2 value, float most) {
+    return firstOf(checkNumber(where, value.x, -most, most), checkNumber(where, value.y, -most, most));
+}
+
+Result<Done> checkPlace(const char* where, Place value) {
+    return firstOf(checkNumber(where, value.x, -kFarthest, kFarthest),
+                   checkNumber(where, value.y, -kFarthest, kFarthest));
+}
+
+Result<Done> checkQuality(const char* where, int quality) {
+    return checkNumber(where, quality, kQualityOfWorld, kMaxQuality);
+}
+
+Result<Done> checkAlive(const char* where, const World& world, BodyId body) {
+    if (alive(world, body)) return Done{};
+    return wrong(where, "expected a living body, found one that was destroyed or never made",
+                 "ask alive(world, body) first, or forget the id when the body goes");
+}
+
+}  // namespace plumb::physics

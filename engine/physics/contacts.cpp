@@ -1,0 +1,204 @@
+#include "physics/contacts.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "physics/narrowphase/collide.hpp"
+#include "physics/workspace.hpp"
+
+namespace plumb::physics {
+
+namespace {
+
+/// Part of the slop by which two bodies may move along each other before their points are found anew. Points
+/// that stay the same points are what makes high stacks stand still.
+constexpr float kRecycle = 0.1f;
+
+bool overlap(const AABB& a, const AABB& b) {
+    return a.max.x >= b.min.x && a.min.x <= b.max.x && a.max.y >= b.min.y && a.min.y <= b.max.y;
+}
+
+/// Both bodies at the moment, B seen from A's centre of mass.
+struct Encounter {
+    Rot turnA;
+    Rot turn;      // B's rotation seen from A
+    Vec2 between;  // m: from A's centre to B's, in A's frame
+};
+
+Encounter encounterOf(const BodyPose& a, const BodyPose& b) {
+    return {a.rotation, between(a.rotation, b.rotation), unrotate(a.rotation, b.centre - a.centre)};
+}
+
+float separationOf(const Encounter& now, const ContactAnchors& anchors, Vec2 normalInA) {
+    return dot(normalInA, now.between + rotate(now.turn, anchors.b) - anchors.a);
+}
+
+float longest(Vec2 a) { return std::max(std::fabs(a.x), std::fabs(a.y)); }
+
+/// True when the bodies have hardly moved to each other since the points were found.
+bool hardlyMoved(const Contact& contact, const Encounter& now, float tolerance) {
+    const float turned = contact.turn.cos * now.turn.sin - contact.turn.sin * now.turn.cos;
+    const float arm =
+        longest(contact.anchors[0].b) + longest(contact.anchors[1].b) + longest(contact.anchors[0].a);
+    if (std::fabs(turned) * arm > tolerance) return false;
+    const Vec2 apart = now.between + rotate(now.turn, contact.anchors[0].b) - contact.anchors[0].a;
+    return std::fabs(cross(contact.normalInA, apart)) <= tolerance;
+}
+
+/// Takes the points along. @return false when they have to be found anew
+bool recycle(Contact& contact, const Encounter& now, const Settings& settings) {
+    if ((contact.flags & (kTouching | kRound)) != kTouching) return false;
+    if (!hardlyMoved(contact, now, kRecycle * settings.slop)) return false;
+    const float separation0 = separationOf(now, contact.anchors[0], contact.normalInA);
+    if (separation0 > settings.slop) return false;
+    contact.normal = rotate(now.turnA, contact.normalInA);
+    contact.separation0 = separation0;
+    if (contact.count == 2) contact.separation1 = separationOf(now, contact.anchors[1], contact.normalInA);
+    return true;
+}
+
+/// Impulses of points that were there before.
+struct Known {
+    std::uint16_t ids[2];
+    float impulses[2];
+    int count;
+
+    explicit Known(const Contact& contact)
+        : ids{contact.ids[0], contact.ids[1]},
+          impulses{contact.impulse0, contact.impulse1},
+          count{contact.count} {}
+    [[nodiscard]] float impulseOf(std::uint16_t id) const {
+        for (int i = 0; i < count; ++i) {
+            if (ids[i] == id) return impulses[i];
+        }
+        return 0.0f;
+    }
+};
+
+void forgetPoints(Contact& contact) {
+    contact.count = 0;
+    contact.impulse0 = contact.impulse1 = 0.0f;
+    contact.frictionImpulse = contact.rollingImpulse = 0.0f;
+}
+
+/// Writes the points of a manifold that was found in the frame of A's shapes.
+void takeManifold(const World& world, Contact& contact, const Manifold& manifold, const Encounter& now) {
+    const Known known{contact};
+    const BodyPose& a = world.bodies.pose[contact.bodyA];
+    contact.count = static_cast<std::uint8_t>(manifold.count);
+    contact.turn = now.turn;
+    contact.normalInA = manifold.normal;
+    contact.normal = rotate(now.turnA, manifold.normal);
+    contact.roundA = manifold.roundA;
+    contact.roundB = manifold.roundB;
+    for (int i = 0; i < 2; ++i) {
+        const ManifoldPoint& point = manifold.points[std::min(i, manifold.count - 1)];
+        const Vec2 middle = point.point - a.localCentre;
+        const Vec2 halfway = (0.5f * point.separation) * manifold.normal;
+        contact.anchors[i] = {middle - halfway, unrotate(now.turn, middle + halfway - now.between)};
+        contact.ids[i] = point.id;
+    }
+    contact.separation0 = manifold.points[0].separation;
+    contact.impulse0 = known.impulseOf(contact.ids[0]);
+    contact.separation1 = manifold.count == 2 ? manifold.points[1].separation : kFarAway;
+    contact.impulse1 = manifold.count == 2 ? known.impulseOf(contact.ids[1]) : 0.0f;
+}
+
+Frame frameInA(const World& world, const Contact& contact, const Encounter& now) {
+    const BodyPose& a = world.bodies.pose[contact.bodyA];
+    const BodyPose& b = world.bodies.pose[contact.bodyB];
+    return {a.localCentre + now.between - rotate(now.turn, b.localCentre), now.turn};
+}
+
+bool nearByCircles(const World& world, const Contact& contact, const Encounter& now) {
+    const float reach = world.bodies.info[contact.bodyA].reach + world.bodies.info[contact.bodyB].reach +
+                        world.settings.speculativeDistance;
+    return lengthSquared(now.between) <= reach * reach;
+}
+
+bool isRound(ShapeKind kind) { return kind == ShapeKind::Circle; }
+
+}  // namespace
+
+void copyMaterials(const World& world, Contact& contact) {
+    const ShapeInfo& a = world.shapes.info[contact.shapeA];
+    const ShapeInfo& b = world.shapes.info[contact.shapeB];
+    const Geometry& outlineA = world.shapes.geometry[contact.shapeA];
+    const Geometry& outlineB = world.shapes.geometry[contact.shapeB];
+    contact.friction = std::sqrt(a.friction * b.friction);
+    contact.bounciness = std::max(a.bounciness, b.bounciness);
+    contact.rollingResistance =
+        std::max(a.rollingResistance, b.rollingResistance) * std::max(outlineA.radius, outlineB.radius);
+    contact.surfaceSpeed = a.surfaceSpeed + b.surfaceSpeed;
+    const bool triggered = ((a.flags | b.flags) & kTrigger) != 0;
+    const bool reports = ((a.flags | b.flags) & kReportsContacts) != 0;
+    const bool fixed = world.bodies.info[contact.bodyA].kind != BodyKind::Dynamic;
+    const int kept = contact.flags & (kTouching | kBegan | kDisabled);
+    contact.flags = static_cast<std::uint16_t>(
+        kept | (triggered ? kTriggered : 0) | (reports ? kReports : 0) |
+        ((a.flags & kOneWay) != 0 ? kOneWayA : 0) | ((b.flags & kOneWay) != 0 ? kOneWayB : 0) |
+        (fixed ? kFixedA : 0) | (isRound(outlineA.kind) || isRound(outlineB.kind) ? kRound : 0) |
+        (contact.surfaceSpeed != 0.0f ? kHasSurface : 0));
+}
+
+Contact makeContact(const World& world, std::uint32_t shapeA, std::uint32_t shapeB) {
+    Contact contact;
+    const std::uint32_t bodyA = world.shapes.info[shapeA].body, bodyB = world.shapes.info[shapeB].body;
+    const bool fixedB = world.bodies.info[bodyB].kind != BodyKind::Dynamic;
+    contact.shapeA = fixedB ? shapeB : shapeA;
+    contact.shapeB = fixedB ? shapeA : shapeB;
+    contact.bodyA = fixedB ? bodyB : bodyA;
+    contact.bodyB = fixedB ? bodyA : bodyB;
+    copyMaterials(world, contact);
+    return contact;
+}
+
+bool updateContact(const World& world, Contact& contact, DetectionCounts& counts) {
+    const Encounter now = encounterOf(world.bodies.pose[contact.bodyA], world.bodies.pose[contact.bodyB]);
+    ++counts.pairs;
+    if (recycle(contact, now, world.settings)) {
+        ++counts.recycled;
+        ++counts.touching;
+        return true;
+    }
+    const Shapes& shapes = world.shapes;
+    if (!overlap(shapes.bounds[contact.shapeA], shapes.bounds[contact.shapeB])) return false;
+    if ((contact.flags & kFixedA) == 0 && !nearByCircles(world, contact, now)) {
+        ++counts.apartByCircles;
+        forgetPoints(contact);
+        return true;
+    }
+    const Manifold manifold =
+        collide(shapes.geometry[contact.shapeA], shapes.geometry[contact.shapeB], shapes.corners,
+                frameInA(world, contact, now), world.settings.speculativeDistance);
+    if (manifold.count == 0) {
+        ++counts.apartByAxes;
+        forgetPoints(contact);
+        return true;
+    }
+    ++counts.touching;
+    takeManifold(world, contact, manifold, now);
+    return true;
+}
+
+ContactEvent eventOf(const World& world, const Contact& contact, ContactPhase phase) {
+    const auto bodyId = [&](std::uint32_t body) { return BodyId{body, world.bodies.info[body].generation}; };
+    const auto shapeId = [&](std::uint32_t shape) {
+        return ShapeId{shape, world.shapes.info[shape].generation};
+    };
+    const BodyPose& a = world.bodies.pose[contact.bodyA];
+    ContactEvent event;
+    event.a = bodyId(contact.bodyA);
+    event.b = bodyId(contact.bodyB);
+    event.shapeA = shapeId(contact.shapeA);
+    event.shapeB = shapeId(contact.shapeB);
+    event.phase = phase;
+    event.isTrigger = (contact.flags & kTriggered) != 0;
+    event.normal = contact.normal;
+    event.point = toVec2(a.centre + rotate(a.rotation, contact.anchors[0].a));
+    event.impulse = contact.impulse0 + contact.impulse1;
+    return event;
+}
+
+}  // namespace plumb::physics

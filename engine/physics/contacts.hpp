@@ -1,0 +1,20 @@
+#pragma once
+
+#include "physics/world.hpp"
+
+namespace plumb::physics {
+
+/// A contact of two shapes that do not touch yet. The one of a body that cannot be pushed comes first.
+Contact makeContact(const World& world, std::uint32_t shapeA, std::uint32_t shapeB);
+
+/// Friction and the like, and what kind of contact it is, from its two shapes.
+void copyMaterials(const World& world, Contact& contact);
+
+/// Finds out where the shapes are to each other, and keeps what it knew of places that are still the same.
+/// @return false when their bounds have parted, so that the contact ends
+bool updateContact(const World& world, Contact& contact, struct DetectionCounts& counts);
+
+/// The event that tells of a contact.
+ContactEvent eventOf(const World& world, const Contact& contact, ContactPhase phase);
+
+}  // namespace plumb::physics

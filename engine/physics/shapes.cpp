@@ -1,0 +1,248 @@
+#include "physics/shapes.hpp"
+
+#include <algorithm>
+#include <vector>
+
+#include "core/text.hpp"
+#include "physics/bodies.hpp"
+#include "physics/bounds.hpp"
+#include "physics/checks.hpp"
+#include "physics/mass.hpp"
+#include "physics/polygon_store.hpp"
+#include "physics/sleeping.hpp"
+
+namespace plumb::physics {
+
+namespace {
+
+Result<Done> check(const ShapeDefinition& definition) {
+    return firstOf(checkNumber("ShapeDefinition.density", definition.density, 0.0, 1.0e9),
+                   checkNumber("ShapeDefinition.friction", definition.friction, 0.0, 100.0),
+                   checkNumber("ShapeDefinition.bounciness", definition.bounciness, 0.0, 1.0),
+                   checkNumber("ShapeDefinition.rollingResistance", definition.rollingResistance, 0.0, 100.0),
+                   checkNumber("ShapeDefinition.surfaceSpeed", definition.surfaceSpeed, -kFastest, kFastest),
+                   checkVector("ShapeDefinition.oneWayDirection", definition.oneWayDirection, kLargest));
+}
+
+Result<Done> checkSize(const char* where, float size) {
+    return checkNumber(where, size, kSmallest, kLargest);
+}
+
+Result<Done> check(const Geometry& geometry) {
+    const auto placed = firstOf(checkVector("Geometry.a", geometry.a, kLargest),
+                                checkVector("Geometry.b", geometry.b, kLargest),
+                                checkNumber("Geometry.radius", geometry.radius, 0.0, kLargest));
+    if (!placed) return placed;
+    switch (geometry.kind) {
+        case ShapeKind::Circle:
+        case ShapeKind::Capsule: return checkSize("Geometry.radius", geometry.radius);
+        case ShapeKind::Box: {
+            const float turn = geometry.turn.cos * geometry.turn.cos + geometry.turn.sin * geometry.turn.sin;
+            return firstOf(checkSize("Geometry.b.x", geometry.b.x), checkSize("Geometry.b.y", geometry.b.y),
+                           checkNumber("Geometry.turn length", turn, 0.999, 1.001));
+        }
+        case ShapeKind::Segment:
+        case ShapeKind::ChainSegment:
+            return checkSize("Geometry segment length", distance(geometry.a, geometry.b));
+        case ShapeKind::Polygon:
+        case ShapeKind::Count: break;
+    }
+    return wrong("createShape", "expected a circle, capsule, box or segment, found another kind",
+                 "use createPolygon for polygons");
+}
+
+/// The effects that a shape calls for.
+void callFor(World& world, std::uint32_t shape, int times) {
+    const ShapeInfo& info = world.shapes.info[shape];
+    const bool trigger = (info.flags & kTrigger) != 0;
+    Manifest& manifest = world.manifest;
+    manifest.call(Effect::Triggers, trigger, times);
+    manifest.call(Effect::Contacts, !trigger && world.bodies.info[info.body].kind == BodyKind::Dynamic,
+                  times);
+    manifest.call(Effect::Friction, !trigger && info.friction > 0.0f, times);
+    manifest.call(Effect::Restitution, !trigger && info.bounciness > 0.0f, times);
+    manifest.call(Effect::Rolling, !trigger && info.rollingResistance > 0.0f, times);
+    manifest.call(Effect::Conveyor, !trigger && info.surfaceSpeed != 0.0f, times);
+    manifest.call(Effect::OneWay, !trigger && (info.flags & kOneWay) != 0, times);
+    manifest.call(Effect::ContactEvents, (info.flags & kReportsContacts) != 0, times);
+}
+
+std::uint32_t takePlace(World& world) {
+    Shapes& shapes = world.shapes;
+    if (!shapes.free.empty()) {
+        const std::uint32_t index = shapes.free.back();
+        shapes.free.pop_back();
+        return index;
+    }
+    const std::size_t count = shapes.size() + 1;
+    shapes.geometry.resize(count);
+    shapes.bounds.resize(count);
+    shapes.filter.resize(count);
+    shapes.motion.resize(count, ProxyMotion::Gone);
+    shapes.info.resize(count);
+    return static_cast<std::uint32_t>(count - 1);
+}
+
+ShapeInfo infoOf(const ShapeDefinition& definition) {
+    ShapeInfo info;
+    info.flags =
+        static_cast<std::uint8_t>((definition.isTrigger ? kTrigger : 0) | (definition.oneWay ? kOneWay : 0) |
+                                  (definition.reportsContacts ? kReportsContacts : 0));
+    info.density = definition.density;
+    info.friction = definition.friction;
+    info.bounciness = definition.bounciness;
+    info.rollingResistance = definition.rollingResistance;
+    info.surfaceSpeed = definition.surfaceSpeed;
+    info.oneWayDirection = normalized(definition.oneWayDirection);
+    info.user = definition.user;
+    return info;
+}
+
+/// Adds a shape that is known to be good. Its body's mass is not updated.
+ShapeId add(World& world, BodyId body, const Geometry& geometry, const ShapeDefinition& definition) {
+    const std::uint32_t index = takePlace(world);
+    Shapes& shapes = world.shapes;
+    BodyInfo& owner = world.bodies.info[body.index];
+    ShapeInfo info = infoOf(definition);
+    info.generation = shapes.info[index].generation + 1;
+    info.body = body.index;
+    info.next = std::exchange(owner.firstShape, index);
+    shapes.info[index] = info;
+    shapes.geometry[index] = geometry;
+    shapes.filter[index] = {definition.layers, definition.mask, definition.group, body.index};
+    shapes.motion[index] = motionOf(world, body.index);
+    callFor(world, index, 1);
+    setBounds(world, index);
+    return {index, info.generation};
+}
+
+Error stale() {
+    return wrong("createShape", "expected a living body, found one that was destroyed or never made",
+                 "create the body first and keep its id");
+}
+
+}  // namespace
+
+bool alive(const World& world, ShapeId shape) {
+    return shape.generation != 0 && shape.index < world.shapes.size() &&
+           world.shapes.info[shape.index].generation == shape.generation &&
+           world.shapes.motion[shape.index] != ProxyMotion::Gone;
+}
+
+BodyId bodyOf(const World& world, ShapeId shape) {
+    const std::uint32_t body = world.shapes.info[shape.index].body;
+    return {body, world.bodies.info[body].generation};
+}
+
+Result<ShapeId> createShape(World& world, BodyId body, const Geometry& geometry,
+                            const ShapeDefinition& definition) {
+    if (!alive(world, body)) return stale();
+    if (const auto checked = firstOf(check(geometry), check(definition)); !checked) return checked.error();
+    const ShapeId shape = add(world, body, geometry, definition);
+    updateMass(world, body.index);
+    return shape;
+}
+
+Result<ShapeId> createPolygon(World& world, BodyId body, std::span<const Vec2> points, float radius,
+                              const ShapeDefinition& definition) {
+    if (!alive(world, body)) return stale();
+    if (const auto checked =
+            firstOf(check(definition), checkNumber("createPolygon radius", radius, 0.0, kLargest));
+        !checked) {
+        return checked.error();
+    }
+    const Result<Hull> hull = makeHull(points);
+    if (!hull) return hull.error();
+    const ShapeId shape = add(world, body, storePolygon(world.shapes, *hull, radius), definition);
+    updateMass(world, body.index);
+    return shape;
+}
+
+Result<Done> createChain(World& world, BodyId body, std::span<const Vec2> points, bool closed,
+                         const ShapeDefinition& definition) {
+    if (!alive(world, body)) return stale();
+    const std::size_t count = points.size(), fewest = closed ? 3 : 4;
+    if (count < fewest) {
+        return wrong(
+            "createChain",
+            "expected at least " + std::to_string(fewest) + " points, found " + std::to_string(count),
+            "add points; the ends of an open chain only say how it would go on");
+    }
+    if (const auto checked = check(definition); !checked) return checked;
+    const std::size_t segments = closed ? count : count - 3, first = closed ? 0 : 1;
+    const auto segmentAt = [&](std::size_t i) {
+        Geometry piece = segment(points[(first + i) % count], points[(first + i + 1) % count]);
+        piece.kind = ShapeKind::ChainSegment;
+        piece.before = points[(first + i + count - 1) % count];
+        piece.after = points[(first + i + 2) % count];
+        return piece;
+    };
+    for (std::size_t i = 0; i < segments; ++i) {
+        const Geometry piece = segmentAt(i);
+        const auto checked = firstOf(check(piece), checkVector("createChain point", piece.before, kLargest),
+                                     checkVector("createChain point", piece.after, kLargest));
+        if (!checked) return checked;
+    }
+    for (std::size_t i = 0; i < segments; ++i) add(world, body, segmentAt(i), definition);
+    updateMass(world, body.index);
+    return Done{};
+}
+
+void destroyShape(World& world, ShapeId shape) {
+    if (!alive(world, shape)) return;
+    Shapes& shapes = world.shapes;
+    const std::uint32_t body = shapes.info[shape.index].body;
+    wakeTouching(world, body);
+    callFor(world, shape.index, -1);
+    std::uint32_t* link = &world.bodies.info[body].firstShape;
+    while (*link != shape.index) link = &shapes.info[*link].next;
+    *link = shapes.info[shape.index].next;
+    if (shapes.geometry[shape.index].kind == ShapeKind::Polygon)
+        freePolygon(shapes, shapes.geometry[shape.index]);
+    shapes.motion[shape.index] = ProxyMotion::Gone;
+    shapes.dying.push_back(shape.index);
+    noteChanged(world, shape.index);
+    updateMass(world, body);
+}
+
+Result<Done> setFriction(World& world, ShapeId shape, float friction) {
+    const auto checked = checkNumber("setFriction", friction, 0.0, 100.0);
+    if (!checked || !alive(world, shape)) return checked;
+    callFor(world, shape.index, -1);
+    world.shapes.info[shape.index].friction = friction;
+    callFor(world, shape.index, 1);
+    refreshContacts(world, shape.index);
+    return Done{};
+}
+
+Result<Done> setBounciness(World& world, ShapeId shape, float bounciness) {
+    const auto checked = checkNumber("setBounciness", bounciness, 0.0, 1.0);
+    if (!checked || !alive(world, shape)) return checked;
+    callFor(world, shape.index, -1);
+    world.shapes.info[shape.index].bounciness = bounciness;
+    callFor(world, shape.index, 1);
+    refreshContacts(world, shape.index);
+    return Done{};
+}
+
+Result<Done> setSurfaceSpeed(World& world, ShapeId shape, float speed) {
+    const auto checked = checkNumber("setSurfaceSpeed", speed, -kFastest, kFastest);
+    if (!checked || !alive(world, shape)) return checked;
+    callFor(world, shape.index, -1);
+    world.shapes.info[shape.index].surfaceSpeed = speed;
+    callFor(world, shape.index, 1);
+    refreshContacts(world, shape.index);
+    return Done{};
+}
+
+void setFilter(World& world, ShapeId shape, std::uint32_t layers, std::uint32_t mask, std::int32_t group) {
+    if (!alive(world, shape)) return;
+    Filter& filter = world.shapes.filter[shape.index];
+    filter = {layers, mask, group, filter.body};
+    wakeTouching(world, world.shapes.info[shape.index].body);
+    noteChanged(world, shape.index);
+    noteMoved(world, shape.index);
+    refreshContacts(world, shape.index);
+}
+
+}  // namespace plumb::physics

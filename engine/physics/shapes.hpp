@@ -1,0 +1,34 @@
+#pragma once
+
+#include <span>
+
+#include "core/result.hpp"
+#include "physics/world.hpp"
+
+namespace plumb::physics {
+
+/// Adds a circle, capsule, box or segment (geometry.hpp) to a body, whose mass it changes.
+/// @error a number that is not finite, a size that is not positive or absurd, a stale body
+Result<ShapeId> createShape(World& world, BodyId body, const Geometry& geometry,
+                            const ShapeDefinition& definition = {});
+/// Adds the convex hull of the points (m, in the body's frame), its corners rounded by `radius`.
+/// @error points without area, too many corners (kMaxCorners), a number that is not finite
+Result<ShapeId> createPolygon(World& world, BodyId body, std::span<const Vec2> points, float radius = 0.0f,
+                              const ShapeDefinition& definition = {});
+/// Adds segments from point to point, solid on one side (see normalOfChain), over whose joints nothing trips.
+/// An open chain's first and last point only say how it would go on.
+/// @error fewer than 3 points (closed) or 4 (open), points in one place, a number that is not finite
+Result<Done> createChain(World& world, BodyId body, std::span<const Vec2> points, bool closed,
+                         const ShapeDefinition& definition = {});
+/// Removes a shape; its contacts end in the next step. A stale id does nothing.
+void destroyShape(World& world, ShapeId shape);
+
+[[nodiscard]] bool alive(const World& world, ShapeId shape);
+[[nodiscard]] BodyId bodyOf(const World& world, ShapeId shape);
+
+Result<Done> setFriction(World& world, ShapeId shape, float friction);      ///< 0..100
+Result<Done> setBounciness(World& world, ShapeId shape, float bounciness);  ///< 0..1
+Result<Done> setSurfaceSpeed(World& world, ShapeId shape, float speed);     ///< m/s
+void setFilter(World& world, ShapeId shape, std::uint32_t layers, std::uint32_t mask, std::int32_t group);
+
+}  // namespace plumb::physics

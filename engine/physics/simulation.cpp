@@ -1,0 +1,83 @@
+#include "physics/simulation.hpp"
+
+#include <array>
+#include <cmath>
+#include <iterator>
+
+#include "core/assert.hpp"
+#include "core/profile.hpp"
+#include "physics/stages.hpp"
+
+namespace plumb::physics {
+
+namespace {
+
+/// One chapter of the step. It is run when any of its effects is called for; 0 for always.
+struct Stage {
+    std::string_view name;  // also the profiler's
+    std::uint32_t effects;
+    void (*run)(StepContext& step);
+};
+
+template <class... Effects>
+constexpr std::uint32_t any(Effects... effects) {
+    return (Manifest::bit(effects) | ...);
+}
+
+constexpr std::uint32_t kMeeting = any(Effect::Contacts, Effect::Triggers);
+
+constexpr Stage kStages[] = {
+    {"broad phase", kMeeting, findPairs},
+    {"narrow phase", kMeeting, updateContacts},
+    {"gather bodies", 0, gatherBodies},
+    {"prepare constraints", any(Effect::Contacts, Effect::Joints), prepareConstraints},
+    {"solve", 0, solve},
+    {"finish bodies", 0, finishBodies},
+    {"continuous", any(Effect::Continuous), sweepFastBodies},
+    {"events", any(Effect::ContactEvents, Effect::Triggers), publishEvents},
+    {"sleep", any(Effect::Sleep), putToSleep},
+};
+
+bool isCalledFor(const Stage& stage, const Manifest& manifest) {
+    if (stage.effects == 0) return true;
+    for (std::size_t i = 0; i < kEffects; ++i) {
+        const auto effect = static_cast<Effect>(i);
+        if ((stage.effects & Manifest::bit(effect)) != 0 && manifest.runs(effect)) return true;
+    }
+    return false;
+}
+
+/// Nothing moves and nothing came: a world at rest costs nothing.
+bool nothingToDo(const World& world) {
+    return world.awake.empty() && world.moved.empty() && world.shapes.dying.empty() &&
+           world.bodies.dying.empty() && world.contacts.empty();
+}
+
+}  // namespace
+
+std::span<const StageInfo> stages() {
+    static const auto kInfos = [] {
+        std::array<StageInfo, std::size(kStages)> infos;
+        for (std::size_t i = 0; i < infos.size(); ++i) infos[i] = {kStages[i].name, kStages[i].effects};
+        return infos;
+    }();
+    return kInfos;
+}
+
+void step(World& world, float dt, const StepOptions& options) {
+    PLUMB_ASSERT(std::isfinite(dt) && dt >= 0.0f, "a physics step must move time forward");
+    world.events.clear();
+    world.brokenJoints.clear();
+    world.quarantined.clear();
+    if (dt == 0.0f) return;
+    ++world.steps;
+    if (nothingToDo(world)) return;
+    StepContext context{world, world.work.get(), dt, options.pool};
+    for (const Stage& stage : kStages) {
+        if (!isCalledFor(stage, world.manifest)) continue;
+        const ProfileScope scope{options.profile, stage.name};
+        stage.run(context);
+    }
+}
+
+}  // namespace plumb::physics

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <span>
+#include <string_view>
+
+#include "physics/bodies.hpp"
+#include "physics/joints.hpp"
+#include "physics/shapes.hpp"
+#include "physics/world.hpp"
+
+namespace plumb {
+class Profile;
+class TaskPool;
+}  // namespace plumb
+
+namespace plumb::physics {
+
+struct StepOptions {
+    TaskPool* pool = nullptr;    ///< threads to share the work with; the bits do not depend on it
+    Profile* profile = nullptr;  ///< where the time of each stage is added, by its name
+};
+
+/// Moves the world on by dt (s). The same world and dt give the same bits on every machine, for any number of
+/// threads and any instruction set. Zero does nothing but clear the events.
+/// @pre dt is finite and not negative
+void step(World& world, float dt, const StepOptions& options = {});
+
+/// One chapter of the step.
+struct StageInfo {
+    std::string_view name;  ///< also the profiler's
+    std::uint32_t effects;  ///< bits of Manifest: it runs when one of them does; 0 for always
+};
+/// The stages, in order.
+std::span<const StageInfo> stages();
+
+/// Folds the whole state into a hash; equal states give equal numbers on every machine.
+[[nodiscard]] std::uint64_t hashOf(const World& world);
+void addTo(Hasher& hasher, const World& world);
+
+}  // namespace plumb::physics

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "physics/world.hpp"
+
+namespace plumb::physics {
+
+/// A new body that moves.
+void addAwake(World& world, std::uint32_t body);
+/// A new body that rests, as an island of its own.
+void addAsleep(World& world, std::uint32_t body);
+/// Takes a body that goes away out of the list.
+/// @pre it is awake or can never be
+void removeAwake(World& world, std::uint32_t body);
+
+/// Wakes the whole island of a body; one that is awake stays so for another Settings::sleepTime.
+void wake(World& world, std::uint32_t body);
+/// Wakes everything that touches a body, and the body itself.
+void wakeTouching(World& world, std::uint32_t body);
+/// Puts the island of a body to sleep at once.
+void sleepNow(World& world, std::uint32_t body);
+
+inline constexpr std::uint32_t kIslandToBe = kNone - 1;
+/// Puts islands to sleep.
+/// @param sleepingRoots  by body: kIslandToBe for the root of an island that goes to sleep, else kNone
+void sleepIslands(World& world, std::vector<std::uint32_t>& sleepingRoots);
+
+void addAwakeJoint(World& world, std::uint32_t joint);
+void removeAwakeJoint(World& world, std::uint32_t joint);
+
+// The forest of islands: who touches or is tied to whom. Two bodies of one island have one root; islands may
+// be larger than need be until the forest is made anew. Source: R. Tarjan, "Efficiency of a good but not
+// linear set union algorithm", 1975 (path halving).
+
+std::uint32_t islandOf(World& world, std::uint32_t body);
+void joinIslands(World& world, std::uint32_t a, std::uint32_t b);
+/// Forgets ties that ended.
+void rebuildIslands(World& world);
+
+}  // namespace plumb::physics

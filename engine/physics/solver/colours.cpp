@@ -1,0 +1,29 @@
+#include "physics/solver/colours.hpp"
+
+#include <bit>
+
+#include "physics/workspace.hpp"
+
+namespace plumb::physics {
+
+std::uint8_t takeColour(Workspace& work, std::uint32_t bodyA, std::uint32_t bodyB) {
+    constexpr std::uint32_t kFixedColours = ~0u << kFirstFixedColour;
+    std::vector<std::uint32_t>& masks = work.colourMasks;
+    const std::uint32_t taken = (bodyA != kNone ? masks[bodyA] : 0u) | masks[bodyB];
+    const std::uint32_t allowed = bodyA == kNone ? kFixedColours : ~kFixedColours;
+    const std::uint32_t open = allowed & ~taken;
+    if (open == 0) return kOverflow;
+    const std::uint32_t bit = open & (~open + 1u);
+    if (bodyA != kNone) masks[bodyA] |= bit;
+    masks[bodyB] |= bit;
+    return static_cast<std::uint8_t>(std::countr_zero(bit));
+}
+
+void freeColour(Workspace& work, std::uint32_t bodyA, std::uint32_t bodyB, std::uint8_t colour) {
+    if (colour >= kColours) return;
+    const std::uint32_t keep = ~(1u << colour);
+    if (bodyA != kNone) work.colourMasks[bodyA] &= keep;
+    work.colourMasks[bodyB] &= keep;
+}
+
+}  // namespace plumb::physics

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <cstdint>
+
+#include "physics/solver/contact_block.hpp"
+
+namespace plumb::physics {
+
+/// What `prepare` reads: rows of four floats of contacts, and of bodies by body index.
+struct ContactSource {
+    const Float4* contacts;     ///< kContactRows for each
+    const Float4* poses;        ///< two rows for each body: the second starts with cosine, sine
+    const Float4* masses;       ///< inverse mass, inverse inertia
+    const Float4* motions;      ///< velocity x, y, angular velocity
+    const std::int32_t* slots;  ///< by body
+    std::int32_t idleSlot;      ///< the first of eight that belong to nobody
+    bool surfaces;              ///< some contact has a surface speed
+    bool kinematics;            ///< some body is kinematic
+};
+
+/// The inner loops of the solver, in lanes of eight: built for each instruction set, chosen at run time, all
+/// with the same bits. Ranges are blocks, or bodies in multiples of eight.
+struct SolverKernels {
+    const char* name;
+    void (*prepare)(const ContactSource& source, const BlockLanes* lanes, ContactBlock* blocks, int begin,
+                    int end);
+    void (*prepareFixed)(const ContactSource& source, const BlockLanes* lanes, FixedContactBlock* blocks,
+                         int begin, int end);
+    void (*warmStart)(const SolverBodies& bodies, const BlockLanes* lanes, ContactBlock* blocks, int begin,
+                      int end);
+    void (*warmStartFixed)(const SolverBodies& bodies, const BlockLanes* lanes, FixedContactBlock* blocks,
+                           int begin, int end);
+    /// With errors pushed out: ends with the velocities that move the bodies.
+    void (*push)(const SolverBodies& bodies, const ContactPass& pass, const BlockLanes* lanes,
+                 ContactBlock* blocks, int begin, int end);
+    void (*pushFixed)(const SolverBodies& bodies, const ContactPass& pass, const BlockLanes* lanes,
+                      FixedContactBlock* blocks, int begin, int end);
+    /// Without: takes back the velocity that only pushed errors out. Friction acts here.
+    void (*relax)(const SolverBodies& bodies, const ContactPass& pass, const BlockLanes* lanes,
+                  ContactBlock* blocks, int begin, int end);
+    void (*relaxFixed)(const SolverBodies& bodies, const ContactPass& pass, const BlockLanes* lanes,
+                       FixedContactBlock* blocks, int begin, int end);
+    void (*store)(Float4* contacts, const BlockLanes* lanes, const ContactBlock* blocks, int begin, int end);
+    void (*storeFixed)(Float4* contacts, const BlockLanes* lanes, const FixedContactBlock* blocks, int begin,
+                       int end);
+
+    /// Velocities grow by what drives the bodies; from the second substep on the impulses of the one before
+    /// are given again, all at once.
+    void (*accelerate)(const SolverBodies& bodies, float h, bool first, int begin, int end);
+    void (*move)(const SolverBodies& bodies, float h, int begin, int end);
+};
+
+/// The kernels of this machine's widest instruction set, or those that setSimdWidth() asks for.
+const SolverKernels& solverKernels();
+
+}  // namespace plumb::physics

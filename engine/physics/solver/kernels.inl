@@ -1,0 +1,524 @@
+// The source of kernels_*.cpp. Only lanes.hpp and plain arrays here: see lanes.hpp.
+
+#include "physics/contact_rows.hpp"
+#include "physics/solver/kernels.hpp"
+
+namespace plumb::physics::PLUMB_LANES {
+
+namespace {
+
+struct Two8 {
+    Float8 x, y;
+};
+
+inline Two8 turned(Float8 cosine, Float8 sine, Float8 x, Float8 y) {
+    return {cosine * x - sine * y, sine * x + cosine * y};
+}
+inline Float8 dot8(Two8 a, Two8 b) { return a.x * b.x + a.y * b.y; }
+inline Float8 cross8(Two8 a, Two8 b) { return a.x * b.y - a.y * b.x; }
+
+/// 1/x, and 0 for 0: what cannot be moved offers no mass.
+inline Float8 inverseOrZero(Float8 x) {
+    const Float8 zero = all(0.0f);
+    const Mask8 some = x > zero;
+    return select(some, all(1.0f) / select(some, x, all(1.0f)), zero);
+}
+
+// Preparing: rows of contacts and bodies, turned into lanes.
+
+/// Whose rows belong to the eight lanes. Idle lanes repeat the first one's and are masked out.
+struct Rows8 {
+    std::int32_t contact[kLanes];
+    std::int32_t a[kLanes];
+    std::int32_t b[kLanes];
+    Float8 used;  // 1 in lanes that have a contact, else 0
+};
+
+inline Rows8 rowsOf(const ContactSource& source, const BlockLanes& lanes) {
+    Rows8 rows;
+    float used[kLanes];
+    for (int i = 0; i < kLanes; ++i) {
+        const std::int32_t contact = lanes.contact[i < lanes.count ? i : 0];
+        std::int32_t ids[4];
+        __builtin_memcpy(ids, source.contacts + contact * kContactRows, sizeof ids);
+        rows.contact[i] = contact * kContactRows;
+        rows.a[i] = ids[2];
+        rows.b[i] = ids[3];
+        used[i] = i < lanes.count ? 1.0f : 0.0f;
+    }
+    rows.used = load(used);
+    return rows;
+}
+
+inline void slotsOf(const ContactSource& source, const BlockLanes& lanes, const std::int32_t* body,
+                    std::int32_t* slot) {
+    for (int i = 0; i < kLanes; ++i) slot[i] = i < lanes.count ? source.slots[body[i]] : source.idleSlot + i;
+}
+
+/// A body's part in eight contacts.
+struct Side8 {
+    Float8 inverseMass, inverseInertia;
+    Float8 cosine, sine;
+};
+
+inline Side8 sideOf(const ContactSource& source, const std::int32_t* body) {
+    Float8 mass[4], pose[4];
+    std::int32_t second[kLanes];
+    for (int i = 0; i < kLanes; ++i) second[i] = 2 * body[i] + 1;
+    gather(source.masses, body, mass);
+    gather(source.poses, second, pose);
+    return {mass[0], mass[1], pose[0], pose[1]};
+}
+
+/// The geometry of eight contacts.
+struct Places8 {
+    Two8 normal;
+    Float8 friction, slideImpulse;
+    Float8 anchors[2][4];
+    Float8 impulses[4];
+    Float8 rounds[4];
+};
+
+inline Places8 placesOf(const ContactSource& source, const Rows8& rows) {
+    Places8 places;
+    Float8 first[4];
+    gather(source.contacts + kNormalRow, rows.contact, first);
+    gather(source.contacts + kAnchorsRow, rows.contact, places.anchors[0]);
+    gather(source.contacts + kAnchorsRow + 1, rows.contact, places.anchors[1]);
+    gather(source.contacts + kImpulseRow, rows.contact, places.impulses);
+    gather(source.contacts + kRoundRow, rows.contact, places.rounds);
+    places.normal = {first[0], first[1]};
+    places.friction = first[2];
+    places.slideImpulse = first[3] * rows.used;
+    return places;
+}
+
+inline Float8 surfaceSpeeds(const ContactSource& source, const Rows8& rows) {
+    if (!source.surfaces) return all(0.0f);
+    Float8 surface[4];
+    gather(source.contacts + kSurfaceRow, rows.contact, surface);
+    return surface[3] * rows.used;
+}
+
+void prepare(const ContactSource& source, const BlockLanes* lanes, ContactBlock* blocks, int begin, int end) {
+    for (int n = begin; n < end; ++n) {
+        ContactBlock& block = blocks[n];
+        const Rows8 rows = rowsOf(source, lanes[n]);
+        slotsOf(source, lanes[n], rows.a, block.a);
+        slotsOf(source, lanes[n], rows.b, block.b);
+        const Side8 a = sideOf(source, rows.a);
+        const Side8 b = sideOf(source, rows.b);
+        const Places8 places = placesOf(source, rows);
+        const Two8 normal = places.normal;
+        const Float8 masses = a.inverseMass + b.inverseMass;
+        Float8 slideA = all(0.0f), slideB = all(0.0f);
+        for (int p = 0; p < 2; ++p) {
+            const Float8(&anchors)[4] = places.anchors[p];
+            const Two8 armA = turned(a.cosine, a.sine, anchors[0], anchors[1]);
+            const Two8 armB = turned(b.cosine, b.sine, anchors[2], anchors[3]);
+            const Float8 leverA = cross8(armA, normal);
+            const Float8 leverB = cross8(armB, normal);
+            slideA += all(0.5f) * dot8(armA, normal);
+            slideB += all(0.5f) * dot8(armB, normal);
+            ContactBlockPoint& point = block.points[p];
+            store(point.leverA, leverA);
+            store(point.leverB, leverB);
+            store(point.separation, places.impulses[2 * p]);
+            store(point.gap, places.impulses[2 * p]);
+            store(point.impulse, places.impulses[2 * p + 1] * rows.used);
+            store(point.mass, rows.used * inverseOrZero(masses + a.inverseInertia * leverA * leverA +
+                                                        b.inverseInertia * leverB * leverB));
+        }
+        store(block.normalX, normal.x);
+        store(block.normalY, normal.y);
+        store(block.inverseInertiaA, a.inverseInertia);
+        store(block.inverseInertiaB, b.inverseInertia);
+        store(block.turnA, slideA - places.rounds[0]);
+        store(block.turnB, slideB + places.rounds[1]);
+        store(block.slideA, slideA);
+        store(block.slideB, slideB);
+        store(block.friction, places.friction);
+        store(block.slideImpulse, places.slideImpulse);
+        store(block.slideSpeed, surfaceSpeeds(source, rows));
+        store(block.slideMass, rows.used * inverseOrZero(masses + a.inverseInertia * slideA * slideA +
+                                                         b.inverseInertia * slideB * slideB));
+    }
+}
+
+/// The velocity of the surface of a body that cannot be pushed, which is that of a kinematic one.
+struct Surface8 {
+    Two8 velocity;
+    Float8 spin;
+};
+
+inline Surface8 surfaceOf(const ContactSource& source, const std::int32_t* body) {
+    const Float8 zero = all(0.0f);
+    if (!source.kinematics) return {{zero, zero}, zero};
+    Float8 motion[4];
+    gather(source.motions, body, motion);
+    return {{motion[0], motion[1]}, motion[2]};
+}
+
+void prepareFixed(const ContactSource& source, const BlockLanes* lanes, FixedContactBlock* blocks, int begin,
+                  int end) {
+    for (int n = begin; n < end; ++n) {
+        FixedContactBlock& block = blocks[n];
+        const Rows8 rows = rowsOf(source, lanes[n]);
+        slotsOf(source, lanes[n], rows.b, block.b);
+        const Side8 a = sideOf(source, rows.a);
+        const Side8 b = sideOf(source, rows.b);
+        const Surface8 surface = surfaceOf(source, rows.a);
+        const Places8 places = placesOf(source, rows);
+        const Two8 normal = places.normal;
+        const Float8 surfaceAlong = dot8(surface.velocity, normal);
+        Float8 slide = all(0.0f), slideA = all(0.0f);
+        for (int p = 0; p < 2; ++p) {
+            const Float8(&anchors)[4] = places.anchors[p];
+            const Two8 armA = turned(a.cosine, a.sine, anchors[0], anchors[1]);
+            const Two8 armB = turned(b.cosine, b.sine, anchors[2], anchors[3]);
+            const Float8 lever = cross8(armB, normal);
+            slide += all(0.5f) * dot8(armB, normal);
+            slideA += all(0.5f) * dot8(armA, normal);
+            FixedContactBlockPoint& point = block.points[p];
+            store(point.lever, lever);
+            store(point.approach, rows.used * (surfaceAlong + surface.spin * cross8(armA, normal)));
+            store(point.separation, places.impulses[2 * p]);
+            store(point.gap, places.impulses[2 * p]);
+            store(point.impulse, places.impulses[2 * p + 1] * rows.used);
+            store(point.mass, rows.used * inverseOrZero(b.inverseMass + b.inverseInertia * lever * lever));
+        }
+        const Float8 surfaceAcross = normal.x * surface.velocity.y - normal.y * surface.velocity.x;
+        store(block.normalX, normal.x);
+        store(block.normalY, normal.y);
+        store(block.inverseInertia, b.inverseInertia);
+        store(block.turn, slide + places.rounds[1]);
+        store(block.slide, slide);
+        store(block.friction, places.friction);
+        store(block.slideImpulse, places.slideImpulse);
+        store(block.slideSpeed,
+              surfaceSpeeds(source, rows) + rows.used * (surfaceAcross + surface.spin * slideA));
+        store(block.slideMass, rows.used * inverseOrZero(b.inverseMass + b.inverseInertia * slide * slide));
+    }
+}
+
+// Solving. `along` is what an impulse of 1 along the normal of each contact does to the positions.
+
+/// A body of eight contacts while it is worked on.
+struct Body8 {
+    Float8 lane[4];  // velocity x, y, angular; inverse mass
+    Float8 inverseInertia;
+
+    void push(Two8 impulse, Float8 turning) {
+        lane[0] += lane[3] * impulse.x;
+        lane[1] += lane[3] * impulse.y;
+        lane[2] += inverseInertia * turning;
+    }
+};
+
+inline Body8 bodyAt(const Float4* velocity, const std::int32_t* slots, const float* inverseInertia) {
+    Body8 body;
+    gather(velocity, slots, body.lane);
+    body.inverseInertia = load(inverseInertia);
+    return body;
+}
+
+/// Speed of a body's point along a direction, whose lever is `lever`.
+inline Float8 speedAlong(const Body8& body, Two8 direction, Float8 lever) {
+    return body.lane[0] * direction.x + body.lane[1] * direction.y + body.lane[2] * lever;
+}
+
+/// How far a body's point moved along the normal since the start of the step.
+inline Float8 movedAlong(const Float8 (&shift)[4], Two8 normal, Float8 lever, Float8 turn) {
+    return shift[0] * normal.x + shift[1] * normal.y + (shift[2] * lever + shift[3] * turn);
+}
+
+void warmStart(const SolverBodies& bodies, const BlockLanes* lanes, ContactBlock* blocks, int begin,
+               int end) {
+    for (int n = begin; n < end; ++n) {
+        const ContactBlock& block = blocks[n];
+        Body8 a = bodyAt(bodies.velocity, block.a, block.inverseInertiaA);
+        Body8 b = bodyAt(bodies.velocity, block.b, block.inverseInertiaB);
+        const Float8 push0 = load(block.points[0].impulse), push1 = load(block.points[1].impulse);
+        const Float8 slide = load(block.slideImpulse), push = push0 + push1;
+        const Float8 nx = load(block.normalX), ny = load(block.normalY);
+        const Two8 impulse{push * nx - slide * ny, push * ny + slide * nx};
+        a.push({-impulse.x, -impulse.y},
+               -(push0 * load(block.points[0].leverA) + push1 * load(block.points[1].leverA) +
+                 slide * load(block.slideA)));
+        b.push(impulse, push0 * load(block.points[0].leverB) + push1 * load(block.points[1].leverB) +
+                            slide * load(block.slideB));
+        scatter(bodies.velocity, block.a, a.lane, lanes[n].count);
+        scatter(bodies.velocity, block.b, b.lane, lanes[n].count);
+    }
+}
+
+void warmStartFixed(const SolverBodies& bodies, const BlockLanes* lanes, FixedContactBlock* blocks, int begin,
+                    int end) {
+    for (int n = begin; n < end; ++n) {
+        const FixedContactBlock& block = blocks[n];
+        Body8 b = bodyAt(bodies.velocity, block.b, block.inverseInertia);
+        const Float8 push0 = load(block.points[0].impulse), push1 = load(block.points[1].impulse);
+        const Float8 slide = load(block.slideImpulse), push = push0 + push1;
+        const Float8 nx = load(block.normalX), ny = load(block.normalY);
+        b.push({push * nx - slide * ny, push * ny + slide * nx}, push0 * load(block.points[0].lever) +
+                                                                     push1 * load(block.points[1].lever) +
+                                                                     slide * load(block.slide));
+        scatter(bodies.velocity, block.b, b.lane, lanes[n].count);
+    }
+}
+
+/// The soft, one-sided constraint of a contact point, as eight lanes.
+struct SoftPush8 {
+    Float8 substepRate, biasRate, slowest, massScale, impulseScale;
+
+    explicit SoftPush8(const ContactPass& pass)
+        : substepRate{all(pass.substepRate)},
+          biasRate{all(pass.softness.biasRate)},
+          slowest{all(-pass.pushSpeed)},
+          massScale{all(pass.softness.massScale)},
+          impulseScale{all(pass.softness.impulseScale)} {}
+
+    /// The change of impulse that answers an approach at `speed`; `impulse` gets it too. Apart, the bodies
+    /// may come together within the substep; inside each other, a spring moves them out.
+    [[nodiscard]] Float8 answer(Float8 speed, Float8 gap, Float8 mass, Float8& impulse) const {
+        const Mask8 apart = gap > all(0.0f);
+        const Float8 bias = select(apart, gap * substepRate, max(gap * biasRate, slowest));
+        const Float8 scale = select(apart, all(1.0f), massScale);
+        const Float8 give = select(apart, all(0.0f), impulseScale);
+        const Float8 before = impulse;
+        impulse = max(before - (mass * scale * (speed + bias) + give * before), all(0.0f));
+        return impulse - before;
+    }
+};
+
+/// The hard one of the relax pass: touching bodies must not approach; those apart may come together.
+inline Float8 relaxed(Float8 speed, Float8 gap, Float8 substepRate, Float8 mass, Float8& impulse) {
+    const Float8 before = impulse;
+    const Float8 bias = select(before > all(0.0f), all(0.0f), max(gap, all(0.0f)) * substepRate);
+    impulse = max(before - mass * (speed + bias), all(0.0f));
+    return impulse - before;
+}
+
+void push(const SolverBodies& bodies, const ContactPass& pass, const BlockLanes* lanes, ContactBlock* blocks,
+          int begin, int end) {
+    const SoftPush8 soft{pass};
+    for (int n = begin; n < end; ++n) {
+        ContactBlock& block = blocks[n];
+        Body8 a = bodyAt(bodies.velocity, block.a, block.inverseInertiaA);
+        Body8 b = bodyAt(bodies.velocity, block.b, block.inverseInertiaB);
+        Float8 shiftA[4], shiftB[4];
+        gather(bodies.shift, block.a, shiftA);
+        gather(bodies.shift, block.b, shiftB);
+        const Two8 normal{load(block.normalX), load(block.normalY)};
+        const Float8 turnA = load(block.turnA), turnB = load(block.turnB);
+        for (ContactBlockPoint& point : block.points) {
+            const Float8 leverA = load(point.leverA), leverB = load(point.leverB);
+            const Float8 gap = load(point.separation) + (movedAlong(shiftB, normal, leverB, turnB) -
+                                                         movedAlong(shiftA, normal, leverA, turnA));
+            const Float8 speed = speedAlong(b, normal, leverB) - speedAlong(a, normal, leverA);
+            Float8 impulse = load(point.impulse);
+            const Float8 change = soft.answer(speed, gap, load(point.mass), impulse);
+            store(point.gap, gap);
+            store(point.impulse, impulse);
+            const Two8 pushed{change * normal.x, change * normal.y};
+            a.push({-pushed.x, -pushed.y}, -(change * leverA));
+            b.push(pushed, change * leverB);
+        }
+        scatter(bodies.velocity, block.a, a.lane, lanes[n].count);
+        scatter(bodies.velocity, block.b, b.lane, lanes[n].count);
+    }
+}
+
+void pushFixed(const SolverBodies& bodies, const ContactPass& pass, const BlockLanes* lanes,
+               FixedContactBlock* blocks, int begin, int end) {
+    const SoftPush8 soft{pass};
+    const Float8 elapsed = all(pass.elapsed);
+    for (int n = begin; n < end; ++n) {
+        FixedContactBlock& block = blocks[n];
+        Body8 b = bodyAt(bodies.velocity, block.b, block.inverseInertia);
+        Float8 shift[4];
+        gather(bodies.shift, block.b, shift);
+        const Two8 normal{load(block.normalX), load(block.normalY)};
+        const Float8 turn = load(block.turn);
+        for (FixedContactBlockPoint& point : block.points) {
+            const Float8 lever = load(point.lever), approach = load(point.approach);
+            const Float8 gap =
+                load(point.separation) + (movedAlong(shift, normal, lever, turn) - approach * elapsed);
+            const Float8 speed = speedAlong(b, normal, lever) - approach;
+            Float8 impulse = load(point.impulse);
+            const Float8 change = soft.answer(speed, gap, load(point.mass), impulse);
+            store(point.gap, gap);
+            store(point.impulse, impulse);
+            b.push({change * normal.x, change * normal.y}, change * lever);
+        }
+        scatter(bodies.velocity, block.b, b.lane, lanes[n].count);
+    }
+}
+
+/// Coulomb's law: the impulse that stops the sliding, or as much of it as the normal force allows.
+inline Float8 rubbed(Float8 speed, Float8 mass, Float8 most, float* total) {
+    const Float8 before = load(total);
+    const Float8 after = clamp(before - mass * speed, -most, most);
+    store(total, after);
+    return after - before;
+}
+
+void relax(const SolverBodies& bodies, const ContactPass& pass, const BlockLanes* lanes, ContactBlock* blocks,
+           int begin, int end) {
+    const Float8 substepRate = all(pass.substepRate);
+    for (int n = begin; n < end; ++n) {
+        ContactBlock& block = blocks[n];
+        Body8 a = bodyAt(bodies.velocity, block.a, block.inverseInertiaA);
+        Body8 b = bodyAt(bodies.velocity, block.b, block.inverseInertiaB);
+        const Two8 normal{load(block.normalX), load(block.normalY)};
+        const Two8 along{-normal.y, normal.x};
+        Float8 impulses[2] = {load(block.points[0].impulse), load(block.points[1].impulse)};
+
+        const Float8 slideA = load(block.slideA), slideB = load(block.slideB);
+        const Float8 sliding =
+            speedAlong(b, along, slideB) - speedAlong(a, along, slideA) - load(block.slideSpeed);
+        const Float8 rub = rubbed(sliding, load(block.slideMass),
+                                  load(block.friction) * (impulses[0] + impulses[1]), block.slideImpulse);
+        const Two8 rubbing{rub * along.x, rub * along.y};
+        a.push({-rubbing.x, -rubbing.y}, -(rub * slideA));
+        b.push(rubbing, rub * slideB);
+
+        for (int p = 0; p < 2; ++p) {
+            ContactBlockPoint& point = block.points[p];
+            const Float8 leverA = load(point.leverA), leverB = load(point.leverB);
+            const Float8 speed = speedAlong(b, normal, leverB) - speedAlong(a, normal, leverA);
+            const Float8 change = relaxed(speed, load(point.gap), substepRate, load(point.mass), impulses[p]);
+            store(point.impulse, impulses[p]);
+            const Two8 pushed{change * normal.x, change * normal.y};
+            a.push({-pushed.x, -pushed.y}, -(change * leverA));
+            b.push(pushed, change * leverB);
+        }
+        scatter(bodies.velocity, block.a, a.lane, lanes[n].count);
+        scatter(bodies.velocity, block.b, b.lane, lanes[n].count);
+    }
+}
+
+void relaxFixed(const SolverBodies& bodies, const ContactPass& pass, const BlockLanes* lanes,
+                FixedContactBlock* blocks, int begin, int end) {
+    const Float8 substepRate = all(pass.substepRate);
+    for (int n = begin; n < end; ++n) {
+        FixedContactBlock& block = blocks[n];
+        Body8 b = bodyAt(bodies.velocity, block.b, block.inverseInertia);
+        const Two8 normal{load(block.normalX), load(block.normalY)};
+        const Two8 along{-normal.y, normal.x};
+        Float8 impulses[2] = {load(block.points[0].impulse), load(block.points[1].impulse)};
+
+        const Float8 slide = load(block.slide);
+        const Float8 sliding = speedAlong(b, along, slide) - load(block.slideSpeed);
+        const Float8 rub = rubbed(sliding, load(block.slideMass),
+                                  load(block.friction) * (impulses[0] + impulses[1]), block.slideImpulse);
+        b.push({rub * along.x, rub * along.y}, rub * slide);
+
+        for (int p = 0; p < 2; ++p) {
+            FixedContactBlockPoint& point = block.points[p];
+            const Float8 lever = load(point.lever);
+            const Float8 speed = speedAlong(b, normal, lever) - load(point.approach);
+            const Float8 change = relaxed(speed, load(point.gap), substepRate, load(point.mass), impulses[p]);
+            store(point.impulse, impulses[p]);
+            b.push({change * normal.x, change * normal.y}, change * lever);
+        }
+        scatter(bodies.velocity, block.b, b.lane, lanes[n].count);
+    }
+}
+
+/// Impulses back to where they start the next step.
+template <class Block>
+void storeImpulses(Float4* contacts, const BlockLanes* lanes, const Block* blocks, int begin, int end) {
+    for (int n = begin; n < end; ++n) {
+        const Block& block = blocks[n];
+        for (int i = 0; i < lanes[n].count; ++i) {
+            Float4* rows = contacts + lanes[n].contact[i] * kContactRows;
+            rows[kNormalRow].w = block.slideImpulse[i];
+            rows[kImpulseRow].y = block.points[0].impulse[i];
+            rows[kImpulseRow].w = block.points[1].impulse[i];
+        }
+    }
+}
+
+// Bodies.
+
+void accelerate(const SolverBodies& bodies, float h, bool first, int begin, int end) {
+    const Float8 step = all(h);
+    for (int i = 4 * begin; i < 4 * end; i += kLanes) {
+        float* velocity = &bodies.velocity[0].x + i;
+        float* undisturbed = &bodies.undisturbed[0].x + i;
+        const Float8 now = load(velocity);
+        const Float8 kept = bodies.keep != nullptr ? now * load(&bodies.keep[0].x + i) : now;
+        const Float8 driven = kept + load(&bodies.drive[0].x + i) * step;
+        store(velocity, first ? driven : driven + (now - load(undisturbed)));
+        store(undisturbed, driven);
+    }
+}
+
+/// A turn as the solver keeps it: sine, and cosine - 1, which stays exact where the turn is small.
+struct Turn8 {
+    Float8 sine, versine;
+};
+
+/// The turn and then one by `angle`. Series, good to 1e-7 below half a radian.
+inline Turn8 turnedOn(Turn8 turn, Float8 angle) {
+    const Float8 square = angle * angle;
+    const Float8 s = angle * (all(1.0f) - square * (all(1.0f / 6.0f) - square * all(1.0f / 120.0f)));
+    const Float8 v = -(square * (all(0.5f) - square * (all(1.0f / 24.0f) - square * all(1.0f / 720.0f))));
+    return {turn.sine + (turn.sine * v + s + turn.versine * s),
+            turn.versine + (v + turn.versine * v - turn.sine * s)};
+}
+
+/// The same for any angle, in sixteen parts.
+inline Turn8 turnedFar(Turn8 turn, Float8 angle) {
+    const Float8 part = clamp(angle, all(-8.0f), all(8.0f)) * all(1.0f / 16.0f);
+    for (int i = 0; i < 16; ++i) turn = turnedOn(turn, part);
+    return turn;
+}
+
+inline Turn8 turnedBy(Turn8 turn, Float8 angle) {
+    const Turn8 near = turnedOn(turn, angle);
+    const Mask8 far = abs(angle) > all(0.5f);
+    if (bits(far) == 0) return near;
+    const Turn8 slow = turnedFar(turn, angle);
+    return {select(far, slow.sine, near.sine), select(far, slow.versine, near.versine)};
+}
+
+void move(const SolverBodies& bodies, float h, int begin, int end) {
+    const Float8 step = all(h);
+    for (int n = begin; n < end; n += kLanes) {
+        std::int32_t slots[kLanes];
+        for (int i = 0; i < kLanes; ++i) slots[i] = n + i;
+        Float8 velocity[4], shift[4], flight[4];
+        gather(bodies.velocity, slots, velocity);
+        gather(bodies.shift, slots, shift);
+        gather(bodies.flight, slots, flight);
+        shift[0] += velocity[0] * flight[2] + flight[0];
+        shift[1] += velocity[1] * flight[2] + flight[1];
+        const Turn8 turn = turnedBy({shift[2], shift[3]}, velocity[2] * step);
+        shift[2] = turn.sine;
+        shift[3] = turn.versine;
+        scatter(bodies.shift, slots, shift, kLanes);
+    }
+}
+
+}  // namespace
+
+extern const SolverKernels kKernels;
+const SolverKernels kKernels{
+    PLUMB_LANES_NAME,
+    prepare,
+    prepareFixed,
+    warmStart,
+    warmStartFixed,
+    push,
+    pushFixed,
+    relax,
+    relaxFixed,
+    storeImpulses<ContactBlock>,
+    storeImpulses<FixedContactBlock>,
+    accelerate,
+    move,
+};
+
+}  // namespace plumb::physics::PLUMB_LANES

@@ -1,0 +1,2 @@
+#define PLUMB_LANES_SCALAR
+#include "physics/solver/kernels.inl"

@@ -1,0 +1,55 @@
+#pragma once
+
+#include "core/profile.hpp"
+#include "core/task_pool.hpp"
+#include "physics/solver/kernels.hpp"
+#include "physics/workspace.hpp"
+#include "physics/world.hpp"
+
+namespace plumb::physics {
+
+/// What every stage is given.
+struct StepContext {
+    World& world;
+    Workspace& work;
+    float dt;  ///< s
+    TaskPool* pool;
+
+    [[nodiscard]] int threads() const { return pool != nullptr ? pool->threads() : 1; }
+};
+
+/// Cuts 0..count-1 into pieces of `grain` and runs `act(begin, end, piece)` for each, on all threads.
+template <class Act>
+void forPieces(const StepContext& step, int count, int grain, Act&& act) {
+    if (count == 0) return;
+    if (step.pool == nullptr || count <= grain) return act(0, count, 0);
+    const int pieces = (count + grain - 1) / grain;
+    step.pool->run(pieces, [&](int piece, int) {
+        act(piece * grain, piece + 1 < pieces ? (piece + 1) * grain : count, piece);
+    });
+}
+constexpr int piecesOf(int count, int grain) { return (count + grain - 1) / grain; }
+
+// One line per stage, in the order of the step; each has a file of its own name in stages/.
+
+/// Reads: moved, bounds, filters. Writes: contacts (new ones), work.broadPhase, work.pairs.
+void findPairs(StepContext& step);
+/// Reads: poses, geometry. Writes: contacts (points, flags), sleepers (who is woken), islands, events
+/// (Ended).
+void updateContacts(StepContext& step);
+/// Reads: drives, masses, settings. Writes: work.slots, work.groups, work.velocity and its kin.
+void gatherBodies(StepContext& step);
+/// Reads: contacts, joints, masses. Writes: colours, work's blocks.
+void prepareConstraints(StepContext& step);
+/// Reads and writes: work.velocity, work.shift, work's blocks. Writes: impulses of contacts and joints.
+void solve(StepContext& step);
+/// Reads: work.velocity, work.shift. Writes: poses, motions, bounds, moved.
+void finishBodies(StepContext& step);
+/// Reads: contacts, flags of bodies that moved fast. Writes: their poses.
+void sweepFastBodies(StepContext& step);
+/// Reads: rest times, islands. Writes: awake, contacts, sleepers.
+void putToSleep(StepContext& step);
+/// Reads: contacts. Writes: events.
+void publishEvents(StepContext& step);
+
+}  // namespace plumb::physics

@@ -1,0 +1,124 @@
+#include <algorithm>
+
+#include "physics/bounds.hpp"
+#include "physics/contacts.hpp"
+#include "physics/joints.hpp"
+#include "physics/stages.hpp"
+
+namespace plumb::physics {
+
+namespace {
+
+constexpr int kGrain = 128;
+
+Proxies proxiesOf(const World& world) {
+    return {world.shapes.bounds, world.shapes.filter, world.shapes.motion};
+}
+
+/// Fills what follows from the world, after it was written over or made.
+void refill(World& world, Workspace& work) {
+    work.pairs.clear();
+    work.colourMasks.assign(world.bodies.size(), 0);
+    const auto note = [&](const Contact& contact) {
+        work.pairs.add(pairKey(contact.shapeA, contact.shapeB));
+        if (contact.colour >= kColours) return;
+        if (world.bodies.info[contact.bodyA].kind == BodyKind::Dynamic) {
+            work.colourMasks[contact.bodyA] |= 1u << contact.colour;
+        }
+        work.colourMasks[contact.bodyB] |= 1u << contact.colour;
+    };
+    for (const Contact& contact : world.contacts) note(contact);
+    for (const SleepingIsland& island : world.sleepers.islands) {
+        for (std::uint32_t c = island.firstContact; c != kNone; c = world.sleepers.nextContact[c]) {
+            note(world.sleepers.contacts[c]);
+        }
+    }
+    for (const Joint& joint : world.joints.hot) {
+        if (joint.bodyA == kNone || joint.colour >= kColours) continue;
+        for (const std::uint32_t body : {joint.bodyA, joint.bodyB}) {
+            if (world.bodies.info[body].kind == BodyKind::Dynamic)
+                work.colourMasks[body] |= 1u << joint.colour;
+        }
+    }
+}
+
+void updateBroadPhase(World& world, Workspace& work) {
+    const bool stale = world.work.takeStale();
+    work.isChanged.resize(world.shapes.size());
+    work.isMoved.resize(world.shapes.size());
+    work.colourMasks.resize(world.bodies.size());
+    if (stale) refill(world, work);
+    if (stale || work.broadPhaseKind != world.settings.broadPhase) {
+        work.broadPhaseKind = world.settings.broadPhase;
+        work.broadPhase = makeBroadPhase(work.broadPhaseKind);
+        work.broadPhase->rebuild(proxiesOf(world));
+        std::fill(work.isChanged.begin(), work.isChanged.end(), std::uint8_t{0});
+    } else {
+        work.broadPhase->update(proxiesOf(world), work.changedProxies);
+        for (const std::uint32_t shape : work.changedProxies) work.isChanged[shape] = 0;
+    }
+    work.changedProxies.clear();
+}
+
+/// Forgets those that went away meanwhile.
+void dropGone(World& world) {
+    std::erase_if(world.moved,
+                  [&](std::uint32_t shape) { return world.shapes.motion[shape] == ProxyMotion::Gone; });
+}
+
+void search(StepContext& step) {
+    World& world = step.world;
+    Workspace& work = step.work;
+    for (const std::uint32_t shape : world.moved) work.isMoved[shape] = 1;
+    const int count = static_cast<int>(world.moved.size());
+    if (work.foundPairs.size() < static_cast<std::size_t>(piecesOf(count, kGrain))) {
+        work.foundPairs.resize(static_cast<std::size_t>(piecesOf(count, kGrain)));
+    }
+    const std::span<const std::uint32_t> moved{world.moved};
+    forPieces(step, count, kGrain, [&](int begin, int end, int piece) {
+        std::vector<PairKey>& found = work.foundPairs[static_cast<std::size_t>(piece)];
+        found.clear();
+        work.broadPhase->findPairs(
+            proxiesOf(world),
+            moved.subspan(static_cast<std::size_t>(begin), static_cast<std::size_t>(end - begin)),
+            work.isMoved, found);
+        std::erase_if(found, [&](PairKey key) { return work.pairs.has(key); });
+    });
+    work.newPairs.clear();
+    const int pieces = step.pool == nullptr || count <= kGrain ? 1 : piecesOf(count, kGrain);
+    for (int i = 0; i < pieces; ++i) {
+        const std::vector<PairKey>& found = work.foundPairs[static_cast<std::size_t>(i)];
+        work.newPairs.insert(work.newPairs.end(), found.begin(), found.end());
+    }
+    // Whoever found a pair first: contacts are made in an order of their own.
+    std::sort(work.newPairs.begin(), work.newPairs.end());
+    for (const std::uint32_t shape : world.moved) {
+        work.isMoved[shape] = 0;
+        world.shapes.info[shape].flags &= static_cast<std::uint8_t>(~kLeftBounds);
+    }
+    world.moved.clear();
+}
+
+void makeContacts(World& world, Workspace& work) {
+    for (const PairKey key : work.newPairs) {
+        const auto a = static_cast<std::uint32_t>(key >> 32), b = static_cast<std::uint32_t>(key);
+        const std::uint32_t bodyA = world.shapes.info[a].body, bodyB = world.shapes.info[b].body;
+        const bool joined =
+            world.bodies.info[bodyA].firstJoint != kNone && world.bodies.info[bodyB].firstJoint != kNone;
+        if (joined && keptApart(world, bodyA, bodyB)) continue;
+        work.pairs.add(key);
+        world.contacts.push_back(makeContact(world, a, b));
+    }
+}
+
+}  // namespace
+
+void findPairs(StepContext& step) {
+    updateBroadPhase(step.world, step.work);
+    if (step.world.moved.empty()) return;
+    dropGone(step.world);
+    search(step);
+    makeContacts(step.world, step.work);
+}
+
+}  // namespace plumb::physics

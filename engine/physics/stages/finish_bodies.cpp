@@ -1,0 +1,140 @@
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+
+#include "physics/bounds.hpp"
+#include "physics/shapes/shape_types.hpp"
+#include "physics/stages.hpp"
+
+namespace plumb::physics {
+
+namespace {
+
+constexpr int kGrain = 256;
+
+/// What one piece of work found.
+struct Findings {
+    std::vector<std::uint32_t>& left;  // shapes that left their bounds
+    std::vector<std::uint32_t>& fast;
+    std::vector<std::uint32_t>& broken;
+    bool sleepy = false;
+};
+
+bool isFinite(const Float4& a) { return std::isfinite(a.x) && std::isfinite(a.y) && std::isfinite(a.z); }
+
+void limitSpeed(BodyMotion& motion, float most) {
+    const float square = lengthSquared(motion.velocity);
+    if (square > most * most) motion.velocity *= most / std::sqrt(square);
+}
+
+/// m/s: the fastest point of the body, about.
+float restlessness(const BodyMotion& motion, const BodyInfo& info) {
+    return std::max(std::sqrt(lengthSquared(motion.velocity)),
+                    std::fabs(motion.angularVelocity) * info.reach);
+}
+
+bool inside(const AABB& outer, const AABB& inner) {
+    return inner.min.x >= outer.min.x && inner.min.y >= outer.min.y && inner.max.x <= outer.max.x &&
+           inner.max.y <= outer.max.y;
+}
+
+void updateShapes(World& world, std::uint32_t body, Findings& found) {
+    const Frame frame = frameOf(world.bodies.pose[body]);
+    Shapes& shapes = world.shapes;
+    for (std::uint32_t s = world.bodies.info[body].firstShape; s != kNone; s = shapes.info[s].next) {
+        const AABB tight = boundsOf(shapes.geometry[s], shapes.corners, frame);
+        if (inside(shapes.bounds[s], tight)) continue;
+        shapes.bounds[s] = grown(tight, shapes.info[s].margin);
+        found.left.push_back(s);
+    }
+}
+
+/// Where a body is after the step. @return false when its numbers went bad: it stays where it was, and stops
+bool takeAlong(StepContext& step, std::size_t slot, std::uint32_t body) {
+    Bodies& bodies = step.world.bodies;
+    BodyMotion& motion = bodies.motion[body];
+    const Float4& velocity = step.work.velocity[slot];
+    const Float4& shift = step.work.shift[slot];
+    if (!isFinite(velocity) || !isFinite(shift)) {
+        motion.velocity = {};
+        motion.angularVelocity = 0.0f;
+        return false;
+    }
+    motion.velocity = {velocity.x, velocity.y};
+    motion.angularVelocity = velocity.z;
+    limitSpeed(motion, step.world.settings.maxSpeed);
+    BodyPose& pose = bodies.pose[body];
+    pose.centre = pose.centre + Vec2{shift.x, shift.y};
+    pose.rotation = normalized(Rot{1.0f + shift.w, shift.z} * pose.rotation);
+    return true;
+}
+
+/// A body that has moved by more than its core may have passed through something thin.
+bool isFast(const Float4& shift, const BodyInfo& info) {
+    const float way = std::sqrt(shift.x * shift.x + shift.y * shift.y) + std::fabs(shift.z) * info.reach;
+    return way > 0.5f * info.core;
+}
+
+void finish(StepContext& step, std::size_t slot, std::uint32_t body, Findings& found) {
+    World& world = step.world;
+    BodyInfo& info = world.bodies.info[body];
+    if (!takeAlong(step, slot, body)) {
+        found.broken.push_back(body);
+        return;
+    }
+    BodyMotion& motion = world.bodies.motion[body];
+    if (info.kind == BodyKind::Kinematic) {
+        if ((info.flags & kHasTarget) != 0) motion.velocity = {}, motion.angularVelocity = 0.0f;
+        info.flags &= static_cast<std::uint8_t>(~kHasTarget);
+    } else if (restlessness(motion, info) > info.sleepSpeed || (info.flags & kCanSleep) == 0) {
+        motion.restTime = 0.0f;
+    } else {
+        motion.restTime += step.dt;
+        found.sleepy = found.sleepy || motion.restTime >= world.settings.sleepTime;
+    }
+    if (info.kind == BodyKind::Dynamic && world.settings.continuous && isFast(step.work.shift[slot], info)) {
+        found.fast.push_back(body);
+    }
+    updateShapes(world, body, found);
+}
+
+void makeRoom(Workspace& work, std::size_t pieces) {
+    for (std::vector<std::vector<std::uint32_t>>* lists :
+         {&work.leftShapes, &work.fastOfPiece, &work.brokenOfPiece}) {
+        if (lists->size() < pieces) lists->resize(pieces);
+        for (std::vector<std::uint32_t>& list : *lists) list.clear();
+    }
+}
+
+}  // namespace
+
+void finishBodies(StepContext& step) {
+    World& world = step.world;
+    Workspace& work = step.work;
+    const int slots = static_cast<int>(work.bodyOf.size());
+    makeRoom(work, static_cast<std::size_t>(std::max(1, piecesOf(slots, kGrain))));
+    std::atomic<bool> sleepy{false};
+    forPieces(step, slots, kGrain, [&](int begin, int end, int piece) {
+        const auto p = static_cast<std::size_t>(piece);
+        Findings found{work.leftShapes[p], work.fastOfPiece[p], work.brokenOfPiece[p]};
+        for (int slot = begin; slot < end; ++slot) {
+            const std::uint32_t body = work.bodyOf[static_cast<std::size_t>(slot)];
+            if (body != kNone) finish(step, static_cast<std::size_t>(slot), body, found);
+        }
+        if (found.sleepy) sleepy.store(true, std::memory_order_relaxed);
+    });
+    work.sleepy = sleepy.load();
+    work.fastBodies.clear();
+    for (std::size_t p = 0; p < work.leftShapes.size(); ++p) {
+        for (const std::uint32_t shape : work.leftShapes[p]) {
+            noteChanged(world, shape);
+            noteMoved(world, shape);
+        }
+        work.fastBodies.insert(work.fastBodies.end(), work.fastOfPiece[p].begin(), work.fastOfPiece[p].end());
+        for (const std::uint32_t body : work.brokenOfPiece[p]) {
+            world.quarantined.push_back({body, world.bodies.info[body].generation});
+        }
+    }
+}
+
+}  // namespace plumb::physics

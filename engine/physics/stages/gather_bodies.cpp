@@ -1,0 +1,123 @@
+#include <algorithm>
+
+#include "math/portable.hpp"
+#include "physics/sleeping.hpp"
+#include "physics/solver/quality.hpp"
+#include "physics/stages.hpp"
+
+namespace plumb::physics {
+
+namespace {
+
+constexpr int kGrain = 512;
+
+/// What drag leaves of a speed after h seconds, and how that changes the way: v' = -k v + a, solved exactly.
+struct Decay {
+    float keep;   // ratio of the speed that is left
+    float drive;  // s: speed gained by 1 m/s2
+};
+
+Decay decayOf(float drag, float h) {
+    const float x = drag * h;
+    if (x < 1.0e-4f) return {1.0f - x, h * (1.0f - 0.5f * x)};
+    const float keep = exponential(-x);
+    return {keep, (1.0f - keep) / drag};
+}
+
+/// The exact way of free flight over h, as what is to be added to `z * (velocity at the end)`.
+Float4 flightOf(const Float4& drive, const Decay& decay, float drag, float h) {
+    // x = v0 D + a (h - D) / k with D = decay.drive; v1 = v0 keep + a D. Without drag: x = v1 h - a h2 / 2.
+    if (drag * h < 1.0e-4f || decay.keep <= 0.0f)
+        return {-0.5f * h * h * drive.x, -0.5f * h * h * drive.y, h, 0.0f};
+    const float along = decay.drive / decay.keep;
+    const float rest = (h - decay.drive) / drag - decay.drive * along;
+    return {rest * drive.x, rest * drive.y, along, 0.0f};
+}
+
+void gatherBody(World& world, Workspace& work, std::uint32_t body, std::size_t slot, float h) {
+    const BodyMotion& motion = world.bodies.motion[body];
+    const BodyMass& mass = world.bodies.mass[body];
+    BodyDrive& drive = world.bodies.drive[body];
+    work.slots[body] = static_cast<std::int32_t>(slot);
+    work.bodyOf[slot] = body;
+    work.velocity[slot] = {motion.velocity.x, motion.velocity.y, motion.angularVelocity, mass.inverseMass};
+    work.shift[slot] = {};
+    work.drive[slot] = {};
+    work.flight[slot] = {0.0f, 0.0f, h, 0.0f};
+    if (mass.inverseMass == 0.0f) return;
+    const Vec2 gravity =
+        world.manifest.runs(Effect::Gravity) ? drive.gravityScale * world.settings.gravity : Vec2{};
+    const Vec2 pull = gravity + drive.acceleration + mass.inverseMass * drive.force;
+    work.drive[slot] = {pull.x, pull.y, mass.inverseInertia * drive.torque, 0.0f};
+    drive.force = {};
+    drive.torque = 0.0f;
+    // Exact flight is for what nothing holds: a resting body would be lifted by it.
+    const bool free = work.colourMasks[body] == 0;
+    if (free) work.flight[slot] = flightOf(work.drive[slot], {1.0f, h}, 0.0f, h);
+}
+
+void applyDrag(const World& world, Workspace& work, std::uint32_t body, std::size_t slot, float h) {
+    const BodyDrive& drive = world.bodies.drive[body];
+    work.keep[slot] = {1.0f, 1.0f, 1.0f, 1.0f};
+    if (drive.linearDrag <= 0.0f && drive.angularDrag <= 0.0f) return;
+    const Decay linear = decayOf(drive.linearDrag, h), angular = decayOf(drive.angularDrag, h);
+    if (work.colourMasks[body] == 0)
+        work.flight[slot] = flightOf(work.drive[slot], linear, drive.linearDrag, h);
+    work.keep[slot] = {linear.keep, linear.keep, angular.keep, 1.0f};
+    work.drive[slot].x *= linear.drive / h;
+    work.drive[slot].y *= linear.drive / h;
+    work.drive[slot].z *= angular.drive / h;
+}
+
+void makeRoom(World& world, Workspace& work, std::size_t slots) {
+    work.slots.assign(world.bodies.size(), -1);
+    work.bodyOf.assign(slots, kNone);
+    // The eight after the last are for lanes without a body.
+    const std::size_t count = slots + kLanes;
+    for (std::vector<Float4>* array :
+         {&work.velocity, &work.shift, &work.drive, &work.flight, &work.undisturbed}) {
+        array->resize(count);
+    }
+    work.keep.resize(world.manifest.runs(Effect::Drag) ? count : 0);
+}
+
+void clearSlot(Workspace& work, std::size_t slot) {
+    work.velocity[slot] = work.shift[slot] = work.drive[slot] = work.flight[slot] =
+        work.undisturbed[slot] = {};
+    if (!work.keep.empty()) work.keep[slot] = {};
+}
+
+}  // namespace
+
+void gatherBodies(StepContext& step) {
+    World& world = step.world;
+    Workspace& work = step.work;
+    sortByQuality(world, work);
+    std::size_t slots = 0;
+    for (SolveGroup& group : work.groups) {
+        group.begin = static_cast<std::int32_t>(slots);
+        slots += (static_cast<std::size_t>(group.bodies) + kLanes - 1) / kLanes * kLanes;
+        group.end = static_cast<std::int32_t>(slots);
+    }
+    makeRoom(world, work, slots);
+    for (std::size_t idle = slots; idle < slots + kLanes; ++idle) clearSlot(work, idle);
+    const std::uint32_t* order = work.solveOrder.empty() ? world.awake.data() : work.solveOrder.data();
+    for (const SolveGroup& group : work.groups) {
+        const float h = step.dt / static_cast<float>(group.substeps);
+        const auto begin = static_cast<std::size_t>(group.begin);
+        forPieces(step, group.end - group.begin, kGrain, [&](int first, int last, int) {
+            for (int i = first; i < last; ++i) {
+                const std::size_t slot = begin + static_cast<std::size_t>(i);
+                if (i >= group.bodies) {
+                    clearSlot(work, slot);
+                    continue;
+                }
+                gatherBody(world, work, order[i], slot, h);
+                if (!work.keep.empty()) applyDrag(world, work, order[i], slot, h);
+            }
+        });
+        order += group.bodies;
+    }
+}
+
+}  // namespace plumb::physics

@@ -1,0 +1,111 @@
+#include <algorithm>
+
+#include "physics/stages.hpp"
+
+namespace plumb::physics {
+
+namespace {
+
+constexpr int kGrain = 32;  // blocks
+
+/// Group and colour of a contact, or -1 for one that does not push in this step.
+int keyOf(const Workspace& work, const Contact& contact) {
+    constexpr int kPushes = kTouching;
+    if ((contact.flags & (kTouching | kTriggered | kDisabled)) != kPushes || contact.colour > kOverflow)
+        return -1;
+    const int group = work.groups.size() == 1 ? 0 : work.groupOf[contact.bodyB];
+    return group * (kColours + 1) + contact.colour;
+}
+
+bool isFixed(const Contact& contact) { return (contact.flags & kFixedA) != 0; }
+
+std::int32_t blocksFor(std::int32_t contacts, int colour) {
+    return colour == kOverflow ? contacts : (contacts + kLanes - 1) / kLanes;
+}
+
+void layOut(Workspace& work, const std::vector<Cursor>& counts) {
+    std::int32_t contacts = 0, fixed = 0;
+    for (std::size_t g = 0; g < work.groups.size(); ++g) {
+        for (int colour = 0; colour <= kColours; ++colour) {
+            const Cursor& count = counts[g * (kColours + 1) + static_cast<std::size_t>(colour)];
+            ColourBlocks& blocks = work.groups[g].colours[colour];
+            blocks.contactBegin = contacts;
+            blocks.contactEnd = contacts += blocksFor(count.contacts, colour);
+            blocks.fixedBegin = fixed;
+            blocks.fixedEnd = fixed += blocksFor(count.fixed, colour);
+        }
+    }
+    work.contactBlocks.resize(static_cast<std::size_t>(contacts));
+    work.contactLanes.resize(static_cast<std::size_t>(contacts));
+    work.fixedBlocks.resize(static_cast<std::size_t>(fixed));
+    work.fixedLanes.resize(static_cast<std::size_t>(fixed));
+}
+
+void putIn(std::vector<BlockLanes>& lanes, std::int32_t begin, std::int32_t& number, int colour,
+           int contact) {
+    const std::int32_t lane = colour == kOverflow ? 0 : number % kLanes;
+    const std::int32_t block = begin + (colour == kOverflow ? number : number / kLanes);
+    ++number;
+    BlockLanes& target = lanes[static_cast<std::size_t>(block)];
+    target.contact[lane] = contact;
+    target.count = lane + 1;
+}
+
+/// Which contacts are solved together.
+void fillLanes(World& world, Workspace& work) {
+    std::vector<Cursor>& cursors = work.cursors;
+    cursors.assign(work.groups.size() * (kColours + 1), {});
+    for (const Contact& contact : world.contacts) {
+        if (const int key = keyOf(work, contact); key >= 0) {
+            ++(isFixed(contact) ? cursors[static_cast<std::size_t>(key)].fixed
+                                : cursors[static_cast<std::size_t>(key)].contacts);
+        }
+    }
+    layOut(work, cursors);
+    std::fill(cursors.begin(), cursors.end(), Cursor{});
+    for (std::size_t i = 0; i < world.contacts.size(); ++i) {
+        const Contact& contact = world.contacts[i];
+        const int key = keyOf(work, contact);
+        if (key < 0) continue;
+        const int colour = key % (kColours + 1);
+        const ColourBlocks& blocks =
+            work.groups[static_cast<std::size_t>(key / (kColours + 1))].colours[colour];
+        Cursor& cursor = cursors[static_cast<std::size_t>(key)];
+        if (isFixed(contact)) {
+            putIn(work.fixedLanes, blocks.fixedBegin, cursor.fixed, colour, static_cast<int>(i));
+        } else {
+            putIn(work.contactLanes, blocks.contactBegin, cursor.contacts, colour, static_cast<int>(i));
+        }
+    }
+}
+
+ContactSource sourceOf(const World& world, const Workspace& work) {
+    ContactSource source;
+    source.contacts = reinterpret_cast<const Float4*>(world.contacts.data());
+    source.poses = reinterpret_cast<const Float4*>(world.bodies.pose.data());
+    source.masses = reinterpret_cast<const Float4*>(world.bodies.mass.data());
+    source.motions = reinterpret_cast<const Float4*>(world.bodies.motion.data());
+    source.slots = work.slots.data();
+    source.idleSlot = static_cast<std::int32_t>(work.bodyOf.size());
+    source.surfaces = world.manifest.runs(Effect::Conveyor);
+    source.kinematics = world.manifest.runs(Effect::Kinematics);
+    return source;
+}
+
+}  // namespace
+
+void prepareConstraints(StepContext& step) {
+    World& world = step.world;
+    Workspace& work = step.work;
+    fillLanes(world, work);
+    const ContactSource source = sourceOf(world, work);
+    const SolverKernels& kernels = solverKernels();
+    forPieces(step, static_cast<int>(work.contactBlocks.size()), kGrain, [&](int begin, int end, int) {
+        kernels.prepare(source, work.contactLanes.data(), work.contactBlocks.data(), begin, end);
+    });
+    forPieces(step, static_cast<int>(work.fixedBlocks.size()), kGrain, [&](int begin, int end, int) {
+        kernels.prepareFixed(source, work.fixedLanes.data(), work.fixedBlocks.data(), begin, end);
+    });
+}
+
+}  // namespace plumb::physics

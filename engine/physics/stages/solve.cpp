@@ -1,0 +1,154 @@
+#include "physics/solver/restitution.hpp"
+#include "physics/solver/softness.hpp"
+#include "physics/stages.hpp"
+
+namespace plumb::physics {
+
+namespace {
+
+constexpr int kBlockGrain = 24;
+constexpr int kBodyGrain = 1024;
+
+/// One group, while its substeps are done.
+struct Solver {
+    StepContext& step;
+    Workspace& work;
+    const SolverKernels& kernels;
+    const SolveGroup& group;
+    SolverBodies bodies;
+    ContactPass contacts;       // between bodies that can be pushed
+    ContactPass fixedContacts;  // stiffer: the ground does not give way
+    float h;                    // s
+};
+
+SolverBodies bodiesOf(Workspace& work) {
+    return {work.velocity.data(), work.shift.data(),
+            work.drive.data(),    work.keep.empty() ? nullptr : work.keep.data(),
+            work.flight.data(),   work.undisturbed.data()};
+}
+
+ContactPass passOf(const Settings& settings, float h, float stiffness) {
+    ContactPass pass;
+    pass.substepRate = 1.0f / h;
+    pass.softness = softness(stiffness * settings.contactStiffness / h, settings.contactDampingRatio, h);
+    pass.pushSpeed = settings.pushSpeed;
+    return pass;
+}
+
+template <class Pass>
+void forBodies(Solver& solver, Pass&& pass) {
+    const int begin = solver.group.begin;
+    forPieces(solver.step, solver.group.end - begin, kBodyGrain,
+              [&](int first, int last, int) { pass(begin + first, begin + last); });
+}
+
+/// Runs one pass over all contacts of a group, colour by colour.
+template <class Two, class Fixed>
+void forContacts(Solver& solver, Two&& two, Fixed&& fixed) {
+    const auto colour = [&](const ColourBlocks& blocks, int grain) {
+        forPieces(solver.step, blocks.contactEnd - blocks.contactBegin, grain, [&](int first, int last, int) {
+            two(blocks.contactBegin + first, blocks.contactBegin + last);
+        });
+        forPieces(solver.step, blocks.fixedEnd - blocks.fixedBegin, grain, [&](int first, int last, int) {
+            fixed(blocks.fixedBegin + first, blocks.fixedBegin + last);
+        });
+    };
+    colour(solver.group.colours[kOverflow], 1 << 30);  // they share bodies: one after the other
+    for (int i = 0; i < kColours; ++i) colour(solver.group.colours[i], kBlockGrain);
+}
+
+void warmStart(Solver& solver) {
+    Workspace& work = solver.work;
+    forContacts(
+        solver,
+        [&](int begin, int end) {
+            solver.kernels.warmStart(solver.bodies, work.contactLanes.data(), work.contactBlocks.data(),
+                                     begin, end);
+        },
+        [&](int begin, int end) {
+            solver.kernels.warmStartFixed(solver.bodies, work.fixedLanes.data(), work.fixedBlocks.data(),
+                                          begin, end);
+        });
+}
+
+void push(Solver& solver) {
+    Workspace& work = solver.work;
+    forContacts(
+        solver,
+        [&](int begin, int end) {
+            solver.kernels.push(solver.bodies, solver.contacts, work.contactLanes.data(),
+                                work.contactBlocks.data(), begin, end);
+        },
+        [&](int begin, int end) {
+            solver.kernels.pushFixed(solver.bodies, solver.fixedContacts, work.fixedLanes.data(),
+                                     work.fixedBlocks.data(), begin, end);
+        });
+}
+
+void relax(Solver& solver) {
+    Workspace& work = solver.work;
+    forContacts(
+        solver,
+        [&](int begin, int end) {
+            solver.kernels.relax(solver.bodies, solver.contacts, work.contactLanes.data(),
+                                 work.contactBlocks.data(), begin, end);
+        },
+        [&](int begin, int end) {
+            solver.kernels.relaxFixed(solver.bodies, solver.fixedContacts, work.fixedLanes.data(),
+                                      work.fixedBlocks.data(), begin, end);
+        });
+}
+
+void storeImpulses(StepContext& step, const SolverKernels& kernels) {
+    Workspace& work = step.work;
+    auto* contacts = reinterpret_cast<Float4*>(step.world.contacts.data());
+    forPieces(step, static_cast<int>(work.contactBlocks.size()), kBlockGrain, [&](int begin, int end, int) {
+        kernels.store(contacts, work.contactLanes.data(), work.contactBlocks.data(), begin, end);
+    });
+    forPieces(step, static_cast<int>(work.fixedBlocks.size()), kBlockGrain, [&](int begin, int end, int) {
+        kernels.storeFixed(contacts, work.fixedLanes.data(), work.fixedBlocks.data(), begin, end);
+    });
+}
+
+/// Sub-stepped soft constraints: many small steps beat many iterations, and the relax pass takes back the
+/// velocity that only served to push bodies apart. Directions and arms are those of the start of the step, so
+/// what all impulses of a substep did to a body's velocity is the same in the next one: from the second
+/// substep on, warm starting is one sum for each body (accelerate) and no pass over constraints. Sources: M.
+/// Macklin et al., "Small Steps in Physics Simulation", SCA 2019; E. Catto, "Solver2D", 2024.
+void solveGroup(Solver& solver) {
+    for (int i = 0; i < solver.group.substeps; ++i) {
+        forBodies(solver, [&](int begin, int end) {
+            solver.kernels.accelerate(solver.bodies, solver.h, i == 0, begin, end);
+        });
+        if (i == 0) warmStart(solver);
+        solver.fixedContacts.elapsed = solver.h * static_cast<float>(i);
+        push(solver);
+        forBodies(solver,
+                  [&](int begin, int end) { solver.kernels.move(solver.bodies, solver.h, begin, end); });
+        relax(solver);
+        noteLargestImpulses(solver.step, solver.group);
+    }
+    applyRestitution(solver.step, solver.group);
+}
+
+}  // namespace
+
+void solve(StepContext& step) {
+    const SolverKernels& kernels = solverKernels();
+    prepareRestitution(step);
+    for (const SolveGroup& group : step.work.groups) {
+        const float h = step.dt / static_cast<float>(group.substeps);
+        Solver solver{step,
+                      step.work,
+                      kernels,
+                      group,
+                      bodiesOf(step.work),
+                      passOf(step.world.settings, h, 1.0f),
+                      passOf(step.world.settings, h, 2.0f),
+                      h};
+        solveGroup(solver);
+    }
+    storeImpulses(step, kernels);
+}
+
+}  // namespace plumb::physics

@@ -1,0 +1,7 @@
+#include "physics/stages.hpp"
+
+namespace plumb::physics {
+
+void sweepFastBodies(StepContext&) {}
+
+}  // namespace plumb::physics

@@ -1,0 +1,148 @@
+#include <algorithm>
+#include <utility>
+
+#include "physics/contacts.hpp"
+#include "physics/joints.hpp"
+#include "physics/sleeping.hpp"
+#include "physics/stages.hpp"
+
+namespace plumb::physics {
+
+namespace {
+
+constexpr int kGrain = 256;
+
+bool touches(const Contact& contact) {
+    if (contact.count == 0) return false;
+    // Triggers overlap or not; solid shapes are in touch as soon as the solver may have to act.
+    return (contact.flags & kTriggered) == 0 || std::min(contact.separation0, contact.separation1) <= 0.0f;
+}
+
+/// Looks at every contact; lists those that began, ended or are gone.
+void lookAtAll(StepContext& step) {
+    World& world = step.world;
+    Workspace& work = step.work;
+    const int count = static_cast<int>(world.contacts.size());
+    const auto pieces = static_cast<std::size_t>(std::max(1, piecesOf(count, kGrain)));
+    if (work.changedContacts.size() < pieces) work.changedContacts.resize(pieces);
+    if (work.countsOfPiece.size() < pieces) work.countsOfPiece.resize(pieces);
+    for (std::vector<std::uint32_t>& list : work.changedContacts) list.clear();
+    std::fill(work.countsOfPiece.begin(), work.countsOfPiece.end(), DetectionCounts{});
+    const bool joined = std::exchange(world.partJoined, false);
+    forPieces(step, count, kGrain, [&](int begin, int end, int piece) {
+        std::vector<std::uint32_t>& changed = work.changedContacts[static_cast<std::size_t>(piece)];
+        DetectionCounts& counts = work.countsOfPiece[static_cast<std::size_t>(piece)];
+        for (int i = begin; i < end; ++i) {
+            Contact& contact = world.contacts[static_cast<std::size_t>(i)];
+            contact.flags &= static_cast<std::uint16_t>(~(kBegan | kGone | kDisabled));
+            const bool before = (contact.flags & kTouching) != 0;
+            if (!updateContact(world, contact, counts) ||
+                (joined && keptApart(world, contact.bodyA, contact.bodyB))) {
+                contact.flags |= kGone;
+            } else if (touches(contact) == before) {
+                continue;
+            }
+            changed.push_back(static_cast<std::uint32_t>(i));
+        }
+    });
+    work.counts = {};
+    for (const DetectionCounts& counts : work.countsOfPiece) work.counts += counts;
+}
+
+std::uint32_t pushableA(const Contact& contact) {
+    return (contact.flags & kFixedA) != 0 ? kNone : contact.bodyA;
+}
+
+void uncolour(Workspace& work, Contact& contact) {
+    freeColour(work, pushableA(contact), contact.bodyB, contact.colour);
+    contact.colour = kNoColour;
+}
+
+bool wantsEvents(const World& world, const Contact& contact) {
+    return (contact.flags & kTriggered) != 0 ||
+           ((contact.flags & kReports) != 0 && world.manifest.runs(Effect::ContactEvents));
+}
+
+void end(World& world, Workspace& work, Contact& contact) {
+    if ((contact.flags & kTouching) == 0) return;
+    contact.flags &= static_cast<std::uint16_t>(~kTouching);
+    uncolour(work, contact);
+    world.islandsStale = true;
+    if (wantsEvents(world, contact)) world.events.push_back(eventOf(world, contact, ContactPhase::Ended));
+    // Who leans on something that goes away has to notice.
+    if (world.bodies.info[contact.bodyA].kind == BodyKind::Dynamic) wake(world, contact.bodyA);
+    wake(world, contact.bodyB);
+}
+
+void begin(World& world, Workspace& work, std::size_t index) {
+    world.contacts[index].flags |= kTouching | kBegan;
+    const std::uint32_t bodyA = world.contacts[index].bodyA, bodyB = world.contacts[index].bodyB;
+    const bool pushesA = pushableA(world.contacts[index]) != kNone;
+    if ((world.contacts[index].flags & kTriggered) == 0) {
+        world.contacts[index].colour = takeColour(work, pushableA(world.contacts[index]), bodyB);
+        if (pushesA && world.bodies.info[bodyA].place == kNone) wake(world, bodyA);
+        if (world.bodies.info[bodyB].place == kNone) wake(world, bodyB);
+    }
+    if (pushesA) joinIslands(world, bodyA, bodyB);
+}
+
+/// Contacts whose bounds parted, or whose shapes are gone, make room. From the last on, so that the others
+/// keep their numbers until they are looked at.
+void removeGone(World& world, Workspace& work) {
+    for (std::size_t piece = work.changedContacts.size(); piece-- > 0;) {
+        const std::vector<std::uint32_t>& changed = work.changedContacts[piece];
+        for (std::size_t i = changed.size(); i-- > 0;) {
+            Contact& contact = world.contacts[changed[i]];
+            if ((contact.flags & kGone) == 0) continue;
+            work.pairs.remove(pairKey(contact.shapeA, contact.shapeB));
+            contact = world.contacts.back();
+            world.contacts.pop_back();
+        }
+    }
+}
+
+/// The contacts of shapes that were destroyed.
+void endContactsOfDead(StepContext& step) {
+    World& world = step.world;
+    const auto gone = [&](std::uint32_t shape) { return world.shapes.motion[shape] == ProxyMotion::Gone; };
+    for (std::size_t i = world.contacts.size(); i-- > 0;) {
+        Contact& contact = world.contacts[i];
+        if (!gone(contact.shapeA) && !gone(contact.shapeB)) continue;
+        if ((contact.flags & kTouching) != 0 && wantsEvents(world, contact)) {
+            world.events.push_back(eventOf(world, contact, ContactPhase::Ended));
+        }
+        uncolour(step.work, contact);
+        step.work.pairs.remove(pairKey(contact.shapeA, contact.shapeB));
+        contact = world.contacts.back();
+        world.contacts.pop_back();
+    }
+    const auto release = [](std::vector<std::uint32_t>& dying, std::vector<std::uint32_t>& free) {
+        free.insert(free.end(), dying.rbegin(), dying.rend());
+        dying.clear();
+    };
+    release(world.shapes.dying, world.shapes.free);
+    release(world.bodies.dying, world.bodies.free);
+    world.islandsStale = true;
+}
+
+}  // namespace
+
+void updateContacts(StepContext& step) {
+    World& world = step.world;
+    Workspace& work = step.work;
+    if (!world.shapes.dying.empty() || !world.bodies.dying.empty()) endContactsOfDead(step);
+    lookAtAll(step);
+    for (const std::vector<std::uint32_t>& changed : work.changedContacts) {
+        for (const std::uint32_t i : changed) {
+            Contact& contact = world.contacts[i];
+            if ((contact.flags & kGone) != 0 || !touches(contact)) {
+                end(world, work, contact);
+            } else {
+                begin(world, work, i);
+            }
+        }
+    }
+    removeGone(world, work);
+}
+
+}  // namespace plumb::physics

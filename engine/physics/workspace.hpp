@@ -1,0 +1,101 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "physics/broadphase/broad_phase.hpp"
+#include "physics/pair_set.hpp"
+#include "physics/solver/colours.hpp"
+#include "physics/solver/contact_block.hpp"
+#include "physics/world.hpp"
+
+namespace plumb::physics {
+
+/// What one colour of a group has to solve, as ranges of blocks.
+struct ColourBlocks {
+    std::int32_t contactBegin = 0;
+    std::int32_t contactEnd = 0;
+    std::int32_t fixedBegin = 0;
+    std::int32_t fixedEnd = 0;
+};
+
+/// Islands that are solved alike: a range of slots, and their constraints by colour.
+struct SolveGroup {
+    Quality quality = 0;
+    std::int32_t substeps = 1;
+    std::int32_t bodies = 0;
+    std::int32_t begin = 0;  ///< slots, in multiples of eight
+    std::int32_t end = 0;
+    ColourBlocks colours[kColours + 1];  ///< the last is kOverflow: one lane a block, in order
+};
+
+/// How many pairs each phase of detection sent away, in the last step.
+struct DetectionCounts {
+    std::uint32_t pairs = 0;           ///< whose bounds overlap
+    std::uint32_t apartByCircles = 0;  ///< their bounding circles do not meet
+    std::uint32_t apartByBounds = 0;   ///< nor their tight bounds
+    std::uint32_t apartByAxes = 0;     ///< the outlines themselves are apart
+    std::uint32_t recycled = 0;        ///< moved too little to be looked at again
+    std::uint32_t touching = 0;
+
+    DetectionCounts& operator+=(const DetectionCounts& more) {
+        pairs += more.pairs;
+        apartByCircles += more.apartByCircles;
+        apartByBounds += more.apartByBounds;
+        apartByAxes += more.apartByAxes;
+        recycled += more.recycled;
+        touching += more.touching;
+        return *this;
+    }
+};
+
+/// How many contacts a colour of a group has.
+struct Cursor {
+    std::int32_t contacts = 0;
+    std::int32_t fixed = 0;
+};
+
+/// Memory that a step needs and the next one reuses. Everything in it follows from the world.
+struct Workspace {
+    std::unique_ptr<BroadPhase> broadPhase;
+    BroadPhaseKind broadPhaseKind = BroadPhaseKind::Count;
+    std::vector<std::uint32_t> changedProxies;     ///< since the broad phase was last told
+    std::vector<std::uint8_t> isChanged;           ///< by shape: is in `changedProxies`
+    std::vector<std::uint8_t> isMoved;             ///< by shape
+    PairSet pairs;                                 ///< of all contacts, awake or asleep
+    std::vector<std::vector<PairKey>> foundPairs;  ///< by piece of work
+    std::vector<PairKey> newPairs;
+    std::vector<std::uint32_t> colourMasks;  ///< by body: which colours its constraints have
+
+    // Of the step.
+    std::vector<std::vector<std::uint32_t>> changedContacts;  ///< by piece: began, ended, or gone
+    std::vector<DetectionCounts> countsOfPiece;
+    std::vector<std::int32_t> slots;    ///< by body; -1 for what is not solved
+    std::vector<std::uint32_t> bodyOf;  ///< by slot; kNone for idle ones
+    std::vector<Float4> velocity;       ///< by slot, as SolverBodies
+    std::vector<Float4> shift;
+    std::vector<Float4> drive;
+    std::vector<Float4> keep;
+    std::vector<Float4> flight;
+    std::vector<Float4> undisturbed;
+    std::vector<SolveGroup> groups;
+    std::vector<Cursor> cursors;  ///< by group and colour
+    std::vector<ContactBlock> contactBlocks;
+    std::vector<BlockLanes> contactLanes;
+    std::vector<FixedContactBlock> fixedBlocks;
+    std::vector<BlockLanes> fixedLanes;
+    std::vector<BounceBlock> bounces;  ///< beside contactBlocks, where something bounces
+    std::vector<BounceBlock> fixedBounces;
+    std::vector<std::uint32_t> solveOrder;   ///< awake bodies by group; empty where there is one group
+    std::vector<std::uint8_t> groupOf;       ///< by body, where there are several
+    std::vector<std::uint32_t> bodyScratch;  ///< by body
+    std::vector<std::vector<std::uint32_t>> leftShapes;  ///< by piece: shapes that left their bounds
+    std::vector<std::vector<std::uint32_t>> fastOfPiece;
+    std::vector<std::vector<std::uint32_t>> brokenOfPiece;
+    std::vector<std::uint32_t> fastBodies;  ///< that may have passed through something in this step
+    bool sleepy = false;                    ///< some body has rested for long enough
+    DetectionCounts counts;
+};
+
+}  // namespace plumb::physics

@@ -1,0 +1,24 @@
+#include "physics/workspace_holder.hpp"
+
+#include "physics/workspace.hpp"
+
+namespace plumb::physics {
+
+WorkspaceHolder::WorkspaceHolder() = default;
+WorkspaceHolder::~WorkspaceHolder() = default;
+WorkspaceHolder::WorkspaceHolder(const WorkspaceHolder&) {}
+WorkspaceHolder& WorkspaceHolder::operator=(const WorkspaceHolder&) { return stale_ = true, *this; }
+WorkspaceHolder::WorkspaceHolder(WorkspaceHolder&& other) noexcept
+    : workspace_{std::move(other.workspace_)}, stale_{std::exchange(other.stale_, true)} {}
+WorkspaceHolder& WorkspaceHolder::operator=(WorkspaceHolder&& other) noexcept {
+    workspace_ = std::move(other.workspace_);
+    stale_ = std::exchange(other.stale_, true);
+    return *this;
+}
+
+Workspace& WorkspaceHolder::get() {
+    if (workspace_ == nullptr) workspace_ = std::make_unique<Workspace>();
+    return *workspace_;
+}
+
+}  // namespace plumb::physics
