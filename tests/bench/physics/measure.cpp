@@ -1,0 +1,178 @@
+#include "tests/bench/physics/measure.hpp"
+
+#include <algorithm>
+#include <cstdio>
+#include <numeric>
+
+#include "core/clock.hpp"
+
+namespace plumb::scenes {
+
+namespace {
+
+constexpr int kContactSample = 16;  // steps between two counts of contacts
+constexpr double kLeastTime = 0.3;  // s: small scenes run until they have used it
+constexpr int kMostRuns = 200;
+constexpr double kMilliseconds = 1e3;
+
+/// One contender with what it has shown so far.
+struct Lane {
+    Contender contender;
+    Measurement measurement;
+    std::vector<double> best;  ///< s per step, by sample
+    double seconds = 0.0;      ///< spent
+    int runs = 0;
+    std::vector<double> samples;  ///< of the run in progress
+};
+
+int stepsOf(const Scene& scene, const MeasureOptions& options) {
+    const int steps = options.steps > 0 ? std::min(options.steps, scene.steps) : scene.steps;
+    return std::max(steps / scene.batch, 1) * scene.batch;
+}
+
+/// Contacts, where counting them costs none of the time that is measured.
+class ContactMean {
+public:
+    void look(const SceneBuilder& world, int step) {
+        if (step < next_) return;
+        next_ = step + kContactSample;
+        sum_ += static_cast<double>(world.contactCount());
+        ++count_;
+    }
+    [[nodiscard]] double mean() const { return count_ > 0 ? sum_ / count_ : 0.0; }
+
+private:
+    int next_ = 0;
+    int count_ = 0;
+    double sum_ = 0.0;
+};
+
+void judge(Lane& lane, const SceneBuilder& world, double contacts) {
+    Measurement& result = lane.measurement;
+    result.contacts = contacts;
+    result.lastContacts = world.contactCount();
+    const auto bodies = world.bodies();
+    result.bodies = static_cast<std::size_t>(
+        std::count_if(bodies.begin(), bodies.end(), [](const auto& body) { return body.alive; }));
+    result.error = errorOf(world);
+}
+
+void keepStages(Lane& lane, const SceneBuilder& world, int steps) {
+    std::vector<Profile::Zone> stages = world.stages();
+    for (Profile::Zone& zone : stages) zone.seconds *= kMilliseconds / steps;
+    if (!stages.empty()) lane.measurement.stages = std::move(stages);
+}
+
+/// @return whether the engine has all that the scene needs
+bool runOnce(const Scene& scene, Lane& lane, int steps, bool profiled) {
+    const double opened = wallSeconds();
+    const std::unique_ptr<SceneBuilder> world =
+        lane.contender.engine->open({.gravity = scene.gravity,
+                                     .sleeping = scene.sleeping,
+                                     .threads = lane.contender.threads,
+                                     .profiled = profiled});
+    const BeforeStep before = scene.build(*world, scene.size);
+    if (before && world->missing().empty()) before(*world, 0);  // may be what asks for a feature first
+    if (!world->missing().empty()) {
+        lane.measurement.missing = world->missing();
+        return false;
+    }
+    world->finish();
+    for (int i = 0; i < scene.warmUp; ++i) world->step(kStep);
+    lane.samples.clear();
+    ContactMean contacts;
+    for (int step = 0; step < steps; step += scene.batch) {
+        const double start = wallSeconds();
+        for (int i = step; i < step + scene.batch; ++i) {
+            if (before && i > 0) before(*world, i);
+            world->step(kStep);
+        }
+        lane.samples.push_back((wallSeconds() - start) / scene.batch);
+        contacts.look(*world, step);
+    }
+    if (lane.runs == 0) judge(lane, *world, contacts.mean());
+    keepStages(lane, *world, steps);
+    lane.seconds += wallSeconds() - opened;
+    return true;
+}
+
+double meanAfterFirst(const std::vector<double>& samples) {
+    if (samples.size() == 1) return samples.front();
+    return std::accumulate(samples.begin() + 1, samples.end(), 0.0) / static_cast<double>(samples.size() - 1);
+}
+
+void keepBest(Lane& lane) {
+    Measurement& result = lane.measurement;
+    const double mean = meanAfterFirst(lane.samples) * kMilliseconds;
+    if (lane.runs == 0) {
+        lane.best = lane.samples;
+        result.msPerStep = mean;
+    }
+    result.msPerStep = std::min(result.msPerStep, mean);
+    for (std::size_t i = 0; i < lane.best.size(); ++i) lane.best[i] = std::min(lane.best[i], lane.samples[i]);
+    ++lane.runs;
+}
+
+void conclude(Lane& lane) {
+    Measurement& result = lane.measurement;
+    if (lane.best.empty()) return;
+    result.firstMs = lane.best.front() * kMilliseconds;
+    result.quietMs = meanAfterFirst(lane.best) * kMilliseconds;
+    std::vector<double> sorted = lane.best;
+    std::sort(sorted.begin(), sorted.end());
+    result.medianMs = sorted[sorted.size() / 2] * kMilliseconds;
+}
+
+bool wantsMore(const Lane& lane, const MeasureOptions& options) {
+    if (!lane.measurement.missing.empty()) return false;
+    if (lane.runs == 0) return true;
+    if (lane.seconds > options.patience || lane.runs >= kMostRuns) return false;
+    return lane.runs < options.runs || (options.runs > 1 && lane.seconds < kLeastTime);
+}
+
+void announce(const Scene& scene, const Lane& lane) {
+    std::fprintf(stderr, "\r\033[K%s: %s, %d thread(s), run %d", scene.name.c_str(),
+                 lane.contender.engine->name.c_str(), lane.contender.threads, lane.runs + 1);
+    std::fflush(stderr);
+}
+
+}  // namespace
+
+std::vector<Measurement> measure(const Scene& scene, std::span<const Contender> contenders,
+                                 const MeasureOptions& options) {
+    const int steps = stepsOf(scene, options);
+    std::vector<Lane> lanes;
+    for (const Contender& contender : contenders) {
+        lanes.push_back({contender});
+        Measurement& result = lanes.back().measurement;
+        result.scene = scene.name;
+        result.engine = contender.engine->name;
+        result.threads = contender.threads;
+        result.size = scene.size;
+        result.steps = steps;
+    }
+    for (bool busy = true; busy;) {
+        busy = false;
+        for (Lane& lane : lanes) {
+            if (!wantsMore(lane, options)) continue;
+            if (options.loud) announce(scene, lane);
+            if (runOnce(scene, lane, steps, false)) keepBest(lane);
+            busy = true;
+        }
+    }
+    for (Lane& lane : lanes) {
+        if (!options.stages || !lane.contender.engine->profiles || !lane.measurement.missing.empty())
+            continue;
+        if (options.loud) announce(scene, lane);
+        static_cast<void>(runOnce(scene, lane, steps, true));
+    }
+    if (options.loud) std::fprintf(stderr, "\r\033[K");
+    std::vector<Measurement> results;
+    for (Lane& lane : lanes) {
+        conclude(lane);
+        results.push_back(std::move(lane.measurement));
+    }
+    return results;
+}
+
+}  // namespace plumb::scenes

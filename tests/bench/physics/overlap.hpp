@@ -1,0 +1,35 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+
+#include "tests/bench/physics/scene_builder.hpp"
+
+namespace plumb::scenes {
+
+struct Point {
+    double x = 0.0;
+    double y = 0.0;
+};
+
+/// An outline where its body is, in double precision.
+struct PlacedOutline {
+    std::array<Point, 8> points;
+    std::uint8_t count = 0;
+    bool oneSided = false;
+    double radius = 0.0;
+    Point low;  ///< of its bounds
+    Point high;
+
+    [[nodiscard]] std::span<const Point> corners() const { return {points.data(), count}; }
+};
+
+PlacedOutline place(const Outline& outline, const Pose& pose);
+
+/// How deep two outlines are in each other: the shortest way that parts them. 0 when they are apart.
+/// Shares no line with any engine: it is what they are judged by.
+/// @return m
+double overlapOf(const PlacedOutline& a, const PlacedOutline& b);
+
+}  // namespace plumb::scenes

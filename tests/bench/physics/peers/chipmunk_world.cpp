@@ -1,0 +1,195 @@
+#include <chipmunk/chipmunk.h>
+#include <cmath>
+#include <deque>
+
+#include "math/portable.hpp"
+#include "tests/bench/physics/peers/peers.hpp"
+
+namespace plumb::scenes {
+
+namespace {
+
+constexpr int kIterations = 10;
+constexpr double kSlop = 0.005;     // m; its default is meant for pixels
+constexpr double kSleepTime = 0.5;  // s
+
+cpVect toPeer(Vec2 v) { return {static_cast<double>(v.x), static_cast<double>(v.y)}; }
+
+/// Moves a body whose user data is its drag.
+void dragAlong(cpBody* body, cpVect gravity, cpFloat damping, cpFloat dt) {
+    const double drag = *static_cast<const double*>(cpBodyGetUserData(body));
+    cpBodyUpdateVelocity(body, gravity, damping * (1.0 - drag * dt), dt);
+}
+
+/// Counts each touching pair twice: from both bodies, or at once where the other body is not asked.
+void countArbiter(cpBody* body, cpArbiter* arbiter, void* count) {
+    cpBody* a = nullptr;
+    cpBody* b = nullptr;
+    cpArbiterGetBodies(arbiter, &a, &b);
+    const bool alone = cpBodyGetType(a == body ? b : a) != CP_BODY_TYPE_DYNAMIC;
+    *static_cast<std::size_t*>(count) += alone ? 2 : 1;
+}
+
+class ChipmunkWorld final : public SceneBuilder {
+public:
+    explicit ChipmunkWorld(const WorldSetup& setup) : space_{cpSpaceNew()} {
+        cpSpaceSetIterations(space_, kIterations);
+        cpSpaceSetGravity(space_, toPeer(setup.gravity));
+        cpSpaceSetCollisionSlop(space_, kSlop);
+        if (setup.sleeping) cpSpaceSetSleepTimeThreshold(space_, kSleepTime);
+    }
+    ~ChipmunkWorld() override {
+        for (std::uint32_t i = 0; i < parts_.size(); ++i) dropBody({i});
+        for (cpConstraint* constraint : retired_) cpConstraintFree(constraint);
+        cpSpaceFree(space_);
+    }
+
+    void moveTo(BodyHandle body, Vec2 position, float dt) override {
+        const cpVect way = cpvsub(toPeer(position), cpBodyGetPosition(at(body)));
+        cpBodySetVelocity(at(body), cpvmult(way, 1.0 / static_cast<double>(dt)));
+    }
+    void finish() override {
+        for (const BodyHandle body : sleepers_) cpBodySleep(at(body));
+    }
+    void step(float dt) override { cpSpaceStep(space_, static_cast<double>(dt)); }
+
+    [[nodiscard]] Pose poseOf(BodyHandle body) const override {
+        const cpVect place = cpBodyGetPosition(at(body));
+        const cpVect turn = cpBodyGetRotation(at(body));
+        return {place.x, place.y, turn.x, turn.y};
+    }
+    /// It drops pairs that do not touch, so these are fewer than others hold.
+    [[nodiscard]] std::size_t contactCount() const override {
+        std::size_t count = 0;
+        for (std::uint32_t i = 0; i < parts_.size(); ++i) {
+            if (alive({i}) && isDynamic({i})) cpBodyEachArbiter(at({i}), &countArbiter, &count);
+        }
+        return count / 2;
+    }
+
+protected:
+    void makeBody(BodyHandle body, const BodySetup& setup) override {
+        cpBody* made = setup.motion == Motion::Static      ? cpBodyNewStatic()
+                       : setup.motion == Motion::Kinematic ? cpBodyNewKinematic()
+                                                           : cpBodyNew(0.0, 0.0);
+        cpSpaceAddBody(space_, made);
+        cpBodySetPosition(made, toPeer(setup.position));
+        if (setup.motion != Motion::Static) {
+            cpBodySetVelocity(made, toPeer(setup.velocity));
+            cpBodySetAngularVelocity(made, static_cast<double>(setup.spin));
+        }
+        if (setup.drag > 0.0f) {
+            drags_.push_back(static_cast<double>(setup.drag));
+            cpBodySetUserData(made, &drags_.back());
+            cpBodySetVelocityUpdateFunc(made, &dragAlong);
+        }
+        parts_.push_back({made, {}, {}});
+        if (!setup.awake) sleepers_.push_back(body);
+    }
+    void makeShape(BodyHandle body, const Outline& outline, const Material& material) override {
+        const auto radius = static_cast<double>(outline.radius);
+        const cpVect first = toPeer(outline.points[0]);
+        const cpVect second = toPeer(outline.points[1]);
+        switch (outline.kind) {
+            case OutlineKind::Circle: return add(body, cpCircleShapeNew(at(body), radius, first), material);
+            case OutlineKind::Capsule:
+            case OutlineKind::Segment:
+            case OutlineKind::ChainSegment:
+                return add(body, cpSegmentShapeNew(at(body), first, second, radius), material);
+            case OutlineKind::Box:
+            case OutlineKind::Polygon: {
+                cpVect points[8];
+                for (std::size_t i = 0; i < outline.count; ++i) points[i] = toPeer(outline.points[i]);
+                return add(body, cpPolyShapeNewRaw(at(body), outline.count, points, radius), material);
+            }
+        }
+    }
+    void makeLoop(BodyHandle body, std::span<const Vec2> points, const Material& material) override {
+        const auto point = [points](std::size_t i) { return toPeer(points[i % points.size()]); };
+        for (std::size_t i = 0; i < points.size(); ++i) {
+            cpShape* shape = cpSegmentShapeNew(at(body), point(i), point(i + 1), 0.0);
+            cpSegmentShapeSetNeighbors(shape, point(i + points.size() - 1), point(i + 2));
+            add(body, shape, material);
+        }
+    }
+    void makeHinge(const Hinge& hinge) override {
+        cpBody* a = at(hinge.a);
+        cpBody* b = at(hinge.b);
+        // It ends the program when neither can be moved.
+        if (!isDynamic(hinge.a) && !isDynamic(hinge.b)) return;
+        const auto reference = static_cast<double>(hinge.reference);
+        join(hinge, cpPivotJointNew2(a, b, toPeer(hinge.anchorA), toPeer(hinge.anchorB)));
+        if (hinge.limited)
+            join(hinge, cpRotaryLimitJointNew(a, b, reference + static_cast<double>(hinge.lower),
+                                              reference + static_cast<double>(hinge.upper)));
+        if (hinge.driven) {
+            cpConstraint* motor = cpSimpleMotorNew(a, b, -static_cast<double>(hinge.speed));
+            cpConstraintSetMaxForce(motor, static_cast<double>(hinge.maxTorque));
+            join(hinge, motor);
+        }
+        if (hinge.sprung) {
+            const double rate = static_cast<double>(kTau * hinge.hertz);
+            const double inertia = 1.0 / (1.0 / cpBodyGetMoment(a) + 1.0 / cpBodyGetMoment(b));
+            join(hinge,
+                 cpDampedRotarySpringNew(a, b, -reference, inertia * rate * rate,
+                                         2.0 * static_cast<double>(hinge.dampingRatio) * inertia * rate));
+        }
+    }
+    void dropBody(BodyHandle body) override {
+        Parts& parts = parts_[body.index];
+        if (parts.body == nullptr) return;
+        for (cpConstraint* constraint : parts.constraints) {
+            if (!cpSpaceContainsConstraint(space_, constraint)) continue;
+            cpSpaceRemoveConstraint(space_, constraint);
+            retired_.push_back(constraint);
+        }
+        for (cpShape* shape : parts.shapes) {
+            cpSpaceRemoveShape(space_, shape);
+            cpShapeFree(shape);
+        }
+        cpSpaceRemoveBody(space_, parts.body);
+        cpBodyFree(parts.body);
+        parts = {};
+    }
+
+private:
+    struct Parts {
+        cpBody* body = nullptr;
+        std::vector<cpShape*> shapes;
+        std::vector<cpConstraint*> constraints;  ///< also known to the other body
+    };
+
+    [[nodiscard]] cpBody* at(BodyHandle body) const { return parts_[body.index].body; }
+    void add(BodyHandle body, cpShape* shape, const Material& material) {
+        if (isDynamic(body)) cpShapeSetDensity(shape, static_cast<double>(material.density));
+        // It multiplies the friction of two shapes where the scenes mean the root of the product.
+        cpShapeSetFriction(shape, std::sqrt(static_cast<double>(material.friction)));
+        cpShapeSetElasticity(shape, std::sqrt(static_cast<double>(material.bounciness)));
+        // Its groups only part, as those below 0 of the scenes do.
+        cpShapeSetFilter(shape, {static_cast<cpGroup>(-material.group), material.layers, material.mask});
+        cpSpaceAddShape(space_, shape);
+        parts_[body.index].shapes.push_back(shape);
+    }
+    void join(const Hinge& hinge, cpConstraint* constraint) {
+        cpConstraintSetCollideBodies(constraint, cpFalse);
+        cpSpaceAddConstraint(space_, constraint);
+        parts_[hinge.a.index].constraints.push_back(constraint);
+        parts_[hinge.b.index].constraints.push_back(constraint);
+    }
+
+    cpSpace* space_;
+    std::vector<Parts> parts_;
+    std::deque<double> drags_;
+    std::vector<BodyHandle> sleepers_;
+    std::vector<cpConstraint*> retired_;  ///< out of the space; the second body still has their address
+};
+
+}  // namespace
+
+Engine chipmunkEngine() {
+    return {.name = "chipmunk-7", .open = [](const WorldSetup& setup) -> std::unique_ptr<SceneBuilder> {
+                return std::make_unique<ChipmunkWorld>(setup);
+            }};
+}
+
+}  // namespace plumb::scenes

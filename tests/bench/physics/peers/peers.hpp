@@ -1,0 +1,16 @@
+#pragma once
+
+#include <vector>
+
+#include "tests/bench/physics/measure.hpp"
+
+namespace plumb::scenes {
+
+/// The engines of other houses that were found on this machine when this was built.
+std::vector<Engine> peerEngines();
+
+Engine box2dEngine();         ///< Box2D 2.4, 8 velocity and 3 position iterations
+Engine box2dUnsweptEngine();  ///< the same without continuous collision
+Engine chipmunkEngine();      ///< Chipmunk 7, 10 iterations
+
+}  // namespace plumb::scenes

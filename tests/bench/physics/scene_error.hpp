@@ -1,0 +1,23 @@
+#pragma once
+
+#include "tests/bench/physics/scene_builder.hpp"
+
+namespace plumb::scenes {
+
+/// How far a world is from what its shapes and joints say.
+struct SceneError {
+    double maxPenetration = 0.0;   ///< m
+    double meanPenetration = 0.0;  ///< m, of the pairs that overlap by more than kNoticed
+    std::size_t overlaps = 0;
+    double maxJointError = 0.0;  ///< m between two points that should be one
+    double meanJointError = 0.0;
+    bool finite = true;  ///< no position is NaN or infinite
+};
+
+/// Less is rounding of positions 100 m from the origin.
+inline constexpr double kNoticed = 2e-5;  // m
+
+/// Exact overlaps of all pairs of shapes that should not overlap, from the positions read back.
+SceneError errorOf(const SceneBuilder& world);
+
+}  // namespace plumb::scenes

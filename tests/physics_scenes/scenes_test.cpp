@@ -1,0 +1,162 @@
+#include "tests/bench/physics/scenes.hpp"
+
+#include <cmath>
+#include <map>
+
+#include <gtest/gtest.h>
+
+#include "tests/bench/physics/report.hpp"
+#include "tests/bench/physics/scene_error.hpp"
+
+namespace plumb::scenes {
+namespace {
+
+/// An engine that does nothing: what is built can be counted, and stays where it was put.
+class StillWorld final : public SceneBuilder {
+public:
+    void moveTo(BodyHandle, Vec2, float) override {}
+    void step(float) override {}
+    [[nodiscard]] Pose poseOf(BodyHandle body) const override { return poses_[body.index]; }
+    [[nodiscard]] std::size_t contactCount() const override { return 0; }
+
+protected:
+    void makeBody(BodyHandle, const BodySetup& setup) override {
+        poses_.push_back({static_cast<double>(setup.position.x), static_cast<double>(setup.position.y)});
+    }
+    void makeShape(BodyHandle, const Outline&, const Material&) override {}
+    void makeLoop(BodyHandle, std::span<const Vec2>, const Material&) override {}
+    void makeHinge(const Hinge&) override {}
+    void dropBody(BodyHandle) override {}
+
+private:
+    std::vector<Pose> poses_;
+};
+
+struct Counts {
+    std::size_t bodies = 0;
+    std::size_t dynamic = 0;
+    std::size_t shapes = 0;
+    std::size_t hinges = 0;
+    friend bool operator==(const Counts&, const Counts&) = default;
+};
+
+void PrintTo(const Counts& counts, std::ostream* out) {
+    *out << counts.bodies << " bodies, " << counts.dynamic << " dynamic, " << counts.shapes << " shapes, "
+         << counts.hinges << " hinges";
+}
+
+Counts countsOf(const SceneBuilder& world) {
+    Counts counts;
+    for (const auto& body : world.bodies()) {
+        counts.bodies += body.alive ? 1 : 0;
+        counts.dynamic += body.alive && body.motion == Motion::Dynamic ? 1 : 0;
+    }
+    for (const auto& shape : world.shapes()) counts.shapes += world.alive(shape.body) ? 1 : 0;
+    for (const auto& hinge : world.hinges())
+        counts.hinges += world.alive(hinge.a) && world.alive(hinge.b) ? 1 : 0;
+    return counts;
+}
+
+void play(const Scene& scene, SceneBuilder& world, int steps) {
+    const BeforeStep before = scene.build(world, scene.size);
+    for (int step = 0; step < steps && before; ++step) before(world, step);
+}
+
+// The published counts of the ten scenes, for the populations after all their steps.
+TEST(Scenes, theTenHaveTheBodiesShapesAndJointsTheyArePublishedWith) {
+    const std::map<std::string, Counts> published{{"joint_grid", {10000, 9993, 10000, 19800}},
+                                                  {"large_pyramid", {5051, 5050, 5051, 0}},
+                                                  {"many_pyramids", {22001, 22000, 22020, 0}},
+                                                  {"rain", {11001, 11000, 15505, 10000}},
+                                                  {"smash", {9601, 9601, 9601, 0}},
+                                                  {"spinner", {6078, 6077, 6437, 1}},
+                                                  {"tumbler", {2027, 2026, 2029, 1}},
+                                                  {"washer", {8102, 8100, 8140, 0}},
+                                                  {"junkyard", {8002, 8000, 8262, 0}},
+                                                  {"compounds", {3001, 3000, 6282, 0}}};
+    for (const auto& [name, counts] : published) {
+        SCOPED_TRACE(name);
+        const Scene* scene = findScene(name);
+        ASSERT_NE(scene, nullptr);
+        StillWorld world;
+        play(*scene, world, scene->steps);
+        EXPECT_EQ(countsOf(world), counts);
+    }
+}
+
+TEST(Scenes, allHaveANameOfTheirOwn) {
+    std::map<std::string, int> names;
+    for (const Scene& scene : allScenes()) ++names[scene.name];
+
+    for (const auto& [name, count] : names) EXPECT_EQ(count, 1) << name;
+    EXPECT_GE(names.size(), 30u);
+}
+
+TEST(Scenes, thoseThatScaleHaveAsManyDynamicBodiesAsTheySay) {
+    for (const Scene& scene : allScenes()) {
+        if (scene.group != SceneGroup::Scaling || scene.size > 10000) continue;
+        SCOPED_TRACE(scene.name);
+        StillWorld world;
+        play(scene, world, 1);
+        EXPECT_EQ(countsOf(world).dynamic, static_cast<std::size_t>(scene.size));
+    }
+}
+
+// Stacks start exactly upon each other and grids exactly joined; an error here would be blamed on engines.
+TEST(Scenes, whatIsStackedOrJoinedStartsWithoutError) {
+    for (const char* name : {"joint_grid", "large_pyramid", "many_pyramids", "tumbler", "washer", "pile500",
+                             "stacks200", "boxes20", "boxes_clustered_1000", "circles_uniform_1000"}) {
+        SCOPED_TRACE(name);
+        const Scene* scene = findScene(name);
+        ASSERT_NE(scene, nullptr);
+        StillWorld world;
+        play(*scene, world, 1);
+        const SceneError error = errorOf(world);
+        EXPECT_LE(error.maxPenetration, kNoticed);
+        EXPECT_LE(error.maxJointError, 1e-5);
+    }
+}
+
+TEST(Scenes, aFallingRagdollIsBuiltWithItsJointsClosed) {
+    StillWorld world;
+    play(*findScene("rain"), world, 1);
+
+    EXPECT_EQ(countsOf(world).hinges, 250u);
+    EXPECT_LE(errorOf(world).maxJointError, 2e-5);  // floats 220 m above the origin
+}
+
+TEST(SceneError, seesAnOverlapAnOpenJointAndANumberThatIsNone) {
+    StillWorld world;
+    const BodyHandle a = world.createBody({});
+    const BodyHandle b = world.createBody({.position = {0.9f, 0.0f}});
+    world.addShape(a, box({0.5f, 0.5f}));
+    world.addShape(b, box({0.5f, 0.5f}));
+
+    SceneError error = errorOf(world);
+    EXPECT_NEAR(error.maxPenetration, 0.1, 1e-6);
+    EXPECT_EQ(error.overlaps, 1u);
+
+    world.addHinge({.a = a, .b = b, .anchorA = {0.5f, 0.0f}, .anchorB = {-0.5f, 0.3f}});
+    error = errorOf(world);
+    EXPECT_EQ(error.overlaps, 0u);  // joined bodies may overlap
+    EXPECT_NEAR(error.maxJointError, std::hypot(0.1, 0.3), 1e-6);
+
+    world.createBody({.position = {NAN, 0.0f}});
+    EXPECT_FALSE(errorOf(world).finite);
+}
+
+TEST(Report, theExponentOfAPowerLawIsItsPower) {
+    for (const double power : {0.5, 1.0, 1.07, 2.0}) {
+        std::vector<Measurement> rows;
+        for (const int size : {100, 1000, 10000, 100000}) {
+            Measurement row;
+            row.size = size;
+            row.quietMs = 0.003 * std::pow(size, power);
+            rows.push_back(row);
+        }
+        EXPECT_NEAR(exponentOf(rows), power, 1e-9);
+    }
+}
+
+}  // namespace
+}  // namespace plumb::scenes
