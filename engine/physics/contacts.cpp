@@ -11,10 +11,6 @@ namespace plumb::physics {
 
 namespace {
 
-/// Part of the slop by which two bodies may move along each other before their points are found anew. Points
-/// that stay the same points are what makes high stacks stand still.
-constexpr float kRecycle = 0.1f;
-
 bool overlap(const AABB& a, const AABB& b) {
     return a.max.x >= b.min.x && a.min.x <= b.max.x && a.max.y >= b.min.y && a.min.y <= b.max.y;
 }
@@ -49,7 +45,9 @@ bool hardlyMoved(const Contact& contact, const Encounter& now, float tolerance) 
 /// Takes the points along. @return false when they have to be found anew
 bool recycle(Contact& contact, const Encounter& now, const Settings& settings) {
     if ((contact.flags & (kTouching | kRound)) != kTouching) return false;
-    if (!hardlyMoved(contact, now, kRecycle * settings.slop)) return false;
+    // One point says little of what comes next: a second one may be about to touch.
+    const float tolerance = contact.count == 2 ? settings.recycleDistance : 0.05f * settings.recycleDistance;
+    if (!hardlyMoved(contact, now, tolerance)) return false;
     const float separation0 = separationOf(now, contact.anchors[0], contact.normalInA);
     if (separation0 > settings.slop) return false;
     contact.normal = rotate(now.turnA, contact.normalInA);
@@ -180,6 +178,14 @@ bool updateContact(const World& world, Contact& contact, DetectionCounts& counts
     ++counts.touching;
     takeManifold(world, contact, manifold, now);
     return true;
+}
+
+std::uint16_t keyOf(const Contact& contact) {
+    const bool pushes =
+        (contact.flags & (kTouching | kTriggered | kDisabled)) == kTouching && contact.colour <= kOverflow;
+    return static_cast<std::uint16_t>((pushes ? contact.colour : kKeyIdle) |
+                                      ((contact.flags & kFixedA) != 0 ? kKeyFixed : 0) |
+                                      ((contact.flags & kBegan) != 0 ? kKeyBegan : 0));
 }
 
 ContactEvent eventOf(const World& world, const Contact& contact, ContactPhase phase) {

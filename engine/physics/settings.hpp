@@ -43,6 +43,9 @@ struct Settings {
     float slop = 0.005f;
     /// m: nearer than this two shapes have a contact, though they do not touch yet.
     float speculativeDistance = 0.02f;
+    /// m: two touching bodies keep the points where they touch until they have moved by this along each other.
+    /// Smaller finds points anew more often, which costs time and lets high stacks tremble.
+    float recycleDistance = 0.01f;
     /// m: bounds are this much larger than shapes, so that few movements leave them; at most an eighth
     /// of a shape's size. Larger: fewer searches, more pairs.
     float boundsMargin = 0.05f;

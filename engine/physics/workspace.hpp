@@ -50,6 +50,16 @@ struct DetectionCounts {
     }
 };
 
+/// What the later stages need to know of a contact to pass it by.
+enum ContactKey : std::uint16_t {
+    kKeyColour = 63,   ///< its colour, if it pushes
+    kKeyIdle = 63,     ///< as a colour: it does not push
+    kKeyFixed = 64,    ///< A cannot be pushed
+    kKeyBegan = 128    ///< in this step
+};
+
+std::uint16_t keyOf(const Contact& contact);
+
 /// How many contacts a colour of a group has.
 struct Cursor {
     std::int32_t contacts = 0;
@@ -69,6 +79,7 @@ struct Workspace {
     std::vector<std::uint32_t> colourMasks;  ///< by body: which colours its constraints have
 
     // Of the step.
+    std::vector<std::uint16_t> contactKeys;  ///< by contact: bits of ContactKey, so that few have to be looked at
     std::vector<std::vector<std::uint32_t>> changedContacts;  ///< by piece: began, ended, or gone
     std::vector<DetectionCounts> countsOfPiece;
     std::vector<std::int32_t> slots;    ///< by body; -1 for what is not solved

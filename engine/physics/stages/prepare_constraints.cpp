@@ -8,16 +8,10 @@ namespace {
 
 constexpr int kGrain = 32;  // blocks
 
-/// Group and colour of a contact, or -1 for one that does not push in this step.
-int keyOf(const Workspace& work, const Contact& contact) {
-    constexpr int kPushes = kTouching;
-    if ((contact.flags & (kTouching | kTriggered | kDisabled)) != kPushes || contact.colour > kOverflow)
-        return -1;
-    const int group = work.groups.size() == 1 ? 0 : work.groupOf[contact.bodyB];
-    return group * (kColours + 1) + contact.colour;
+/// The group that a contact is solved in.
+std::size_t groupOf(const World& world, const Workspace& work, std::size_t contact) {
+    return work.groups.size() == 1 ? 0 : work.groupOf[world.contacts[contact].bodyB];
 }
-
-bool isFixed(const Contact& contact) { return (contact.flags & kFixedA) != 0; }
 
 std::int32_t blocksFor(std::int32_t contacts, int colour) {
     return colour == kOverflow ? contacts : (contacts + kLanes - 1) / kLanes;
@@ -51,32 +45,37 @@ void putIn(std::vector<BlockLanes>& lanes, std::int32_t begin, std::int32_t& num
     target.count = lane + 1;
 }
 
+template <class Act>
+void forPushing(const World& world, const Workspace& work, Act&& act) {
+    for (std::size_t i = 0; i < work.contactKeys.size(); ++i) {
+        const int key = work.contactKeys[i], colour = key & kKeyColour;
+        if (colour == kKeyIdle) continue;
+        act(groupOf(world, work, i), colour, (key & kKeyFixed) != 0, static_cast<std::int32_t>(i));
+    }
+}
+
 /// Which contacts are solved together.
 void fillLanes(World& world, Workspace& work) {
     std::vector<Cursor>& cursors = work.cursors;
     cursors.assign(work.groups.size() * (kColours + 1), {});
-    for (const Contact& contact : world.contacts) {
-        if (const int key = keyOf(work, contact); key >= 0) {
-            ++(isFixed(contact) ? cursors[static_cast<std::size_t>(key)].fixed
-                                : cursors[static_cast<std::size_t>(key)].contacts);
-        }
-    }
+    const auto cursorOf = [&](std::size_t group, int colour) -> Cursor& {
+        return cursors[group * (kColours + 1) + static_cast<std::size_t>(colour)];
+    };
+    forPushing(world, work, [&](std::size_t group, int colour, bool fixed, std::int32_t) {
+        Cursor& cursor = cursorOf(group, colour);
+        ++(fixed ? cursor.fixed : cursor.contacts);
+    });
     layOut(work, cursors);
     std::fill(cursors.begin(), cursors.end(), Cursor{});
-    for (std::size_t i = 0; i < world.contacts.size(); ++i) {
-        const Contact& contact = world.contacts[i];
-        const int key = keyOf(work, contact);
-        if (key < 0) continue;
-        const int colour = key % (kColours + 1);
-        const ColourBlocks& blocks =
-            work.groups[static_cast<std::size_t>(key / (kColours + 1))].colours[colour];
-        Cursor& cursor = cursors[static_cast<std::size_t>(key)];
-        if (isFixed(contact)) {
-            putIn(work.fixedLanes, blocks.fixedBegin, cursor.fixed, colour, static_cast<int>(i));
+    forPushing(world, work, [&](std::size_t group, int colour, bool fixed, std::int32_t contact) {
+        const ColourBlocks& blocks = work.groups[group].colours[colour];
+        Cursor& cursor = cursorOf(group, colour);
+        if (fixed) {
+            putIn(work.fixedLanes, blocks.fixedBegin, cursor.fixed, colour, contact);
         } else {
-            putIn(work.contactLanes, blocks.contactBegin, cursor.contacts, colour, static_cast<int>(i));
+            putIn(work.contactLanes, blocks.contactBegin, cursor.contacts, colour, contact);
         }
-    }
+    });
 }
 
 ContactSource sourceOf(const World& world, const Workspace& work) {

@@ -6,12 +6,13 @@ namespace plumb::physics {
 void publishEvents(StepContext& step) {
     World& world = step.world;
     const bool reports = world.manifest.runs(Effect::ContactEvents);
-    for (const Contact& contact : world.contacts) {
+    for (std::size_t i = 0; i < world.contacts.size(); ++i) {
+        const bool began = (step.work.contactKeys[i] & kKeyBegan) != 0;
+        if (!began && !world.settings.stayEvents) continue;
+        const Contact& contact = world.contacts[i];
         if ((contact.flags & kTouching) == 0) continue;
-        if ((contact.flags & kBegan) == 0 && !world.settings.stayEvents) continue;
         if ((contact.flags & kTriggered) == 0 && ((contact.flags & kReports) == 0 || !reports)) continue;
-        const ContactPhase phase = (contact.flags & kBegan) != 0 ? ContactPhase::Began : ContactPhase::Stayed;
-        world.events.push_back(eventOf(world, contact, phase));
+        world.events.push_back(eventOf(world, contact, began ? ContactPhase::Began : ContactPhase::Stayed));
     }
 }
 

@@ -28,6 +28,7 @@ void lookAtAll(StepContext& step) {
     if (work.countsOfPiece.size() < pieces) work.countsOfPiece.resize(pieces);
     for (std::vector<std::uint32_t>& list : work.changedContacts) list.clear();
     std::fill(work.countsOfPiece.begin(), work.countsOfPiece.end(), DetectionCounts{});
+    work.contactKeys.resize(world.contacts.size());
     const bool joined = std::exchange(world.partJoined, false);
     forPieces(step, count, kGrain, [&](int begin, int end, int piece) {
         std::vector<std::uint32_t>& changed = work.changedContacts[static_cast<std::size_t>(piece)];
@@ -40,6 +41,7 @@ void lookAtAll(StepContext& step) {
                 (joined && keptApart(world, contact.bodyA, contact.bodyB))) {
                 contact.flags |= kGone;
             } else if (touches(contact) == before) {
+                work.contactKeys[static_cast<std::size_t>(i)] = keyOf(contact);
                 continue;
             }
             changed.push_back(static_cast<std::uint32_t>(i));
@@ -97,6 +99,8 @@ void removeGone(World& world, Workspace& work) {
             work.pairs.remove(pairKey(contact.shapeA, contact.shapeB));
             contact = world.contacts.back();
             world.contacts.pop_back();
+            work.contactKeys[changed[i]] = work.contactKeys.back();
+            work.contactKeys.pop_back();
         }
     }
 }
@@ -140,7 +144,12 @@ void updateContacts(StepContext& step) {
             } else {
                 begin(world, work, i);
             }
+            work.contactKeys[i] = keyOf(world.contacts[i]);
         }
+    }
+    // Contacts of islands that were woken came in at the end.
+    for (std::size_t i = work.contactKeys.size(); i < world.contacts.size(); ++i) {
+        work.contactKeys.push_back(keyOf(world.contacts[i]));
     }
     removeGone(world, work);
 }
