@@ -183,7 +183,7 @@ bool updateContact(const World& world, Contact& contact, DetectionCounts& counts
 std::uint16_t keyOf(const Contact& contact) {
     const bool pushes =
         (contact.flags & (kTouching | kTriggered | kDisabled)) == kTouching && contact.colour <= kOverflow;
-    return static_cast<std::uint16_t>((pushes ? contact.colour : kKeyIdle) |
+    return static_cast<std::uint16_t>((pushes ? int{contact.colour} : int{kKeyIdle}) |
                                       ((contact.flags & kFixedA) != 0 ? kKeyFixed : 0) |
                                       ((contact.flags & kBegan) != 0 ? kKeyBegan : 0));
 }
