@@ -47,6 +47,7 @@ struct Corner {
 struct Geometry {
     ShapeKind kind = ShapeKind::Box;
     std::uint8_t count = 0;
+    std::uint16_t reserved = 0;  ///< no padding: the hash of a world reads the memory as it is
     std::uint32_t first = 0;
     float radius = 0.0f;
     Vec2 a;

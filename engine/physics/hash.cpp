@@ -1,0 +1,133 @@
+#include "core/hash.hpp"
+
+#include "physics/simulation.hpp"
+
+namespace plumb::physics {
+
+namespace {
+
+/// True when the members are all there is: no padding, whose bytes mean nothing, and no member forgotten.
+template <class T, class... Members>
+constexpr bool isDense(Members T::*...) {
+    return (sizeof(Members) + ...) == sizeof(T);
+}
+
+static_assert(isDense(&BodyPose::centre, &BodyPose::rotation, &BodyPose::localCentre));
+static_assert(isDense(&BodyMotion::velocity, &BodyMotion::angularVelocity, &BodyMotion::restTime));
+static_assert(isDense(&BodyMass::inverseMass, &BodyMass::inverseInertia, &BodyMass::mass,
+                      &BodyMass::inertia));
+static_assert(isDense(&BodyDrive::force, &BodyDrive::acceleration, &BodyDrive::torque,
+                      &BodyDrive::gravityScale, &BodyDrive::linearDrag, &BodyDrive::angularDrag));
+static_assert(isDense(&BodyInfo::generation, &BodyInfo::kind, &BodyInfo::flags, &BodyInfo::quality,
+                      &BodyInfo::reserved, &BodyInfo::firstShape, &BodyInfo::firstJoint, &BodyInfo::place,
+                      &BodyInfo::island, &BodyInfo::sleepSpeed, &BodyInfo::setMass, &BodyInfo::reach,
+                      &BodyInfo::core, &BodyInfo::user));
+static_assert(isDense(&Geometry::kind, &Geometry::count, &Geometry::reserved, &Geometry::first,
+                      &Geometry::radius, &Geometry::a, &Geometry::b, &Geometry::turn, &Geometry::before,
+                      &Geometry::after));
+static_assert(isDense(&Corner::point, &Corner::normal));
+static_assert(isDense(&AABB::min, &AABB::max));
+static_assert(isDense(&Filter::layers, &Filter::mask, &Filter::group, &Filter::body));
+static_assert(isDense(&ShapeInfo::generation, &ShapeInfo::body, &ShapeInfo::next, &ShapeInfo::flags,
+                      &ShapeInfo::reserved, &ShapeInfo::density, &ShapeInfo::friction, &ShapeInfo::bounciness,
+                      &ShapeInfo::rollingResistance, &ShapeInfo::surfaceSpeed, &ShapeInfo::margin,
+                      &ShapeInfo::oneWayDirection, &ShapeInfo::user));
+static_assert(isDense(&Contact::shapeA, &Contact::shapeB, &Contact::bodyA, &Contact::bodyB, &Contact::flags,
+                      &Contact::colour, &Contact::count, &Contact::bounciness, &Contact::rollingResistance,
+                      &Contact::surfaceSpeed, &Contact::normal, &Contact::friction, &Contact::frictionImpulse,
+                      &Contact::turn, &Contact::rollingImpulse, &Contact::ids, &Contact::anchors,
+                      &Contact::separation0, &Contact::impulse0, &Contact::separation1, &Contact::impulse1,
+                      &Contact::roundA, &Contact::roundB, &Contact::normalInA));
+static_assert(isDense(&Joint::bodyA, &Joint::bodyB, &Joint::anchorA, &Joint::anchorB, &Joint::kind,
+                      &Joint::flags, &Joint::colour, &Joint::quality, &Joint::generation,
+                      &Joint::pointImpulse, &Joint::angleImpulse, &Joint::springImpulse, &Joint::motorImpulse,
+                      &Joint::lowerImpulse, &Joint::upperImpulse, &Joint::nextA, &Joint::nextB,
+                      &Joint::place));
+static_assert(isDense(&SleepingIsland::firstBody, &SleepingIsland::firstContact));
+static_assert(isDense(&Manifest::callers, &Manifest::pinnedOn, &Manifest::pinnedOff));
+static_assert(isDense(&JointId::index, &JointId::generation));
+
+/// Adds values one by one: for types with padding.
+class Values {
+public:
+    explicit Values(LaneHasher& hash) : hash_{hash} {}
+
+    template <class... T>
+    void operator()(T... values) {
+        (hash_.add(bitsOf(values)), ...);
+    }
+
+private:
+    static std::uint64_t bitsOf(float value) { return std::bit_cast<std::uint32_t>(value); }
+    static std::uint64_t bitsOf(Vec2 value) { return bitsOf(value.x) << 32 | bitsOf(value.y); }
+    static std::uint64_t bitsOf(double value) { return std::bit_cast<std::uint64_t>(value); }
+    template <class Thing>
+    static std::uint64_t bitsOf(Id<Thing> id) {
+        return std::uint64_t{id.index} << 32 | id.generation;
+    }
+    template <class T>
+    requires std::is_integral_v<T> || std::is_enum_v<T>
+    static std::uint64_t bitsOf(T value) { return static_cast<std::uint64_t>(value); }
+
+    LaneHasher& hash_;
+};
+
+template <class T>
+void add(LaneHasher& hash, const std::vector<T>& values) {
+    hash.addBytes(values.data(), values.size() * sizeof(T));
+}
+
+template <class... T>
+void addAll(LaneHasher& hash, const std::vector<T>&... arrays) {
+    (add(hash, arrays), ...);
+}
+
+void add(LaneHasher& hash, const Settings& s) {
+    Values{hash}(s.gravity, s.solver, s.integrator, s.broadPhase, s.quality, s.iterations, s.automaticQuality,
+                 s.projectionIterations, s.contactStiffness, s.jointStiffness, s.contactDampingRatio,
+                 s.jointDampingRatio, s.pushSpeed, s.slop, s.speculativeDistance, s.boundsMargin,
+                 s.bounceSpeed, s.sleepTime, s.maxSpeed, s.continuous, s.sleeping, s.stayEvents);
+}
+
+void add(LaneHasher& hash, const JointDefinition& d) {
+    Values{hash}(d.kind, d.a, d.b, d.anchorA, d.anchorB, d.axis, d.referenceAngle, d.length, d.ratio,
+                 d.groundA, d.groundB, d.target.x, d.target.y, d.offset, d.jointA, d.jointB, d.limit.on,
+                 d.limit.lower, d.limit.upper, d.motor.on, d.motor.speed, d.motor.maxForce, d.spring.on,
+                 d.spring.hertz, d.spring.dampingRatio, d.spring.rest, d.maxForce, d.maxTorque, d.breakForce,
+                 d.breakTorque, d.hertz, d.dampingRatio, d.collideConnected, d.quality, d.user);
+}
+
+void add(LaneHasher& hash, const Shapes& shapes) {
+    addAll(hash, shapes.geometry, shapes.bounds, shapes.filter, shapes.motion, shapes.info, shapes.free,
+           shapes.dying, shapes.corners);
+    for (const std::vector<std::uint32_t>& free : shapes.freeCorners) add(hash, free);
+}
+
+void add(LaneHasher& hash, const Joints& joints) {
+    addAll(hash, joints.hot, joints.awake, joints.free);
+    for (const JointDefinition& definition : joints.definition) add(hash, definition);
+}
+
+}  // namespace
+
+std::uint64_t hashOf(const World& world) {
+    LaneHasher hash;
+    const Bodies& bodies = world.bodies;
+    const Sleepers& sleepers = world.sleepers;
+    add(hash, world.settings);
+    addAll(hash, bodies.pose, bodies.motion, bodies.mass, bodies.drive, bodies.info, bodies.free,
+           bodies.dying);
+    add(hash, world.shapes);
+    add(hash, world.joints);
+    addAll(hash, world.awake, world.moved, world.contacts);
+    addAll(hash, sleepers.islands, sleepers.freeIslands, sleepers.contacts, sleepers.nextContact,
+           sleepers.freeContacts, sleepers.nextBody, sleepers.islandOf);
+    // Events are of the step before: nothing follows from them.
+    Values{hash}(world.qualityCallers, world.newJoints, world.partJoined, world.islandsStale, world.steps);
+    hash.addBytes(&world.manifest, sizeof world.manifest);
+    return hash.value();
+}
+
+void addTo(Hasher& hasher, const World& world) { hasher.add(hashOf(world)); }
+
+}  // namespace plumb::physics
