@@ -12,7 +12,10 @@ namespace plumb {
 namespace {
 
 #if defined(__x86_64__) && defined(__GNUC__)
-bool cpuHasAvx2() { return __builtin_cpu_supports("avx2") != 0; }
+bool cpuHasAvx2() {
+    return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("bmi") &&
+           __builtin_cpu_supports("popcnt");
+}
 #elif defined(_MSC_VER) && defined(_M_X64)
 bool cpuHasAvx2() {
     int words[4];
@@ -20,7 +23,7 @@ bool cpuHasAvx2() {
     constexpr int kAvxAndItsSwitch = 1 << 28 | 1 << 27;  // OSXSAVE: the system may keep the wide registers
     if ((words[2] & kAvxAndItsSwitch) != kAvxAndItsSwitch || (_xgetbv(0) & 6) != 6) return false;
     __cpuidex(words, 7, 0);
-    return (words[1] & 1 << 5) != 0;
+    return (words[1] & (1 << 5 | 1 << 3)) == (1 << 5 | 1 << 3);
 }
 #else
 bool cpuHasAvx2() { return false; }

@@ -8,7 +8,7 @@ namespace plumb {
 enum class SimdWidth : std::uint8_t {
     Scalar,
     Sse2,  ///< x86, 4 floats; every 64-bit x86 has it
-    Avx2,  ///< x86, 8 floats
+    Avx2,  ///< x86, 8 floats; with the bit counting (BMI, POPCNT) that came with it
     Neon   ///< Arm, 4 floats
 };
 

@@ -2,12 +2,38 @@
 
 #include <array>
 
+#include "physics/broadphase/tree.hpp"
+#include "physics/broadphase/tree_search.hpp"
+
 namespace plumb::physics {
 
-std::string_view nameOf(BroadPhaseKind kind) {
-    constexpr std::array<std::string_view, static_cast<std::size_t>(BroadPhaseKind::Count)> kNames{
-        "tree", "grid", "sweep and prune", "quadtree"};
-    return kNames[static_cast<std::size_t>(kind)];
+namespace {
+
+struct Kind {
+    std::string_view name;
+    std::unique_ptr<BroadPhase> (*make)();
+};
+
+std::unique_ptr<BroadPhase> makeTree() {
+    return std::make_unique<TreeBroadPhase>(treeSearchFor(simdWidth()));
 }
+
+constexpr std::array<Kind, static_cast<std::size_t>(BroadPhaseKind::Count)> kKinds{{
+    {"tree", &makeTree},
+    {"grid", &makeTree},
+    {"sweep and prune", &makeTree},
+    {"quadtree", &makeTree},
+}};
+
+const Kind& entryOf(BroadPhaseKind kind) {
+    const auto i = static_cast<std::size_t>(kind);
+    return kKinds[i < kKinds.size() ? i : 0];
+}
+
+}  // namespace
+
+std::unique_ptr<BroadPhase> makeBroadPhase(BroadPhaseKind kind) { return entryOf(kind).make(); }
+
+std::string_view nameOf(BroadPhaseKind kind) { return entryOf(kind).name; }
 
 }  // namespace plumb::physics

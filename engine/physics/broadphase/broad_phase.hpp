@@ -45,7 +45,8 @@ struct Proxies {
 /// Two shapes whose bounds overlap: the lower index in the high half, so that sorting sorts by it.
 using PairKey = std::uint64_t;
 constexpr PairKey pairKey(std::uint32_t a, std::uint32_t b) {
-    return a < b ? PairKey{a} << 32 | b : PairKey{b} << 32 | a;
+    const std::uint32_t low = a < b ? a : b;  // nobody can guess which: no branch
+    return PairKey{low} << 32 | (a ^ b ^ low);
 }
 
 /// Finds who is near whom. What it keeps follows from the proxies, so it is no state: any kind of broad
@@ -56,11 +57,14 @@ public:
 
     /// Forgets everything and takes all proxies that are not Gone.
     virtual void rebuild(const Proxies& proxies) = 0;
-    /// Takes note of proxies that came, went, or whose bounds or motion changed since the last call.
+    /// Takes note of proxies that came, went, or whose bounds, filter or motion changed since the last call.
     /// @param changed  indices, each once
     virtual void update(const Proxies& proxies, std::span<const std::uint32_t> changed) = 0;
-    /// Appends each pair of a proxy of `moved` with any other whose bounds overlap, whose filters meet, and of
-    /// which one is Awake. A pair of two moved ones is given once. Any order. May run on several threads
+    /// Puts side by side who is searched for together. Not needed for right results, but findPairs() is
+    /// several times faster with `moved` in this order, and its parts for threads best are pieces of it.
+    virtual void arrange(std::span<std::uint32_t> moved) = 0;
+    /// Appends each pair of a proxy of `moved` with any other whose bounds overlap, whose filters meet, and
+    /// of which one is Awake. A pair of two moved ones is given once. Any order. May run on several threads
     /// at once for different parts of `moved`.
     /// @param isMoved  by proxy: nonzero for all that are in `moved` of any thread
     virtual void findPairs(const Proxies& proxies, std::span<const std::uint32_t> moved,

@@ -74,6 +74,7 @@ void search(StepContext& step) {
     if (work.foundPairs.size() < static_cast<std::size_t>(piecesOf(count, kGrain))) {
         work.foundPairs.resize(static_cast<std::size_t>(piecesOf(count, kGrain)));
     }
+    work.broadPhase->arrange(world.moved);
     const std::span<const std::uint32_t> moved{world.moved};
     forPieces(step, count, kGrain, [&](int begin, int end, int piece) {
         std::vector<PairKey>& found = work.foundPairs[static_cast<std::size_t>(piece)];

@@ -1,0 +1,252 @@
+// The searches through a PackedTree, included once for each kind of processor into a namespace of its own
+// that has the functions of box_lanes.hpp, with PLUMB_TARGET. No includes, no lambdas, nothing from elsewhere
+// that is not inlined: all of it must be compiled for that processor. How many boxes overlap is anybody's
+// guess, and a wrong guess of the processor costs more than a test or two. So tests give bits, and bits
+// become lists, with hardly a branch.
+
+constexpr std::uint32_t kChunk = 8;                // nodes whose children are looked at together
+constexpr std::uint32_t kMost = kChunk * kBranch;  // of these children
+constexpr std::uint32_t kMany = 12;                // children in the view of several lanes: too wide a view
+constexpr std::uint32_t kMostHits =
+    kMost * kBranch > kMany* kBranch* kBranch ? kMost* kBranch : kMany* kBranch* kBranch;
+constexpr std::uint32_t kSpare = 3;  // of lists that are written to by fours
+constexpr std::uint64_t kEachByte = 0x0101010101010101ull;
+
+/// A box to compare eight with.
+struct Wide {
+    Floats high[4];  ///< m: right, bottom, -left, -top
+};
+
+/// A box and a filter to compare eight with.
+struct WideProbe {
+    Wide box;
+    Words layers;
+    Words masks;
+};
+
+/// A sweep to compare eight boxes with.
+struct WideSweep {
+    Wide bounds;
+    Floats from[2];
+    Floats way[2];
+    Floats reach[2];
+};
+
+PLUMB_TARGET inline Wide widen(const AABB& box) {
+    return {{spread(box.max.x), spread(box.max.y), spread(-box.min.x), spread(-box.min.y)}};
+}
+
+PLUMB_TARGET inline Wide widenLane(const TreeBoxes& boxes, std::uint32_t lane) {
+    return {{spread(-boxes.low[2][lane]), spread(-boxes.low[3][lane]), spread(-boxes.low[0][lane]),
+             spread(-boxes.low[1][lane])}};
+}
+
+/// What some lanes of a leaf look for: all that one of them does.
+PLUMB_TARGET inline WideProbe widenLanes(const TreeLeaf& leaf, std::uint32_t lanes) {
+    AABB box = kNowhere;
+    std::uint32_t layers = 0;
+    std::uint32_t masks = 0;
+    for (; lanes != 0; lanes &= lanes - 1) {
+        const int i = std::countr_zero(lanes);
+        box = merged(box, {{leaf.boxes.low[0][i], leaf.boxes.low[1][i]},
+                           {-leaf.boxes.low[2][i], -leaf.boxes.low[3][i]}});
+        const std::uint32_t overruled = overruledBy(leaf.filters[i].group);
+        layers |= leaf.filters[i].layers | overruled;
+        masks |= leaf.filters[i].mask | overruled;
+    }
+    return {widen(box), spread(layers), spread(masks)};
+}
+
+PLUMB_TARGET inline Mask overlaps(const TreeBoxes& boxes, const Wide& wide) {
+    const Mask x = both(atMost(load(boxes.low[0]), wide.high[0]), atMost(load(boxes.low[2]), wide.high[2]));
+    const Mask y = both(atMost(load(boxes.low[1]), wide.high[1]), atMost(load(boxes.low[3]), wide.high[3]));
+    return both(x, y);
+}
+
+PLUMB_TARGET inline std::uint32_t mayMeet(const TreeNode& node, const WideProbe& probe) {
+    const Mask meet = both(haveCommon(node.layers, probe.masks), haveCommon(node.masks, probe.layers));
+    return bitsOf(both(meet, overlaps(node.boxes, probe.box)));
+}
+
+/// Appends the places of the bits, plus `first`. Writes up to kSpare places more.
+PLUMB_TARGET inline std::uint32_t* appendBits(std::uint64_t bits, std::uint32_t first, std::uint32_t* to) {
+    const int count = std::popcount(bits);
+    for (int done = 0; done < count; done += 4) {
+        for (int i = 0; i < 4; ++i) {
+            to[done + i] = first + static_cast<std::uint32_t>(std::countr_zero(bits));
+            bits &= bits - 1;
+        }
+    }
+    return to + count;
+}
+
+/// Lanes of a leaf that do not look themselves.
+PLUMB_TARGET inline std::uint32_t unmovedLanes(const TreeLeaf& leaf, const std::uint8_t* isMoved) {
+    std::uint32_t bits = 0;
+    for (std::uint32_t i = 0; i < kBranch; ++i)
+        bits |= static_cast<std::uint32_t>(isMoved[leaf.ids[i]] == 0) << i;
+    return bits & leaf.live;
+}
+
+/// The lanes of a leaf that look: the boxes, and in 64 bits what each (a byte) must report of eight others.
+struct Lookers {
+    Wide boxes[kBranch];
+    std::uint32_t lanes[kBranch];
+    std::uint32_t count = 0;
+    std::uint64_t everybody = 0;  ///< of those who meet all; the others meet only who is awake
+    std::uint64_t later = 0;      ///< lanes after it, of its own leaf
+    std::uint64_t others = 0;     ///< lanes other than it
+};
+
+PLUMB_TARGET inline void collectLookers(const PairSearch& search, std::uint32_t lanes, Lookers& lookers) {
+    const TreeLeaf& own = search.own->leaves()[search.leaf];
+    for (; lanes != 0; lanes &= lanes - 1) {
+        const auto i = static_cast<std::uint32_t>(std::countr_zero(lanes));
+        const std::uint32_t shift = 8 * lookers.count;
+        lookers.everybody |= std::uint64_t{own.awake >> i & 1u} * 0xff << shift;
+        lookers.later |= std::uint64_t{0xfeu << i & 0xff} << shift;
+        lookers.others |= std::uint64_t{~(1u << i) & 0xff} << shift;
+        lookers.boxes[lookers.count] = widenLane(own.boxes, i);
+        lookers.lanes[lookers.count++] = i;
+    }
+}
+
+/// Which lanes of a leaf each looker has to report when they overlap: of two that look, one does.
+PLUMB_TARGET inline std::uint64_t openLanes(const PairSearch& search, const Lookers& lookers,
+                                            std::uint32_t leaf) {
+    const bool same = search.own == search.others;
+    if (same ? leaf > search.leaf : search.ownMayBeAwake) return ~std::uint64_t{0};
+    const std::uint64_t unmoved = unmovedLanes(search.others->leaves()[leaf], search.isMoved) * kEachByte;
+    return same && leaf == search.leaf ? (unmoved | lookers.later) & lookers.others : unmoved;
+}
+
+/// Tests the looking lanes against leaves.
+PLUMB_TARGET inline void testLeaves(const PairSearch& search, std::uint32_t lanes,
+                                    std::span<const std::uint32_t> candidates, std::vector<PairKey>& pairs) {
+    const TreeLeaf& own = search.own->leaves()[search.leaf];
+    const TreeLeaf* leaves = search.others->leaves();
+    Lookers lookers;
+    collectLookers(search, lanes, lookers);
+    std::uint32_t hits[kMostHits + kSpare];  // which candidate, looker and lane: 6, 3 and 3 bits
+    std::uint32_t* end = hits;
+    for (std::uint32_t c = 0; c < candidates.size(); ++c) {
+        const std::uint64_t open = openLanes(search, lookers, candidates[c]);
+        if (open == 0) continue;
+        const TreeLeaf& leaf = leaves[candidates[c]];
+        std::uint64_t bits = 0;
+        for (std::uint32_t i = 0; i < lookers.count; ++i)
+            bits |= std::uint64_t{bitsOf(overlaps(leaf.boxes, lookers.boxes[i]))} << 8 * i;
+        end = appendBits(bits & open & (leaf.awake * kEachByte | lookers.everybody), c * 64, end);
+    }
+    PairKey found[kMostHits];
+    std::size_t count = 0;
+    for (const std::uint32_t* hit = hits; hit != end; ++hit) {
+        const std::uint32_t i = lookers.lanes[*hit / 8 % 8];
+        const std::uint32_t j = *hit % 8;
+        const TreeLeaf& leaf = leaves[candidates[*hit / 64]];
+        found[count] = pairKey(own.ids[i], leaf.ids[j]);
+        count += meet(own.filters[i], leaf.filters[j]) ? 1u : 0u;
+    }
+    pairs.insert(pairs.end(), found, found + count);
+}
+
+/// Goes down from some nodes of a level to the leaves that the lanes may have partners in.
+PLUMB_TARGET void findPairsBelow(const PairSearch& search, std::uint32_t lanes, const WideProbe& probe,
+                                 std::uint32_t level, std::span<const std::uint32_t> nodes,
+                                 std::vector<PairKey>& pairs) {
+    const TreeNode* all = search.others->level(level);
+    std::uint32_t children[kMost + kSpare];
+    for (std::size_t first = 0; first < nodes.size(); first += kChunk) {
+        const auto chunk =
+            nodes.subspan(first, nodes.size() - first < kChunk ? nodes.size() - first : kChunk);
+        std::uint32_t* end = children;
+        for (const std::uint32_t node : chunk)
+            end = appendBits(mayMeet(all[node], probe), node * kBranch, end);
+        const std::span<const std::uint32_t> found{children, end};
+        if (found.size() > kMany && (lanes & (lanes - 1)) != 0) {
+            const TreeLeaf& own = search.own->leaves()[search.leaf];
+            std::uint32_t upper = lanes;
+            for (int i = std::popcount(lanes) / 2; i > 0; --i) upper &= upper - 1;
+            const std::uint32_t lower = lanes & ~upper;
+            findPairsBelow(search, upper, widenLanes(own, upper), level, chunk, pairs);
+            findPairsBelow(search, lower, widenLanes(own, lower), level, chunk, pairs);
+        } else if (found.empty()) {
+            continue;
+        } else if (level > 0) {
+            findPairsBelow(search, lanes, probe, level - 1, found, pairs);
+        } else {
+            testLeaves(search, lanes, found, pairs);
+        }
+    }
+}
+
+PLUMB_TARGET void findPairsOfLeaf(const PairSearch& search, std::vector<PairKey>& pairs) {
+    const std::uint32_t root = 0;
+    const WideProbe probe = widenLanes(search.own->leaves()[search.leaf], search.lanes);
+    findPairsBelow(search, search.lanes, probe, search.others->height() - 1, {&root, 1}, pairs);
+}
+
+PLUMB_TARGET inline std::uint32_t hitsOf(const TreeBoxes& boxes, const Wide& wide) {
+    return bitsOf(overlaps(boxes, wide));
+}
+
+/// The lanes that the sweep may meet; as mayMeet(LineSweep, AABB).
+PLUMB_TARGET inline std::uint32_t hitsOf(const TreeBoxes& boxes, const WideSweep& sweep) {
+    const std::uint32_t near = bitsOf(overlaps(boxes, sweep.bounds));
+    if (near == 0) return 0;
+    Floats off[2];
+    Floats half[2];
+    for (int axis = 0; axis < 2; ++axis) {
+        const Floats low = times(load(boxes.low[axis]), spread(0.5f));
+        const Floats high = times(load(boxes.low[axis + 2]), spread(-0.5f));
+        const Floats middle = plus(low, high);
+        off[axis] = minus(middle, sweep.from[axis]);
+        half[axis] =
+            plus(plus(minus(high, low), sweep.reach[axis]), times(absolute(middle), spread(kSweepSlack)));
+    }
+    const Floats distance = absolute(minus(times(sweep.way[0], off[1]), times(sweep.way[1], off[0])));
+    const Floats reach = plus(times(absolute(sweep.way[0]), half[1]), times(absolute(sweep.way[1]), half[0]));
+    return near & ~bitsOf(above(distance, reach));
+}
+
+/// Appends the proxies below some nodes of a level that the view (a box or a sweep) meets.
+template <class View>
+PLUMB_TARGET void findBelow(const PackedTree& tree, const View& view, std::uint32_t mask, std::uint32_t level,
+                            std::span<const std::uint32_t> nodes, std::vector<std::uint32_t>& found) {
+    const TreeNode* all = tree.level(level);
+    for (const std::uint32_t node : nodes) {
+        const std::uint32_t layered = bitsOf(haveCommon(all[node].layers, spread(mask)));
+        std::uint32_t children[kBranch + kSpare];
+        const std::uint32_t* end =
+            appendBits(hitsOf(all[node].boxes, view) & layered, node * kBranch, children);
+        if (level > 0) {
+            findBelow(tree, view, mask, level - 1, {children, end}, found);
+            continue;
+        }
+        for (const std::uint32_t* child = children; child != end; ++child) {
+            const TreeLeaf& leaf = tree.leaves()[*child];
+            for (std::uint32_t hits = hitsOf(leaf.boxes, view); hits != 0; hits &= hits - 1) {
+                const int i = std::countr_zero(hits);
+                if ((leaf.filters[i].layers & mask) != 0) found.push_back(leaf.ids[i]);
+            }
+        }
+    }
+}
+
+PLUMB_TARGET void findInBox(const PackedTree& tree, const AABB& box, std::uint32_t mask,
+                            std::vector<std::uint32_t>& found) {
+    const std::uint32_t root = 0;
+    findBelow(tree, widen(box), mask, tree.height() - 1, {&root, 1}, found);
+}
+
+PLUMB_TARGET void findOnSweep(const PackedTree& tree, const LineSweep& sweep, std::uint32_t mask,
+                              std::vector<std::uint32_t>& found) {
+    const std::uint32_t root = 0;
+    const WideSweep wide{widen(sweep.bounds),
+                         {spread(sweep.from.x), spread(sweep.from.y)},
+                         {spread(sweep.way.x), spread(sweep.way.y)},
+                         {spread(sweep.half.x), spread(sweep.half.y)}};
+    findBelow(tree, wide, mask, tree.height() - 1, {&root, 1}, found);
+}
+
+constexpr TreeSearch kSearch{&findPairsOfLeaf, &findInBox, &findOnSweep};

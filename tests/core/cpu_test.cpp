@@ -1,0 +1,27 @@
+#include "core/cpu.hpp"
+
+#include <gtest/gtest.h>
+
+namespace plumb {
+
+namespace {
+
+TEST(Cpu, whatIsChosenIsUsedAndWhatCannotRunIsRefused) {
+    const SimdWidth usual = simdWidth();
+    EXPECT_TRUE(hasSimdWidth(usual));
+    EXPECT_TRUE(hasSimdWidth(SimdWidth::Scalar));
+    for (const SimdWidth width : {SimdWidth::Scalar, SimdWidth::Sse2, SimdWidth::Avx2, SimdWidth::Neon}) {
+        ASSERT_TRUE(setSimdWidth(SimdWidth::Scalar));
+        EXPECT_EQ(setSimdWidth(width), hasSimdWidth(width));
+        EXPECT_EQ(simdWidth(), hasSimdWidth(width) ? width : SimdWidth::Scalar);
+    }
+    setSimdWidth(usual);
+}
+
+TEST(Cpu, noProcessorIsOfTwoMakers) {
+    EXPECT_FALSE(hasSimdWidth(SimdWidth::Neon) && hasSimdWidth(SimdWidth::Sse2));
+}
+
+}  // namespace
+
+}  // namespace plumb
