@@ -21,8 +21,10 @@ void relaxCore() {
 
 // A round of work comes some microseconds after the last one or not before the next step: waiting without
 // sleep catches the first case, and giving the core away catches the second.
-constexpr int kSpins = 2000;
+constexpr int kSpins = 4000;
 constexpr int kYields = 20;
+
+constexpr std::uint64_t kNoParts = 0xffffffffu;  // the low half of a ticket that was withdrawn
 
 }  // namespace
 
@@ -34,17 +36,26 @@ TaskPool::TaskPool(int threads) {
 TaskPool::~TaskPool() {
     {
         const std::lock_guard lock{mutex_};
-        stop_ = true;
-        round_.fetch_add(1, std::memory_order_release);
+        stop_.store(true);
     }
     wake_.notify_all();
     for (std::thread& worker : workers_) worker.join();
 }
 
-void TaskPool::takeParts(int thread) {
-    for (int part = next_.fetch_add(1, std::memory_order_relaxed); part < count_;
-         part = next_.fetch_add(1, std::memory_order_relaxed)) {
-        call_(context_, part, thread);
+bool TaskPool::takePart(int thread) {
+    std::uint64_t ticket = ticket_.load(std::memory_order_acquire);
+    for (;;) {
+        const auto part = static_cast<std::uint32_t>(ticket);
+        const Call call = call_.load(std::memory_order_acquire);
+        void* context = context_.load(std::memory_order_acquire);
+        if (part >= count_.load(std::memory_order_acquire) || part == kNoParts) return false;
+        if (!ticket_.compare_exchange_weak(ticket, ticket + 1, std::memory_order_acq_rel,
+                                           std::memory_order_acquire)) {
+            continue;
+        }
+        call(context, static_cast<int>(part), thread);
+        done_.fetch_add(1, std::memory_order_release);
+        return true;
     }
 }
 
@@ -53,40 +64,43 @@ void TaskPool::run(int count, Call call, void* context) {
         for (int part = 0; part < count; ++part) call(context, part, 0);
         return;
     }
-    call_ = call;
-    context_ = context;
-    count_ = count;
-    next_.store(0, std::memory_order_relaxed);
-    busy_.store(static_cast<int>(workers_.size()), std::memory_order_relaxed);
-    round_.fetch_add(1, std::memory_order_seq_cst);
+    ++round_;
+    ticket_.store(round_ << 32 | kNoParts, std::memory_order_seq_cst);
+    call_.store(call, std::memory_order_release);
+    context_.store(context, std::memory_order_release);
+    count_.store(static_cast<std::uint32_t>(count), std::memory_order_release);
+    done_.store(0, std::memory_order_relaxed);
+    ticket_.store(round_ << 32, std::memory_order_seq_cst);
     if (asleep_.load(std::memory_order_seq_cst) > 0) {
         { const std::lock_guard lock{mutex_}; }
         wake_.notify_all();
     }
-    takeParts(0);
-    for (int spin = 0; busy_.load(std::memory_order_acquire) != 0; ++spin) {
+    while (takePart(0)) {
+    }
+    // Only for parts that others have begun: a worker that has no core at the moment is not waited for.
+    for (int spin = 0; done_.load(std::memory_order_acquire) != count; ++spin) {
         spin < kSpins ? relaxCore() : std::this_thread::yield();
     }
 }
 
+void TaskPool::waitForWork(std::uint64_t seen) {
+    const auto sameRound = [&] { return ticket_.load(std::memory_order_seq_cst) >> 32 == seen; };
+    for (int spin = 0; spin < kSpins + kYields; ++spin) {
+        if (!sameRound() || stop_.load(std::memory_order_relaxed)) return;
+        spin < kSpins ? relaxCore() : std::this_thread::yield();
+    }
+    std::unique_lock lock{mutex_};
+    asleep_.fetch_add(1, std::memory_order_seq_cst);
+    wake_.wait(lock, [&] { return !sameRound() || stop_.load(); });
+    asleep_.fetch_sub(1, std::memory_order_relaxed);
+}
+
 void TaskPool::work(int thread) {
-    std::uint32_t seen = 0;
-    for (;;) {
-        for (int spin = 0; round_.load(std::memory_order_acquire) == seen && spin < kSpins + kYields;
-             ++spin) {
-            spin < kSpins ? relaxCore() : std::this_thread::yield();
+    while (!stop_.load(std::memory_order_relaxed)) {
+        const std::uint64_t round = ticket_.load(std::memory_order_acquire) >> 32;
+        while (takePart(thread)) {
         }
-        if (round_.load(std::memory_order_acquire) == seen) {
-            std::unique_lock lock{mutex_};
-            asleep_.fetch_add(1, std::memory_order_seq_cst);
-            wake_.wait(lock, [&] { return round_.load(std::memory_order_seq_cst) != seen; });
-            asleep_.fetch_sub(1, std::memory_order_relaxed);
-        }
-        // Rounds follow each other only after every worker has finished, so none is ever missed.
-        ++seen;
-        if (stop_) return;
-        takeParts(thread);
-        busy_.fetch_sub(1, std::memory_order_release);
+        waitForWork(round);
     }
 }
 

@@ -40,19 +40,23 @@ private:
 
     void run(int count, Call call, void* context);
     void work(int thread);
-    void takeParts(int thread);
+    bool takePart(int thread);
+    void waitForWork(std::uint64_t seen);
 
     std::vector<std::thread> workers_;
-    Call call_ = nullptr;
-    void* context_ = nullptr;
-    int count_ = 0;
-    alignas(64) std::atomic<int> next_{0};  // the next part to take
-    alignas(64) std::atomic<int> busy_{0};  // workers that have not finished this round
-    alignas(64) std::atomic<std::uint32_t> round_{0};
+    // What is done in the present round. Whoever takes a part has read what belongs to the ticket it takes:
+    // the ticket is withdrawn before these change.
+    std::atomic<Call> call_{nullptr};
+    std::atomic<void*> context_{nullptr};
+    std::atomic<std::uint32_t> count_{0};
+    alignas(64) std::atomic<std::uint64_t> ticket_{
+        0};                                 // round in the high half, the next part in the low one
+    alignas(64) std::atomic<int> done_{0};  // parts
     std::atomic<int> asleep_{0};
+    std::atomic<bool> stop_{false};
     std::mutex mutex_;
     std::condition_variable wake_;
-    bool stop_ = false;
+    std::uint64_t round_ = 0;
 };
 
 }  // namespace plumb
