@@ -1,0 +1,82 @@
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <vector>
+
+#include "physics/terrain/tile_palette.hpp"
+
+namespace plumb::physics {
+
+/// A cell of a terrain: numbers of its palette.
+struct MaskCell {
+    TileForm form = TileForm::Empty;
+    std::uint8_t material = 0;
+    std::uint8_t layers = 0;
+
+    friend constexpr bool operator==(MaskCell, MaskCell) = default;
+};
+static_assert(sizeof(MaskCell) == 4, "a map of 4096 x 4096 has 16 million of them");
+
+/// Whole cells from (x0, y0) up to, not including, (x1, y1).
+struct CellRect {
+    int x0 = 0;
+    int y0 = 0;
+    int x1 = 0;
+    int y1 = 0;
+
+    [[nodiscard]] constexpr int width() const { return x1 - x0; }
+    [[nodiscard]] constexpr int height() const { return y1 - y0; }
+    [[nodiscard]] constexpr bool has(int x, int y) const { return x >= x0 && y >= y0 && x < x1 && y < y1; }
+    [[nodiscard]] constexpr CellRect grown(int by) const { return {x0 - by, y0 - by, x1 + by, y1 + by}; }
+    friend constexpr bool operator==(CellRect, CellRect) = default;
+};
+
+/// A grid of cells and their palette: what a terrain is made from. Plain to copy and compare by its cells.
+class TileMask {
+public:
+    static constexpr int kMaxSide = 65536;
+    static constexpr int kMaxCells = 1 << 28;
+
+    TilePalette palette;
+
+    TileMask() = default;
+    /// All empty. Sides below 0 count as 0, above kMaxSide as kMaxSide; rows beyond kMaxCells are left out.
+    TileMask(int width, int height);
+
+    [[nodiscard]] int width() const { return width_; }
+    [[nodiscard]] int height() const { return height_; }
+    [[nodiscard]] bool has(int x, int y) const { return x >= 0 && y >= 0 && x < width_ && y < height_; }
+
+    /// The cell; beyond the border, outside().
+    [[nodiscard]] MaskCell at(int x, int y) const { return has(x, y) ? cells_[slot(x, y)] : outside_; }
+
+    /// Beyond the border nothing happens.
+    /// @return whether the cell is another one now
+    /// @pre    the palette has what the cell names; one that it has not is not set
+    bool set(int x, int y, MaskCell cell);
+
+    /// What is beyond the border: empty by default, or full, so that the map ends in walls.
+    [[nodiscard]] MaskCell outside() const { return outside_; }
+    /// @pre the form is Empty or Full; others do not change it
+    void setOutside(MaskCell cell);
+
+    /// Copies the cells of a rectangle, row by row, with outside() where it reaches over the border.
+    void copyTo(std::vector<MaskCell>& cells, CellRect rect) const;
+
+private:
+    [[nodiscard]] std::size_t slot(int x, int y) const {
+        return static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(x);
+    }
+    [[nodiscard]] bool knows(MaskCell cell) const {
+        return palette.hasForm(cell.form) && palette.hasMaterial(cell.material) &&
+               palette.hasLayers(cell.layers);
+    }
+
+    int width_ = 0;
+    int height_ = 0;
+    MaskCell outside_;
+    std::vector<MaskCell> cells_;
+};
+
+}  // namespace plumb::physics
