@@ -1,0 +1,136 @@
+#include "physics/terrain/outlines.hpp"
+
+#include <algorithm>
+
+namespace plumb::physics {
+
+namespace {
+
+/// The cells whose edges belong to the chunk: at the border of a map with solid surroundings also those
+/// beyond it, as nobody else has their edges.
+CellRect ownCells(const TileMask& mask, CellRect rect) {
+    if (mask.outside().form == TileForm::Empty) return rect;
+    if (rect.x0 == 0) rect.x0 = -1;
+    if (rect.y0 == 0) rect.y0 = -1;
+    if (rect.x1 == mask.width()) ++rect.x1;
+    if (rect.y1 == mask.height()) ++rect.y1;
+    return rect;
+}
+
+bool touches(CellRect rect, GridPoint point) {
+    const GridPoint low = cornerOfCell(rect.x0, rect.y0);
+    const GridPoint high = cornerOfCell(rect.x1, rect.y1);
+    return point.x >= low.x && point.y >= low.y && point.x <= high.x && point.y <= high.y;
+}
+
+/// Appends the edges of the cells around `rect` that end at its border. What is open of these the same ring
+/// decides.
+void appendBorder(const TilePalette& palette, const CellWindow& window, CellRect rect,
+                  std::vector<TileEdge>& edges) {
+    const std::size_t own = edges.size();
+    const CellRect ring = rect.grown(1);
+    appendEdges(palette, window, {ring.x0, ring.y0, ring.x1, rect.y0}, edges);
+    appendEdges(palette, window, {ring.x0, rect.y0, rect.x0, rect.y1}, edges);
+    appendEdges(palette, window, {rect.x1, rect.y0, ring.x1, rect.y1}, edges);
+    appendEdges(palette, window, {ring.x0, rect.y1, ring.x1, ring.y1}, edges);
+    const auto isFar = [rect](const TileEdge& edge) {
+        return !touches(rect, edge.a) && !touches(rect, edge.b);
+    };
+    edges.erase(std::remove_if(edges.begin() + static_cast<std::ptrdiff_t>(own), edges.end(), isFar),
+                edges.end());
+}
+
+}  // namespace
+
+Geometry geometryOf(const TerrainSegment& segment, Vec2 cellSize, GridPoint origin) {
+    return {.kind = ShapeKind::ChainSegment,
+            .a = toMetres(segment.a, cellSize, origin),
+            .b = toMetres(segment.b, cellSize, origin),
+            .before = toMetres(segment.before, cellSize, origin),
+            .after = toMetres(segment.after, cellSize, origin)};
+}
+
+void OutlineBuilder::findPlaces() {
+    places_.resize(own_);
+    for (std::uint32_t i = 0; i < own_; ++i) {
+        const EdgeLink after = links_.after(i);
+        const EdgeLink before = links_.before(i);
+        places_[i] = {before.ghost, after.ghost, before.outline, after.outline, kNone};
+    }
+}
+
+/// The next edge belongs to the same chain.
+bool OutlineBuilder::joinsNext(std::uint32_t edge) const {
+    const std::uint32_t next = places_[edge].outlineAfter;
+    return next < own_ && edges_[next].kind == edges_[edge].kind && places_[next].outlineBefore == edge;
+}
+
+/// The next edge belongs to the same segment.
+bool OutlineBuilder::isStraightAfter(std::uint32_t edge) const {
+    if (!joinsNext(edge)) return false;
+    const TileEdge& next = edges_[places_[edge].outlineAfter];
+    return cross(edges_[edge].b - edges_[edge].a, next.b - next.a) == 0;  // no outline turns back on itself
+}
+
+/// Adds the chain that begins with an edge.
+void OutlineBuilder::walk(std::uint32_t start, TerrainOutline& outline) {
+    TerrainChain chain{static_cast<std::uint32_t>(outline.segments.size()), 0, false};
+    std::uint32_t first = start;
+    for (std::uint32_t edge = start;; edge = places_[edge].outlineAfter) {
+        places_[edge].segment = static_cast<std::uint32_t>(outline.segments.size());
+        if (isStraightAfter(edge)) continue;
+        outline.segments.push_back({edges_[first].a, edges_[edge].b, {}, {}, edges_[edge].kind});
+        firstEdge_.push_back(first);
+        lastEdge_.push_back(edge);
+        first = places_[edge].outlineAfter;
+        chain.closed = joinsNext(edge) && first == start;
+        if (!joinsNext(edge) || chain.closed) break;
+    }
+    chain.count = static_cast<std::uint32_t>(outline.segments.size()) - chain.first;
+    outline.chains.push_back(chain);
+}
+
+void OutlineBuilder::setGhosts(TerrainOutline& outline) const {
+    for (std::size_t i = 0; i < outline.segments.size(); ++i) {
+        TerrainSegment& segment = outline.segments[i];
+        const std::uint32_t before = places_[firstEdge_[i]].before;
+        const std::uint32_t after = places_[lastEdge_[i]].after;
+        if (before == kNone) {
+            segment.before = segment.a - (segment.b - segment.a);
+        } else {
+            segment.before = before < own_ ? outline.segments[places_[before].segment].a : edges_[before].a;
+        }
+        if (after == kNone) {
+            segment.after = segment.b + (segment.b - segment.a);
+        } else {
+            segment.after = after < own_ ? outline.segments[places_[after].segment].b : edges_[after].b;
+        }
+    }
+}
+
+void OutlineBuilder::build(const TileMask& mask, CellRect rect, TerrainOutline& outline) {
+    outline.segments.clear();
+    outline.chains.clear();
+    rect = ownCells(mask, rect);
+    window_.read(mask, rect.grown(2));
+    if (window_.isUniform()) return;
+    edges_.clear();
+    appendEdges(mask.palette, window_, rect, edges_);
+    own_ = static_cast<std::uint32_t>(edges_.size());
+    if (own_ == 0) return;
+    appendBorder(mask.palette, window_, rect, edges_);
+    links_.connect(edges_, rect.grown(2));
+    findPlaces();
+    firstEdge_.clear();
+    lastEdge_.clear();
+    for (std::uint32_t i = 0; i < own_; ++i) {
+        const std::uint32_t before = places_[i].outlineBefore;
+        if (before >= own_ || !joinsNext(before) || places_[before].outlineAfter != i) walk(i, outline);
+    }
+    for (std::uint32_t i = 0; i < own_; ++i) {
+        if (places_[i].segment == kNone && !isStraightAfter(places_[i].outlineBefore)) walk(i, outline);
+    }
+    setGhosts(outline);
+}
+
+}  // namespace plumb::physics

@@ -1,0 +1,102 @@
+#include "physics/terrain/tile_edges.hpp"
+
+#include <algorithm>
+
+namespace plumb::physics {
+
+namespace {
+
+/// The edge along a part of a side, in walking order.
+TileEdge alongSide(GridPoint corner, Side side, SideSpan span, EdgeKind kind) {
+    switch (side) {
+        case kTop: return {corner + GridPoint{span.from, 0}, corner + GridPoint{span.to, 0}, kind};
+        case kRight:
+            return {corner + GridPoint{kCellUnits, span.from}, corner + GridPoint{kCellUnits, span.to}, kind};
+        case kBottom:
+            return {corner + GridPoint{span.to, kCellUnits}, corner + GridPoint{span.from, kCellUnits}, kind};
+        default: return {corner + GridPoint{0, span.to}, corner + GridPoint{0, span.from}, kind};
+    }
+}
+
+class EdgesOfCell {
+public:
+    EdgesOfCell(const TilePalette& palette, const CellWindow& window, std::vector<TileEdge>& edges)
+        : palette_{palette}, edges_{edges}, toNeighbour_{-window.width(), 1, window.width(), -1} {}
+
+    void append(const MaskCell* cell, GridPoint corner) {
+        if (cell->form == TileForm::Full && isInside(cell)) return;
+        const TileOutline& outline = palette_.outline(cell->form);
+        const EdgeKind kind{cell->material, cell->layers, outline.oneWay, 0};
+        for (int i = 0; i < outline.count; ++i) {
+            if ((outline.stops >> i & 1) == 0) continue;
+            const Side side = outline.sides[static_cast<std::size_t>(i)];
+            const GridPoint a = corner + outline.corner(i);
+            const GridPoint b = corner + outline.cornerAfter(i);
+            if (side == kInside) {
+                edges_.push_back({a, b, kind});
+            } else {
+                const bool level = side == kTop || side == kBottom;
+                const SideSpan own =
+                    level ? spanOf(a.x - corner.x, b.x - corner.x) : spanOf(a.y - corner.y, b.y - corner.y);
+                appendSide(corner, side, own, kind, cell[toNeighbour_[side]]);
+            }
+        }
+    }
+
+private:
+    static SideSpan spanOf(std::int32_t a, std::int32_t b) { return {std::min(a, b), std::max(a, b)}; }
+
+    /// The common case, quickly: a full cell among its like.
+    [[nodiscard]] bool isInside(const MaskCell* cell) const {
+        for (const std::ptrdiff_t step : toNeighbour_) {
+            if (cell[step].form != TileForm::Full || cell[step].layers != cell->layers) return false;
+        }
+        return true;
+    }
+
+    void appendSide(GridPoint corner, Side side, SideSpan own, EdgeKind kind, MaskCell neighbour) {
+        const SideSpan other =
+            palette_.outline(neighbour.form).spans[static_cast<std::size_t>((side + 2) % 4)];
+        const SideSpan both{std::max(own.from, other.from), std::min(own.to, other.to)};
+        if (both.from > both.to) {
+            edges_.push_back(alongSide(corner, side, own, kind));
+            return;
+        }
+        // Where the neighbour only touches the side, `both` is that point and the side is two edges.
+        const SideSpan first{own.from, both.from};
+        const SideSpan last{both.to, own.to};
+        if (!first.empty()) edges_.push_back(alongSide(corner, side, first, kind));
+        if (!last.empty()) edges_.push_back(alongSide(corner, side, last, kind));
+        if (!both.empty() && neighbour.layers != kind.layers &&
+            !palette_.covers(neighbour.layers, kind.layers)) {
+            kind.behind = static_cast<std::uint8_t>(neighbour.layers + 1);
+            edges_.push_back(alongSide(corner, side, both, kind));
+        }
+    }
+
+    const TilePalette& palette_;
+    std::vector<TileEdge>& edges_;
+    std::ptrdiff_t toNeighbour_[4];
+};
+
+}  // namespace
+
+bool CellWindow::isUniform() const {
+    if (cells_.empty()) return true;
+    const MaskCell first = cells_.front();
+    if (first.form != TileForm::Empty && first.form != TileForm::Full) return false;
+    return std::all_of(cells_.begin(), cells_.end(), [first](MaskCell cell) { return cell == first; });
+}
+
+void appendEdges(const TilePalette& palette, const CellWindow& window, CellRect rect,
+                 std::vector<TileEdge>& edges) {
+    EdgesOfCell cells{palette, window, edges};
+    for (int y = rect.y0; y < rect.y1; ++y) {
+        const MaskCell* cell = window.cell(rect.x0, y);
+        for (int x = rect.x0; x < rect.x1; ++x, ++cell) {
+            if (cell->form != TileForm::Empty) cells.append(cell, cornerOfCell(x, y));
+        }
+    }
+}
+
+}  // namespace plumb::physics

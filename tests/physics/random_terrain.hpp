@@ -1,0 +1,136 @@
+#pragma once
+
+#include <algorithm>
+#include <cstdlib>
+#include <utility>
+#include <vector>
+
+#include "core/random.hpp"
+#include "physics/terrain/terrain_outlines.hpp"
+
+namespace plumb::physics::test {
+
+/// All corners of random terrains are multiples of this part of a cell (units), so that every edge is made of
+/// steps whose ends are, too.
+inline constexpr std::int32_t kStep = kCellUnits / 4;
+
+/// How many random terrains a test makes: its share of PLUMB_MASKS, or `usual`.
+inline int masksToTry(int usual) {
+    const char* wanted = std::getenv("PLUMB_MASKS");
+    return wanted != nullptr ? std::max(std::atoi(wanted), 1) : usual;
+}
+
+/// A random mix of forms, materials and layers, from plain full tiles to everything there is.
+class RandomCells {
+public:
+    RandomCells(TilePalette& palette, Random& random) : random_{random} {
+        const std::uint32_t richness = random.below(4);
+        forms_ = {TileForm::Full};
+        if (richness >= 1)
+            forms_.insert(forms_.end(),
+                          {TileForm::Full, TileForm::OneWay, TileForm::SlopeUp, TileForm::SlopeDown});
+        for (int form = 1; form < static_cast<int>(TileForm::Count) && richness >= 2; ++form) {
+            forms_.push_back(*palette.flipped(static_cast<TileForm>(form), random.next()));
+        }
+        for (int i = 0; i < 6 && richness >= 3; ++i) addPolygon(palette);
+        for (std::uint32_t i = random.below(3); i > 0; --i)
+            materials_.push_back(*palette.addMaterial({.user = i}));
+        constexpr TileLayers kLayers[] = {{2}, {3}, {1, 7}};
+        for (std::uint32_t i = random.below(6); i >= 3; --i)
+            layers_.push_back(*palette.addLayers(kLayers[i - 3]));
+        density_ = random.between(0.05f, 1.0f);
+    }
+
+    MaskCell next() {
+        if (random_.unit() >= density_) return {};
+        return {pick(forms_), pick(materials_), pick(layers_)};
+    }
+
+private:
+    template <class T>
+    T pick(const std::vector<T>& list) {
+        return list[random_.below(static_cast<std::uint32_t>(list.size()))];
+    }
+
+    /// A polygon of random corners of the grid of steps; those that are not convex are not added.
+    void addPolygon(TilePalette& palette) {
+        std::vector<Vec2> points;
+        for (std::uint32_t i = 3 + random_.below(3); i > 0; --i) {
+            points.push_back(
+                {static_cast<float>(random_.below(5)) / 4, static_cast<float>(random_.below(5)) / 4});
+        }
+        const auto form =
+            palette.addPolygon(points, static_cast<OneWay>(random_.below(8) < 6 ? 0 : random_.below(5)));
+        if (form.ok()) forms_.push_back(*form);
+    }
+
+    Random& random_;
+    std::vector<TileForm> forms_;
+    std::vector<std::uint8_t> materials_{0};
+    std::vector<std::uint8_t> layers_{0};
+    float density_ = 0.5f;
+};
+
+/// A random mask: noise, or noise with large even areas.
+inline TileMask randomMask(int width, int height, Random& random) {
+    TileMask mask{width, height};
+    RandomCells cells{mask.palette, random};
+    for (int y = 0; y < height; ++y) {
+        for (int x = 0; x < width; ++x) mask.set(x, y, cells.next());
+    }
+    for (std::uint32_t areas = random.below(2) * random.below(8); areas > 0; --areas) {
+        const MaskCell cell = cells.next();
+        const int x0 = static_cast<int>(random.below(static_cast<std::uint32_t>(width)));
+        const int y0 = static_cast<int>(random.below(static_cast<std::uint32_t>(height)));
+        const int x1 = x0 + static_cast<int>(random.below(12));
+        const int y1 = y0 + static_cast<int>(random.below(12));
+        for (int y = y0; y < y1; ++y) {
+            for (int x = x0; x < x1; ++x) mask.set(x, y, cell);
+        }
+    }
+    return mask;
+}
+
+/// Twice the area of the solid cells (units^2), by the tiles themselves.
+inline std::int64_t doubleAreaOf(const TileMask& mask) {
+    std::int64_t sum = 0;
+    for (int y = 0; y < mask.height(); ++y) {
+        for (int x = 0; x < mask.width(); ++x) {
+            const TileOutline& outline = mask.palette.outline(mask.at(x, y).form);
+            if (outline.isSolid()) sum += outline.doubleArea();
+        }
+    }
+    return sum;
+}
+
+/// Draws a mask by characters: # full, - one-way, / slope up, \ slope down, all else empty.
+inline TileMask drawn(const std::vector<const char*>& rows) {
+    const auto width = static_cast<int>(std::string_view{rows.front()}.size());
+    TileMask mask{width, static_cast<int>(rows.size())};
+    for (int y = 0; y < mask.height(); ++y) {
+        for (int x = 0; x < width; ++x) {
+            const char c = rows[static_cast<std::size_t>(y)][x];
+            if (c == '#') mask.set(x, y, {TileForm::Full});
+            if (c == '-') mask.set(x, y, {TileForm::OneWay});
+            if (c == '/') mask.set(x, y, {TileForm::SlopeUp});
+            if (c == '\\') mask.set(x, y, {TileForm::SlopeDown});
+        }
+    }
+    return mask;
+}
+
+inline TerrainOutlines built(TileMask mask, int chunkCells = TerrainOutlines::kChunkCells) {
+    TerrainOutlines terrain{std::move(mask), chunkCells};
+    terrain.update();
+    return terrain;
+}
+
+inline std::vector<TerrainSegment> allSegments(const TerrainOutlines& terrain) {
+    std::vector<TerrainSegment> all;
+    for (const TerrainChunk& chunk : terrain.chunks()) {
+        all.insert(all.end(), chunk.outline.segments.begin(), chunk.outline.segments.end());
+    }
+    return all;
+}
+
+}  // namespace plumb::physics::test
