@@ -331,4 +331,22 @@ void setBullet(World& world, BodyId body, bool bullet) {
     flags = static_cast<std::uint8_t>(bullet ? flags | kBullet : flags & ~kBullet);
 }
 
+void setLocks(World& world, BodyId body, bool lockX, bool lockY) {
+    if (!alive(world, body)) return;
+    change(world, body, [&] {
+        std::uint8_t& flags = world.bodies.info[body.index].flags;
+        flags = static_cast<std::uint8_t>((flags & ~(kLockX | kLockY)) | (lockX ? kLockX : 0) |
+                                          (lockY ? kLockY : 0));
+    });
+    wake(world, body.index);
+}
+
+void setDropThrough(World& world, BodyId body, bool drops) {
+    if (!alive(world, body)) return;
+    std::uint8_t& flags = world.bodies.info[body.index].flags;
+    if (drops == ((flags & kDropsThrough) != 0)) return;
+    flags = static_cast<std::uint8_t>(drops ? flags | kDropsThrough : flags & ~kDropsThrough);
+    wake(world, body.index);
+}
+
 }  // namespace plumb::physics

@@ -70,7 +70,8 @@ enum ContactFlag : std::uint16_t {
     kFixedA = 128,      ///< body A cannot be pushed
     kRound = 256,       ///< a circle takes part: points are found anew in each step
     kHasSurface = 512,  ///< a shape has a surface speed
-    kGone = 1024        ///< in this step its bounds parted
+    kGone = 1024,       ///< in this step its bounds parted
+    kPassing = 2048     ///< of a one-way shape that lets the other through until they part
 };
 
 /// What happened between two shapes in a step.

@@ -132,7 +132,7 @@ void copyMaterials(const World& world, Contact& contact) {
     const bool triggered = ((a.flags | b.flags) & kTrigger) != 0;
     const bool reports = ((a.flags | b.flags) & kReportsContacts) != 0;
     const bool fixed = world.bodies.info[contact.bodyA].kind != BodyKind::Dynamic;
-    const int kept = contact.flags & (kTouching | kBegan | kDisabled);
+    const int kept = contact.flags & (kTouching | kBegan | kDisabled | kPassing);
     contact.flags = static_cast<std::uint16_t>(
         kept | (triggered ? kTriggered : 0) | (reports ? kReports : 0) |
         ((a.flags & kOneWay) != 0 ? kOneWayA : 0) | ((b.flags & kOneWay) != 0 ? kOneWayB : 0) |
@@ -186,6 +186,12 @@ std::uint16_t keyOf(const Contact& contact) {
     return static_cast<std::uint16_t>((pushes ? int{contact.colour} : int{kKeyIdle}) |
                                       ((contact.flags & kFixedA) != 0 ? kKeyFixed : 0) |
                                       ((contact.flags & kBegan) != 0 ? kKeyBegan : 0));
+}
+
+bool isReported(const World& world, const Contact& contact) {
+    if ((contact.flags & kPassing) != 0) return false;
+    return (contact.flags & kTriggered) != 0 ||
+           ((contact.flags & kReports) != 0 && world.manifest.runs(Effect::ContactEvents));
 }
 
 ContactEvent eventOf(const World& world, const Contact& contact, ContactPhase phase) {

@@ -14,6 +14,9 @@ void copyMaterials(const World& world, Contact& contact);
 /// @return false when their bounds have parted, so that the contact ends
 bool updateContact(const World& world, Contact& contact, struct DetectionCounts& counts);
 
+/// True when somebody wants to hear of the contact.
+[[nodiscard]] bool isReported(const World& world, const Contact& contact);
+
 /// The event that tells of a contact.
 ContactEvent eventOf(const World& world, const Contact& contact, ContactPhase phase);
 

@@ -29,6 +29,7 @@ constexpr std::uint32_t kMeeting = any(Effect::Contacts, Effect::Triggers);
 constexpr Stage kStages[] = {
     {"broad phase", kMeeting, findPairs},
     {"narrow phase", kMeeting, updateContacts},
+    {"filter contacts", any(Effect::OneWay), filterContacts},
     {"gather bodies", 0, gatherBodies},
     {"prepare constraints", any(Effect::Contacts, Effect::Joints), prepareConstraints},
     {"solve", 0, solve},
@@ -38,8 +39,11 @@ constexpr Stage kStages[] = {
     {"sleep", any(Effect::Sleep), putToSleep},
 };
 
-bool isCalledFor(const Stage& stage, const Manifest& manifest) {
+static_assert(std::size(kStages) <= kMaxStages);
+
+bool isCalledFor(const Stage& stage, const Manifest& manifest, const ContactHooks& hooks) {
     if (stage.effects == 0) return true;
+    if (stage.run == filterContacts && hooks.preSolve != nullptr) return true;
     for (std::size_t i = 0; i < kEffects; ++i) {
         const auto effect = static_cast<Effect>(i);
         if ((stage.effects & Manifest::bit(effect)) != 0 && manifest.runs(effect)) return true;
@@ -64,6 +68,13 @@ std::span<const StageInfo> stages() {
     return kInfos;
 }
 
+std::uint64_t runsOf(World& world, std::string_view stage) {
+    for (std::size_t i = 0; i < std::size(kStages); ++i) {
+        if (kStages[i].name == stage) return world.work.get().stageRuns[i];
+    }
+    return 0;
+}
+
 void step(World& world, float dt, const StepOptions& options) {
     PLUMB_ASSERT(std::isfinite(dt) && dt >= 0.0f, "a physics step must move time forward");
     world.events.clear();
@@ -72,10 +83,11 @@ void step(World& world, float dt, const StepOptions& options) {
     if (dt == 0.0f) return;
     ++world.steps;
     if (nothingToDo(world)) return;
-    StepContext context{world, world.work.get(), dt, options.pool};
+    StepContext context{world, world.work.get(), dt, options.pool, options.hooks};
     for (const Stage& stage : kStages) {
-        if (!isCalledFor(stage, world.manifest)) continue;
+        if (!isCalledFor(stage, world.manifest, options.hooks)) continue;
         const ProfileScope scope{options.profile, stage.name};
+        ++context.work.stageRuns[static_cast<std::size_t>(&stage - kStages)];
         stage.run(context);
     }
 }

@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "physics/bodies.hpp"
+#include "physics/contact_hooks.hpp"
 #include "physics/joints.hpp"
 #include "physics/shapes.hpp"
 #include "physics/world.hpp"
@@ -18,6 +19,7 @@ namespace plumb::physics {
 struct StepOptions {
     TaskPool* pool = nullptr;    ///< threads to share the work with; the bits do not depend on it
     Profile* profile = nullptr;  ///< where the time of each stage is added, by its name
+    ContactHooks hooks;
 };
 
 /// Moves the world on by dt (s). The same world and dt give the same bits on every machine, for any number of
@@ -32,6 +34,9 @@ struct StageInfo {
 };
 /// The stages, in order.
 std::span<const StageInfo> stages();
+
+/// How often a stage of this name has run in this world; 0 for one that nothing called for.
+[[nodiscard]] std::uint64_t runsOf(World& world, std::string_view stage);
 
 /// Folds the whole state into a hash; equal states give equal numbers on every machine.
 [[nodiscard]] std::uint64_t hashOf(const World& world);

@@ -2,6 +2,7 @@
 
 #include "core/profile.hpp"
 #include "core/task_pool.hpp"
+#include "physics/contact_hooks.hpp"
 #include "physics/solver/kernels.hpp"
 #include "physics/workspace.hpp"
 #include "physics/world.hpp"
@@ -14,6 +15,7 @@ struct StepContext {
     Workspace& work;
     float dt;  ///< s
     TaskPool* pool;
+    ContactHooks hooks;
 
     [[nodiscard]] int threads() const { return pool != nullptr ? pool->threads() : 1; }
 };
@@ -37,6 +39,8 @@ void findPairs(StepContext& step);
 /// Reads: poses, geometry. Writes: contacts (points, flags), sleepers (who is woken), islands, events
 /// (Ended).
 void updateContacts(StepContext& step);
+/// Reads: contacts, one-way directions. Writes: contacts (kPassing, kDisabled), events (Ended).
+void filterContacts(StepContext& step);
 /// Reads: drives, masses, settings. Writes: work.slots, work.groups, work.velocity and its kin.
 void gatherBodies(StepContext& step);
 /// Reads: contacts, joints, masses. Writes: colours, work's blocks.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <vector>
@@ -60,11 +61,19 @@ enum ContactKey : std::uint16_t {
 
 std::uint16_t keyOf(const Contact& contact);
 
+/// A slot whose body does not move along x or y.
+struct AxisLock {
+    std::uint32_t slot = 0;
+    std::uint8_t flags = 0;  ///< kLockX, kLockY
+};
+
 /// How many contacts a colour of a group has.
 struct Cursor {
     std::int32_t contacts = 0;
     std::int32_t fixed = 0;
 };
+
+inline constexpr std::size_t kMaxStages = 24;
 
 /// Memory that a step needs and the next one reuses. Everything in it follows from the world.
 struct Workspace {
@@ -98,6 +107,9 @@ struct Workspace {
     std::vector<BlockLanes> fixedLanes;
     std::vector<BounceBlock> bounces;  ///< beside contactBlocks, where something bounces
     std::vector<BounceBlock> fixedBounces;
+    std::vector<RollingBlock> rollings;  ///< beside contactBlocks, where something resists rolling
+    std::vector<RollingBlock> fixedRollings;
+    std::vector<AxisLock> locks;
     std::vector<std::uint32_t> solveOrder;   ///< awake bodies by group; empty where there is one group
     std::vector<std::uint8_t> groupOf;       ///< by body, where there are several
     std::vector<std::uint32_t> bodyScratch;  ///< by body
@@ -107,6 +119,7 @@ struct Workspace {
     std::vector<std::uint32_t> fastBodies;  ///< that may have passed through something in this step
     bool sleepy = false;                    ///< some body has rested for long enough
     DetectionCounts counts;
+    std::array<std::uint64_t, kMaxStages> stageRuns{};  ///< by stage: see runsOf()
 };
 
 }  // namespace plumb::physics

@@ -76,8 +76,9 @@ enum BodyFlag : std::uint8_t {
     kFixedRotation = 4,
     kLockX = 8,
     kLockY = 16,
-    kMoved = 32,     ///< its pose changed in the last step
-    kHasTarget = 64  ///< kinematic: a velocity that leads to where moveTo() sent it, for one step
+    kMoved = 32,         ///< its pose changed in the last step
+    kHasTarget = 64,     ///< kinematic: a velocity that leads to where moveTo() sent it, for one step
+    kDropsThrough = 128  ///< one-way shapes let it through
 };
 
 /// The bodies, as one array per group of properties that are used together, indexed by BodyId::index.

@@ -79,6 +79,14 @@ struct BounceBlock {
     float largest[2][kLanes];   ///< N s: the largest impulse of any substep
 };
 
+/// What resists rolling in a block, beside it, only where something in the scene does.
+struct RollingBlock {
+    float resistance[kLanes];  ///< m: torque for each newton that presses them together
+    float mass[kLanes];        ///< kg m2 that both offer to a torque between them
+    float spin[kLanes];        ///< rad/s of A, where it is a body that cannot be pushed
+    float impulse[kLanes];     ///< N m s on B
+};
+
 /// Which contacts are in a block: indices into World::contacts; -1 for an empty lane.
 struct BlockLanes {
     std::int32_t contact[kLanes];

@@ -100,13 +100,20 @@ void search(StepContext& step) {
     world.moved.clear();
 }
 
-void makeContacts(World& world, Workspace& work) {
+bool refused(const World& world, const ContactHooks& hooks, std::uint32_t a, std::uint32_t b) {
+    return hooks.filter != nullptr &&
+           !hooks.filter(hooks.context, world, {a, world.shapes.info[a].generation},
+                         {b, world.shapes.info[b].generation});
+}
+
+void makeContacts(World& world, Workspace& work, const ContactHooks& hooks) {
     for (const PairKey key : work.newPairs) {
         const auto a = static_cast<std::uint32_t>(key >> 32), b = static_cast<std::uint32_t>(key);
         const std::uint32_t bodyA = world.shapes.info[a].body, bodyB = world.shapes.info[b].body;
         const bool joined =
             world.bodies.info[bodyA].firstJoint != kNone && world.bodies.info[bodyB].firstJoint != kNone;
         if (joined && keptApart(world, bodyA, bodyB)) continue;
+        if (refused(world, hooks, a, b)) continue;
         work.pairs.add(key);
         world.contacts.push_back(makeContact(world, a, b));
     }
@@ -119,7 +126,7 @@ void findPairs(StepContext& step) {
     if (step.world.moved.empty()) return;
     dropGone(step.world);
     search(step);
-    makeContacts(step.world, step.work);
+    makeContacts(step.world, step.work, step.hooks);
 }
 
 }  // namespace plumb::physics

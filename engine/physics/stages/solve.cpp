@@ -1,4 +1,6 @@
+#include "physics/solver/locks.hpp"
 #include "physics/solver/restitution.hpp"
+#include "physics/solver/rolling.hpp"
 #include "physics/solver/softness.hpp"
 #include "physics/stages.hpp"
 
@@ -120,15 +122,23 @@ void solveGroup(Solver& solver) {
         forBodies(solver, [&](int begin, int end) {
             solver.kernels.accelerate(solver.bodies, solver.h, i == 0, begin, end);
         });
-        if (i == 0) warmStart(solver);
+        if (i == 0) {
+            warmStart(solver);
+            warmStartRolling(solver.step, solver.group);
+        }
+        lockAxes(solver.step, solver.group);
         solver.fixedContacts.elapsed = solver.h * static_cast<float>(i);
         push(solver);
+        lockAxes(solver.step, solver.group);
         forBodies(solver,
                   [&](int begin, int end) { solver.kernels.move(solver.bodies, solver.h, begin, end); });
         relax(solver);
+        relaxRolling(solver.step, solver.group);
+        lockAxes(solver.step, solver.group);
         noteLargestImpulses(solver.step, solver.group);
     }
     applyRestitution(solver.step, solver.group);
+    lockAxes(solver.step, solver.group);
 }
 
 }  // namespace
@@ -136,6 +146,8 @@ void solveGroup(Solver& solver) {
 void solve(StepContext& step) {
     const SolverKernels& kernels = solverKernels();
     prepareRestitution(step);
+    prepareRolling(step);
+    prepareLocks(step);
     for (const SolveGroup& group : step.work.groups) {
         const float h = step.dt / static_cast<float>(group.substeps);
         Solver solver{step,
@@ -149,6 +161,7 @@ void solve(StepContext& step) {
         solveGroup(solver);
     }
     storeImpulses(step, kernels);
+    storeRolling(step);
 }
 
 }  // namespace plumb::physics

@@ -60,17 +60,12 @@ void uncolour(Workspace& work, Contact& contact) {
     contact.colour = kNoColour;
 }
 
-bool wantsEvents(const World& world, const Contact& contact) {
-    return (contact.flags & kTriggered) != 0 ||
-           ((contact.flags & kReports) != 0 && world.manifest.runs(Effect::ContactEvents));
-}
-
 void end(World& world, Workspace& work, Contact& contact) {
     if ((contact.flags & kTouching) == 0) return;
     contact.flags &= static_cast<std::uint16_t>(~kTouching);
     uncolour(work, contact);
     world.islandsStale = true;
-    if (wantsEvents(world, contact)) world.events.push_back(eventOf(world, contact, ContactPhase::Ended));
+    if (isReported(world, contact)) world.events.push_back(eventOf(world, contact, ContactPhase::Ended));
     // Who leans on something that goes away has to notice.
     if (world.bodies.info[contact.bodyA].kind == BodyKind::Dynamic) wake(world, contact.bodyA);
     wake(world, contact.bodyB);
@@ -112,7 +107,7 @@ void endContactsOfDead(StepContext& step) {
     for (std::size_t i = world.contacts.size(); i-- > 0;) {
         Contact& contact = world.contacts[i];
         if (!gone(contact.shapeA) && !gone(contact.shapeB)) continue;
-        if ((contact.flags & kTouching) != 0 && wantsEvents(world, contact)) {
+        if ((contact.flags & kTouching) != 0 && isReported(world, contact)) {
             world.events.push_back(eventOf(world, contact, ContactPhase::Ended));
         }
         uncolour(step.work, contact);

@@ -1,0 +1,67 @@
+#include "physics/effects/one_way.hpp"
+
+#include <algorithm>
+
+#include "physics/bounds.hpp"
+#include "physics/shapes/convex.hpp"
+
+namespace plumb::physics {
+
+namespace {
+
+/// Parts of a slop: overlap that counts as lying on it. More than what solid contacts rest with.
+constexpr float kOnTop = 4.0f;
+/// Cosine of the angle between the open direction and a contact's normal that still is its solid side.
+constexpr float kSolidSide = 0.7f;
+
+Vec2 openDirection(const World& world, std::uint32_t shape) {
+    const ShapeInfo& info = world.shapes.info[shape];
+    return rotate(world.bodies.pose[info.body].rotation, info.oneWayDirection);
+}
+
+/// m: how far an outline reaches along a direction, seen from `origin`.
+float farEnd(const World& world, std::uint32_t shape, Vec2 direction, Place origin) {
+    const BodyPose& pose = world.bodies.pose[world.shapes.info[shape].body];
+    const Convex convex = convexOf(world.shapes.geometry[shape], world.shapes.corners);
+    const Vec2 local = unrotate(pose.rotation, direction);
+    const Vec2 corner = convex.corners()[static_cast<std::size_t>(farthest(convex.corners(), local))].point;
+    return dot(direction, pose.centre - origin) + dot(local, corner - pose.localCentre) + convex.radius;
+}
+
+/// m along the open direction by which `other` was above the platform a step ago; below 0: it was not.
+float heightBefore(const World& world, const Contact& contact, bool platformIsA, float dt) {
+    const std::uint32_t platform = platformIsA ? contact.shapeA : contact.shapeB;
+    const std::uint32_t other = platformIsA ? contact.shapeB : contact.shapeA;
+    const BodyMotion& platformMotion = world.bodies.motion[world.shapes.info[platform].body];
+    const BodyMotion& otherMotion = world.bodies.motion[world.shapes.info[other].body];
+    const Vec2 open = openDirection(world, platform);
+    const Vec2 out = platformIsA ? contact.normal : -contact.normal;
+    const float closing = -dot(open, otherMotion.velocity - platformMotion.velocity);
+    const float before = std::max(closing * dt, 0.0f);
+    if (dot(out, open) > kSolidSide) {
+        return std::min(contact.separation0, contact.count == 2 ? contact.separation1 : kFarAway) + before;
+    }
+    const Place origin = world.bodies.pose[world.shapes.info[platform].body].centre;
+    return -farEnd(world, other, -open, origin) - farEnd(world, platform, open, origin) + before;
+}
+
+}  // namespace
+
+bool passesThrough(const World& world, const Contact& contact, float dt) {
+    const float on = -kOnTop * world.settings.slop;
+    const auto drops = [&](std::uint32_t body) {
+        return (world.bodies.info[body].flags & kDropsThrough) != 0;
+    };
+    if ((contact.flags & kOneWayA) != 0 &&
+        (drops(contact.bodyB) || heightBefore(world, contact, true, dt) < on)) {
+        return true;
+    }
+    return (contact.flags & kOneWayB) != 0 &&
+           (drops(contact.bodyA) || heightBefore(world, contact, false, dt) < on);
+}
+
+bool passesThrough(const World& world, std::uint32_t oneWayShape, Vec2 way) {
+    return dot(openDirection(world, oneWayShape), way) >= 0.0f;
+}
+
+}  // namespace plumb::physics

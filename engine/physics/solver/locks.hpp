@@ -1,0 +1,13 @@
+#pragma once
+
+#include "physics/stages.hpp"
+
+namespace plumb::physics {
+
+// Bodies that do not move along x or y: after each pass the velocity along it is 0 again. Nothing happens
+// where no body is locked.
+
+void prepareLocks(StepContext& step);
+void lockAxes(StepContext& step, const SolveGroup& group);
+
+}  // namespace plumb::physics

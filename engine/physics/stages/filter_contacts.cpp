@@ -1,0 +1,51 @@
+#include "physics/contacts.hpp"
+#include "physics/effects/one_way.hpp"
+#include "physics/stages.hpp"
+
+namespace plumb::physics {
+
+namespace {
+
+bool drops(const World& world, const Contact& contact) {
+    const auto flagged = [&](std::uint32_t body) {
+        return (world.bodies.info[body].flags & kDropsThrough) != 0;
+    };
+    return ((contact.flags & kOneWayA) != 0 && flagged(contact.bodyB)) ||
+           ((contact.flags & kOneWayB) != 0 && flagged(contact.bodyA));
+}
+
+/// Whether it lets through is decided when a contact begins, and kept until it ends: who is half through
+/// must not be caught.
+void decideOneWay(StepContext& step, Contact& contact) {
+    World& world = step.world;
+    if ((contact.flags & (kOneWayA | kOneWayB)) == 0) return;
+    if ((contact.flags & kBegan) != 0) {
+        contact.flags &= static_cast<std::uint16_t>(~kPassing);
+        if (passesThrough(world, contact, step.dt)) contact.flags |= kPassing;
+    } else if ((contact.flags & kPassing) == 0 && drops(world, contact)) {
+        if (isReported(world, contact)) world.events.push_back(eventOf(world, contact, ContactPhase::Ended));
+        contact.flags |= kPassing;
+    }
+    if ((contact.flags & kPassing) != 0) contact.flags |= kDisabled;
+}
+
+void askOwner(StepContext& step, Contact& contact) {
+    const ContactHooks& hooks = step.hooks;
+    if (hooks.preSolve == nullptr || (contact.flags & kDisabled) != 0) return;
+    if (!hooks.preSolve(hooks.context, step.world, contact)) contact.flags |= kDisabled;
+}
+
+}  // namespace
+
+void filterContacts(StepContext& step) {
+    std::vector<Contact>& contacts = step.world.contacts;
+    for (std::size_t i = 0; i < contacts.size(); ++i) {
+        Contact& contact = contacts[i];
+        if ((contact.flags & (kTouching | kTriggered)) != kTouching) continue;
+        decideOneWay(step, contact);
+        askOwner(step, contact);
+        if ((contact.flags & kDisabled) != 0) step.work.contactKeys[i] = keyOf(contact);
+    }
+}
+
+}  // namespace plumb::physics

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <cstring>
+
+#include <gtest/gtest.h>
+
+#include "physics/simulation.hpp"
+
+namespace plumb::physics::test {
+
+inline constexpr float kStep = 1.0f / 60.0f;  // s
+
+/// A world of gravity 10 m/s2 downwards (y points down), without sleep, so that everything goes on.
+inline World makeWorld() {
+    World world;
+    world.settings.sleeping = false;
+    return world;
+}
+
+inline BodyId addBody(World& world, BodyKind kind, Place place, const Geometry& outline,
+                      const ShapeDefinition& shape = {}, BodyDefinition body = {}) {
+    body.kind = kind;
+    body.position = place;
+    const BodyId id = *createBody(world, body);
+    EXPECT_TRUE(createShape(world, id, outline, shape).ok());
+    return id;
+}
+
+/// A floor whose top is at y = 0.
+inline BodyId addFloor(World& world, const ShapeDefinition& shape = {}) {
+    return addBody(world, BodyKind::Static, {0.0, 1.0}, box({100.0f, 1.0f}), shape);
+}
+
+inline void run(World& world, int steps) {
+    for (int i = 0; i < steps; ++i) step(world, kStep);
+}
+
+inline double heightOf(const World& world, BodyId body) { return -positionOf(world, body).y; }  // m above 0
+
+template <class T>
+bool sameBytes(const std::vector<T>& a, const std::vector<T>& b) {
+    return a.size() == b.size() && (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(T)) == 0);
+}
+
+/// The bytes of all that moves.
+inline bool sameState(const World& a, const World& b) {
+    return sameBytes(a.bodies.pose, b.bodies.pose) && sameBytes(a.bodies.motion, b.bodies.motion);
+}
+
+}  // namespace plumb::physics::test
