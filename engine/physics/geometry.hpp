@@ -7,7 +7,7 @@
 
 namespace plumb::physics {
 
-/// A place and a direction. What is written in it is carried along by `toWorld(frame, …)`.
+/// A place and a direction. What is written in it is carried along by `apply(frame, …)`.
 struct Frame {
     Vec2 position;
     Rot rotation;
@@ -20,6 +20,14 @@ constexpr Vec2 apply(const Frame& frame, Vec2 point) {
 }
 constexpr Vec2 applyInverse(const Frame& frame, Vec2 point) {
     return unrotate(frame.rotation, point - frame.position);
+}
+/// The frame that undoes another.
+constexpr Frame inverse(const Frame& frame) {
+    return {-unrotate(frame.rotation, frame.position), inverse(frame.rotation)};
+}
+/// First `b`, then `a`.
+constexpr Frame operator*(const Frame& a, const Frame& b) {
+    return {apply(a, b.position), a.rotation * b.rotation};
 }
 
 /// The kinds of outlines. Each has a row in shapes/shape_types.cpp.
@@ -43,7 +51,9 @@ struct Corner {
 ///   Segment  | start           | end        |           | 0                 |
 ///   ChainSegment as Segment, and the neighbours' far ends are `before` and `after`; solid on the side of
 ///   its normal only, which is perpendicular(b - a) turned back: to the right hand of the way from a to b
-///   when y points up, to the left hand on a screen with y down. See normalOfChain().
+///   when y points up, to the left hand on a screen with y down. See normalOfChain(). A neighbour whose far
+///   end is no further than the common one does not exist: there the chain ends.
+///   A radius of a box or a polygon makes it larger by that much on all sides.
 struct Geometry {
     ShapeKind kind = ShapeKind::Box;
     std::uint8_t count = 0;
@@ -78,6 +88,10 @@ constexpr Geometry box(Vec2 half, Vec2 centre = {}, Rot turn = {}, float radius 
 }
 constexpr Geometry segment(Vec2 start, Vec2 end) {
     return {.kind = ShapeKind::Segment, .a = start, .b = end};
+}
+/// From `start` to `end`, in a chain that comes from `before` and goes on to `after`.
+constexpr Geometry chainSegment(Vec2 before, Vec2 start, Vec2 end, Vec2 after) {
+    return {.kind = ShapeKind::ChainSegment, .a = start, .b = end, .before = before, .after = after};
 }
 
 }  // namespace plumb::physics

@@ -22,13 +22,13 @@ Face faceTowards(std::span<const Corner> corners, Vec2 place) {
     return best;
 }
 
-/// The nearest place on the line from `start` to `end`.
-Vec2 nearestOn(Vec2 start, Vec2 end, Vec2 place) {
+/// Where the line from `start` to `end` is nearest: 0 at its start, 1 at its end.
+float nearestOn(Vec2 start, Vec2 end, Vec2 place) {
     const Vec2 way = end - start;
     const float along = dot(place - start, way);
     const float square = lengthSquared(way);
-    if (!(along > 0.0f)) return start;
-    return along < square ? start + way * (along / square) : end;
+    if (!(along > 0.0f)) return 0.0f;
+    return along < square ? along / square : 1.0f;
 }
 
 /// Keeps the earliest of several entries.
@@ -104,15 +104,16 @@ ClosestPoint closestPointOf(const Convex& convex, Vec2 place) {
     const Corner& corner = corners[face.index];
     if (convex.count > 2 && face.distance <= 0.0f) {
         const float distance = face.distance - convex.radius;
-        return {place - corner.normal * distance, corner.normal, distance};
+        return {place - corner.normal * distance, corner.normal, distance, false};
     }
     // Outside of a convex core, the nearest feature belongs to the face that the place is farthest in front
     // of.
     const Vec2 next = corners[face.index + 1 < corners.size() ? face.index + 1 : 0].point;
-    const Vec2 nearest = nearestOn(corner.point, next, place);
+    const float along = nearestOn(corner.point, next, place);
+    const Vec2 nearest = along < 1.0f ? corner.point + (next - corner.point) * along : next;
     const float gap = distance(nearest, place);
     const Vec2 normal = gap > kNoDistance ? (place - nearest) / gap : corner.normal;
-    return {nearest + normal * convex.radius, normal, gap - convex.radius};
+    return {nearest + normal * convex.radius, normal, gap - convex.radius, along == 0.0f || along == 1.0f};
 }
 
 std::optional<RayHit> castRayAt(const Convex& convex, const Ray& ray) {

@@ -11,6 +11,7 @@ struct ClosestPoint {
     Vec2 point;             ///< m
     Vec2 normal;            ///< length 1, out of the outline at that point
     float distance = 0.0f;  ///< m; negative inside
+    bool atCorner = false;  ///< the nearest part is a corner, round or sharp, and not a face
 };
 
 ClosestPoint closestPointOf(const Convex& convex, Vec2 place);

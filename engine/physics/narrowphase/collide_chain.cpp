@@ -1,0 +1,194 @@
+#include "physics/narrowphase/collide.hpp"
+#include "physics/narrowphase/sides.hpp"
+
+namespace plumb::physics {
+
+namespace {
+
+/// Sine of the turn from which on two segments make a corner; flatter ones go on as one.
+constexpr float kCornerTurn = 0.01f;
+
+/// A joint of a chain. Where it sticks out, directions from the one segment's normal to the other's may
+/// touch. The segment that starts at a joint looks after it, and the last one after the end.
+struct Joint {
+    Vec2 point;
+    Vec2 from, to;       ///< normals of both segments, in the sense in which they turn
+    Vec2 neighbour;      ///< far end of the other segment; `point` where there is none
+    bool sharp = false;  ///< sticks out
+    bool ours = true;
+
+    [[nodiscard]] bool allows(Vec2 direction) const {
+        return sharp && cross(from, direction) >= 0.0f && cross(direction, to) >= 0.0f;
+    }
+};
+
+/// A chain segment in the frame of the other outline. As a side it has a face and its back.
+struct Chain {
+    Corner corners[2];
+    Joint joints[2];  ///< at the start, at the end
+
+    [[nodiscard]] Side side() const { return {corners, 0.0f, corners[0].point}; }
+    [[nodiscard]] Vec2 normal() const { return corners[0].normal; }
+};
+
+Vec2 normalBetween(Vec2 from, Vec2 to) { return normalized(Vec2{to.y - from.y, from.x - to.x}); }
+
+Chain chainIn(const Geometry& geometry, const Frame& frame) {
+    const Vec2 before = apply(frame, geometry.before);
+    const Vec2 start = apply(frame, geometry.a);
+    const Vec2 end = apply(frame, geometry.b);
+    const Vec2 after = apply(frame, geometry.after);
+    const Vec2 normal = normalBetween(start, end);
+    const bool starts = geometry.before == geometry.a;
+    const bool ends = geometry.after == geometry.b;
+    const Vec2 from = starts ? -perpendicular(normal) : normalBetween(before, start);  // a free end is square
+    const Vec2 to = ends ? perpendicular(normal) : normalBetween(end, after);
+    return {{{start, normal}, {end, -normal}},
+            {{start, from, normal, before, cross(from, normal) > kCornerTurn, true},
+             {end, normal, to, after, cross(normal, to) > kCornerTurn, ends}}};
+}
+
+/// One corner of a chain that a face or a corner of the other side touches.
+Manifold touchJoint(const Joint& joint, std::size_t end, Vec2 direction, float gap, float radius,
+                    std::size_t corner, float speculative) {
+    if (!joint.ours) return {};
+    ManifoldMaker maker{.speculative = speculative};
+    const float separation = gap - radius;
+    maker.add(joint.point + direction * (0.5f * separation), separation, corner, end);
+    maker.manifold.normal = -direction;
+    return maker.manifold;
+}
+
+/// The widest gap along a direction from a joint against a face of the other side.
+struct JointGap {
+    float gap = -1.0e30f;
+    std::size_t face = 0;
+    std::size_t end = 0;
+};
+
+JointGap widestJointGap(const Chain& chain, const Side& other) {
+    JointGap widest;
+    if (other.corners.size() < 2) return widest;
+    for (std::size_t face = 0; face < other.corners.size(); ++face) {
+        const Corner& corner = other.corners[face];
+        for (std::size_t end = 0; end < 2; ++end) {
+            if (!chain.joints[end].allows(-corner.normal)) continue;
+            const float gap = dot(corner.normal, chain.joints[end].point - corner.point);
+            if (gap > widest.gap) widest = {gap, face, end};
+        }
+    }
+    return widest;
+}
+
+/// Corner against corner, if the joint sticks out that way.
+Manifold touchCorner(const Chain& chain, const Side& other, std::size_t end, std::size_t corner, Vec2 way,
+                     float speculative) {
+    const float distance = length(way);
+    const Vec2 direction = way / distance;
+    if (!chain.joints[end].allows(direction)) return {};
+    Manifold manifold =
+        touchJoint(chain.joints[end], end, direction, distance, other.radius, corner, speculative);
+    manifold.roundA = manifold.count > 0 ? other.radius : 0.0f;
+    return manifold;
+}
+
+/// A face of the other side that lies on a joint.
+Manifold touchFaceOnJoint(const Chain& chain, const Side& other, const JointGap& joint, float speculative) {
+    const Corner& face = other.corners[joint.face];
+    const std::size_t next = joint.face + 1 < other.corners.size() ? joint.face + 1 : 0;
+    const Vec2 point = chain.joints[joint.end].point;
+    const Vec2 tangent = perpendicular(face.normal);
+    const float along = dot(point - face.point, tangent);
+    const bool before = along < 0.0f;
+    if (!before && along <= dot(other.corners[next].point - face.point, tangent)) {
+        return touchJoint(chain.joints[joint.end], joint.end, -face.normal, joint.gap, other.radius,
+                          joint.face, speculative);
+    }
+    if (!(joint.gap > 0.0f)) return {};
+    const std::size_t corner = before ? joint.face : next;
+    return touchCorner(chain, other, joint.end, corner, other.corners[corner].point - point, speculative);
+}
+
+/// The chain's own face: whatever of the other side lies in front of it.
+Manifold touchFace(const Chain& chain, const Side& other, float gap, float speculative) {
+    const EdgeOnEdge edges = edgeOnEdge(chain.side(), 0, other);
+    if (gap > 0.0f) {
+        if (const auto pair = nearestCorners(edges, chain.side(), other)) {
+            return touchCorner(chain, other, pair->reference, pair->other, pair->way, speculative);
+        }
+    }
+    if (edges.high.x < 0.0f || edges.low.x > edges.length) return {};  // the neighbour's
+    return touchEdge(edges, chain.side(), other, true, speculative);
+}
+
+/// A neighbour's face is what keeps both apart: the joint is ours if its corner is nearest.
+Manifold touchBeside(const Chain& chain, const Side& other, std::size_t end, float speculative) {
+    const Joint& joint = chain.joints[end];
+    const Vec2 normal = end == 0 ? joint.from : joint.to;
+    const Vec2 start = end == 0 ? joint.neighbour : joint.point;
+    const Corner corners[2] = {{start, normal}, {end == 0 ? joint.point : joint.neighbour, -normal}};
+    const Side neighbour{corners, 0.0f, joint.point};
+    const auto pair = nearestCorners(edgeOnEdge(neighbour, 0, other), neighbour, other);
+    if (!pair || !(corners[pair->reference].point == joint.point)) return {};
+    return touchCorner(chain, other, end, pair->other, pair->way, speculative);
+}
+
+/// The widest gap along the normal of a neighbour at a joint of ours.
+JointGap widestNeighbourGap(const Chain& chain, const Side& other) {
+    JointGap widest;
+    for (std::size_t end = 0; end < 2; ++end) {
+        const Joint& joint = chain.joints[end];
+        if (!joint.ours || !joint.sharp) continue;
+        const Corner face{joint.point, end == 0 ? joint.from : joint.to};
+        const float gap = widestGap({&face, 1}, other.corners).gap;
+        if (gap > widest.gap) widest = {gap, 0, end};
+    }
+    return widest;
+}
+
+Manifold touchDisc(const Chain& chain, const Side& disc, bool inFront, float gap, float speculative) {
+    const Vec2 centre = disc.corners[0].point;
+    const Vec2 tangent = perpendicular(chain.normal());
+    const float along = dot(centre - chain.corners[0].point, tangent);
+    const bool before = along < 0.0f;
+    if (before || along > dot(chain.corners[1].point - chain.corners[0].point, tangent)) {
+        const std::size_t end = before ? 0 : 1;
+        return touchCorner(chain, disc, end, 0, centre - chain.corners[end].point, speculative);
+    }
+    ManifoldMaker maker{.speculative = speculative};
+    const float separation = gap - disc.radius;
+    if (inFront) maker.add(centre - chain.normal() * (disc.radius + 0.5f * separation), separation, 0, 0);
+    maker.manifold.normal = -chain.normal();
+    maker.manifold.roundA = disc.radius;
+    return maker.manifold;
+}
+
+}  // namespace
+
+Manifold collideChain(const Geometry& a, const Geometry& b, std::span<const Corner> corners,
+                      const Frame& bInA, float speculative) {
+    const Convex convex = convexOf(a, corners);
+    const Side other = sideOf(convex);
+    const Chain chain = chainIn(b, bInA);
+    const float gap = widestGap({chain.corners, 1}, other.corners).gap;
+    const float reach = speculative + other.radius;
+    if (!(gap <= reach)) return {};
+
+    // Behind this segment, but in front of the one before, its start may still be touched.
+    const auto isBefore = [&](Vec2 normal, Vec2 point) { return dot(normal, other.centre - point) >= 0.0f; };
+    const bool inFront = isBefore(chain.normal(), chain.corners[0].point);
+    const Joint& start = chain.joints[0];
+    if (!inFront && !(start.sharp && isBefore(start.from, start.point))) return {};
+    if (convex.count == 1) return touchDisc(chain, other, inFront, gap, speculative);
+
+    const JointGap joint = widestJointGap(chain, other);
+    const JointGap beside = widestNeighbourGap(chain, other);
+    if (joint.gap > reach || beside.gap > reach) return {};
+    const float tie = tieOf(distance(chain.corners[0].point, chain.corners[1].point));
+    const bool byFace = inFront && gap + tie >= joint.gap;
+    if (beside.gap > (byFace ? gap : joint.gap)) return touchBeside(chain, other, beside.end, speculative);
+    if (byFace) return touchFace(chain, other, gap, speculative);
+    return touchFaceOnJoint(chain, other, joint, speculative);
+}
+
+}  // namespace plumb::physics

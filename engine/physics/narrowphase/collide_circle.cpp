@@ -1,0 +1,66 @@
+#include "physics/narrowphase/collide.hpp"
+#include "physics/shapes/probe.hpp"
+
+namespace plumb::physics {
+
+namespace {
+
+/// m: nearer than this, two centres have no direction.
+constexpr float kNoDistance = 1.0e-9f;
+
+/// @param normal  from the circle to the other outline
+/// @param middle  m from the circle's centre to the point, along the normal
+Manifold onePoint(const Geometry& circle, Vec2 normal, float separation, float roundB) {
+    Manifold manifold{.normal = normal, .count = 1, .roundA = circle.radius, .roundB = roundB};
+    manifold.points[0] = {circle.a + normal * (circle.radius + 0.5f * separation), separation, 0};
+    return manifold;
+}
+
+}  // namespace
+
+Manifold collideCircles(const Geometry& a, const Geometry& b, std::span<const Corner>, const Frame& bInA,
+                        float speculative) {
+    const Vec2 way = apply(bInA, b.a) - a.a;
+    const float radii = a.radius + b.radius;
+    const float reach = radii + speculative;
+    const float square = lengthSquared(way);
+    if (!(square <= reach * reach)) return {};
+    const float distance = std::sqrt(square);
+    const Vec2 normal = distance > kNoDistance ? way / distance : kAnyNormal;
+    return onePoint(a, normal, distance - radii, b.radius);
+}
+
+Manifold collideCircleBox(const Geometry& circle, const Geometry& box, std::span<const Corner>,
+                          const Frame& bInA, float speculative) {
+    const Rot turn = bInA.rotation * box.turn;
+    const Vec2 place = unrotate(turn, circle.a - apply(bInA, box.a));
+    const Vec2 inside = max(-box.b, min(place, box.b));
+    const Vec2 out = place - inside;
+    const float square = lengthSquared(out);
+    const float radii = circle.radius + box.radius;
+    const float reach = radii + speculative;
+    if (!(square <= reach * reach)) return {};
+
+    const float distance = std::sqrt(square);
+    if (distance > kNoDistance) {
+        const bool atCorner = out.x != 0.0f && out.y != 0.0f;
+        return onePoint(circle, rotate(turn, -out / distance), distance - radii,
+                        atCorner ? box.radius : 0.0f);
+    }
+    const Vec2 depth{box.b.x - std::fabs(place.x), box.b.y - std::fabs(place.y)};
+    const bool byX = depth.x < depth.y;
+    const Vec2 face =
+        byX ? Vec2{place.x < 0.0f ? -1.0f : 1.0f, 0.0f} : Vec2{0.0f, place.y < 0.0f ? -1.0f : 1.0f};
+    return onePoint(circle, rotate(turn, -face), -(byX ? depth.x : depth.y) - radii, 0.0f);
+}
+
+Manifold collideCircleConvex(const Geometry& circle, const Geometry& other, std::span<const Corner> corners,
+                             const Frame& bInA, float speculative) {
+    const ClosestPoint closest = closestPointOf(convexOf(other, corners), applyInverse(bInA, circle.a));
+    const float separation = closest.distance - circle.radius;
+    if (!(separation <= speculative)) return {};
+    return onePoint(circle, -rotate(bInA.rotation, closest.normal), separation,
+                    closest.atCorner ? other.radius : 0.0f);
+}
+
+}  // namespace plumb::physics

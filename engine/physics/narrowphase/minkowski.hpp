@@ -1,0 +1,52 @@
+#pragma once
+
+#include "physics/shapes/convex.hpp"
+
+namespace plumb::physics {
+
+/// A corner of the set of all ways from A to B, and the corners that it leads between.
+struct Way {
+    Vec2 way;
+    Vec2 a, b;
+    std::uint8_t indexA = 0;
+    std::uint8_t indexB = 0;
+
+    friend bool operator==(const Way& left, const Way& right) {
+        return left.indexA == right.indexA && left.indexB == right.indexB;
+    }
+};
+
+/// All ways from A to B: two outlines overlap when one of them leads nowhere. In A's frame.
+struct Ways {
+    const Convex& a;
+    const Convex& b;
+    const Frame& bInA;
+
+    [[nodiscard]] Way at(int indexA, int indexB) const {
+        Way way;
+        way.a = a.corners()[static_cast<std::size_t>(indexA)].point;
+        way.b = apply(bInA, b.corners()[static_cast<std::size_t>(indexB)].point);
+        way.way = way.b - way.a;
+        way.indexA = static_cast<std::uint8_t>(indexA);
+        way.indexB = static_cast<std::uint8_t>(indexB);
+        return way;
+    }
+    [[nodiscard]] Way farthestAlong(Vec2 direction) const {
+        return at(farthest(a.corners(), -direction),
+                  farthest(b.corners(), unrotate(bInA.rotation, direction)));
+    }
+};
+
+/// Two ways between which the nearest one lies, and where: 0 at the first, 1 at the second.
+struct WayBetween {
+    Way first, second;
+    float part = 0.0f;
+    Vec2 normal;            ///< length 1, from A to B
+    float distance = 0.0f;  ///< m along it; negative inside
+    int iterations = 0;
+};
+
+/// The shortest way out of each other of two cores that overlap.
+WayBetween deepestOverlap(const Ways& ways);
+
+}  // namespace plumb::physics
