@@ -41,9 +41,16 @@ constexpr Stage kStages[] = {
 
 static_assert(std::size(kStages) <= kMaxStages);
 
-bool isCalledFor(const Stage& stage, const Manifest& manifest, const ContactHooks& hooks) {
+/// Contacts of what is gone have to end, though nobody calls for contacts any more.
+bool hasRemains(const World& world) {
+    return !world.shapes.dying.empty() || !world.bodies.dying.empty() || !world.contacts.empty();
+}
+
+bool isCalledFor(const Stage& stage, const World& world, const ContactHooks& hooks) {
     if (stage.effects == 0) return true;
     if (stage.run == filterContacts && hooks.preSolve != nullptr) return true;
+    if ((stage.effects & kMeeting) != 0 && hasRemains(world)) return true;
+    const Manifest& manifest = world.manifest;
     for (std::size_t i = 0; i < kEffects; ++i) {
         const auto effect = static_cast<Effect>(i);
         if ((stage.effects & Manifest::bit(effect)) != 0 && manifest.runs(effect)) return true;
@@ -53,8 +60,7 @@ bool isCalledFor(const Stage& stage, const Manifest& manifest, const ContactHook
 
 /// Nothing moves and nothing came: a world at rest costs nothing.
 bool nothingToDo(const World& world) {
-    return world.awake.empty() && world.moved.empty() && world.shapes.dying.empty() &&
-           world.bodies.dying.empty() && world.contacts.empty();
+    return world.awake.empty() && world.moved.empty() && !hasRemains(world);
 }
 
 }  // namespace
@@ -85,7 +91,7 @@ void step(World& world, float dt, const StepOptions& options) {
     if (nothingToDo(world)) return;
     StepContext context{world, world.work.get(), dt, options.pool, options.hooks};
     for (const Stage& stage : kStages) {
-        if (!isCalledFor(stage, world.manifest, options.hooks)) continue;
+        if (!isCalledFor(stage, world, options.hooks)) continue;
         const ProfileScope scope{options.profile, stage.name};
         ++context.work.stageRuns[static_cast<std::size_t>(&stage - kStages)];
         stage.run(context);

@@ -39,17 +39,24 @@ void sortByIsland(World& world, Workspace& work) {
         std::uint32_t& best = highest[rootOf(body)];
         best = std::max(best, static_cast<std::uint32_t>(wishOf(world, body)));
     }
-    std::array<int, kMaxQuality + 2> begins{};
-    for (const std::uint32_t body : world.awake) ++begins[highest[rootOf(body)] + 1];
-    for (int q = 0; q <= kMaxQuality; ++q) {
-        if (begins[static_cast<std::size_t>(q) + 1] > 0)
-            addGroup(world, work, q, begins[static_cast<std::size_t>(q) + 1]);
-        begins[static_cast<std::size_t>(q) + 1] += begins[static_cast<std::size_t>(q)];
+    // A counting sort: how many of each quality, where each begins, then everyone to their place.
+    std::array<int, kMaxQuality + 1> counts{}, begins{};
+    std::array<std::uint8_t, kMaxQuality + 1> groups{};
+    for (const std::uint32_t body : world.awake) ++counts[highest[rootOf(body)]];
+    int total = 0;
+    for (std::size_t q = 0; q < counts.size(); ++q) {
+        begins[q] = total;
+        total += counts[q];
+        groups[q] = static_cast<std::uint8_t>(work.groups.size());
+        if (counts[q] > 0) addGroup(world, work, static_cast<int>(q), counts[q]);
     }
     if (work.groups.size() == 1) return;
     work.solveOrder.resize(world.awake.size());
+    work.groupOf.resize(world.bodies.size());
     for (const std::uint32_t body : world.awake) {
-        work.solveOrder[static_cast<std::size_t>(begins[highest[rootOf(body)]]++)] = body;
+        const std::size_t quality = highest[rootOf(body)];
+        work.groupOf[body] = groups[quality];
+        work.solveOrder[static_cast<std::size_t>(begins[quality]++)] = body;
     }
 }
 

@@ -1,0 +1,99 @@
+#include <algorithm>
+
+#include "tests/physics/world_of_bodies.hpp"
+
+namespace plumb::physics {
+namespace {
+
+/// Counts the events of one phase while a scene runs.
+struct Counted {
+    int began = 0;
+    int stayed = 0;
+    int ended = 0;
+
+    void add(const World& world) {
+        for (const ContactEvent& event : world.events) {
+            ++(event.phase == ContactPhase::Began   ? began
+               : event.phase == ContactPhase::Ended ? ended
+                                                    : stayed);
+        }
+    }
+};
+
+TEST(Events, aCrateThatFallsTouchesOnceAndStays) {
+    Playground scene;
+    scene.world.settings.stayEvents = true;
+    scene.floor();
+    scene.crate({0.0, 1.5});
+    Counted events;
+    for (int i = 0; i < 120; ++i) {
+        scene.run(1);
+        events.add(scene.world);
+    }
+    EXPECT_EQ(events.began, 1);
+    EXPECT_EQ(events.ended, 0);
+    EXPECT_GT(events.stayed, 60);
+}
+
+TEST(Events, aTriggerTellsWhoEntersAndLeavesAndStopsNobody) {
+    Playground scene;
+    const BodyId door = scene.body(BodyKind::Static, {0.0, 0.0});
+    scene.shape(door, box({1.0f, 1.0f}), {.isTrigger = true});
+    const BodyId ball = scene.ball({0.0, 5.0});
+    Counted events;
+    for (int i = 0; i < 120; ++i) {
+        scene.run(1);
+        for (const ContactEvent& event : scene.world.events) EXPECT_TRUE(event.isTrigger);
+        events.add(scene.world);
+    }
+    EXPECT_EQ(events.began, 1);
+    EXPECT_EQ(events.ended, 1);
+    EXPECT_NEAR(scene.y(ball), 5.0 - 0.5 * 10.0 * 4.0, 1.0e-3);
+}
+
+TEST(Events, twoTriggersSeeEachOther) {
+    Playground scene;
+    scene.world.settings.gravity = {};
+    const BodyId a = scene.ball({0.0, 0.0}, 0.5f, {.isTrigger = true});
+    const BodyId b = scene.ball({3.0, 0.0}, 0.5f, {.isTrigger = true});
+    ASSERT_TRUE(setVelocity(scene.world, b, {-3.0f, 0.0f}).ok());
+    Counted events;
+    for (int i = 0; i < 120; ++i) {
+        scene.run(1);
+        events.add(scene.world);
+    }
+    EXPECT_EQ(events.began, 1);
+    EXPECT_EQ(events.ended, 1);
+    EXPECT_EQ(velocityOf(scene.world, a), Vec2{});
+}
+
+TEST(Events, destroyingABodyEndsItsContacts) {
+    Playground scene;
+    scene.floor();
+    const BodyId crate = scene.crate({0.0, 0.5});
+    scene.run(10);
+    ASSERT_EQ(touching(scene.world), 1);
+    destroyBody(scene.world, crate);
+    scene.run(1);
+    ASSERT_EQ(scene.world.events.size(), 1u);
+    EXPECT_EQ(scene.world.events[0].phase, ContactPhase::Ended);
+    EXPECT_TRUE(scene.world.events[0].b == crate || scene.world.events[0].a == crate);
+    EXPECT_FALSE(alive(scene.world, crate));
+}
+
+TEST(Events, masksAndGroupsDecideWhoMeets) {
+    Playground scene;
+    scene.floor({.layers = 1});
+    const BodyId ghost = scene.ball({0.0, 2.0}, 0.5f, {.layers = 2, .mask = 4});
+    const BodyId solid = scene.ball({3.0, 2.0}, 0.5f, {.layers = 4});
+    const BodyId one = scene.ball({6.0, 2.0}, 0.5f, {.group = -3}),
+                 two = scene.ball({6.4, 3.0}, 0.5f, {.group = -3});
+    scene.run(120);
+    EXPECT_LT(scene.y(ghost), -5.0);
+    EXPECT_NEAR(scene.y(solid), 0.5, 0.01);
+    EXPECT_NEAR(scene.y(one), 0.5, 0.01);
+    EXPECT_NEAR(scene.y(two), 0.5, 0.01);
+}
+
+}  // namespace
+}  // namespace plumb::physics

@@ -1,0 +1,92 @@
+#include "core/cpu.hpp"
+#include "core/random.hpp"
+#include "core/task_pool.hpp"
+#include "tests/physics/world_of_bodies.hpp"
+
+namespace plumb::physics {
+namespace {
+
+/// Crates and balls of many sizes that fall into a heap. Enough of them for all threads to have work.
+void pourIn(Playground& scene, int count) {
+    scene.floor();
+    Random random = Random::seeded(7);
+    for (int i = 0; i < count; ++i) {
+        const Place place{-6.0 + 0.8 * (i % 16), 0.6 + 0.8 * (i / 16)};
+        const float size = 0.2f + 0.15f * random.unit();
+        if (i % 3 == 0) {
+            scene.ball(place, size, {.bounciness = 0.3f});
+        } else {
+            scene.crate(place, {size, 0.8f * size});
+        }
+    }
+}
+
+std::vector<std::uint64_t> heapAfter(int ticks, const StepOptions& options = {}) {
+    Playground scene;
+    scene.world.settings.sleeping = true;
+    pourIn(scene, 600);
+    scene.run(ticks, options);
+    EXPECT_GT(touching(scene.world), 600);
+    return bitsOf(scene.world);
+}
+
+TEST(SameBits, whateverTheNumberOfThreads) {
+    const std::vector<std::uint64_t> expected = heapAfter(90);
+    for (const int threads : {2, 4, 16}) {
+        TaskPool pool{threads};
+        EXPECT_EQ(heapAfter(90, {.pool = &pool}), expected) << threads;
+    }
+}
+
+TEST(SameBits, whateverTheInstructionSet) {
+    const SimdWidth widest = simdWidth();
+    const std::vector<std::uint64_t> expected = heapAfter(90);
+    for (const SimdWidth width : {SimdWidth::Scalar, SimdWidth::Sse2, SimdWidth::Avx2, SimdWidth::Neon}) {
+        if (!setSimdWidth(width)) continue;
+        EXPECT_EQ(heapAfter(90), expected) << static_cast<int>(width);
+    }
+    setSimdWidth(widest);
+}
+
+TEST(SameBits, aSnapshotPutBackEverySeventhTickChangesNothing) {
+    Playground plain, rewound;
+    plain.world.settings.sleeping = rewound.world.settings.sleeping = true;
+    pourIn(plain, 300);
+    pourIn(rewound, 300);
+    int met = 0;
+    for (int tick = 0; tick < 240; ++tick) {
+        plain.run(1);
+        if (tick % 7 == 0) {
+            const World saved = rewound.world;
+            rewound.run(5);
+            rewound.world = saved;
+        }
+        rewound.run(1);
+        met += touching(plain.world);
+        ASSERT_EQ(bitsOf(plain.world), bitsOf(rewound.world)) << tick;
+    }
+    EXPECT_GT(met, 10000);
+}
+
+TEST(SameBits, islandsOfAnotherQualityKeepTheirs) {
+    const auto leftHeap = [](Quality right) {
+        Playground scene;
+        scene.floor();
+        std::vector<BodyId> left;
+        for (int i = 0; i < 8; ++i) left.push_back(scene.crate({0.01 * (i % 2), 0.5 + i}));
+        for (int i = 0; i < 8; ++i) {
+            const BodyId other = scene.crate({20.0 + 0.01 * (i % 2), 0.5 + i});
+            EXPECT_TRUE(setQuality(scene.world, other, right).ok());
+        }
+        scene.run(120);
+        std::vector<Place> places;
+        for (const BodyId body : left) places.push_back(centreOf(scene.world, body));
+        return places;
+    };
+    const std::vector<Place> expected = leftHeap(kQualityOfWorld);
+    EXPECT_EQ(leftHeap(4), expected);
+    EXPECT_EQ(leftHeap(5), expected);
+}
+
+}  // namespace
+}  // namespace plumb::physics

@@ -1,0 +1,152 @@
+#include <cmath>
+
+#include "tests/physics/world_of_bodies.hpp"
+
+namespace plumb::physics {
+namespace {
+
+TEST(Step, freeFallIsExactWhateverTheNumberOfSubsteps) {
+    for (const Quality quality : {Quality{0}, Quality{2}, Quality{4}}) {
+        Playground scene;
+        scene.world.settings.quality = quality;
+        const BodyId ball = scene.ball({0.0, 100.0});
+        scene.run(120);
+        EXPECT_NEAR(scene.y(ball), 100.0 - 0.5 * 10.0 * 4.0, 2.0e-4) << int{quality};
+        EXPECT_NEAR(scene.velocity(ball).y, -20.0f, 1.0e-4f);
+    }
+}
+
+TEST(Step, dragFollowsItsExponential) {
+    Playground scene;
+    const Result<BodyId> made =
+        createBody(scene.world, {.velocity = {10.0f, 0.0f}, .gravityScale = 0.0f, .linearDrag = 0.7f});
+    ASSERT_TRUE(made.ok());
+    scene.shape(*made, circle(0.5f));
+    scene.run(60);
+    EXPECT_NEAR(scene.velocity(*made).x, 10.0 * std::exp(-0.7), 1.0e-4);
+    EXPECT_NEAR(scene.x(*made), 10.0 / 0.7 * (1.0 - std::exp(-0.7)), 1.0e-3);
+}
+
+TEST(Step, aBodyTurnsByItsAngularVelocityEvenWhenItSpinsFast) {
+    for (const float spin : {1.0f, 10.0f, 100.0f, 1000.0f}) {
+        Playground scene;
+        scene.world.settings.gravity = {};
+        const BodyId ball = scene.ball({0.0, 0.0});
+        ASSERT_TRUE(setAngularVelocity(scene.world, ball, spin).ok());
+        scene.run(1);
+        const Rot expected = rotFromAngle(spin * kTick);
+        EXPECT_NEAR(rotationOf(scene.world, ball).cos, expected.cos, 2.0e-5f) << spin;
+        EXPECT_NEAR(rotationOf(scene.world, ball).sin, expected.sin, 2.0e-5f) << spin;
+    }
+}
+
+TEST(Step, aCrateOnTheFloorRestsOnIt) {
+    Playground scene;
+    scene.floor();
+    const BodyId crate = scene.crate({0.0, 0.5});
+    scene.run(600);
+    EXPECT_NEAR(scene.y(crate), 0.5, 0.001);
+    EXPECT_LT(length(scene.velocity(crate)), 1.0e-3f);
+    EXPECT_NEAR(scene.x(crate), 0.0, 1.0e-4);
+}
+
+TEST(Step, theForceUnderAStackIsItsWeight) {
+    Playground scene;
+    scene.floor();
+    for (int i = 0; i < 10; ++i) scene.crate({0.0, 0.5 + i});
+    scene.run(600);
+    // N s of a substep, over its length, is a force.
+    const float h = kTick / 4.0f;
+    float force = 0.0f;
+    for (const Contact& contact : scene.world.contacts) {
+        if ((contact.flags & kFixedA) != 0) force += (contact.impulse0 + contact.impulse1) / h;
+    }
+    EXPECT_NEAR(force, 10 * 10.0f, 1.0f);
+}
+
+TEST(Step, momentumOutlastsEveryCollision) {
+    Playground scene;
+    scene.world.settings.gravity = {};
+    Vec2 before;
+    for (int i = 0; i < 40; ++i) {
+        const BodyId body = i % 2 == 0 ? scene.crate({1.1 * (i % 8), 1.1 * (i / 8)})
+                                       : scene.ball({1.1 * (i % 8), 1.1 * (i / 8)});
+        const Vec2 velocity{static_cast<float>(i % 5) - 2.0f, static_cast<float>(i % 3) - 1.0f};
+        ASSERT_TRUE(setVelocity(scene.world, body, velocity).ok());
+        before += massOf(scene.world, body) * velocity;
+    }
+    int met = 0;
+    for (int i = 0; i < 120; ++i) {
+        scene.run(1);
+        met += touching(scene.world);
+    }
+    Vec2 after;
+    for (std::size_t i = 0; i < scene.world.bodies.size(); ++i) {
+        after += scene.world.bodies.mass[i].mass * scene.world.bodies.motion[i].velocity;
+    }
+    EXPECT_GT(met, 50);
+    EXPECT_NEAR(after.x, before.x, 1.0e-3f);
+    EXPECT_NEAR(after.y, before.y, 1.0e-3f);
+}
+
+TEST(Step, aCrateSticksToASlopeUnlessItIsSteeperThanItsFriction) {
+    for (const float friction : {0.2f, 0.5f, 0.9f}) {
+        for (const float part : {0.98f, 1.02f}) {  // of the angle of friction
+            Playground scene;
+            const float angle = std::atan(friction) * part;
+            const ShapeDefinition rough{.friction = friction};
+            const BodyId slope = scene.body(BodyKind::Static, {0.0, 0.0}, angle);
+            scene.shape(slope, box({100.0f, 1.0f}), rough);
+            const BodyId crate =
+                scene.body(BodyKind::Dynamic, {-1.5 * std::sin(angle), 1.5 * std::cos(angle)}, angle);
+            scene.shape(crate, box({0.5f, 0.5f}), rough);
+            scene.run(180);
+            const double slid =
+                std::hypot(scene.x(crate) + 1.5 * std::sin(angle), scene.y(crate) - 1.5 * std::cos(angle));
+            const double fall = 10.0 * (std::sin(angle) - static_cast<double>(friction) * std::cos(angle));
+            const double expected = fall > 0.0 ? 0.5 * fall * 9.0 : 0.0;
+            EXPECT_NEAR(slid, expected, 0.005 + 0.01 * expected) << friction << " " << part;
+        }
+    }
+}
+
+TEST(Step, aBallBouncesToTheHeightThatItsBouncinessSays) {
+    for (const float bounciness : {0.5f, 0.8f, 1.0f}) {
+        Playground scene;
+        scene.floor();
+        const BodyId ball = scene.ball({0.0, 2.5}, 0.5f, {.bounciness = bounciness});
+        double highest = 0.0;
+        bool bounced = false;
+        for (int i = 0; i < 200; ++i) {
+            scene.run(1);
+            const bool rises = scene.velocity(ball).y > 0.0f;
+            if (bounced && !rises) break;
+            bounced = bounced || rises;
+            if (rises) highest = scene.y(ball) - 0.5;
+        }
+        EXPECT_NEAR(highest, 2.0 * bounciness * bounciness, 0.04) << bounciness;
+    }
+}
+
+TEST(Step, aKinematicBodyCarriesWhatStandsOnIt) {
+    Playground scene;
+    const BodyId lift = scene.body(BodyKind::Kinematic, {0.0, -0.5});
+    scene.shape(lift, box({5.0f, 0.5f}));
+    const BodyId crate = scene.crate({0.0, 0.5});
+    scene.run(60);
+    ASSERT_TRUE(setVelocity(scene.world, lift, {1.0f, 0.5f}).ok());
+    scene.run(240);
+    EXPECT_NEAR(scene.x(crate), scene.x(lift), 0.1);
+    EXPECT_NEAR(scene.y(crate), scene.y(lift) + 1.0, 0.01);
+}
+
+TEST(Step, aConveyorCarriesAtItsSpeed) {
+    Playground scene;
+    scene.floor({.friction = 0.6f, .surfaceSpeed = 2.0f});
+    const BodyId crate = scene.crate({0.0, 0.5});
+    scene.run(240);
+    EXPECT_NEAR(std::fabs(scene.velocity(crate).x), 2.0f, 0.01f);
+}
+
+}  // namespace
+}  // namespace plumb::physics
