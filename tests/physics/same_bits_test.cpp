@@ -26,7 +26,7 @@ std::vector<std::uint64_t> heapAfter(int ticks, const StepOptions& options = {})
     scene.world.settings.sleeping = true;
     pourIn(scene, 600);
     scene.run(ticks, options);
-    EXPECT_GT(touching(scene.world), 600);
+    EXPECT_GT(touching(scene.world), 500);
     return bitsOf(scene.world);
 }
 

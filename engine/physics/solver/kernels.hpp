@@ -35,7 +35,7 @@ struct SolverKernels {
                  ContactBlock* blocks, int begin, int end);
     void (*pushFixed)(const SolverBodies& bodies, const ContactPass& pass, const BlockLanes* lanes,
                       FixedContactBlock* blocks, int begin, int end);
-    /// Without: takes back the velocity that only pushed errors out. Friction acts here.
+    /// Without: takes back the velocity that only pushed errors out.
     void (*relax)(const SolverBodies& bodies, const ContactPass& pass, const BlockLanes* lanes,
                   ContactBlock* blocks, int begin, int end);
     void (*relaxFixed)(const SolverBodies& bodies, const ContactPass& pass, const BlockLanes* lanes,

@@ -299,6 +299,36 @@ inline Float8 relaxed(Float8 speed, Float8 gap, Float8 substepRate, Float8 mass,
     return impulse - before;
 }
 
+/// Coulomb's law: the impulse that stops the sliding, or as much of it as the normal force allows.
+inline Float8 rubbed(Float8 speed, Float8 mass, Float8 most, float* total) {
+    const Float8 before = load(total);
+    const Float8 after = clamp(before - mass * speed, -most, most);
+    store(total, after);
+    return after - before;
+}
+
+/// Friction of a whole contact, whose points press with `pressed` together.
+inline void rub(ContactBlock& block, Two8 normal, Float8 pressed, Body8& a, Body8& b) {
+    const Two8 along{-normal.y, normal.x};
+    const Float8 slideA = load(block.slideA), slideB = load(block.slideB);
+    const Float8 sliding =
+        speedAlong(b, along, slideB) - speedAlong(a, along, slideA) - load(block.slideSpeed);
+    const Float8 change =
+        rubbed(sliding, load(block.slideMass), load(block.friction) * pressed, block.slideImpulse);
+    const Two8 impulse{change * along.x, change * along.y};
+    a.push({-impulse.x, -impulse.y}, -(change * slideA));
+    b.push(impulse, change * slideB);
+}
+
+inline void rub(FixedContactBlock& block, Two8 normal, Float8 pressed, Body8& b) {
+    const Two8 along{-normal.y, normal.x};
+    const Float8 slide = load(block.slide);
+    const Float8 sliding = speedAlong(b, along, slide) - load(block.slideSpeed);
+    const Float8 change =
+        rubbed(sliding, load(block.slideMass), load(block.friction) * pressed, block.slideImpulse);
+    b.push({change * along.x, change * along.y}, change * slide);
+}
+
 void push(const SolverBodies& bodies, const ContactPass& pass, const BlockLanes* lanes, ContactBlock* blocks,
           int begin, int end) {
     const SoftPush8 soft{pass};
@@ -311,6 +341,7 @@ void push(const SolverBodies& bodies, const ContactPass& pass, const BlockLanes*
         gather(bodies.shift, block.b, shiftB);
         const Two8 normal{load(block.normalX), load(block.normalY)};
         const Float8 turnA = load(block.turnA), turnB = load(block.turnB);
+        Float8 pressed = all(0.0f);
         for (ContactBlockPoint& point : block.points) {
             const Float8 leverA = load(point.leverA), leverB = load(point.leverB);
             const Float8 gap = load(point.separation) + (movedAlong(shiftB, normal, leverB, turnB) -
@@ -320,10 +351,12 @@ void push(const SolverBodies& bodies, const ContactPass& pass, const BlockLanes*
             const Float8 change = soft.answer(speed, gap, load(point.mass), impulse);
             store(point.gap, gap);
             store(point.impulse, impulse);
+            pressed += impulse;
             const Two8 pushed{change * normal.x, change * normal.y};
             a.push({-pushed.x, -pushed.y}, -(change * leverA));
             b.push(pushed, change * leverB);
         }
+        rub(block, normal, pressed, a, b);
         scatter(bodies.velocity, block.a, a.lane, lanes[n].count);
         scatter(bodies.velocity, block.b, b.lane, lanes[n].count);
     }
@@ -340,6 +373,7 @@ void pushFixed(const SolverBodies& bodies, const ContactPass& pass, const BlockL
         gather(bodies.shift, block.b, shift);
         const Two8 normal{load(block.normalX), load(block.normalY)};
         const Float8 turn = load(block.turn);
+        Float8 pressed = all(0.0f);
         for (FixedContactBlockPoint& point : block.points) {
             const Float8 lever = load(point.lever), approach = load(point.approach);
             const Float8 gap =
@@ -349,18 +383,12 @@ void pushFixed(const SolverBodies& bodies, const ContactPass& pass, const BlockL
             const Float8 change = soft.answer(speed, gap, load(point.mass), impulse);
             store(point.gap, gap);
             store(point.impulse, impulse);
+            pressed += impulse;
             b.push({change * normal.x, change * normal.y}, change * lever);
         }
+        rub(block, normal, pressed, b);
         scatter(bodies.velocity, block.b, b.lane, lanes[n].count);
     }
-}
-
-/// Coulomb's law: the impulse that stops the sliding, or as much of it as the normal force allows.
-inline Float8 rubbed(Float8 speed, Float8 mass, Float8 most, float* total) {
-    const Float8 before = load(total);
-    const Float8 after = clamp(before - mass * speed, -most, most);
-    store(total, after);
-    return after - before;
 }
 
 void relax(const SolverBodies& bodies, const ContactPass& pass, const BlockLanes* lanes, ContactBlock* blocks,
@@ -371,18 +399,7 @@ void relax(const SolverBodies& bodies, const ContactPass& pass, const BlockLanes
         Body8 a = bodyAt(bodies.velocity, block.a, block.inverseInertiaA);
         Body8 b = bodyAt(bodies.velocity, block.b, block.inverseInertiaB);
         const Two8 normal{load(block.normalX), load(block.normalY)};
-        const Two8 along{-normal.y, normal.x};
         Float8 impulses[2] = {load(block.points[0].impulse), load(block.points[1].impulse)};
-
-        const Float8 slideA = load(block.slideA), slideB = load(block.slideB);
-        const Float8 sliding =
-            speedAlong(b, along, slideB) - speedAlong(a, along, slideA) - load(block.slideSpeed);
-        const Float8 rub = rubbed(sliding, load(block.slideMass),
-                                  load(block.friction) * (impulses[0] + impulses[1]), block.slideImpulse);
-        const Two8 rubbing{rub * along.x, rub * along.y};
-        a.push({-rubbing.x, -rubbing.y}, -(rub * slideA));
-        b.push(rubbing, rub * slideB);
-
         for (int p = 0; p < 2; ++p) {
             ContactBlockPoint& point = block.points[p];
             const Float8 leverA = load(point.leverA), leverB = load(point.leverB);
@@ -393,6 +410,7 @@ void relax(const SolverBodies& bodies, const ContactPass& pass, const BlockLanes
             a.push({-pushed.x, -pushed.y}, -(change * leverA));
             b.push(pushed, change * leverB);
         }
+        rub(block, normal, impulses[0] + impulses[1], a, b);
         scatter(bodies.velocity, block.a, a.lane, lanes[n].count);
         scatter(bodies.velocity, block.b, b.lane, lanes[n].count);
     }
@@ -405,15 +423,7 @@ void relaxFixed(const SolverBodies& bodies, const ContactPass& pass, const Block
         FixedContactBlock& block = blocks[n];
         Body8 b = bodyAt(bodies.velocity, block.b, block.inverseInertia);
         const Two8 normal{load(block.normalX), load(block.normalY)};
-        const Two8 along{-normal.y, normal.x};
         Float8 impulses[2] = {load(block.points[0].impulse), load(block.points[1].impulse)};
-
-        const Float8 slide = load(block.slide);
-        const Float8 sliding = speedAlong(b, along, slide) - load(block.slideSpeed);
-        const Float8 rub = rubbed(sliding, load(block.slideMass),
-                                  load(block.friction) * (impulses[0] + impulses[1]), block.slideImpulse);
-        b.push({rub * along.x, rub * along.y}, rub * slide);
-
         for (int p = 0; p < 2; ++p) {
             FixedContactBlockPoint& point = block.points[p];
             const Float8 lever = load(point.lever);
@@ -422,6 +432,7 @@ void relaxFixed(const SolverBodies& bodies, const ContactPass& pass, const Block
             store(point.impulse, impulses[p]);
             b.push({change * normal.x, change * normal.y}, change * lever);
         }
+        rub(block, normal, impulses[0] + impulses[1], b);
         scatter(bodies.velocity, block.b, b.lane, lanes[n].count);
     }
 }
