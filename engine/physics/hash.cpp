@@ -82,19 +82,31 @@ void addAll(LaneHasher& hash, const std::vector<T>&... arrays) {
     (add(hash, arrays), ...);
 }
 
-void add(LaneHasher& hash, const Settings& s) {
-    Values{hash}(s.gravity, s.solver, s.integrator, s.broadPhase, s.quality, s.iterations, s.automaticQuality,
-                 s.projectionIterations, s.contactStiffness, s.jointStiffness, s.contactDampingRatio,
-                 s.jointDampingRatio, s.pushSpeed, s.slop, s.speculativeDistance, s.boundsMargin,
-                 s.bounceSpeed, s.sleepTime, s.maxSpeed, s.continuous, s.sleeping, s.stayEvents);
+// A member that comes to one of these types has to be named here, or it does not compile.
+
+void add(LaneHasher& hash, const Settings& settings) {
+    const auto& [gravity, solver, integrator, broadPhase, quality, iterations, automaticQuality,
+                 projectionIterations, contactStiffness, jointStiffness, contactDampingRatio,
+                 jointDampingRatio, pushSpeed, slop, speculativeDistance, recycleDistance, boundsMargin,
+                 bounceSpeed, sleepTime, maxSpeed, continuous, sleeping, stayEvents] = settings;
+    Values{hash}(gravity, solver, integrator, broadPhase, quality, iterations, automaticQuality,
+                 projectionIterations, contactStiffness, jointStiffness, contactDampingRatio,
+                 jointDampingRatio, pushSpeed, slop, speculativeDistance, recycleDistance, boundsMargin,
+                 bounceSpeed, sleepTime, maxSpeed, continuous, sleeping, stayEvents);
 }
 
-void add(LaneHasher& hash, const JointDefinition& d) {
-    Values{hash}(d.kind, d.a, d.b, d.anchorA, d.anchorB, d.axis, d.referenceAngle, d.length, d.ratio,
-                 d.groundA, d.groundB, d.target.x, d.target.y, d.offset, d.jointA, d.jointB, d.limit.on,
-                 d.limit.lower, d.limit.upper, d.motor.on, d.motor.speed, d.motor.maxForce, d.spring.on,
-                 d.spring.hertz, d.spring.dampingRatio, d.spring.rest, d.maxForce, d.maxTorque, d.breakForce,
-                 d.breakTorque, d.hertz, d.dampingRatio, d.collideConnected, d.quality, d.user);
+void add(LaneHasher& hash, const JointDefinition& definition) {
+    const auto& [kind, a, b, anchorA, anchorB, axis, referenceAngle, length, ratio, groundA, groundB, target,
+                 offset, jointA, jointB, limit, motor, spring, maxForce, maxTorque, breakForce, breakTorque,
+                 hertz, dampingRatio, collideConnected, quality, user] = definition;
+    Values values{hash};
+    values(kind, a, b, anchorA, anchorB, axis, referenceAngle, length, ratio, groundA, groundB, target.x,
+           target.y, offset, jointA, jointB, maxForce, maxTorque, breakForce, breakTorque, hertz,
+           dampingRatio, collideConnected, quality, user);
+    const auto& [limitOn, lower, upper] = limit;
+    const auto& [motorOn, speed, mostForce] = motor;
+    const auto& [springOn, springHertz, springDamping, rest] = spring;
+    values(limitOn, lower, upper, motorOn, speed, mostForce, springOn, springHertz, springDamping, rest);
 }
 
 void add(LaneHasher& hash, const Shapes& shapes) {

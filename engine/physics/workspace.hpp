@@ -117,6 +117,7 @@ struct Workspace {
     std::vector<std::vector<std::uint32_t>> fastOfPiece;
     std::vector<std::vector<std::uint32_t>> brokenOfPiece;
     std::vector<std::uint32_t> fastBodies;  ///< that may have passed through something in this step
+    std::vector<std::uint32_t> candidates;  ///< of the query that is being answered
     bool sleepy = false;                    ///< some body has rested for long enough
     DetectionCounts counts;
     std::array<std::uint64_t, kMaxStages> stageRuns{};  ///< by stage: see runsOf()

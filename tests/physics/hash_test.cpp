@@ -216,6 +216,8 @@ std::vector<Change> everyField() {
         PLUMB_SET(settings.jointDampingRatio),
         PLUMB_SET(settings.pushSpeed),
         PLUMB_SET(settings.slop),
+        PLUMB_SET(settings.recycleDistance),
+        PLUMB_SET(settings.speculativeDistance),
         PLUMB_SET(settings.speculativeDistance),
         PLUMB_SET(settings.boundsMargin),
         PLUMB_SET(settings.bounceSpeed),

@@ -1,0 +1,90 @@
+#include "physics/queries/candidates.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "physics/broadphase_update.hpp"
+#include "physics/checks.hpp"
+#include "physics/shapes/shape_types.hpp"
+
+namespace plumb::physics {
+
+namespace {
+
+/// m: bounds are float; a place and bounds there may each be rounded by this much.
+float roundingAt(Vec2 place) { return std::max(std::fabs(place.x), std::fabs(place.y)) * 5.0e-7f; }
+
+bool passes(const World& world, std::uint32_t shape, const QueryFilter& filter) {
+    const Shapes& shapes = world.shapes;
+    const std::uint32_t body = shapes.info[shape].body;
+    if ((filter.layers & shapes.filter[shape].mask) == 0) return false;
+    if (!filter.triggers && (shapes.info[shape].flags & kTrigger) != 0) return false;
+    if (!(shapes.motion[shape] == ProxyMotion::Static ? filter.fixed : filter.movers)) return false;
+    return !filter.except || filter.except.index != body ||
+           filter.except.generation != world.bodies.info[body].generation;
+}
+
+std::span<const std::uint32_t> choose(World& world, const QueryFilter& filter) {
+    std::vector<std::uint32_t>& found = world.work.get().candidates;
+    std::erase_if(found, [&](std::uint32_t shape) { return !passes(world, shape, filter); });
+    std::sort(found.begin(), found.end());
+    return found;
+}
+
+}  // namespace
+
+bool isUsable(Place place) { return std::fabs(place.x) <= kFarthest && std::fabs(place.y) <= kFarthest; }
+bool isUsable(Vec2 way) {
+    return std::fabs(way.x) <= static_cast<float>(kFarthest) &&
+           std::fabs(way.y) <= static_cast<float>(kFarthest);
+}
+
+std::span<const std::uint32_t> candidatesIn(World& world, Place low, Place high, const QueryFilter& filter) {
+    Workspace& work = world.work.get();
+    updateBroadPhase(world, work);
+    work.candidates.clear();
+    const AABB box{toVec2(low), toVec2(high)};
+    const float margin = std::max(roundingAt(box.min), roundingAt(box.max));
+    work.broadPhase->query(proxiesOf(world), grown(box, margin), filter.mask, work.candidates);
+    return choose(world, filter);
+}
+
+std::span<const std::uint32_t> candidatesAlong(World& world, Place from, Vec2 way, Vec2 half,
+                                               const QueryFilter& filter) {
+    Workspace& work = world.work.get();
+    updateBroadPhase(world, work);
+    work.candidates.clear();
+    const Vec2 start = toVec2(from);
+    const float margin = std::max(roundingAt(start), roundingAt(start + way));
+    work.broadPhase->cast(proxiesOf(world), start, way, half + Vec2{margin, margin}, filter.mask,
+                          work.candidates);
+    return choose(world, filter);
+}
+
+Vec2 seenFrom(const BodyPose& body, Place place) {
+    return body.localCentre + unrotate(body.rotation, place - body.centre);
+}
+Frame seenFrom(const BodyPose& body, Place position, Rot rotation) {
+    return {seenFrom(body, position), between(body.rotation, rotation)};
+}
+Place placeOf(const BodyPose& body, Vec2 point) {
+    return body.centre + rotate(body.rotation, point - body.localCentre);
+}
+
+ShapeId idOf(const World& world, std::uint32_t shape) { return {shape, world.shapes.info[shape].generation}; }
+
+std::span<const Corner> cornersOf(const World& world, const QueryShape& shape) {
+    return shape.corners.empty() ? std::span<const Corner>{world.shapes.corners} : shape.corners;
+}
+
+AABB boundsOf(const World& world, const QueryShape& shape) {
+    return boundsOf(shape.geometry, cornersOf(world, shape), {{}, shape.rotation});
+}
+
+bool isUsable(const World& world, const QueryShape& shape) {
+    const float turn = shape.rotation.cos * shape.rotation.cos + shape.rotation.sin * shape.rotation.sin;
+    return isUsable(shape.position) && turn > 0.999f && turn < 1.001f &&
+           checkGeometry(shape.geometry, cornersOf(world, shape)).ok();
+}
+
+}  // namespace plumb::physics
