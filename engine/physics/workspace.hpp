@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "physics/broadphase/broad_phase.hpp"
+#include "physics/narrowphase/sweep.hpp"
 #include "physics/pair_set.hpp"
 #include "physics/solver/colours.hpp"
 #include "physics/solver/contact_block.hpp"
@@ -53,10 +54,10 @@ struct DetectionCounts {
 
 /// What the later stages need to know of a contact to pass it by.
 enum ContactKey : std::uint16_t {
-    kKeyColour = 63,   ///< its colour, if it pushes
-    kKeyIdle = 63,     ///< as a colour: it does not push
-    kKeyFixed = 64,    ///< A cannot be pushed
-    kKeyBegan = 128    ///< in this step
+    kKeyColour = 63,  ///< its colour, if it pushes
+    kKeyIdle = 63,    ///< as a colour: it does not push
+    kKeyFixed = 64,   ///< A cannot be pushed
+    kKeyBegan = 128   ///< in this step
 };
 
 std::uint16_t keyOf(const Contact& contact);
@@ -88,7 +89,8 @@ struct Workspace {
     std::vector<std::uint32_t> colourMasks;  ///< by body: which colours its constraints have
 
     // Of the step.
-    std::vector<std::uint16_t> contactKeys;  ///< by contact: bits of ContactKey, so that few have to be looked at
+    std::vector<std::uint16_t>
+        contactKeys;  ///< by contact: bits of ContactKey, so that few have to be looked at
     std::vector<std::vector<std::uint32_t>> changedContacts;  ///< by piece: began, ended, or gone
     std::vector<DetectionCounts> countsOfPiece;
     std::vector<std::int32_t> slots;    ///< by body; -1 for what is not solved
@@ -117,8 +119,10 @@ struct Workspace {
     std::vector<std::vector<std::uint32_t>> fastOfPiece;
     std::vector<std::vector<std::uint32_t>> brokenOfPiece;
     std::vector<std::uint32_t> fastBodies;  ///< that may have passed through something in this step
-    std::vector<std::uint32_t> candidates;  ///< of the query that is being answered
-    bool sleepy = false;                    ///< some body has rested for long enough
+    std::vector<Sweep> sweeps;              ///< of fastBodies
+    std::vector<std::vector<std::uint32_t>> sweptPast;  ///< by piece: shapes near the way of one of them
+    std::vector<std::uint32_t> candidates;              ///< of the query that is being answered
+    bool sleepy = false;                                ///< some body has rested for long enough
     DetectionCounts counts;
     std::array<std::uint64_t, kMaxStages> stageRuns{};  ///< by stage: see runsOf()
 };

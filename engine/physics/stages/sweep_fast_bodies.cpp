@@ -1,7 +1,239 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "physics/bounds.hpp"
+#include "physics/broadphase_update.hpp"
+#include "physics/effects/one_way.hpp"
+#include "physics/joints.hpp"
+#include "physics/narrowphase/sweep.hpp"
+#include "physics/shapes/shape_types.hpp"
 #include "physics/stages.hpp"
 
 namespace plumb::physics {
 
-void sweepFastBodies(StepContext&) {}
+namespace {
+
+constexpr int kGrain = 8;
+/// Part of a slop that is left between what meets: as good as touching, and the direction is certain.
+constexpr float kGap = 0.1f;
+
+/// How much of an outline may not pass. What slides along a floor dips into it a little and is not to be
+/// stopped for that: only what reaches deep could come out on the other side. Of outlines that are that deep
+/// already, spinning or pressed, ever smaller cores are held back.
+constexpr float kCores[] = {0.5f, 0.25f, 0.1f, 0.02f};
+
+class Core {
+public:
+    Core(const Geometry& geometry, std::span<const Corner> pool, float part)
+        : convex_{convexOf(geometry, pool)} {
+        for (std::size_t i = 0; i < convex_.corners().size(); ++i) {
+            const Corner& corner = convex_.corners()[i];
+            corners_[i] = {convex_.centre + part * (corner.point - convex_.centre), corner.normal};
+        }
+        convex_.pool = corners_.data();
+        convex_.radius *= part;
+    }
+    Core(const Core&) = delete;
+    Core& operator=(const Core&) = delete;
+
+    [[nodiscard]] const Convex& outline() const { return convex_; }
+
+private:
+    Convex convex_;
+    std::array<Corner, kMaxCorners> corners_;
+};
+
+/// How a body has come through this step, from where it is now and how far it was shifted.
+Sweep sweepOf(const StepContext& step, std::uint32_t body) {
+    const BodyPose& pose = step.world.bodies.pose[body];
+    const auto slot = static_cast<std::size_t>(step.work.slots[body]);
+    const Float4& shift = step.work.shift[slot];
+    const Rot turn = normalized(Rot{1.0f + shift.w, shift.z});
+    const float angle = angleOf(turn);
+    const float turns = (step.work.velocity[slot].z * step.dt - angle) / kTau;
+    Sweep sweep;
+    sweep.way = {shift.x, shift.y};
+    sweep.start = pose.centre + -sweep.way;
+    sweep.rotation = normalized(inverse(turn) * pose.rotation);
+    sweep.turn = angle + kTau * static_cast<float>(floorToInt(turns + 0.5f));
+    sweep.localCentre = pose.localCentre;
+    return sweep;
+}
+
+/// A shape and its way.
+struct Mover {
+    std::uint32_t shape;
+    const Sweep& sweep;
+};
+
+/// True for a target that lets the mover through because of where it comes from.
+bool opensFor(const World& world, const Mover& mover, const Mover& target) {
+    const Geometry& outline = world.shapes.geometry[target.shape];
+    if ((world.shapes.info[target.shape].flags & kOneWay) != 0) {
+        const std::uint32_t body = world.shapes.info[mover.shape].body;
+        if ((world.bodies.info[body].flags & kDropsThrough) != 0) return true;
+        if (passesThrough(world, target.shape, mover.sweep.way)) return true;
+    }
+    if (outline.kind != ShapeKind::ChainSegment) return false;
+    const BodyPose pose = target.sweep.at(0.0f), from = mover.sweep.at(0.0f);
+    const Vec2 normal = rotate(pose.rotation, normalOfChain(outline));
+    const Vec2 start = rotate(pose.rotation, outline.a - pose.localCentre);
+    const Convex own = convexOf(world.shapes.geometry[mover.shape], world.shapes.corners);
+    const Vec2 centre = rotate(from.rotation, own.centre - from.localCentre) + (from.centre - pose.centre);
+    return dot(normal, centre - start) < 0.0f;
+}
+
+bool mayMeet(const World& world, std::uint32_t a, std::uint32_t b) {
+    const Shapes& shapes = world.shapes;
+    if (((shapes.info[a].flags | shapes.info[b].flags) & kTrigger) != 0) return false;
+    if (!meet(shapes.filter[a], shapes.filter[b])) return false;
+    const std::uint32_t bodyA = shapes.info[a].body, bodyB = shapes.info[b].body;
+    return world.bodies.info[bodyA].firstJoint == kNone || !keptApart(world, bodyA, bodyB);
+}
+
+/// The part of the way at which the mover has to stop, or `latest`. Outlines that touched from the start are
+/// held by their contact, until even a core would pass.
+float stopAt(const World& world, const Mover& mover, const Mover& target, float latest) {
+    if (!mayMeet(world, mover.shape, target.shape) || opensFor(world, mover, target)) return latest;
+    const Geometry& geometry = world.shapes.geometry[mover.shape];
+    const Convex theirs = convexOf(world.shapes.geometry[target.shape], world.shapes.corners);
+    const SweptOutline other{theirs, target.sweep};
+    const auto impactOf = [&](const Convex& outline, float gap) {
+        return firstImpact(other, {outline, mover.sweep}, gap, latest);
+    };
+    for (const float part : kCores) {
+        const auto deep = impactOf(Core{geometry, world.shapes.corners, part}.outline(), 0.0f);
+        if (!deep) return latest;
+        if (deep->part == 0.0f) continue;
+        latest = deep->part;
+        const auto touch = impactOf(convexOf(geometry, world.shapes.corners), kGap * world.settings.slop);
+        return touch && touch->part > 0.0f ? touch->part : latest;
+    }
+    return latest;
+}
+
+/// Where the shapes of the body stop at shapes that come into question.
+float stopOfBody(const World& world, const Sweep& sweep, std::uint32_t body, const Mover& target,
+                 float latest) {
+    for (std::uint32_t s = world.bodies.info[body].firstShape; s != kNone; s = world.shapes.info[s].next) {
+        latest = stopAt(world, {s, sweep}, target, latest);
+    }
+    return latest;
+}
+
+void findOnWay(const StepContext& step, const Sweep& sweep, std::uint32_t body,
+               std::vector<std::uint32_t>& found) {
+    const Vec2 from = toVec2(sweep.start);
+    const float rounding = 5.0e-7f * std::max(std::fabs(from.x), std::fabs(from.y));
+    const float reach =
+        step.world.bodies.info[body].reach + rounding + step.world.settings.speculativeDistance;
+    found.clear();
+    step.work.broadPhase->cast(proxiesOf(step.world), from, sweep.way, {reach, reach}, 0xffffffffu, found);
+}
+
+/// Lets a sweep end at the first shape that never yields.
+void stopAtFixed(const StepContext& step, std::uint32_t body, Sweep& sweep,
+                 std::vector<std::uint32_t>& found) {
+    const World& world = step.world;
+    findOnWay(step, sweep, body, found);
+    float latest = 1.0f;
+    for (const std::uint32_t shape : found) {
+        const ProxyMotion motion = world.shapes.motion[shape];
+        if (motion != ProxyMotion::Static && motion != ProxyMotion::Kinematic) continue;
+        const Sweep stays = resting(world.bodies.pose[world.shapes.info[shape].body]);
+        latest = stopOfBody(world, sweep, body, {shape, stays}, latest);
+    }
+    sweep.end = latest;
+}
+
+/// Takes a body back to a part of its way.
+void setBack(StepContext& step, std::uint32_t body, const Sweep& sweep) {
+    World& world = step.world;
+    world.bodies.pose[body] = sweep.at(sweep.end);
+    Shapes& shapes = world.shapes;
+    for (std::uint32_t s = world.bodies.info[body].firstShape; s != kNone; s = shapes.info[s].next) {
+        shapes.bounds[s] = grown(tightBounds(world, s), shapes.info[s].margin);
+        noteChanged(world, s);
+        noteMoved(world, s);
+    }
+}
+
+bool isBullet(const World& world, std::uint32_t body) {
+    return (world.bodies.info[body].flags & kBullet) != 0;
+}
+
+/// Bodies that have moved far themselves are met on their way, both at one time; all others where they are.
+/// @param places  in Workspace::fastBodies, by body
+void sweepBullet(StepContext& step, std::uint32_t place, const std::vector<std::uint32_t>& places) {
+    World& world = step.world;
+    Workspace& work = step.work;
+    const std::uint32_t bullet = work.fastBodies[place];
+    Sweep& sweep = work.sweeps[place];
+    float latest = sweep.end;
+    std::uint32_t met = kNone;
+    findOnWay(step, sweep, bullet, work.candidates);
+    for (const std::uint32_t shape : work.candidates) {
+        const std::uint32_t body = world.shapes.info[shape].body;
+        const ProxyMotion motion = world.shapes.motion[shape];
+        const bool fixed = motion == ProxyMotion::Static || motion == ProxyMotion::Kinematic;
+        if (fixed || places[body] != kNone) continue;
+        const Sweep stays = resting(world.bodies.pose[body]);
+        latest = stopOfBody(world, sweep, bullet, {shape, stays}, latest);
+    }
+    for (std::uint32_t other = 0; other < work.sweeps.size(); ++other) {
+        if (other == place) continue;
+        const std::uint32_t body = work.fastBodies[other];
+        for (std::uint32_t s = world.bodies.info[body].firstShape; s != kNone;
+             s = world.shapes.info[s].next) {
+            const float stop = stopOfBody(world, sweep, bullet, {s, work.sweeps[other]}, latest);
+            if (stop < latest) latest = stop, met = other;
+        }
+    }
+    if (latest == sweep.end) return;
+    sweep.end = latest;
+    setBack(step, bullet, sweep);
+    if (met == kNone || work.sweeps[met].end <= latest) return;
+    work.sweeps[met].end = latest;
+    setBack(step, work.fastBodies[met], work.sweeps[met]);
+}
+
+void sweepBullets(StepContext& step) {
+    Workspace& work = step.work;
+    std::vector<std::uint32_t>& places = work.bodyScratch;
+    places.assign(step.world.bodies.size(), kNone);
+    for (std::uint32_t i = 0; i < work.fastBodies.size(); ++i) places[work.fastBodies[i]] = i;
+    for (std::uint32_t i = 0; i < work.fastBodies.size(); ++i) {
+        if (isBullet(step.world, work.fastBodies[i])) sweepBullet(step, i, places);
+    }
+}
+
+}  // namespace
+
+// Sweeps go from where a body was to where it is; those that meet something are set back to just before. They
+// keep their velocity: the next step finds the contact, and stops or bounces them.
+void sweepFastBodies(StepContext& step) {
+    World& world = step.world;
+    Workspace& work = step.work;
+    const auto count = work.fastBodies.size();
+    if (count == 0) return;
+    const bool bullets = std::any_of(work.fastBodies.begin(), work.fastBodies.end(),
+                                     [&](std::uint32_t body) { return isBullet(world, body); });
+    if (bullets || world.manifest.runs(Effect::Kinematics)) updateBroadPhase(world, work);
+    work.sweeps.resize(count);
+    const auto pieces = static_cast<std::size_t>(piecesOf(static_cast<int>(count), kGrain));
+    if (work.sweptPast.size() < pieces) work.sweptPast.resize(pieces);
+    forPieces(step, static_cast<int>(count), kGrain, [&](int begin, int end, int piece) {
+        for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i) {
+            work.sweeps[i] = sweepOf(step, work.fastBodies[i]);
+            stopAtFixed(step, work.fastBodies[i], work.sweeps[i],
+                        work.sweptPast[static_cast<std::size_t>(piece)]);
+        }
+    });
+    for (std::size_t i = 0; i < count; ++i) {
+        if (work.sweeps[i].end < 1.0f) setBack(step, work.fastBodies[i], work.sweeps[i]);
+    }
+    if (bullets) sweepBullets(step);
+}
 
 }  // namespace plumb::physics
