@@ -5,8 +5,9 @@ namespace plumb::physics {
 
 namespace {
 
-/// Sine of the turn from which on two segments make a corner; flatter ones go on as one.
-constexpr float kCornerTurn = 0.01f;
+/// Whether a chain sticks out where it turns from one normal to another. By less than a hundredth it goes on
+/// straight; a spike turns by nearly half a turn.
+bool isSharp(Vec2 from, Vec2 to) { return cross(from, to) > (dot(from, to) > 0.0f ? 0.01f : 0.0f); }
 
 /// A joint of a chain. Where it sticks out, directions from the one segment's normal to the other's may
 /// touch. The segment that starts at a joint looks after it, and the last one after the end.
@@ -44,8 +45,8 @@ Chain chainIn(const Geometry& geometry, const Frame& frame) {
     const Vec2 from = starts ? -perpendicular(normal) : normalBetween(before, start);  // a free end is square
     const Vec2 to = ends ? perpendicular(normal) : normalBetween(end, after);
     return {{{start, normal}, {end, -normal}},
-            {{start, from, normal, before, cross(from, normal) > kCornerTurn, true},
-             {end, normal, to, after, cross(normal, to) > kCornerTurn, ends}}};
+            {{start, from, normal, before, isSharp(from, normal), true},
+             {end, normal, to, after, isSharp(normal, to), ends}}};
 }
 
 /// One corner of a chain that a face or a corner of the other side touches.
@@ -109,21 +110,10 @@ Manifold touchFaceOnJoint(const Chain& chain, const Side& other, const JointGap&
     return touchCorner(chain, other, joint.end, corner, other.corners[corner].point - point, speculative);
 }
 
-/// The chain's own face: whatever of the other side lies in front of it.
-Manifold touchFace(const Chain& chain, const Side& other, float gap, float speculative) {
-    const EdgeOnEdge edges = edgeOnEdge(chain.side(), 0, other);
-    if (gap > 0.0f) {
-        if (const auto pair = nearestCorners(edges, chain.side(), other)) {
-            return touchCorner(chain, other, pair->reference, pair->other, pair->way, speculative);
-        }
-    }
-    if (edges.high.x < 0.0f || edges.low.x > edges.length) return {};  // the neighbour's
-    return touchEdge(edges, chain.side(), other, true, speculative);
-}
-
 /// A neighbour's face is what keeps both apart: the joint is ours if its corner is nearest.
 Manifold touchBeside(const Chain& chain, const Side& other, std::size_t end, float speculative) {
     const Joint& joint = chain.joints[end];
+    if (!joint.ours || !joint.sharp) return {};
     const Vec2 normal = end == 0 ? joint.from : joint.to;
     const Vec2 start = end == 0 ? joint.neighbour : joint.point;
     const Corner corners[2] = {{start, normal}, {end == 0 ? joint.point : joint.neighbour, -normal}};
@@ -133,12 +123,26 @@ Manifold touchBeside(const Chain& chain, const Side& other, std::size_t end, flo
     return touchCorner(chain, other, end, pair->other, pair->way, speculative);
 }
 
-/// The widest gap along the normal of a neighbour at a joint of ours.
+/// The chain's own face: whatever of the other side lies in front of it.
+Manifold touchFace(const Chain& chain, const Side& other, float gap, float speculative) {
+    const EdgeOnEdge edges = edgeOnEdge(chain.side(), 0, other);
+    if (gap > 0.0f) {
+        if (const auto pair = nearestCorners(edges, chain.side(), other)) {
+            return touchCorner(chain, other, pair->reference, pair->other, pair->way, speculative);
+        }
+    }
+    // Beyond an end it is the neighbour's, unless the corner between both is nearest.
+    const bool before = edges.high.x < 0.0f;
+    if (before || edges.low.x > edges.length) return touchBeside(chain, other, before ? 0 : 1, speculative);
+    return touchEdge(edges, chain.side(), other, true, speculative);
+}
+
+/// The widest gap along the normal of a neighbour at a sharp joint.
 JointGap widestNeighbourGap(const Chain& chain, const Side& other) {
     JointGap widest;
     for (std::size_t end = 0; end < 2; ++end) {
         const Joint& joint = chain.joints[end];
-        if (!joint.ours || !joint.sharp) continue;
+        if (!joint.sharp) continue;
         const Corner face{joint.point, end == 0 ? joint.from : joint.to};
         const float gap = widestGap({&face, 1}, other.corners).gap;
         if (gap > widest.gap) widest = {gap, 0, end};
@@ -174,19 +178,26 @@ Manifold collideChain(const Geometry& a, const Geometry& b, std::span<const Corn
     const float reach = speculative + other.radius;
     if (!(gap <= reach)) return {};
 
-    // Behind this segment, but in front of the one before, its start may still be touched.
     const auto isBefore = [&](Vec2 normal, Vec2 point) { return dot(normal, other.centre - point) >= 0.0f; };
     const bool inFront = isBefore(chain.normal(), chain.corners[0].point);
-    const Joint& start = chain.joints[0];
-    if (!inFront && !(start.sharp && isBefore(start.from, start.point))) return {};
     if (convex.count == 1) return touchDisc(chain, other, inFront, gap, speculative);
+    // Around a corner one may be in front of the neighbour alone, and yet touch the corner or this segment.
+    const auto isAround = [&](const Joint& side, Vec2 normal) {
+        return side.sharp && isBefore(normal, side.point);
+    };
+    const Joint& start = chain.joints[0];
+    const Joint& end = chain.joints[1];
+    if (!inFront && !isAround(start, start.from) && !isAround(end, end.to)) return {};
 
     const JointGap joint = widestJointGap(chain, other);
     const JointGap beside = widestNeighbourGap(chain, other);
     if (joint.gap > reach || beside.gap > reach) return {};
     const float tie = tieOf(distance(chain.corners[0].point, chain.corners[1].point));
-    const bool byFace = inFront && gap + tie >= joint.gap;
-    if (beside.gap > (byFace ? gap : joint.gap)) return touchBeside(chain, other, beside.end, speculative);
+    const bool byFace = gap + tie >= joint.gap;
+    if (beside.gap > (byFace ? gap + tie : joint.gap)) {
+        return touchBeside(chain, other, beside.end, speculative);
+    }
+    if (!inFront && (byFace ? gap : joint.gap) < -speculative) return {};  // it came from the other side
     if (byFace) return touchFace(chain, other, gap, speculative);
     return touchFaceOnJoint(chain, other, joint, speculative);
 }
