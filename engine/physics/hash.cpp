@@ -39,10 +39,8 @@ static_assert(isDense(&Contact::shapeA, &Contact::shapeB, &Contact::bodyA, &Cont
                       &Contact::separation0, &Contact::impulse0, &Contact::separation1, &Contact::impulse1,
                       &Contact::roundA, &Contact::roundB, &Contact::normalInA));
 static_assert(isDense(&Joint::bodyA, &Joint::bodyB, &Joint::anchorA, &Joint::anchorB, &Joint::kind,
-                      &Joint::flags, &Joint::colour, &Joint::quality, &Joint::generation,
-                      &Joint::pointImpulse, &Joint::angleImpulse, &Joint::springImpulse, &Joint::motorImpulse,
-                      &Joint::lowerImpulse, &Joint::upperImpulse, &Joint::nextA, &Joint::nextB,
-                      &Joint::place));
+                      &Joint::flags, &Joint::colour, &Joint::quality, &Joint::generation, &Joint::force,
+                      &Joint::torque, &Joint::rows, &Joint::nextA, &Joint::nextB, &Joint::place));
 static_assert(isDense(&SleepingIsland::firstBody, &SleepingIsland::firstContact));
 static_assert(isDense(&Manifest::callers, &Manifest::pinnedOn, &Manifest::pinnedOff));
 static_assert(isDense(&JointId::index, &JointId::generation));

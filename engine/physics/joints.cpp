@@ -4,7 +4,7 @@
 #include "physics/bounds.hpp"
 #include "physics/checks.hpp"
 #include "physics/sleeping.hpp"
-#include "physics/solver/colours.hpp"
+#include "physics/solver/joint_lanes.hpp"
 #include "physics/workspace.hpp"
 
 namespace plumb::physics {
@@ -129,7 +129,7 @@ Result<JointId> createJoint(World& world, const JointDefinition& definition) {
     joint.quality = definition.quality;
     joint.flags = static_cast<std::uint8_t>(
         (definition.limit.on ? kLimited : 0) | (definition.motor.on ? kDriven : 0) |
-        (definition.spring.on ? kSprung : 0) |
+        (definition.spring.on ? kSprung : 0) | (definition.hertz > 0.0f ? kSoft : 0) |
         (definition.breakForce < kEndless || definition.breakTorque < kEndless ? kBreakable : 0) |
         (definition.collideConnected ? 0 : kKeepsApart));
     joint.nextA = std::exchange(world.bodies.info[joint.bodyA].firstJoint, index);
@@ -162,17 +162,22 @@ void destroyJoint(World& world, JointId id) {
     }
     callFor(world, world.joints.definition[id.index], -1);
     if (!world.work.stale()) {
-        const auto pushable = [&](std::uint32_t body) {
-            return world.bodies.info[body].kind == BodyKind::Dynamic ? body : kNone;
-        };
-        const bool fixedB = pushable(joint.bodyB) == kNone;
-        freeColour(world.work.get(), fixedB ? kNone : pushable(joint.bodyA),
-                   fixedB ? joint.bodyA : joint.bodyB, joint.colour);
+        const PushedBodies pushed = pushedBodies(world, joint);
+        const bool fixedB = pushed.b == kNone;
+        freeColour(world.work.get(), fixedB ? kNone : pushed.a, fixedB ? pushed.a : pushed.b, joint.colour);
     }
     removeAwakeJoint(world, id.index);
     joint.bodyA = joint.bodyB = kNone;
     world.islandsStale = true;
     world.joints.free.push_back(id.index);
+}
+
+Vec2 jointForce(const World& world, JointId joint) {
+    return alive(world, joint) ? world.joints.hot[joint.index].force : Vec2{};
+}
+
+float jointTorque(const World& world, JointId joint) {
+    return alive(world, joint) ? world.joints.hot[joint.index].torque : 0.0f;
 }
 
 Result<Done> setMotorSpeed(World& world, JointId id, float speed) {

@@ -30,6 +30,7 @@ constexpr Stage kStages[] = {
     {"broad phase", kMeeting, findPairs},
     {"narrow phase", kMeeting, updateContacts},
     {"filter contacts", any(Effect::OneWay), filterContacts},
+    {"new joints", any(Effect::Joints), colourJoints},
     {"gather bodies", 0, gatherBodies},
     {"prepare constraints", any(Effect::Contacts, Effect::Joints), prepareConstraints},
     {"solve", 0, solve},

@@ -41,6 +41,8 @@ void findPairs(StepContext& step);
 void updateContacts(StepContext& step);
 /// Reads: contacts, one-way directions. Writes: contacts (kPassing, kDisabled), events (Ended).
 void filterContacts(StepContext& step);
+/// Reads: awake joints. Writes: colours of new ones, work.colourMasks.
+void colourJoints(StepContext& step);
 /// Reads: drives, masses, settings. Writes: work.slots, work.groups, work.velocity and its kin.
 void gatherBodies(StepContext& step);
 /// Reads: contacts, joints, masses. Writes: colours, work's blocks.

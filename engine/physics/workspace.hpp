@@ -10,9 +10,15 @@
 #include "physics/pair_set.hpp"
 #include "physics/solver/colours.hpp"
 #include "physics/solver/contact_block.hpp"
+#include "physics/solver/joint_work.hpp"
 #include "physics/world.hpp"
 
 namespace plumb::physics {
+
+struct JointRange {
+    std::int32_t begin = 0;
+    std::int32_t end = 0;
+};
 
 /// What one colour of a group has to solve, as ranges of blocks.
 struct ColourBlocks {
@@ -20,6 +26,7 @@ struct ColourBlocks {
     std::int32_t contactEnd = 0;
     std::int32_t fixedBegin = 0;
     std::int32_t fixedEnd = 0;
+    JointRange joints[kJointBlockKinds];
 };
 
 /// Islands that are solved alike: a range of slots, and their constraints by colour.
@@ -29,6 +36,7 @@ struct SolveGroup {
     std::int32_t bodies = 0;
     std::int32_t begin = 0;  ///< slots, in multiples of eight
     std::int32_t end = 0;
+    std::uint64_t jointColours = 0;      ///< bits of colours that have joints
     ColourBlocks colours[kColours + 1];  ///< the last is kOverflow: one lane a block, in order
 };
 
@@ -112,6 +120,7 @@ struct Workspace {
     std::vector<RollingBlock> rollings;  ///< beside contactBlocks, where something resists rolling
     std::vector<RollingBlock> fixedRollings;
     std::vector<AxisLock> locks;
+    JointWork joints;
     std::vector<std::uint32_t> solveOrder;   ///< awake bodies by group; empty where there is one group
     std::vector<std::uint8_t> groupOf;       ///< by body, where there are several
     std::vector<std::uint32_t> bodyScratch;  ///< by body

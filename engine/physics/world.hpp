@@ -143,12 +143,9 @@ struct Joint {
     std::uint8_t colour = kNoColour;
     Quality quality = kQualityOfWorld;
     std::uint32_t generation = 0;
-    Vec2 pointImpulse;           ///< N s, of one substep, on B
-    float angleImpulse = 0.0f;   ///< N m s: of parts that hold an angle or a second axis
-    float springImpulse = 0.0f;  ///< of the spring
-    float motorImpulse = 0.0f;
-    float lowerImpulse = 0.0f;
-    float upperImpulse = 0.0f;
+    Vec2 force;                   ///< N on B, in the last substep
+    float torque = 0.0f;          ///< N m on B
+    float rows[6] = {};           ///< N or N m: of each row of its value, and what else its block needs
     std::uint32_t nextA = kNone;  ///< the next joint of body A
     std::uint32_t nextB = kNone;
     std::uint32_t place = kNone;  ///< in Joints::awake, or kNone
@@ -159,7 +156,7 @@ enum JointFlag : std::uint8_t {
     kDriven = 2,
     kSprung = 4,
     kBreakable = 8,
-    kAsleep = 16,
+    kSoft = 16,  ///< has a stiffness of its own
     kKeepsApart = 32
 };
 

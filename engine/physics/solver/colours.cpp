@@ -26,4 +26,34 @@ void freeColour(Workspace& work, std::uint32_t bodyA, std::uint32_t bodyB, std::
     work.colourMasks[bodyB] &= keep;
 }
 
+namespace {
+
+void note(const World& world, Workspace& work, std::uint32_t body, std::uint8_t colour) {
+    if (colour < kColours && world.bodies.info[body].kind == BodyKind::Dynamic)
+        work.colourMasks[body] |= 1u << colour;
+}
+void note(const World& world, Workspace& work, const Contact& contact) {
+    note(world, work, contact.bodyA, contact.colour);
+    note(world, work, contact.bodyB, contact.colour);
+}
+
+}  // namespace
+
+void refreshColours(World& world, Workspace& work) {
+    work.colourMasks.resize(world.bodies.size());
+    if (!world.work.stale()) return;
+    work.colourMasks.assign(world.bodies.size(), 0);
+    for (const Contact& contact : world.contacts) note(world, work, contact);
+    for (const SleepingIsland& island : world.sleepers.islands) {
+        for (std::uint32_t c = island.firstContact; c != kNone; c = world.sleepers.nextContact[c]) {
+            note(world, work, world.sleepers.contacts[c]);
+        }
+    }
+    for (const Joint& joint : world.joints.hot) {
+        if (joint.bodyA == kNone) continue;
+        if (joint.kind != JointKind::Mouse) note(world, work, joint.bodyA, joint.colour);
+        note(world, work, joint.bodyB, joint.colour);
+    }
+}
+
 }  // namespace plumb::physics

@@ -6,6 +6,7 @@
 
 namespace plumb::physics {
 
+struct World;
 struct Workspace;
 
 /// Constraints of one colour share no body, so they can be solved at once and in any order. The first colours
@@ -20,5 +21,8 @@ inline constexpr std::uint8_t kOverflow = 32;
 std::uint8_t takeColour(Workspace& work, std::uint32_t bodyA, std::uint32_t bodyB);
 /// Gives it back.
 void freeColour(Workspace& work, std::uint32_t bodyA, std::uint32_t bodyB, std::uint8_t colour);
+
+/// Makes Workspace::colourMasks fit the world, and fills them anew after the world was written over.
+void refreshColours(World& world, Workspace& work);
 
 }  // namespace plumb::physics

@@ -1,1 +1,2 @@
 #include "physics/solver/kernels.inl"
+#include "physics/solver/joint_kernels.inl"

@@ -92,6 +92,7 @@ void clearSlot(Workspace& work, std::size_t slot) {
 void gatherBodies(StepContext& step) {
     World& world = step.world;
     Workspace& work = step.work;
+    refreshColours(world, work);
     sortByQuality(world, work);
     std::size_t slots = 0;
     for (SolveGroup& group : work.groups) {

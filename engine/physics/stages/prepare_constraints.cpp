@@ -1,6 +1,6 @@
 #include <algorithm>
 
-#include "physics/stages.hpp"
+#include "physics/solver/joint_lanes.hpp"
 
 namespace plumb::physics {
 
@@ -105,6 +105,7 @@ void prepareConstraints(StepContext& step) {
     forPieces(step, static_cast<int>(work.fixedBlocks.size()), kGrain, [&](int begin, int end, int) {
         kernels.prepareFixed(source, work.fixedLanes.data(), work.fixedBlocks.data(), begin, end);
     });
+    if (world.manifest.runs(Effect::Joints)) prepareJoints(step);
 }
 
 }  // namespace plumb::physics

@@ -1,3 +1,4 @@
+#include "physics/solver/joint_lanes.hpp"
 #include "physics/solver/locks.hpp"
 #include "physics/solver/restitution.hpp"
 #include "physics/solver/rolling.hpp"
@@ -20,7 +21,8 @@ struct Solver {
     SolverBodies bodies;
     ContactPass contacts;       // between bodies that can be pushed
     ContactPass fixedContacts;  // stiffer: the ground does not give way
-    float h;                    // s
+    JointPass joints;
+    float h;  // s
 };
 
 SolverBodies bodiesOf(Workspace& work) {
@@ -44,10 +46,12 @@ void forBodies(Solver& solver, Pass&& pass) {
               [&](int first, int last, int) { pass(begin + first, begin + last); });
 }
 
-/// Runs one pass over all contacts of a group, colour by colour.
+/// Runs one pass over all constraints of a group, colour by colour: joints, then contacts.
 template <class Two, class Fixed>
-void forContacts(Solver& solver, Two&& two, Fixed&& fixed) {
-    const auto colour = [&](const ColourBlocks& blocks, int grain) {
+void forConstraints(Solver& solver, JointAct act, Two&& two, Fixed&& fixed) {
+    const auto colour = [&](int c, int grain) {
+        const ColourBlocks& blocks = solver.group.colours[c];
+        solveJoints(solver.step, solver.bodies, solver.joints, solver.group, c, act);
         forPieces(solver.step, blocks.contactEnd - blocks.contactBegin, grain, [&](int first, int last, int) {
             two(blocks.contactBegin + first, blocks.contactBegin + last);
         });
@@ -55,14 +59,14 @@ void forContacts(Solver& solver, Two&& two, Fixed&& fixed) {
             fixed(blocks.fixedBegin + first, blocks.fixedBegin + last);
         });
     };
-    colour(solver.group.colours[kOverflow], 1 << 30);  // they share bodies: one after the other
-    for (int i = 0; i < kColours; ++i) colour(solver.group.colours[i], kBlockGrain);
+    colour(kOverflow, 1 << 30);  // they share bodies: one after the other
+    for (int i = 0; i < kColours; ++i) colour(i, kBlockGrain);
 }
 
 void warmStart(Solver& solver) {
     Workspace& work = solver.work;
-    forContacts(
-        solver,
+    forConstraints(
+        solver, JointAct::WarmStart,
         [&](int begin, int end) {
             solver.kernels.warmStart(solver.bodies, work.contactLanes.data(), work.contactBlocks.data(),
                                      begin, end);
@@ -75,8 +79,8 @@ void warmStart(Solver& solver) {
 
 void push(Solver& solver) {
     Workspace& work = solver.work;
-    forContacts(
-        solver,
+    forConstraints(
+        solver, JointAct::Push,
         [&](int begin, int end) {
             solver.kernels.push(solver.bodies, solver.contacts, work.contactLanes.data(),
                                 work.contactBlocks.data(), begin, end);
@@ -89,8 +93,8 @@ void push(Solver& solver) {
 
 void relax(Solver& solver) {
     Workspace& work = solver.work;
-    forContacts(
-        solver,
+    forConstraints(
+        solver, JointAct::Relax,
         [&](int begin, int end) {
             solver.kernels.relax(solver.bodies, solver.contacts, work.contactLanes.data(),
                                  work.contactBlocks.data(), begin, end);
@@ -136,6 +140,7 @@ void solveGroup(Solver& solver) {
         relaxRolling(solver.step, solver.group);
         lockAxes(solver.step, solver.group);
         noteLargestImpulses(solver.step, solver.group);
+        noteJointForces(solver.step, solver.group, 1.0f / solver.h);
     }
     applyRestitution(solver.step, solver.group);
     lockAxes(solver.step, solver.group);
@@ -157,11 +162,13 @@ void solve(StepContext& step) {
                       bodiesOf(step.work),
                       passOf(step.world.settings, h, 1.0f),
                       passOf(step.world.settings, h, 2.0f),
+                      jointPass(step.world.settings, h),
                       h};
         solveGroup(solver);
     }
     storeImpulses(step, kernels);
     storeRolling(step);
+    if (step.world.manifest.runs(Effect::Joints)) storeJoints(step);
 }
 
 }  // namespace plumb::physics

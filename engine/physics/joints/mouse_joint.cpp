@@ -1,0 +1,31 @@
+#include <cmath>
+
+#include "physics/joints/joint_types.hpp"
+
+namespace plumb::physics {
+
+namespace {
+
+// Source: the pull of a hand is a damped spring of limited force: E. Catto, "Soft Constraints", GDC 2011.
+constexpr float kHertz = 5.0f;  // 1/s, unless JointDefinition::spring says otherwise; critically damped
+
+JointBlockKind blockOf(std::uint8_t) { return kHingeBlocks; }
+
+JointParts partsOf(const JointView& view) {
+    const JointSpring& spring = view.definition.spring;
+    JointParts parts = anchorsOf(view);
+    parts.armA = {};
+    parts.apart = view.toTarget + parts.armB;
+    parts.grip =
+        springGrip(spring.on ? spring.hertz : kHertz, spring.on ? spring.dampingRatio : 1.0f, view.timing.h);
+    parts.springs = true;
+    parts.most = std::fmin(view.definition.maxForce * view.timing.h, kNoLimit);
+    return parts;
+}
+
+}  // namespace
+
+extern const JointType kMouseJoint;
+const JointType kMouseJoint{"mouse", blockOf, partsOf};
+
+}  // namespace plumb::physics

@@ -1,0 +1,24 @@
+#include "physics/joints/joint_types.hpp"
+
+namespace plumb::physics {
+
+namespace {
+
+JointBlockKind blockOf(std::uint8_t) { return kHingeBlocks; }
+
+JointParts partsOf(const JointView& view) {
+    JointParts parts = anchorsOf(view);
+    parts.springs = ownGrip(view, parts.grip);
+    parts.angle = angleOf(view);
+    parts.value.held = true;
+    parts.value.springs = parts.springs;
+    parts.value.grip = parts.grip;
+    return parts;
+}
+
+}  // namespace
+
+extern const JointType kWeldJoint;
+const JointType kWeldJoint{"weld", blockOf, partsOf};
+
+}  // namespace plumb::physics

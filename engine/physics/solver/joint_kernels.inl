@@ -1,0 +1,528 @@
+// Joints in lanes: the rest of kernels.inl, whose functions it uses.
+//
+// Arms turn with the bodies in every substep, so that chains stay exact however fast they swing. What the
+// impulses of a substep did is given again in the next one (accelerate), along the arms of then; what that
+// lacks is made up for when the joint is pushed.
+
+#include "physics/solver/joint_kernels.hpp"
+
+namespace plumb::physics::PLUMB_LANES {
+
+namespace {
+
+inline Two8 operator+(Two8 a, Two8 b) { return {a.x + b.x, a.y + b.y}; }
+inline Two8 operator-(Two8 a, Two8 b) { return {a.x - b.x, a.y - b.y}; }
+inline Two8 operator*(Float8 s, Two8 a) { return {s * a.x, s * a.y}; }
+inline Two8 load2(const float* x, const float* y) { return {load(x), load(y)}; }
+inline void store2(float* x, float* y, Two8 a) { store(x, a.x), store(y, a.y); }
+
+/// The bodies of eight joints while they are worked on: `shift` is how they moved in this step.
+struct Couple8 {
+    Body8 a, b;
+    Float8 shiftA[4], shiftB[4];
+
+    void push(Two8 impulse, Float8 turnA, Float8 turnB) {
+        a.push({-impulse.x, -impulse.y}, -turnA);
+        b.push(impulse, turnB);
+    }
+    void turn(Float8 impulse) {
+        a.lane[2] -= a.inverseInertia * impulse;
+        b.lane[2] += b.inverseInertia * impulse;
+    }
+    [[nodiscard]] Float8 spin() const { return b.lane[2] - a.lane[2]; }
+    [[nodiscard]] Two8 velocityBetween(Two8 armA, Two8 armB) const {
+        return {b.lane[0] - b.lane[2] * armB.y - (a.lane[0] - a.lane[2] * armA.y),
+                b.lane[1] + b.lane[2] * armB.x - (a.lane[1] + a.lane[2] * armA.x)};
+    }
+};
+
+inline Couple8 coupleOf(const SolverBodies& bodies, const JointBodies& block) {
+    Couple8 couple;
+    couple.a = bodyAt(bodies.velocity, block.a, block.inverseInertiaA);
+    couple.b = bodyAt(bodies.velocity, block.b, block.inverseInertiaB);
+    gather(bodies.shift, block.a, couple.shiftA);
+    gather(bodies.shift, block.b, couple.shiftB);
+    return couple;
+}
+
+/// The body that cannot be pushed is not written: other threads may read it.
+template <bool kOneSided>
+inline void write(const SolverBodies& bodies, const JointBodies& block, const Couple8& couple, int count) {
+    if constexpr (kOneSided) {
+        const Mask8 ownIsA = load(block.ownIsA) > all(0.5f);
+        Float8 own[4];
+        for (int i = 0; i < 4; ++i) own[i] = select(ownIsA, couple.a.lane[i], couple.b.lane[i]);
+        scatter(bodies.velocity, block.own, own, count);
+    } else {
+        scatter(bodies.velocity, block.a, couple.a.lane, count);
+        scatter(bodies.velocity, block.b, couple.b.lane, count);
+    }
+}
+
+/// By how much an arm has changed with the body's turn.
+inline Two8 changeOf(Two8 arm, const Float8 (&shift)[4]) {
+    return {shift[3] * arm.x - shift[2] * arm.y, shift[2] * arm.x + shift[3] * arm.y};
+}
+
+/// Two anchors at the moment.
+struct Anchors8 {
+    Two8 armA, armB;
+    Two8 apart;  // from A's to B's
+};
+
+inline Anchors8 anchorsAt(const AnchorLanes& lanes, const Couple8& couple) {
+    const Two8 armA = load2(lanes.armAX, lanes.armAY), armB = load2(lanes.armBX, lanes.armBY);
+    const Two8 changeA = changeOf(armA, couple.shiftA), changeB = changeOf(armB, couple.shiftB);
+    const Two8 moved{couple.shiftB[0] - couple.shiftA[0], couple.shiftB[1] - couple.shiftA[1]};
+    return {armA + changeA, armB + changeB,
+            load2(lanes.apartX, lanes.apartY) + (moved + (changeB - changeA))};
+}
+
+// Grips.
+
+struct Grip8 {
+    Float8 take, pull, give;
+};
+
+inline Grip8 gripOf(const Grip& grip) { return {all(grip.take), all(grip.pull), all(grip.give)}; }
+
+template <bool kPush>
+inline Grip8 gripOf(const GripLanes& lanes) {
+    const Grip8 soft{load(lanes.take), load(lanes.pull), load(lanes.give)};
+    if constexpr (kPush) return soft;
+    const Mask8 springs = load(lanes.springs) > all(0.5f);
+    return {select(springs, soft.take, all(1.0f)), select(springs, soft.pull, all(0.0f)),
+            select(springs, soft.give, all(0.0f))};
+}
+
+inline constexpr Grip kRelaxed{1.0f, 0.0f, 0.0f};
+
+// A point of A that is a point of B: a constraint of two rows, solved at once.
+
+/// What an impulse of 1 does to the velocity between the anchors; and its inverse.
+inline Two8 solvePoint(const Couple8& couple, const Anchors8& at, Two8 wanted) {
+    const Float8 turnA = couple.a.inverseInertia, turnB = couple.b.inverseInertia;
+    const Float8 masses = couple.a.lane[3] + couple.b.lane[3];
+    const Float8 xx = masses + (turnA * at.armA.y * at.armA.y + turnB * at.armB.y * at.armB.y);
+    const Float8 yy = masses + (turnA * at.armA.x * at.armA.x + turnB * at.armB.x * at.armB.x);
+    const Float8 xy = -(turnA * at.armA.x * at.armA.y + turnB * at.armB.x * at.armB.y);
+    const Float8 inverse = inverseOrZero(xx * yy - xy * xy);
+    return {inverse * (yy * wanted.x - xy * wanted.y), inverse * (xx * wanted.y - xy * wanted.x)};
+}
+
+/// The impulse that a grip answers with.
+inline Two8 answerPoint(const Couple8& couple, const Anchors8& at, const Grip8& grip, Two8 impulse) {
+    const Two8 speed = couple.velocityBetween(at.armA, at.armB);
+    const Two8 wanted = grip.take * speed + grip.pull * at.apart;
+    return Two8{all(0.0f), all(0.0f)} - (solvePoint(couple, at, wanted) + grip.give * impulse);
+}
+
+inline void givePoint(Couple8& couple, const Anchors8& at, Two8 impulse) {
+    couple.push(impulse, cross8(at.armA, impulse), cross8(at.armB, impulse));
+}
+
+/// Before a push: what the impulses of the last substep lack along the arms of now.
+inline void makeUp(Couple8& couple, const PointBlock& block) {
+    couple.a.lane[2] -= couple.a.inverseInertia * load(block.turnA);
+    couple.b.lane[2] += couple.b.inverseInertia * load(block.turnB);
+}
+
+inline void noteTurns(PointBlock& block, const Anchors8& at, Two8 impulse) {
+    store(block.turnA, cross8(at.armA, impulse));
+    store(block.turnB, cross8(at.armB, impulse));
+}
+
+/// While relaxing: how the turning impulses of the push differ from those along the arms of now.
+inline void noteLack(PointBlock& block, const Anchors8& at, Two8 impulse) {
+    store(block.turnA, cross8(at.armA, impulse) - load(block.turnA));
+    store(block.turnB, cross8(at.armB, impulse) - load(block.turnB));
+}
+
+template <bool kOneSided>
+void warmStartPoints(const SolverBodies& bodies, const JointPass&, const JointLanes* lanes,
+                     PointBlock* blocks, int begin, int end) {
+    for (int n = begin; n < end; ++n) {
+        PointBlock& block = blocks[n];
+        Couple8 couple = coupleOf(bodies, block.bodies);
+        givePoint(couple, anchorsAt(block.anchors, couple), load2(block.impulseX, block.impulseY));
+        write<kOneSided>(bodies, block.bodies, couple, lanes[n].count);
+    }
+}
+
+template <bool kOneSided>
+void pushPoints(const SolverBodies& bodies, const JointPass& pass, const JointLanes* lanes,
+                PointBlock* blocks, int begin, int end) {
+    const Grip8 grip = gripOf(pass.rigid);
+    for (int n = begin; n < end; ++n) {
+        PointBlock& block = blocks[n];
+        Couple8 couple = coupleOf(bodies, block.bodies);
+        const Anchors8 at = anchorsAt(block.anchors, couple);
+        if (pass.first) makeUp(couple, block);
+        const Two8 before = load2(block.impulseX, block.impulseY);
+        const Two8 change = answerPoint(couple, at, grip, before), after = before + change;
+        givePoint(couple, at, change);
+        store2(block.impulseX, block.impulseY, after);
+        noteTurns(block, at, after);
+        write<kOneSided>(bodies, block.bodies, couple, lanes[n].count);
+    }
+}
+
+template <bool kOneSided>
+void relaxPoints(const SolverBodies& bodies, const JointPass& pass, const JointLanes* lanes,
+                 PointBlock* blocks, int begin, int end) {
+    const Grip8 grip = gripOf(kRelaxed);
+    for (int n = begin; n < end; ++n) {
+        PointBlock& block = blocks[n];
+        Couple8 couple = coupleOf(bodies, block.bodies);
+        const Anchors8 at = anchorsAt(block.anchors, couple);
+        const Two8 before = load2(block.impulseX, block.impulseY);
+        if (pass.first) noteLack(block, at, before);
+        const Two8 change = answerPoint(couple, at, grip, before);
+        givePoint(couple, at, change);
+        store2(block.impulseX, block.impulseY, before + change);
+        write<kOneSided>(bodies, block.bodies, couple, lanes[n].count);
+    }
+}
+
+// A value: an angle, or a length along a direction. A Line knows its speed and can be pushed.
+
+inline void addTo(float* total, Float8 impulse) { store(total, load(total) + impulse); }
+
+template <class Line>
+inline void warmStartRows(const RowLanes& rows, Line line) {
+    line.push((load(rows.holdImpulse) + load(rows.motorImpulse)) +
+              (load(rows.lowerImpulse) - load(rows.upperImpulse)));
+}
+
+template <bool kPush, class Line>
+inline void hold(RowLanes& rows, Float8 value, Float8 mass, Line line) {
+    const Grip8 grip = gripOf<kPush>(rows.grip);
+    const Float8 before = load(rows.holdImpulse), most = load(rows.grip.most);
+    const Float8 wanted = grip.take * line.speed() + grip.pull * (value - load(rows.rest));
+    const Float8 after = clamp(before - (mass * wanted + grip.give * before), -most, most);
+    store(rows.holdImpulse, after);
+    line.push(after - before);
+}
+
+template <class Line>
+inline void drive(RowLanes& rows, Float8 mass, Line line) {
+    const Float8 before = load(rows.motorImpulse), most = load(rows.mostMotor);
+    const Float8 after = clamp(before - mass * (line.speed() - load(rows.speed)), -most, most);
+    store(rows.motorImpulse, after);
+    line.push(after - before);
+}
+
+/// One limit, as an impulse that only pushes away from it. Apart, it may be reached within the substep.
+template <bool kPush>
+inline Float8 limited(const JointPass& pass, Float8 speed, Float8 gap, Float8 mass, float* total) {
+    const Mask8 apart = gap > all(0.0f);
+    const Grip grip = kPush ? pass.rigid : kRelaxed;
+    const Float8 before = load(total);
+    const Float8 wanted =
+        select(apart, speed + gap * all(pass.substepRate), all(grip.take) * speed + all(grip.pull) * gap);
+    const Float8 give = select(apart, all(0.0f), all(grip.give));
+    const Float8 after = max(before - (mass * wanted + give * before), all(0.0f));
+    store(total, after);
+    return after - before;
+}
+
+template <bool kPush, class Line>
+inline void answerRows(RowLanes& rows, const JointPass& pass, Float8 value, Float8 mass, Line line) {
+    if ((rows.uses & kHolds) != 0) hold<kPush>(rows, value, mass, line);
+    if ((rows.uses & kDrives) != 0) drive(rows, mass, line);
+    if ((rows.uses & kLimits) != 0) {
+        line.push(limited<kPush>(pass, line.speed(), value - load(rows.lower), mass, rows.lowerImpulse));
+        line.push(-limited<kPush>(pass, -line.speed(), load(rows.upper) - value, mass, rows.upperImpulse));
+    }
+}
+
+// The angle between two bodies.
+
+/// Source: M. Abramowitz, I. Stegun, "Handbook of Mathematical Functions", 1964, 4.4.49: |error| <= 2e-8.
+inline Float8 arcTangent8(Float8 y, Float8 x) {
+    constexpr float kTerms[] = {0.0028662257f, -0.0161657367f, 0.0429096138f, -0.0752896400f,
+                                0.1065626393f, -0.1420889944f, 0.1999355085f, -0.3333314528f};
+    constexpr float kQuarter = 1.57079632679489661923f;
+    const Float8 width = abs(x), height = abs(y), zero = all(0.0f);
+    const Float8 ratio = min(width, height) * inverseOrZero(max(width, height));
+    const Float8 square = ratio * ratio;
+    Float8 sum = zero;
+    for (const float term : kTerms) sum = (sum + all(term)) * square;
+    Float8 angle = ratio + ratio * sum;
+    angle = select(height > width, all(kQuarter) - angle, angle);
+    angle = select(x < zero, all(2.0f * kQuarter) - angle, angle);
+    return select(y < zero, -angle, angle);
+}
+
+/// How far B has turned from A since the start of the step.
+inline Float8 turnBetween(const Couple8& couple) {
+    const Float8 sineA = couple.shiftA[2], versineA = couple.shiftA[3];
+    const Float8 sineB = couple.shiftB[2], versineB = couple.shiftB[3];
+    const Float8 sine = (sineB - sineA) + (sineB * versineA - sineA * versineB);
+    const Float8 cosine = all(1.0f) + ((versineA + versineB) + (versineA * versineB + sineA * sineB));
+    return arcTangent8(sine, cosine);
+}
+
+struct AngleLine8 {
+    Couple8& couple;
+    [[nodiscard]] Float8 speed() const { return couple.spin(); }
+    void push(Float8 impulse) { couple.turn(impulse); }
+};
+
+inline Float8 angleMass(const Couple8& couple) {
+    return inverseOrZero(couple.a.inverseInertia + couple.b.inverseInertia);
+}
+
+// Hinges that do more than hold a point, and what else holds a point and an angle.
+
+template <bool kOneSided>
+void warmStartHinges(const SolverBodies& bodies, const JointPass&, const JointLanes* lanes,
+                     HingeBlock* blocks, int begin, int end) {
+    for (int n = begin; n < end; ++n) {
+        PointBlock& point = blocks[n].point;
+        Couple8 couple = coupleOf(bodies, point.bodies);
+        warmStartRows(blocks[n].turning, AngleLine8{couple});
+        givePoint(couple, anchorsAt(point.anchors, couple), load2(point.impulseX, point.impulseY));
+        write<kOneSided>(bodies, point.bodies, couple, lanes[n].count);
+    }
+}
+
+/// An impulse that is no longer than `most`.
+inline Two8 shortened(Two8 impulse, Float8 most) {
+    const Float8 size = sqrt(dot8(impulse, impulse));
+    const Float8 ratio = most / max(size, all(1.0e-30f));
+    return min(ratio, all(1.0f)) * impulse;
+}
+
+template <bool kPush, bool kOneSided>
+void answerHinges(const SolverBodies& bodies, const JointPass& pass, const JointLanes* lanes,
+                  HingeBlock* blocks, int begin, int end) {
+    for (int n = begin; n < end; ++n) {
+        HingeBlock& block = blocks[n];
+        PointBlock& point = block.point;
+        Couple8 couple = coupleOf(bodies, point.bodies);
+        Anchors8 at = anchorsAt(point.anchors, couple);
+        const Two8 before = load2(point.impulseX, point.impulseY);
+        if constexpr (kPush) {
+            if (pass.first) makeUp(couple, point);
+            if (block.turning.uses != 0) store(block.turning.value, load(block.angle) + turnBetween(couple));
+            store2(block.apartX, block.apartY, at.apart);
+        } else {
+            if (pass.first) noteLack(point, at, before);
+            at.apart = load2(block.apartX, block.apartY);  // a spring's force is that of one moment
+        }
+        answerRows<kPush>(block.turning, pass, load(block.turning.value), angleMass(couple),
+                          AngleLine8{couple});
+        const Two8 change = answerPoint(couple, at, gripOf<kPush>(block.grip), before);
+        const Two8 after = shortened(before + change, load(block.grip.most));
+        givePoint(couple, at, after - before);
+        store2(point.impulseX, point.impulseY, after);
+        if constexpr (kPush) noteTurns(point, at, after);
+        write<kOneSided>(bodies, point.bodies, couple, lanes[n].count);
+    }
+}
+
+// Lengths along a direction.
+
+struct SlideLine8 {
+    Couple8& couple;
+    Two8 axis;
+    Float8 leverA, leverB;
+
+    [[nodiscard]] Float8 speed() const {
+        return speedAlong(couple.b, axis, leverB) - speedAlong(couple.a, axis, leverA);
+    }
+    void push(Float8 impulse) { couple.push(impulse * axis, impulse * leverA, impulse * leverB); }
+    [[nodiscard]] Float8 inverseMass() const {
+        return couple.a.lane[3] + couple.b.lane[3] +
+               (couple.a.inverseInertia * leverA * leverA + couple.b.inverseInertia * leverB * leverB);
+    }
+};
+
+/// All impulses of a block, along the directions of now.
+struct Carry8 {
+    Two8 impulse;
+    Float8 turnA, turnB;
+
+    void add(const SlideLine8& line, Float8 size) {
+        impulse = impulse + size * line.axis;
+        turnA += size * line.leverA;
+        turnB += size * line.leverB;
+    }
+};
+
+inline void makeUp(Couple8& couple, const CarryLanes& carry) {
+    couple.push(load2(carry.x, carry.y), load(carry.turnA), load(carry.turnB));
+}
+inline void note(CarryLanes& lanes, const Carry8& carry) {
+    store2(lanes.x, lanes.y, carry.impulse);
+    store(lanes.turnA, carry.turnA);
+    store(lanes.turnB, carry.turnB);
+}
+inline void noteLack(CarryLanes& lanes, const Carry8& carry) {
+    store2(lanes.x, lanes.y, carry.impulse - load2(lanes.x, lanes.y));
+    store(lanes.turnA, carry.turnA - load(lanes.turnA));
+    store(lanes.turnB, carry.turnB - load(lanes.turnB));
+}
+
+inline Float8 totalOf(const RowLanes& rows) {
+    return (load(rows.holdImpulse) + load(rows.motorImpulse)) +
+           (load(rows.lowerImpulse) - load(rows.upperImpulse));
+}
+inline Carry8 carryOf(const SlideLine8& line, Float8 size) {
+    return {size * line.axis, size * line.leverA, size * line.leverB};
+}
+
+// Rods.
+
+struct Rod8 {
+    SlideLine8 line;
+    Float8 length;
+};
+
+inline Rod8 rodAt(Couple8& couple, const Anchors8& at) {
+    const Float8 length = sqrt(dot8(at.apart, at.apart));
+    const Two8 axis = inverseOrZero(length) * at.apart;
+    return {{couple, axis, cross8(at.armA, axis), cross8(at.armB, axis)}, length};
+}
+
+template <bool kOneSided>
+void warmStartRods(const SolverBodies& bodies, const JointPass&, const JointLanes* lanes, RodBlock* blocks,
+                   int begin, int end) {
+    for (int n = begin; n < end; ++n) {
+        Couple8 couple = coupleOf(bodies, blocks[n].bodies);
+        warmStartRows(blocks[n].along, rodAt(couple, anchorsAt(blocks[n].anchors, couple)).line);
+        write<kOneSided>(bodies, blocks[n].bodies, couple, lanes[n].count);
+    }
+}
+
+template <bool kPush, bool kOneSided>
+void answerRods(const SolverBodies& bodies, const JointPass& pass, const JointLanes* lanes, RodBlock* blocks,
+                int begin, int end) {
+    for (int n = begin; n < end; ++n) {
+        RodBlock& block = blocks[n];
+        Couple8 couple = coupleOf(bodies, block.bodies);
+        const Rod8 rod = rodAt(couple, anchorsAt(block.anchors, couple));
+        const SlideLine8& line = rod.line;
+        if constexpr (kPush) {
+            if (pass.first) makeUp(couple, block.carry);
+            store(block.along.value, rod.length);
+        } else if (pass.first) {
+            noteLack(block.carry, carryOf(line, totalOf(block.along)));
+        }
+        answerRows<kPush>(block.along, pass, load(block.along.value), inverseOrZero(line.inverseMass()),
+                          line);
+        if constexpr (kPush) note(block.carry, carryOf(line, totalOf(block.along)));
+        write<kOneSided>(bodies, block.bodies, couple, lanes[n].count);
+    }
+}
+
+// Sliders.
+
+struct Slider8 {
+    SlideLine8 along, across;
+    Float8 way;     // of B's anchor along the axis
+    Float8 offWay;  // and across
+};
+
+inline Slider8 sliderAt(Couple8& couple, const SliderBlock& block) {
+    const Anchors8 at = anchorsAt(block.anchors, couple);
+    const Two8 start = load2(block.axisX, block.axisY);
+    const Two8 axis = start + changeOf(start, couple.shiftA);
+    const Two8 across{-axis.y, axis.x};
+    const Two8 armA = at.armA + at.apart;
+    return {{couple, axis, cross8(armA, axis), cross8(at.armB, axis)},
+            {couple, across, cross8(armA, across), cross8(at.armB, across)},
+            dot8(at.apart, axis),
+            dot8(at.apart, across)};
+}
+
+inline Carry8 carryOf(const Slider8& slider, const SliderBlock& block) {
+    Carry8 carry = carryOf(slider.along, totalOf(block.along));
+    carry.add(slider.across, load(block.acrossImpulse));
+    return carry;
+}
+
+template <bool kOneSided>
+void warmStartSliders(const SolverBodies& bodies, const JointPass&, const JointLanes* lanes,
+                      SliderBlock* blocks, int begin, int end) {
+    for (int n = begin; n < end; ++n) {
+        SliderBlock& block = blocks[n];
+        Couple8 couple = coupleOf(bodies, block.bodies);
+        const Carry8 carry = carryOf(sliderAt(couple, block), block);
+        couple.push(carry.impulse, carry.turnA, carry.turnB);
+        couple.turn(load(block.angleImpulse) + load(block.spinImpulse));
+        write<kOneSided>(bodies, block.bodies, couple, lanes[n].count);
+    }
+}
+
+inline void spin(SliderBlock& block, Couple8& couple) {
+    const Float8 before = load(block.spinImpulse), most = load(block.mostSpin);
+    const Float8 after = clamp(before - angleMass(couple) * (couple.spin() - load(block.spin)), -most, most);
+    store(block.spinImpulse, after);
+    couple.turn(after - before);
+}
+
+/// Across the axis, and the angle where it is held: two rows at once.
+inline void keepOnWay(SliderBlock& block, Couple8& couple, const Slider8& slider, const Grip& grip) {
+    const SlideLine8& across = slider.across;
+    const Mask8 held = load(block.holdsAngle) > all(0.5f);
+    const Float8 zero = all(0.0f), turnA = couple.a.inverseInertia, turnB = couple.b.inverseInertia;
+    const Float8 ww = across.inverseMass();
+    const Float8 wa = select(held, turnA * across.leverA + turnB * across.leverB, zero);
+    const Mask8 turns = held & (turnA + turnB > zero);
+    const Float8 aa = select(turns, turnA + turnB, all(1.0f));
+    const Float8 offAngle = load(block.angle) + turnBetween(couple);
+    const Float8 way = all(grip.take) * across.speed() + all(grip.pull) * slider.offWay;
+    const Float8 angle = select(turns, all(grip.take) * couple.spin() + all(grip.pull) * offAngle, zero);
+    const Float8 inverse = inverseOrZero(ww * aa - wa * wa);
+    const Float8 wayBefore = load(block.acrossImpulse), angleBefore = load(block.angleImpulse);
+    const Float8 wayChange = -(inverse * (aa * way - wa * angle) + all(grip.give) * wayBefore);
+    const Float8 angleChange = -(inverse * (ww * angle - wa * way) + all(grip.give) * angleBefore);
+    store(block.acrossImpulse, wayBefore + wayChange);
+    store(block.angleImpulse, angleBefore + angleChange);
+    couple.push(wayChange * across.axis, wayChange * across.leverA, wayChange * across.leverB);
+    couple.turn(angleChange);
+}
+
+template <bool kPush, bool kOneSided>
+void answerSliders(const SolverBodies& bodies, const JointPass& pass, const JointLanes* lanes,
+                   SliderBlock* blocks, int begin, int end) {
+    for (int n = begin; n < end; ++n) {
+        SliderBlock& block = blocks[n];
+        Couple8 couple = coupleOf(bodies, block.bodies);
+        const Slider8 slider = sliderAt(couple, block);
+        if constexpr (kPush) {
+            if (pass.first) makeUp(couple, block.carry);
+            store(block.along.value, slider.way);
+        } else if (pass.first) {
+            noteLack(block.carry, carryOf(slider, block));
+        }
+        answerRows<kPush>(block.along, pass, load(block.along.value),
+                          inverseOrZero(slider.along.inverseMass()), slider.along);
+        if (block.spins != 0) spin(block, couple);
+        keepOnWay(block, couple, slider, kPush ? pass.rigid : kRelaxed);
+        if constexpr (kPush) note(block.carry, carryOf(slider, block));
+        write<kOneSided>(bodies, block.bodies, couple, lanes[n].count);
+    }
+}
+
+}  // namespace
+
+extern const JointKernels kJointKernels;
+const JointKernels kJointKernels{
+    {{warmStartPoints<false>, warmStartPoints<true>},
+     {pushPoints<false>, pushPoints<true>},
+     {relaxPoints<false>, relaxPoints<true>}},
+    {{warmStartHinges<false>, warmStartHinges<true>},
+     {answerHinges<true, false>, answerHinges<true, true>},
+     {answerHinges<false, false>, answerHinges<false, true>}},
+    {{warmStartRods<false>, warmStartRods<true>},
+     {answerRods<true, false>, answerRods<true, true>},
+     {answerRods<false, false>, answerRods<false, true>}},
+    {{warmStartSliders<false>, warmStartSliders<true>},
+     {answerSliders<true, false>, answerSliders<true, true>},
+     {answerSliders<false, false>, answerSliders<false, true>}},
+};
+
+}  // namespace plumb::physics::PLUMB_LANES

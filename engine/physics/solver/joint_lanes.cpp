@@ -1,0 +1,412 @@
+#include "physics/solver/joint_lanes.hpp"
+
+#include <cmath>
+
+#include "physics/joints.hpp"
+#include "physics/joints/joint_types.hpp"
+#include "physics/solver/joint_kernels.hpp"
+#include "physics/solver/softness.hpp"
+
+namespace plumb::physics {
+
+namespace {
+
+constexpr int kGrain = 24;  // blocks
+constexpr std::size_t kKeysOfGroup = (kColours + 1) * kJointBlockKinds;
+
+template <class Act>
+void forKinds(JointWork& joints, Act&& act) {
+    act(joints.points, kPointBlocks);
+    act(joints.hinges, kHingeBlocks);
+    act(joints.rods, kRodBlocks);
+    act(joints.sliders, kSliderBlocks);
+}
+
+JointBlockKind blockOf(const Joint& joint) { return jointType(joint.kind).block(joint.flags); }
+
+bool isOneSided(int colour) { return colour >= kFirstFixedColour && colour < kColours; }
+
+// Laying out.
+
+/// Group, colour and kind of block of a joint, or -1 for one that is not solved.
+std::int32_t keyOf(const World& world, const Workspace& work, const Joint& joint) {
+    if (joint.colour > kOverflow) return -1;
+    const PushedBodies bodies = pushedBodies(world, joint);
+    const std::int32_t slot = work.slots[bodies.b != kNone ? bodies.b : bodies.a];
+    if (slot < 0) return -1;
+    std::size_t group = 0;
+    while (slot >= work.groups[group].end) ++group;
+    return static_cast<std::int32_t>(group * kKeysOfGroup) + joint.colour * kJointBlockKinds + blockOf(joint);
+}
+
+void count(const World& world, Workspace& work) {
+    JointWork& joints = work.joints;
+    joints.counts.assign(work.groups.size() * kKeysOfGroup, 0);
+    joints.keys.resize(world.joints.awake.size());
+    for (std::size_t i = 0; i < joints.keys.size(); ++i) {
+        const std::int32_t key = keyOf(world, work, world.joints.hot[world.joints.awake[i]]);
+        joints.keys[i] = key;
+        if (key >= 0) ++joints.counts[static_cast<std::size_t>(key)];
+    }
+}
+
+/// Ranges of blocks for each group and colour. Turns counts into places: the next free lane.
+template <class Store>
+void layOut(Workspace& work, Store& store, JointBlockKind kind) {
+    std::int32_t blocks = 0;
+    store.groups.clear();
+    for (std::size_t g = 0; g < work.groups.size(); ++g) {
+        for (int colour = 0; colour <= kColours; ++colour) {
+            std::int32_t& count =
+                work.joints.counts[g * kKeysOfGroup + static_cast<std::size_t>(colour) * kJointBlockKinds +
+                                   static_cast<std::size_t>(kind)];
+            JointRange& range = work.groups[g].colours[colour].joints[kind];
+            range.begin = blocks;
+            blocks += colour == kOverflow ? count : (count + kLanes - 1) / kLanes;
+            range.end = blocks;
+            if (count > 0) work.groups[g].jointColours |= std::uint64_t{1} << colour;
+            count = range.begin * kLanes;
+        }
+        store.groups.resize(static_cast<std::size_t>(blocks), static_cast<std::uint8_t>(g));
+    }
+    store.blocks.resize(static_cast<std::size_t>(blocks));
+    store.lanes.resize(static_cast<std::size_t>(blocks));
+}
+
+void fill(const World& world, Workspace& work) {
+    JointWork& joints = work.joints;
+    std::vector<JointLanes>* lanes[kJointBlockKinds] = {&joints.points.lanes, &joints.hinges.lanes,
+                                                        &joints.rods.lanes, &joints.sliders.lanes};
+    joints.breakables.clear();
+    for (std::size_t i = 0; i < joints.keys.size(); ++i) {
+        const std::int32_t key = joints.keys[i];
+        if (key < 0) continue;
+        const std::int32_t kind = key % kJointBlockKinds;
+        const bool alone = static_cast<std::size_t>(key) % kKeysOfGroup >= kOverflow * kJointBlockKinds;
+        std::int32_t& next = joints.counts[static_cast<std::size_t>(key)];
+        const std::int32_t block = next / kLanes, lane = next % kLanes;
+        next += alone ? kLanes : 1;
+        JointLanes& target = (*lanes[kind])[static_cast<std::size_t>(block)];
+        const std::uint32_t joint = world.joints.awake[i];
+        target.joint[lane] = static_cast<std::int32_t>(joint);
+        target.count = lane + 1;
+        if ((world.joints.hot[joint].flags & kBreakable) != 0)
+            joints.breakables.push_back({joint, kind, block, lane});
+    }
+}
+
+// Preparing.
+
+/// What preparing a block needs to know.
+struct Preparation {
+    const World& world;
+    const Workspace& work;
+    JointTiming timing;
+    float rate;  // 1/s
+};
+
+JointTiming timingOf(const Settings& settings, float h) {
+    JointTiming timing;
+    timing.h = h;
+    timing.stiffest = settings.jointStiffness / h;
+    timing.rigid = jointPass(settings, h).rigid;
+    return timing;
+}
+
+JointView viewOf(const Preparation& all, std::uint32_t index) {
+    const Joint& joint = all.world.joints.hot[index];
+    const JointDefinition& definition = all.world.joints.definition[index];
+    const BodyPose& a = all.world.bodies.pose[joint.bodyA];
+    const BodyPose& b = all.world.bodies.pose[joint.bodyB];
+    JointView view{joint, definition, all.timing, a.rotation, b.rotation, b.centre - a.centre, {}};
+    if (joint.kind == JointKind::Mouse) view.toTarget = b.centre - definition.target;
+    return view;
+}
+
+void setBodies(const Preparation& all, const Joint& joint, JointBodies& bodies, int lane) {
+    const auto idle = static_cast<std::int32_t>(all.work.bodyOf.size()) + lane;
+    const PushedBodies pushed = pushedBodies(all.world, joint);
+    const std::int32_t a = all.work.slots[joint.bodyA], b = all.work.slots[joint.bodyB];
+    bodies.a[lane] = a < 0 || joint.kind == JointKind::Mouse ? idle : a;
+    bodies.b[lane] = b < 0 ? idle : b;
+    bodies.inverseInertiaA[lane] =
+        pushed.a != kNone ? all.world.bodies.mass[joint.bodyA].inverseInertia : 0.0f;
+    bodies.inverseInertiaB[lane] =
+        pushed.b != kNone ? all.world.bodies.mass[joint.bodyB].inverseInertia : 0.0f;
+    bodies.own[lane] = pushed.a != kNone ? bodies.a[lane] : bodies.b[lane];
+    bodies.ownIsA[lane] = pushed.a != kNone ? 1.0f : 0.0f;
+}
+
+void clearBodies(const Preparation& all, JointBodies& bodies, int lane) {
+    bodies.a[lane] = bodies.b[lane] = bodies.own[lane] =
+        static_cast<std::int32_t>(all.work.bodyOf.size()) + lane;
+}
+
+void setAnchors(const JointParts& parts, AnchorLanes& anchors, int lane) {
+    anchors.armAX[lane] = parts.armA.x;
+    anchors.armAY[lane] = parts.armA.y;
+    anchors.armBX[lane] = parts.armB.x;
+    anchors.armBY[lane] = parts.armB.y;
+    anchors.apartX[lane] = parts.apart.x;
+    anchors.apartY[lane] = parts.apart.y;
+}
+
+void setGrip(const Grip& grip, bool springs, float most, GripLanes& lanes, int lane) {
+    lanes.take[lane] = grip.take;
+    lanes.pull[lane] = grip.pull;
+    lanes.give[lane] = grip.give;
+    lanes.springs[lane] = springs ? 1.0f : 0.0f;
+    lanes.most[lane] = most;
+}
+
+void setRows(const Preparation& all, const Joint& joint, const ValueParts& value, RowLanes& rows, int lane) {
+    rows.uses |= (value.held ? kHolds : 0) | (value.driven ? kDrives : 0) | (value.limited ? kLimits : 0);
+    // What is not held springs without a force, in both passes.
+    setGrip(value.held ? value.grip : Grip{}, value.springs || !value.held, value.most, rows.grip, lane);
+    rows.rest[lane] = value.rest;
+    rows.speed[lane] = value.speed;
+    rows.mostMotor[lane] = value.driven ? value.mostMotor : 0.0f;
+    rows.lower[lane] = value.lower;
+    rows.upper[lane] = value.upper;
+    const float h = all.timing.h;
+    rows.holdImpulse[lane] = value.held ? joint.rows[0] * h : 0.0f;
+    rows.motorImpulse[lane] = value.driven ? joint.rows[1] * h : 0.0f;
+    rows.lowerImpulse[lane] = value.limited ? joint.rows[2] * h : 0.0f;
+    rows.upperImpulse[lane] = value.limited ? joint.rows[3] * h : 0.0f;
+}
+
+void setPoint(const Preparation& all, const Joint& joint, const JointParts& parts, PointBlock& block,
+              int lane) {
+    setAnchors(parts, block.anchors, lane);
+    block.impulseX[lane] = joint.force.x * all.timing.h;
+    block.impulseY[lane] = joint.force.y * all.timing.h;
+}
+
+void setLane(const Preparation& all, const Joint& joint, const JointParts& parts, PointBlock& block,
+             int lane) {
+    setBodies(all, joint, block.bodies, lane);
+    setPoint(all, joint, parts, block, lane);
+}
+
+void setLane(const Preparation& all, const Joint& joint, const JointParts& parts, HingeBlock& block,
+             int lane) {
+    setLane(all, joint, parts, block.point, lane);
+    setGrip(parts.grip, parts.springs, parts.most, block.grip, lane);
+    block.angle[lane] = parts.angle;
+    setRows(all, joint, parts.value, block.turning, lane);
+}
+
+void setLane(const Preparation& all, const Joint& joint, const JointParts& parts, RodBlock& block, int lane) {
+    setBodies(all, joint, block.bodies, lane);
+    setAnchors(parts, block.anchors, lane);
+    setRows(all, joint, parts.value, block.along, lane);
+}
+
+void setLane(const Preparation& all, const Joint& joint, const JointParts& parts, SliderBlock& block,
+             int lane) {
+    setBodies(all, joint, block.bodies, lane);
+    setAnchors(parts, block.anchors, lane);
+    setRows(all, joint, parts.value, block.along, lane);
+    block.axisX[lane] = parts.axis.x;
+    block.axisY[lane] = parts.axis.y;
+    block.angle[lane] = parts.angle;
+    block.holdsAngle[lane] = parts.holdsAngle ? 1.0f : 0.0f;
+    block.spins |= parts.mostSpin > 0.0f ? 1 : 0;
+    block.spin[lane] = parts.spin;
+    block.mostSpin[lane] = parts.mostSpin;
+    block.acrossImpulse[lane] = joint.rows[4] * all.timing.h;
+    (parts.holdsAngle ? block.angleImpulse : block.spinImpulse)[lane] = joint.rows[5] * all.timing.h;
+}
+
+JointBodies& bodiesOf(HingeBlock& block) { return block.point.bodies; }
+template <class Block>
+JointBodies& bodiesOf(Block& block) {
+    return block.bodies;
+}
+
+template <class Block>
+void prepareBlock(const Preparation& all, const JointLanes& lanes, Block& block) {
+    block = {};
+    for (int i = 0; i < lanes.count; ++i) {
+        const JointView view = viewOf(all, static_cast<std::uint32_t>(lanes.joint[i]));
+        setLane(all, view.joint, jointType(view.joint.kind).parts(view), block, i);
+    }
+    for (int i = lanes.count; i < kLanes; ++i) clearBodies(all, bodiesOf(block), i);
+}
+
+// What joints gave, as N and N m.
+
+struct Given {
+    Vec2 force;
+    float torque;
+};
+
+float totalOf(const RowLanes& rows, int i) {
+    return rows.holdImpulse[i] + rows.motorImpulse[i] + (rows.lowerImpulse[i] - rows.upperImpulse[i]);
+}
+
+Given givenBy(const Workspace&, const PointBlock& block, int i, float rate) {
+    return {{block.impulseX[i] * rate, block.impulseY[i] * rate}, 0.0f};
+}
+Given givenBy(const Workspace& work, const HingeBlock& block, int i, float rate) {
+    return {givenBy(work, block.point, i, rate).force, totalOf(block.turning, i) * rate};
+}
+Given givenBy(const Workspace& work, const RodBlock& block, int i, float rate) {
+    const auto arm = [&](const float* x, const float* y, const std::int32_t* slot) {
+        const Float4& shift = work.shift[static_cast<std::size_t>(slot[i])];
+        return Vec2{shift.x, shift.y} + rotate(Rot{1.0f + shift.w, shift.z}, {x[i], y[i]}) - Vec2{x[i], y[i]};
+    };
+    const Vec2 apart = Vec2{block.anchors.apartX[i], block.anchors.apartY[i]} +
+                       (arm(block.anchors.armBX, block.anchors.armBY, block.bodies.b) -
+                        arm(block.anchors.armAX, block.anchors.armAY, block.bodies.a));
+    return {totalOf(block.along, i) * rate * normalized(apart), 0.0f};
+}
+Given givenBy(const Workspace& work, const SliderBlock& block, int i, float rate) {
+    const Float4& shift = work.shift[static_cast<std::size_t>(block.bodies.a[i])];
+    const Vec2 axis = rotate(Rot{1.0f + shift.w, shift.z}, {block.axisX[i], block.axisY[i]});
+    return {rate * (totalOf(block.along, i) * axis + block.acrossImpulse[i] * perpendicular(axis)),
+            rate * (block.angleImpulse[i] + block.spinImpulse[i])};
+}
+
+void storeRows(const RowLanes& rows, int i, float rate, Joint& joint) {
+    joint.rows[0] = rows.holdImpulse[i] * rate;
+    joint.rows[1] = rows.motorImpulse[i] * rate;
+    joint.rows[2] = rows.lowerImpulse[i] * rate;
+    joint.rows[3] = rows.upperImpulse[i] * rate;
+}
+void storeLane(const PointBlock&, int, float, Joint&) {}
+void storeLane(const HingeBlock& block, int i, float rate, Joint& joint) {
+    storeRows(block.turning, i, rate, joint);
+}
+void storeLane(const RodBlock& block, int i, float rate, Joint& joint) {
+    storeRows(block.along, i, rate, joint);
+}
+void storeLane(const SliderBlock& block, int i, float rate, Joint& joint) {
+    storeRows(block.along, i, rate, joint);
+    joint.rows[4] = block.acrossImpulse[i] * rate;
+    joint.rows[5] = (block.angleImpulse[i] + block.spinImpulse[i]) * rate;
+}
+
+template <class Block>
+void note(const Workspace& work, const JointStore<Block>& store, float rate, BreakableJoint& breakable) {
+    const Given given =
+        givenBy(work, store.blocks[static_cast<std::size_t>(breakable.block)], breakable.lane, rate);
+    breakable.force = std::fmax(breakable.force, length(given.force));
+    breakable.torque = std::fmax(breakable.torque, std::fabs(given.torque));
+}
+
+void breakJoints(World& world, JointWork& joints) {
+    for (const BreakableJoint& breakable : joints.breakables) {
+        const JointDefinition& definition = world.joints.definition[breakable.joint];
+        if (breakable.force <= definition.breakForce && breakable.torque <= definition.breakTorque) continue;
+        const JointId id{breakable.joint, world.joints.hot[breakable.joint].generation};
+        world.brokenJoints.push_back(id);
+        destroyJoint(world, id);
+    }
+}
+
+float rateOf(const StepContext& step, std::uint8_t group) {
+    return static_cast<float>(step.work.groups[group].substeps) / step.dt;
+}
+
+}  // namespace
+
+PushedBodies pushedBodies(const World& world, const Joint& joint) {
+    const auto pushed = [&](std::uint32_t body) {
+        return world.bodies.info[body].kind == BodyKind::Dynamic ? body : kNone;
+    };
+    return {joint.kind == JointKind::Mouse ? kNone : pushed(joint.bodyA), pushed(joint.bodyB)};
+}
+
+void colourNewJoints(World& world, Workspace& work) {
+    if (!world.newJoints) return;
+    world.newJoints = false;
+    for (const std::uint32_t index : world.joints.awake) {
+        Joint& joint = world.joints.hot[index];
+        if (joint.colour != kNoColour) continue;
+        const PushedBodies bodies = pushedBodies(world, joint);
+        joint.colour =
+            bodies.b != kNone ? takeColour(work, bodies.a, bodies.b) : takeColour(work, kNone, bodies.a);
+    }
+}
+
+void prepareJoints(StepContext& step) {
+    World& world = step.world;
+    Workspace& work = step.work;
+    count(world, work);
+    for (SolveGroup& group : work.groups) group.jointColours = 0;
+    forKinds(work.joints, [&](auto& store, JointBlockKind kind) { layOut(work, store, kind); });
+    fill(world, work);
+    forKinds(work.joints, [&](auto& store, JointBlockKind) {
+        forPieces(step, static_cast<int>(store.blocks.size()), kGrain, [&](int begin, int end, int) {
+            for (auto n = static_cast<std::size_t>(begin); n < static_cast<std::size_t>(end); ++n) {
+                const float rate = rateOf(step, store.groups[n]);
+                const Preparation all{world, work, timingOf(world.settings, 1.0f / rate), rate};
+                prepareBlock(all, store.lanes[n], store.blocks[n]);
+            }
+        });
+    });
+}
+
+JointPass jointPass(const Settings& settings, float h) {
+    const Softness soft = softness(settings.jointStiffness / h, settings.jointDampingRatio, h);
+    JointPass pass;
+    pass.rigid = {soft.massScale, soft.massScale * soft.biasRate, soft.impulseScale};
+    pass.substepRate = 1.0f / h;
+    return pass;
+}
+
+void solveJoints(const StepContext& step, const SolverBodies& bodies, const JointPass& pass,
+                 const SolveGroup& group, int colour, JointAct act) {
+    if ((group.jointColours >> colour & 1) == 0) return;
+    const JointKernels& kernels = jointKernels();
+    const int side = isOneSided(colour) ? 1 : 0;
+    const auto run = [&](auto& store, const auto& passes, JointBlockKind kind) {
+        const JointRange range = group.colours[colour].joints[kind];
+        const auto kernel = act == JointAct::WarmStart ? passes.warmStart[side]
+                            : act == JointAct::Push    ? passes.push[side]
+                                                       : passes.relax[side];
+        // Those without a colour share bodies: one after the other.
+        forPieces(step, range.end - range.begin, colour == kOverflow ? 1 << 30 : kGrain,
+                  [&](int first, int last, int) {
+                      kernel(bodies, pass, store.lanes.data(), store.blocks.data(), range.begin + first,
+                             range.begin + last);
+                  });
+    };
+    JointWork& joints = step.work.joints;
+    run(joints.points, kernels.points, kPointBlocks);
+    run(joints.hinges, kernels.hinges, kHingeBlocks);
+    run(joints.rods, kernels.rods, kRodBlocks);
+    run(joints.sliders, kernels.sliders, kSliderBlocks);
+}
+
+void noteJointForces(StepContext& step, const SolveGroup& group, float substepRate) {
+    JointWork& joints = step.work.joints;
+    for (BreakableJoint& breakable : joints.breakables) {
+        forKinds(joints, [&](auto& store, JointBlockKind kind) {
+            if (breakable.kind != kind) return;
+            if (&step.work.groups[store.groups[static_cast<std::size_t>(breakable.block)]] != &group) return;
+            note(step.work, store, substepRate, breakable);
+        });
+    }
+}
+
+void storeJoints(StepContext& step) {
+    forKinds(step.work.joints, [&](auto& store, JointBlockKind) {
+        forPieces(step, static_cast<int>(store.blocks.size()), kGrain, [&](int begin, int end, int) {
+            for (auto n = static_cast<std::size_t>(begin); n < static_cast<std::size_t>(end); ++n) {
+                const float rate = rateOf(step, store.groups[n]);
+                for (int i = 0; i < store.lanes[n].count; ++i) {
+                    Joint& joint = step.world.joints.hot[static_cast<std::size_t>(store.lanes[n].joint[i])];
+                    const Given given = givenBy(step.work, store.blocks[n], i, rate);
+                    joint.force = given.force;
+                    joint.torque = given.torque;
+                    storeLane(store.blocks[n], i, rate, joint);
+                }
+            }
+        });
+    });
+    breakJoints(step.world, step.work.joints);
+}
+
+}  // namespace plumb::physics

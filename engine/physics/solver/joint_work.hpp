@@ -1,0 +1,38 @@
+#pragma once
+
+#include <vector>
+
+#include "physics/solver/joint_block.hpp"
+
+namespace plumb::physics {
+
+/// Blocks of one kind, and who is in them.
+template <class Block>
+struct JointStore {
+    std::vector<Block> blocks;
+    std::vector<JointLanes> lanes;
+    std::vector<std::uint8_t> groups;  ///< by block
+};
+
+/// A joint that can break, and where it is solved.
+struct BreakableJoint {
+    std::uint32_t joint;
+    std::int32_t kind;
+    std::int32_t block;
+    std::int32_t lane;
+    float force = 0.0f;   ///< N: the largest of all substeps
+    float torque = 0.0f;  ///< N m
+};
+
+/// What a step needs for joints, in Workspace.
+struct JointWork {
+    JointStore<PointBlock> points;
+    JointStore<HingeBlock> hinges;
+    JointStore<RodBlock> rods;
+    JointStore<SliderBlock> sliders;
+    std::vector<std::int32_t> counts;  ///< by group, colour and kind
+    std::vector<std::int32_t> keys;    ///< by place in Joints::awake
+    std::vector<BreakableJoint> breakables;
+};
+
+}  // namespace plumb::physics

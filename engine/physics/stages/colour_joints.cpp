@@ -1,0 +1,10 @@
+#include "physics/solver/joint_lanes.hpp"
+
+namespace plumb::physics {
+
+void colourJoints(StepContext& step) {
+    refreshColours(step.world, step.work);
+    colourNewJoints(step.world, step.work);
+}
+
+}  // namespace plumb::physics
