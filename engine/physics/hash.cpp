@@ -107,6 +107,14 @@ void add(LaneHasher& hash, const JointDefinition& definition) {
     values(limitOn, lower, upper, motorOn, speed, mostForce, springOn, springHertz, springDamping, rest);
 }
 
+void add(LaneHasher& hash, const Field& field) {
+    const FieldDefinition& d = field.definition;
+    Values{hash}(d.kind, d.region, d.replacesGravity, d.linear, d.layers, d.place.x, d.place.y, d.half,
+                 d.radius, d.acceleration, d.velocity, d.strength, d.damping, d.length, d.density,
+                 d.linearDrag, d.angularDrag, d.gust, d.gustSteps, d.seed, d.a, d.b, d.anchorA, d.anchorB,
+                 field.generation, field.isAlive);
+}
+
 void add(LaneHasher& hash, const Shapes& shapes) {
     addAll(hash, shapes.geometry, shapes.bounds, shapes.filter, shapes.motion, shapes.info, shapes.free,
            shapes.dying, shapes.corners);
@@ -129,6 +137,8 @@ std::uint64_t hashOf(const World& world) {
            bodies.dying);
     add(hash, world.shapes);
     add(hash, world.joints);
+    for (const Field& field : world.fields.all) add(hash, field);
+    add(hash, world.fields.free);
     addAll(hash, world.awake, world.moved, world.contacts);
     addAll(hash, sleepers.islands, sleepers.freeIslands, sleepers.contacts, sleepers.nextContact,
            sleepers.freeContacts, sleepers.nextBody, sleepers.islandOf);

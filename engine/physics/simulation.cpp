@@ -25,15 +25,21 @@ constexpr std::uint32_t any(Effects... effects) {
 }
 
 constexpr std::uint32_t kMeeting = any(Effect::Contacts, Effect::Triggers);
+constexpr std::uint32_t kSmooth =
+    any(Effect::AreaGravity, Effect::Wind, Effect::Buoyancy, Effect::Attractor, Effect::Springs);
 
 constexpr Stage kStages[] = {
     {"broad phase", kMeeting, findPairs},
     {"narrow phase", kMeeting, updateContacts},
     {"filter contacts", any(Effect::OneWay), filterContacts},
     {"new joints", any(Effect::Joints), colourJoints},
+    {"explosions", any(Effect::Explosion), explode},
+    {"prepare fields", kSmooth, prepareFields},
     {"gather bodies", 0, gatherBodies},
+    {"fields", kSmooth, applyFields},
     {"prepare constraints", any(Effect::Contacts, Effect::Joints), prepareConstraints},
     {"solve", 0, solve},
+    {"integrators", kSmooth, integrateFlyers},
     {"finish bodies", 0, finishBodies},
     {"continuous", any(Effect::Continuous), sweepFastBodies},
     {"events", any(Effect::ContactEvents, Effect::Triggers), publishEvents},
@@ -61,7 +67,8 @@ bool isCalledFor(const Stage& stage, const World& world, const ContactHooks& hoo
 
 /// Nothing moves and nothing came: a world at rest costs nothing.
 bool nothingToDo(const World& world) {
-    return world.awake.empty() && world.moved.empty() && !hasRemains(world);
+    return world.awake.empty() && world.moved.empty() && !hasRemains(world) &&
+           !world.manifest.runs(Effect::Explosion);
 }
 
 }  // namespace

@@ -43,12 +43,20 @@ void updateContacts(StepContext& step);
 void filterContacts(StepContext& step);
 /// Reads: awake joints. Writes: colours of new ones, work.colourMasks.
 void colourJoints(StepContext& step);
+/// Reads: fields. Writes: motions of bodies near an explosion; fields (it is gone).
+void explode(StepContext& step);
+/// Reads: fields, rest times. Writes: fields of bodies that are gone; who is woken by a spring.
+void prepareFields(StepContext& step);
 /// Reads: drives, masses, settings. Writes: work.slots, work.groups, work.velocity and its kin.
 void gatherBodies(StepContext& step);
+/// Reads: fields, poses, motions, work.slots. Writes: work.drive, work.smooth (who is integrated freely).
+void applyFields(StepContext& step);
 /// Reads: contacts, joints, masses. Writes: colours, work's blocks.
 void prepareConstraints(StepContext& step);
 /// Reads and writes: work.velocity, work.shift, work's blocks. Writes: impulses of contacts and joints.
 void solve(StepContext& step);
+/// Reads: fields, work.smooth. Writes: work.velocity, work.shift of bodies that only fields act on.
+void integrateFlyers(StepContext& step);
 /// Reads: work.velocity, work.shift. Writes: poses, motions, bounds, moved.
 void finishBodies(StepContext& step);
 /// Reads: contacts, flags of bodies that moved fast. Writes: their poses.

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "physics/broadphase/broad_phase.hpp"
+#include "physics/effects/flyers.hpp"
 #include "physics/narrowphase/sweep.hpp"
 #include "physics/pair_set.hpp"
 #include "physics/solver/colours.hpp"
@@ -121,6 +122,7 @@ struct Workspace {
     std::vector<RollingBlock> fixedRollings;
     std::vector<AxisLock> locks;
     JointWork joints;
+    SmoothForces smooth;                     ///< where there are fields
     std::vector<std::uint32_t> solveOrder;   ///< awake bodies by group; empty where there is one group
     std::vector<std::uint8_t> groupOf;       ///< by body, where there are several
     std::vector<std::uint32_t> bodyScratch;  ///< by body

@@ -8,6 +8,7 @@
 #include "core/result.hpp"
 #include "physics/body.hpp"
 #include "physics/contact.hpp"
+#include "physics/field.hpp"
 #include "physics/joint.hpp"
 #include "physics/manifest.hpp"
 #include "physics/settings.hpp"
@@ -186,12 +187,19 @@ struct Sleepers {
     std::vector<std::uint32_t> islandOf;  ///< by body; kNone for what is awake
 };
 
+/// The fields, indexed by FieldId::index.
+struct Fields {
+    std::vector<Field> all;
+    std::vector<std::uint32_t> free;
+};
+
 /// Everything that is simulated, as plain data: copy = snapshot. Indices and generations, no addresses.
 struct World {
     Settings settings;
     Bodies bodies;
     Shapes shapes;
     Joints joints;
+    Fields fields;
     std::vector<std::uint32_t> awake;  ///< bodies that may move
     std::vector<std::uint32_t> moved;  ///< shapes that have to be looked up by the broad phase: kLeftBounds
     std::vector<Contact> contacts;     ///< of which at least one body is awake

@@ -1,0 +1,36 @@
+#include "physics/effects/explosion.hpp"
+
+#include <algorithm>
+
+#include "physics/effects/field_types.hpp"
+#include "physics/shapes/shape_types.hpp"
+
+namespace plumb::physics {
+
+/// J = strength * width * (1 - distance / radius): the width of a shape as seen from the centre, and the
+/// distance of its nearest point. Acts in the middle of the shape, away from the centre.
+void pushAway(World& world, const FieldDefinition& explosion, std::uint32_t body) {
+    const BodyPose& pose = world.bodies.pose[body];
+    const BodyMass& mass = world.bodies.mass[body];
+    BodyMotion& motion = world.bodies.motion[body];
+    // The centre of the explosion in the frame of the shapes.
+    const Vec2 centre = pose.localCentre + unrotate(pose.rotation, explosion.place - pose.centre);
+    for (std::uint32_t s = world.bodies.info[body].firstShape; s != kNone; s = world.shapes.info[s].next) {
+        if ((world.shapes.info[s].flags & kTrigger) != 0) continue;
+        const Geometry& geometry = world.shapes.geometry[s];
+        const ClosestPoint nearest = closestPoint(geometry, world.shapes.corners, centre);
+        const float distance = std::max(nearest.distance, 0.0f);
+        if (distance >= explosion.radius) continue;
+        const Vec2 middle = convexOf(geometry, world.shapes.corners).centre;
+        Vec2 away = normalized(middle - centre);
+        if (away == Vec2{}) away = kAnyNormal;
+        const float size = explosion.strength * widthAcross(geometry, world.shapes.corners, away) *
+                           (1.0f - distance / explosion.radius);
+        const Vec2 impulse = rotate(pose.rotation, size * away);
+        motion.velocity += mass.inverseMass * impulse;
+        motion.angularVelocity +=
+            mass.inverseInertia * cross(rotate(pose.rotation, middle - pose.localCentre), impulse);
+    }
+}
+
+}  // namespace plumb::physics

@@ -1,0 +1,81 @@
+#include "physics/effects/field_types.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "physics/shapes/convex.hpp"
+
+namespace plumb::physics {
+
+namespace {
+
+constexpr std::array<FieldType, static_cast<std::size_t>(FieldKind::Count)> kTypes{{
+    {"area gravity", Effect::AreaGravity, areaGravity},
+    {"wind", Effect::Wind, wind},
+    {"buoyancy", Effect::Buoyancy, buoyancy},
+    {"attractor", Effect::Attractor, attractor},
+    {"explosion", Effect::Explosion, nullptr},
+    {"spring", Effect::Springs, spring},
+}};
+
+bool isOnLayers(const World& world, std::uint32_t layers, std::uint32_t body) {
+    if (layers == 0xffffffffu) return true;
+    for (std::uint32_t s = world.bodies.info[body].firstShape; s != kNone; s = world.shapes.info[s].next) {
+        if ((world.shapes.filter[s].layers & layers) != 0) return true;
+    }
+    return false;
+}
+
+bool isInRegion(const FieldDefinition& field, Vec2 way, float reach) {
+    switch (field.region) {
+        case RegionKind::Box:
+            return std::fabs(way.x) <= field.half.x + reach && std::fabs(way.y) <= field.half.y + reach;
+        case RegionKind::Circle: return length(way) <= field.radius + reach;
+        case RegionKind::Everywhere:
+        case RegionKind::Count: break;
+    }
+    return true;
+}
+
+}  // namespace
+
+const FieldType& fieldTypeOf(FieldKind kind) { return kTypes[static_cast<std::size_t>(kind)]; }
+
+bool actsOn(const World& world, const FieldDefinition& field, std::uint32_t body) {
+    if (field.kind == FieldKind::Spring) return field.a.index == body || (field.b && field.b.index == body);
+    if (field.kind == FieldKind::Attractor && field.a && field.a.index == body) return false;
+    if (!isOnLayers(world, field.layers, body)) return false;
+    const bool follows = field.kind == FieldKind::Attractor && field.a;
+    const Place middle = follows ? world.bodies.pose[field.a.index].centre : field.place;
+    const Vec2 way = world.bodies.pose[body].centre - middle;
+    // What fluids and explosions do begins where the outline does.
+    const bool byOutline = field.kind == FieldKind::Buoyancy || field.kind == FieldKind::Explosion;
+    const float reach = byOutline ? world.bodies.info[body].reach : 0.0f;
+    if (field.kind == FieldKind::Explosion) return length(way) <= field.radius + reach;
+    return isInRegion(field, way, reach);
+}
+
+bool isConstant(const FieldDefinition& field) {
+    return field.kind == FieldKind::AreaGravity && field.strength == 0.0f;
+}
+
+float widthAcross(const Geometry& geometry, std::span<const Corner> corners, Vec2 direction) {
+    const Convex convex = convexOf(geometry, corners);
+    const Vec2 across = perpendicular(direction);
+    const auto reach = [&](Vec2 side) {
+        return dot(side, convex.corners()[static_cast<std::size_t>(farthest(convex.corners(), side))].point);
+    };
+    return reach(across) + reach(-across) + 2.0f * convex.radius;
+}
+
+float widthAcross(const World& world, std::uint32_t body, Rot rotation, Vec2 direction) {
+    const Vec2 local = unrotate(rotation, direction);
+    float width = 0.0f;
+    for (std::uint32_t s = world.bodies.info[body].firstShape; s != kNone; s = world.shapes.info[s].next) {
+        width += widthAcross(world.shapes.geometry[s], world.shapes.corners, local);
+    }
+    return width;
+}
+
+}  // namespace plumb::physics

@@ -1,0 +1,22 @@
+#pragma once
+
+#include "core/result.hpp"
+#include "physics/world.hpp"
+
+namespace plumb::physics {
+
+/// Adds a field; it wakes those it acts on. See FieldDefinition for what each kind takes.
+/// @error numbers that are not finite or out of range, a spring without a living body
+Result<FieldId> createField(World& world, const FieldDefinition& definition);
+/// Removes a field and wakes those it acted on. A stale id does nothing.
+void destroyField(World& world, FieldId field);
+/// Changes a field; its kind stays.
+/// @error as createField(); a stale id, another kind
+Result<Done> setField(World& world, FieldId field, const FieldDefinition& definition);
+
+[[nodiscard]] bool alive(const World& world, FieldId field);
+/// @pre the field is alive
+[[nodiscard]] const FieldDefinition& definitionOf(const World& world, FieldId field);
+[[nodiscard]] std::size_t fieldCount(const World& world);
+
+}  // namespace plumb::physics

@@ -1,0 +1,181 @@
+#include <algorithm>
+
+#include "physics/bodies.hpp"
+#include "physics/effects/forces.hpp"
+#include "physics/fields.hpp"
+#include "physics/sleeping.hpp"
+#include "physics/stages.hpp"
+
+namespace plumb::physics {
+
+namespace {
+
+bool isTied(const FieldDefinition& field) {
+    return field.kind == FieldKind::Spring || (field.kind == FieldKind::Attractor && field.a);
+}
+
+/// Fields of bodies that are gone go as well.
+void dropOrphans(World& world) {
+    for (std::uint32_t i = 0; i < world.fields.all.size(); ++i) {
+        const Field& field = world.fields.all[i];
+        const FieldDefinition& d = field.definition;
+        if (!field.isAlive || !isTied(d)) continue;
+        if (!alive(world, d.a) || (d.kind == FieldKind::Spring && d.b && !alive(world, d.b))) {
+            destroyField(world, {i, field.generation});
+        }
+    }
+}
+
+void note(const World& world, Workspace& work, std::uint32_t body, std::uint32_t field) {
+    const std::int32_t slot = work.slots[body];
+    if (slot < 0 || world.bodies.info[body].kind != BodyKind::Dynamic) return;
+    work.smooth.pulls.push_back({static_cast<std::uint32_t>(slot), field});
+}
+
+void findPulls(const World& world, Workspace& work) {
+    work.smooth.pulls.clear();
+    for (std::uint32_t f = 0; f < world.fields.all.size(); ++f) {
+        const Field& field = world.fields.all[f];
+        const FieldDefinition& d = field.definition;
+        if (!field.isAlive || !world.manifest.runs(fieldTypeOf(d.kind).effect)) continue;
+        if (d.kind == FieldKind::Spring) {
+            note(world, work, d.a.index, f);
+            if (d.b) note(world, work, d.b.index, f);
+            continue;
+        }
+        if (fieldTypeOf(d.kind).acceleration == nullptr) continue;
+        for (const std::uint32_t body : world.awake) {
+            if (world.bodies.info[body].kind == BodyKind::Dynamic && actsOn(world, d, body)) {
+                note(world, work, body, f);
+            }
+        }
+    }
+}
+
+/// Sorts the pulls by slot; those of one slot stay in the order of the fields.
+void sortPulls(Workspace& work) {
+    SmoothForces& smooth = work.smooth;
+    smooth.begins.assign(work.bodyOf.size() + 1, 0);
+    for (const SmoothForces::Pull& pull : smooth.pulls) ++smooth.begins[pull.slot + 1];
+    for (std::size_t i = 1; i < smooth.begins.size(); ++i) smooth.begins[i] += smooth.begins[i - 1];
+    smooth.fields.resize(smooth.pulls.size());
+    // From the last on, so that `begins` ends up as it was.
+    std::vector<std::uint32_t>& ends = work.bodyScratch;
+    ends.assign(smooth.begins.begin() + 1, smooth.begins.end());
+    for (std::size_t i = smooth.pulls.size(); i-- > 0;) {
+        smooth.fields[--ends[smooth.pulls[i].slot]] = smooth.pulls[i].field;
+    }
+}
+
+bool flies(const World& world, const Workspace& work, std::uint32_t body) {
+    return work.colourMasks[body] == 0 && world.bodies.info[body].firstJoint == kNone;
+}
+
+/// Part of a steady drive that is left of it when drag works against it for h, as gatherBodies() has it.
+float driveLeft(float keep, float drag, float h) {
+    const float x = drag * h;
+    return x < 1.0e-4f ? 1.0f - 0.5f * x : (1.0f - keep) / x;
+}
+
+struct DriveScale {
+    float linear = 1.0f;
+    float angular = 1.0f;
+};
+
+DriveScale scaleOf(const StepContext& step, std::size_t slot, std::uint32_t body, float h) {
+    if (step.work.keep.empty()) return {};
+    const BodyDrive& drive = step.world.bodies.drive[body];
+    const Float4& keep = step.work.keep[slot];
+    return {driveLeft(keep.x, drive.linearDrag, h), driveLeft(keep.z, drive.angularDrag, h)};
+}
+
+/// A guess where another body is: the step has not begun.
+BodyState stateNow(const FieldView& view, std::uint32_t body) { return stateAtStart(view.world, body); }
+
+/// A body that something holds: the solver gets the force as it is at the start of the step.
+void drive(StepContext& step, std::size_t slot, std::uint32_t body, float h) {
+    const FieldView view{step.world, step.dt, stateNow};
+    const Acceleration pull =
+        accelerationAt(view, step.work.smooth.fieldsOf(slot), body, stateAtStart(step.world, body));
+    const DriveScale scale = scaleOf(step, slot, body, h);
+    Float4& row = step.work.drive[slot];
+    row.x += scale.linear * pull.linear.x;
+    row.y += scale.linear * pull.linear.y;
+    row.z += scale.angular * pull.angular;
+}
+
+void launch(StepContext& step, std::size_t slot, std::uint32_t body, float h) {
+    SmoothForces& smooth = step.work.smooth;
+    const DriveScale scale = scaleOf(step, slot, body, h);
+    const Float4& row = step.work.drive[slot];
+    Flyer flyer;
+    flyer.slot = static_cast<std::uint32_t>(slot);
+    flyer.body = body;
+    flyer.steady = {{row.x / scale.linear, row.y / scale.linear}, row.z / scale.angular};
+    const BodyState start = stateAtStart(step.world, body);
+    const FieldView view{step.world, h, stateNow};
+    flyer.isSteady = true;
+    for (const std::uint32_t& f : smooth.fieldsOf(slot)) {
+        if (isConstant(step.world.fields.all[f].definition)) {
+            flyer.steady += accelerationAt(view, {&f, 1}, body, start);
+        } else {
+            flyer.isSteady = false;
+        }
+    }
+    flyer.linearDrag = step.world.bodies.drive[body].linearDrag;
+    flyer.angularDrag = step.world.bodies.drive[body].angularDrag;
+    flyer.now = start;
+    const std::uint8_t flags = step.world.bodies.info[body].flags;
+    if ((flags & kLockX) != 0) flyer.now.velocity.x = flyer.steady.linear.x = 0.0f;
+    if ((flags & kLockY) != 0) flyer.now.velocity.y = flyer.steady.linear.y = 0.0f;
+    smooth.flyerOf[body] = static_cast<std::int32_t>(smooth.flyers.size());
+    smooth.flyers.push_back(flyer);
+}
+
+/// A body at rest is woken by a spring whose other end moves.
+void wakeOtherEnds(World& world) {
+    const auto rests = [&](BodyId body) {
+        const BodyInfo& info = world.bodies.info[body.index];
+        return info.kind == BodyKind::Dynamic && info.place == kNone;
+    };
+    const auto moves = [&](BodyId body) {
+        const BodyInfo& info = world.bodies.info[body.index];
+        return info.place != kNone &&
+               (info.kind == BodyKind::Kinematic || world.bodies.motion[body.index].restTime == 0.0f);
+    };
+    for (const Field& field : world.fields.all) {
+        const FieldDefinition& d = field.definition;
+        if (!field.isAlive || d.kind != FieldKind::Spring || !d.b) continue;
+        if (rests(d.a) && moves(d.b)) wake(world, d.a.index);
+        if (rests(d.b) && moves(d.a)) wake(world, d.b.index);
+    }
+}
+
+}  // namespace
+
+void prepareFields(StepContext& step) {
+    dropOrphans(step.world);
+    if (step.world.manifest.runs(Effect::Springs)) wakeOtherEnds(step.world);
+}
+
+void applyFields(StepContext& step) {
+    World& world = step.world;
+    Workspace& work = step.work;
+    SmoothForces& smooth = work.smooth;
+    smooth.flyers.clear();
+    smooth.flyerOf.assign(world.bodies.size(), -1);
+    findPulls(world, work);
+    if (smooth.pulls.empty()) return;
+    sortPulls(work);
+    for (const SolveGroup& group : work.groups) {
+        const float h = step.dt / static_cast<float>(group.substeps);
+        for (auto slot = static_cast<std::size_t>(group.begin); slot < static_cast<std::size_t>(group.end);
+             ++slot) {
+            if (smooth.fieldsOf(slot).empty()) continue;
+            const std::uint32_t body = work.bodyOf[slot];
+            flies(world, work, body) ? launch(step, slot, body, h) : drive(step, slot, body, h);
+        }
+    }
+}
+
+}  // namespace plumb::physics
