@@ -115,6 +115,16 @@ void add(LaneHasher& hash, const Field& field) {
                  field.generation, field.isAlive);
 }
 
+void add(LaneHasher& hash, const SoftBody& soft) {
+    for (const SoftParticle& p : soft.particles) {
+        Values{hash}(p.place.x, p.place.y, p.before.x, p.before.y, p.velocity, p.inverseMass, p.mass);
+    }
+    for (const SoftLink& link : soft.links) Values{hash}(link.a, link.b, link.length, link.compliance);
+    add(hash, soft.ring);
+    Values{hash}(soft.area, soft.areaCompliance, soft.radius, soft.damping, soft.friction, soft.layers,
+                 soft.mask, soft.generation, soft.substeps, soft.isAlive);
+}
+
 void add(LaneHasher& hash, const Shapes& shapes) {
     addAll(hash, shapes.geometry, shapes.bounds, shapes.filter, shapes.motion, shapes.info, shapes.free,
            shapes.dying, shapes.corners);
@@ -139,6 +149,8 @@ std::uint64_t hashOf(const World& world) {
     add(hash, world.joints);
     for (const Field& field : world.fields.all) add(hash, field);
     add(hash, world.fields.free);
+    for (const SoftBody& soft : world.softBodies.all) add(hash, soft);
+    add(hash, world.softBodies.free);
     addAll(hash, world.awake, world.moved, world.contacts);
     addAll(hash, sleepers.islands, sleepers.freeIslands, sleepers.contacts, sleepers.nextContact,
            sleepers.freeContacts, sleepers.nextBody, sleepers.islandOf);

@@ -24,7 +24,7 @@ constexpr std::uint32_t any(Effects... effects) {
     return (Manifest::bit(effects) | ...);
 }
 
-constexpr std::uint32_t kMeeting = any(Effect::Contacts, Effect::Triggers);
+constexpr std::uint32_t kMeeting = any(Effect::Contacts, Effect::Triggers, Effect::SoftBodies);
 constexpr std::uint32_t kSmooth =
     any(Effect::AreaGravity, Effect::Wind, Effect::Buoyancy, Effect::Attractor, Effect::Springs);
 
@@ -35,6 +35,7 @@ constexpr Stage kStages[] = {
     {"new joints", any(Effect::Joints), colourJoints},
     {"explosions", any(Effect::Explosion), explode},
     {"prepare fields", kSmooth, prepareFields},
+    {"soft bodies", any(Effect::SoftBodies), moveSoftBodies},
     {"gather bodies", 0, gatherBodies},
     {"fields", kSmooth, applyFields},
     {"prepare constraints", any(Effect::Contacts, Effect::Joints), prepareConstraints},
@@ -68,7 +69,7 @@ bool isCalledFor(const Stage& stage, const World& world, const ContactHooks& hoo
 /// Nothing moves and nothing came: a world at rest costs nothing.
 bool nothingToDo(const World& world) {
     return world.awake.empty() && world.moved.empty() && !hasRemains(world) &&
-           !world.manifest.runs(Effect::Explosion);
+           !world.manifest.runs(Effect::Explosion) && !world.manifest.runs(Effect::SoftBodies);
 }
 
 }  // namespace

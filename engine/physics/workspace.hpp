@@ -122,6 +122,7 @@ struct Workspace {
     std::vector<RollingBlock> fixedRollings;
     std::vector<AxisLock> locks;
     JointWork joints;
+    std::vector<std::uint32_t> softShapes;   ///< near a soft body
     SmoothForces smooth;                     ///< where there are fields
     std::vector<std::uint32_t> solveOrder;   ///< awake bodies by group; empty where there is one group
     std::vector<std::uint8_t> groupOf;       ///< by body, where there are several

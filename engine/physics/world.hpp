@@ -13,6 +13,7 @@
 #include "physics/manifest.hpp"
 #include "physics/settings.hpp"
 #include "physics/shape.hpp"
+#include "physics/soft_particles.hpp"
 #include "physics/workspace_holder.hpp"
 
 namespace plumb {
@@ -193,6 +194,12 @@ struct Fields {
     std::vector<std::uint32_t> free;
 };
 
+/// Ropes, cloth and jellies, indexed by SoftBodyId::index.
+struct SoftBodies {
+    std::vector<SoftBody> all;
+    std::vector<std::uint32_t> free;
+};
+
 /// Everything that is simulated, as plain data: copy = snapshot. Indices and generations, no addresses.
 struct World {
     Settings settings;
@@ -200,6 +207,7 @@ struct World {
     Shapes shapes;
     Joints joints;
     Fields fields;
+    SoftBodies softBodies;
     std::vector<std::uint32_t> awake;  ///< bodies that may move
     std::vector<std::uint32_t> moved;  ///< shapes that have to be looked up by the broad phase: kLeftBounds
     std::vector<Contact> contacts;     ///< of which at least one body is awake

@@ -1,0 +1,197 @@
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "math/portable.hpp"
+#include "physics/bounds.hpp"
+#include "physics/shapes/shape_types.hpp"
+#include "physics/sleeping.hpp"
+#include "physics/stages.hpp"
+
+namespace plumb::physics {
+
+namespace {
+
+/// m/s: a particle this fast wakes what it hits.
+constexpr float kRousing = 0.5f;
+
+/// One soft body in one substep.
+struct SoftStep {
+    World& world;
+    SoftBody& body;
+    const std::vector<std::uint32_t>& shapes;  // near it
+    float h;                                   // s
+    float elapsed;                             // s since the start of the step
+};
+
+void moveFreely(const SoftStep& soft) {
+    const bool pulled = (soft.world.manifest.pinnedOff & Manifest::bit(Effect::Gravity)) == 0;
+    const Vec2 pull = pulled ? soft.world.settings.gravity : Vec2{};
+    const float kept = exponential(-soft.body.damping * soft.h);
+    const float most = soft.world.settings.maxSpeed;
+    for (SoftParticle& p : soft.body.particles) {
+        p.before = p.place;
+        if (p.inverseMass == 0.0f) continue;
+        p.velocity = kept * (p.velocity + soft.h * pull);
+        const float speed = length(p.velocity);
+        if (!(speed <= most)) p.velocity = std::isfinite(speed) ? (most / speed) * p.velocity : Vec2{};
+        p.place = p.place + soft.h * p.velocity;
+    }
+}
+
+/// C = |b - a| - length. One iteration a substep, so the multiplier starts at 0 (XPBD, Eq. 18).
+void keepLengths(const SoftStep& soft) {
+    const float perStep = 1.0f / (soft.h * soft.h);
+    for (const SoftLink& link : soft.body.links) {
+        SoftParticle& a = soft.body.particles[link.a];
+        SoftParticle& b = soft.body.particles[link.b];
+        const Vec2 way = b.place - a.place;
+        const float size = length(way), weight = a.inverseMass + b.inverseMass;
+        if (size <= 0.0f || weight <= 0.0f) continue;
+        const Vec2 push = (-(size - link.length) / (weight + link.compliance * perStep) / size) * way;
+        a.place = a.place + -a.inverseMass * push;
+        b.place = b.place + b.inverseMass * push;
+    }
+}
+
+/// C = area - area at rest, whose gradient at a particle is half of its neighbours' way, turned.
+void keepArea(const SoftStep& soft) {
+    const std::vector<std::uint32_t>& ring = soft.body.ring;
+    if (ring.empty()) return;
+    std::vector<SoftParticle>& particles = soft.body.particles;
+    const std::size_t count = ring.size();
+    const Place origin = particles[ring[0]].place;
+    const auto at = [&](std::size_t i) { return particles[ring[i % count]].place - origin; };
+    const auto gradient = [&](std::size_t i) { return -0.5f * perpendicular(at(i + 1) - at(i + count - 1)); };
+    float area = 0.0f, weight = soft.body.areaCompliance / (soft.h * soft.h);
+    for (std::size_t i = 0; i < count; ++i) {
+        area += 0.5f * cross(at(i), at(i + 1));
+        weight += particles[ring[i]].inverseMass * lengthSquared(gradient(i));
+    }
+    if (!(weight > 0.0f)) return;
+    const float push = -(area - soft.body.area) / weight;
+    // All gradients are of one moment: each needs its neighbours as they were.
+    const Vec2 first = at(0);
+    Vec2 last = at(count - 1);
+    for (std::size_t i = 0; i < count; ++i) {
+        const Vec2 here = at(i), next = i + 1 < count ? at(i + 1) : first;
+        SoftParticle& p = particles[ring[i]];
+        // `origin` is a copy, so that particle 0 may move.
+        p.place = p.place + (push * p.inverseMass) * (-0.5f * perpendicular(next - last));
+        last = here;
+    }
+}
+
+/// A shape's body as a particle meets it.
+struct Obstacle {
+    Place centre;  // m, now
+    float inverseMass = 0.0f;
+    float inverseInertia = 0.0f;
+    bool rests = false;
+};
+
+Obstacle obstacleOf(const SoftStep& soft, std::uint32_t body) {
+    const World& world = soft.world;
+    const BodyInfo& info = world.bodies.info[body];
+    Obstacle obstacle{world.bodies.pose[body].centre + soft.elapsed * world.bodies.motion[body].velocity};
+    obstacle.rests = info.kind == BodyKind::Dynamic && info.place == kNone;
+    if (info.kind == BodyKind::Dynamic && !obstacle.rests) {
+        obstacle.inverseMass = world.bodies.mass[body].inverseMass;
+        obstacle.inverseInertia = world.bodies.mass[body].inverseInertia;
+    }
+    return obstacle;
+}
+
+void pushBody(World& world, std::uint32_t body, const Obstacle& obstacle, Vec2 arm, Vec2 impulse) {
+    BodyMotion& motion = world.bodies.motion[body];
+    motion.velocity += obstacle.inverseMass * impulse;
+    motion.angularVelocity += obstacle.inverseInertia * cross(arm, impulse);
+}
+
+/// Pushes a particle out of a shape, and the shape's body away from the particle.
+void keepOut(const SoftStep& soft, SoftParticle& p, std::uint32_t shape) {
+    World& world = soft.world;
+    const std::uint32_t body = world.shapes.info[shape].body;
+    const Obstacle obstacle = obstacleOf(soft, body);
+    const BodyPose& pose = world.bodies.pose[body];
+    const Vec2 arm = p.place - obstacle.centre;
+    const ClosestPoint nearest = closestPoint(world.shapes.geometry[shape], world.shapes.corners,
+                                              pose.localCentre + unrotate(pose.rotation, arm));
+    const float depth = soft.body.radius - nearest.distance;
+    if (!(depth > 0.0f)) return;
+    const Vec2 normal = rotate(pose.rotation, nearest.normal);
+    const float lever = cross(arm, normal);
+    const float weight = p.inverseMass + obstacle.inverseMass + obstacle.inverseInertia * lever * lever;
+    if (weight <= 0.0f) return;
+    const float push = depth / weight;
+    p.place = p.place + (push * p.inverseMass) * normal;
+    const BodyMotion& motion = world.bodies.motion[body];
+    const Vec2 surface = motion.velocity + cross(motion.angularVelocity, arm);
+    const Vec2 slid = (p.place - p.before) - soft.h * surface;
+    const Vec2 along = perpendicular(normal);
+    const float slip = std::clamp(dot(slid, along), -soft.body.friction * depth, soft.body.friction * depth);
+    p.place = p.place + -(p.inverseMass / weight * slip) * along;
+    pushBody(world, body, obstacle, arm, (-push / soft.h) * normal + (slip / (weight * soft.h)) * along);
+    if (obstacle.rests && length(p.velocity) > kRousing) wake(world, body);
+}
+
+void keepOutOfAll(const SoftStep& soft) {
+    for (SoftParticle& p : soft.body.particles) {
+        if (p.inverseMass == 0.0f) continue;
+        for (const std::uint32_t shape : soft.shapes) keepOut(soft, p, shape);
+    }
+}
+
+void updateVelocities(const SoftStep& soft) {
+    for (SoftParticle& p : soft.body.particles) {
+        p.velocity = p.inverseMass > 0.0f ? (p.place - p.before) / soft.h : Vec2{};
+        if (!isFinite(p.velocity)) {  // quarantined: it stays where it was
+            p.velocity = {};
+            p.place = p.before;
+        }
+    }
+}
+
+AABB boundsOf(const SoftBody& body, float dt) {
+    constexpr float kFar = std::numeric_limits<float>::max();
+    AABB bounds{{kFar, kFar}, {-kFar, -kFar}};
+    for (const SoftParticle& p : body.particles) {
+        const Vec2 here = toVec2(p.place), there = toVec2(p.place + dt * p.velocity);
+        bounds = {min(bounds.min, min(here, there)), max(bounds.max, max(here, there))};
+    }
+    return grown(bounds, 2.0f * body.radius);
+}
+
+void findShapes(StepContext& step, const SoftBody& body, std::vector<std::uint32_t>& found) {
+    const Shapes& shapes = step.world.shapes;
+    found.clear();
+    if (step.work.broadPhase == nullptr) return;
+    step.work.broadPhase->query({shapes.bounds, shapes.filter, shapes.motion}, boundsOf(body, step.dt),
+                                body.mask, found);
+    std::erase_if(found, [&](std::uint32_t shape) {
+        return (shapes.info[shape].flags & kTrigger) != 0 || (shapes.filter[shape].mask & body.layers) == 0;
+    });
+    std::sort(found.begin(), found.end());
+}
+
+}  // namespace
+
+/// Position based dynamics with compliance, in small steps. Source: M. Macklin, M. Mueller, N. Chentanez,
+/// "XPBD: Position-Based Simulation of Compliant Constrained Dynamics", MIG 2016.
+void moveSoftBodies(StepContext& step) {
+    for (SoftBody& body : step.world.softBodies.all) {
+        if (!body.isAlive) continue;
+        findShapes(step, body, step.work.softShapes);
+        const float h = step.dt / static_cast<float>(body.substeps);
+        for (int i = 0; i < body.substeps; ++i) {
+            const SoftStep soft{step.world, body, step.work.softShapes, h, h * static_cast<float>(i)};
+            moveFreely(soft);
+            keepLengths(soft);
+            keepArea(soft);
+            keepOutOfAll(soft);
+            updateVelocities(soft);
+        }
+    }
+}
+
+}  // namespace plumb::physics
