@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "physics/narrowphase/collide.hpp"
+#include "physics/solver/kernels.hpp"
 #include "physics/workspace.hpp"
 
 namespace plumb::physics {
@@ -117,6 +118,94 @@ bool nearByCircles(const World& world, const Contact& contact, const Encounter& 
 
 bool isRound(ShapeKind kind) { return kind == ShapeKind::Circle; }
 
+/// Takes note of what was found.
+void take(const World& world, Contact& contact, const Encounter& now, const Manifold& manifold,
+          DetectionCounts& counts) {
+    if (manifold.count == 0) {
+        ++counts.apartByAxes;
+        forgetPoints(contact);
+        return;
+    }
+    ++counts.touching;
+    takeManifold(world, contact, manifold, now);
+}
+
+/// What can be said without a look at the outlines: still the same, gone, or too far apart.
+bool isSettled(const World& world, Contact& contact, const Encounter& now, DetectionCounts& counts) {
+    if (recycle(contact, now, world.settings)) {
+        ++counts.recycled;
+        ++counts.touching;
+        return true;
+    }
+    if (!overlap(world.shapes.bounds[contact.shapeA], world.shapes.bounds[contact.shapeB])) {
+        contact.flags |= kGone;
+        return true;
+    }
+    if ((contact.flags & kFixedA) == 0 && !nearByCircles(world, contact, now)) {
+        ++counts.apartByCircles;
+        forgetPoints(contact);
+        return true;
+    }
+    return false;
+}
+
+/// Pairs of boxes, gathered until there are eight of them.
+class BoxBatch {
+public:
+    BoxBatch(const World& world, DetectionCounts& counts) : world_{world}, counts_{counts} {}
+
+    void add(Contact& contact, const Encounter& now, const Geometry& a, const Geometry& b) {
+        const Frame bInA = frameInA(world_, contact, now);
+        const Vec2 way = unrotate(a.turn, apply(bInA, b.a) - a.a);
+        const Rot turn = between(a.turn, bInA.rotation * b.turn);
+        contacts_[count_] = &contact;
+        encounters_[count_] = now;
+        pairs_.halfAx[count_] = a.b.x;
+        pairs_.halfAy[count_] = a.b.y;
+        pairs_.halfBx[count_] = b.b.x;
+        pairs_.halfBy[count_] = b.b.y;
+        pairs_.x[count_] = way.x;
+        pairs_.y[count_] = way.y;
+        pairs_.cosine[count_] = turn.cos;
+        pairs_.sine[count_] = turn.sin;
+        pairs_.radiusA[count_] = a.radius;
+        pairs_.radiusB[count_] = b.radius;
+        if (++count_ == kLanes) finish();
+    }
+
+    void finish() {
+        if (count_ == 0) return;
+        kernels_.collideBoxes(pairs_, world_.settings.speculativeDistance, touches_);
+        for (int i = 0; i < count_; ++i) take(world_, *contacts_[i], encounters_[i], manifoldOf(i), counts_);
+        count_ = 0;
+    }
+
+private:
+    [[nodiscard]] Manifold manifoldOf(int i) const {
+        Manifold manifold;
+        if (!(touches_.count[i] > 0.0f)) return manifold;
+        const Geometry& a = world_.shapes.geometry[contacts_[i]->shapeA];
+        manifold.count = static_cast<int>(touches_.count[i]);
+        manifold.normal = rotate(a.turn, {touches_.normalX[i], touches_.normalY[i]});
+        manifold.roundA = touches_.roundA[i];
+        manifold.roundB = touches_.roundB[i];
+        for (int p = 0; p < manifold.count; ++p) {
+            manifold.points[p] = {a.a + rotate(a.turn, {touches_.pointX[p][i], touches_.pointY[p][i]}),
+                                  touches_.separation[p][i], static_cast<std::uint16_t>(touches_.id[p][i])};
+        }
+        return manifold;
+    }
+
+    const World& world_;
+    DetectionCounts& counts_;
+    const SolverKernels& kernels_ = solverKernels();
+    Contact* contacts_[kLanes] = {};
+    Encounter encounters_[kLanes];
+    BoxPairs pairs_{};  // lanes that are not used repeat what was there before, which is harmless
+    BoxTouches touches_;
+    int count_ = 0;
+};
+
 }  // namespace
 
 void copyMaterials(const World& world, Contact& contact) {
@@ -152,32 +241,25 @@ Contact makeContact(const World& world, std::uint32_t shapeA, std::uint32_t shap
     return contact;
 }
 
-bool updateContact(const World& world, Contact& contact, DetectionCounts& counts) {
-    const Encounter now = encounterOf(world.bodies.pose[contact.bodyA], world.bodies.pose[contact.bodyB]);
-    ++counts.pairs;
-    if (recycle(contact, now, world.settings)) {
-        ++counts.recycled;
-        ++counts.touching;
-        return true;
-    }
+void findTouches(const World& world, std::span<Contact> contacts, DetectionCounts& counts) {
+    BoxBatch boxes{world, counts};
     const Shapes& shapes = world.shapes;
-    if (!overlap(shapes.bounds[contact.shapeA], shapes.bounds[contact.shapeB])) return false;
-    if ((contact.flags & kFixedA) == 0 && !nearByCircles(world, contact, now)) {
-        ++counts.apartByCircles;
-        forgetPoints(contact);
-        return true;
+    for (Contact& contact : contacts) {
+        ++counts.pairs;
+        const Encounter now = encounterOf(world.bodies.pose[contact.bodyA], world.bodies.pose[contact.bodyB]);
+        if (isSettled(world, contact, now, counts)) continue;
+        const Geometry& a = shapes.geometry[contact.shapeA];
+        const Geometry& b = shapes.geometry[contact.shapeB];
+        if (a.kind == ShapeKind::Box && b.kind == ShapeKind::Box) {
+            boxes.add(contact, now, a, b);
+        } else {
+            take(world, contact, now,
+                 collide(a, b, shapes.corners, frameInA(world, contact, now),
+                         world.settings.speculativeDistance),
+                 counts);
+        }
     }
-    const Manifold manifold =
-        collide(shapes.geometry[contact.shapeA], shapes.geometry[contact.shapeB], shapes.corners,
-                frameInA(world, contact, now), world.settings.speculativeDistance);
-    if (manifold.count == 0) {
-        ++counts.apartByAxes;
-        forgetPoints(contact);
-        return true;
-    }
-    ++counts.touching;
-    takeManifold(world, contact, manifold, now);
-    return true;
+    boxes.finish();
 }
 
 std::uint16_t keyOf(const Contact& contact) {

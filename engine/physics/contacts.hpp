@@ -1,5 +1,7 @@
 #pragma once
 
+#include <span>
+
 #include "physics/world.hpp"
 
 namespace plumb::physics {
@@ -10,9 +12,9 @@ Contact makeContact(const World& world, std::uint32_t shapeA, std::uint32_t shap
 /// Friction and the like, and what kind of contact it is, from its two shapes.
 void copyMaterials(const World& world, Contact& contact);
 
-/// Finds out where the shapes are to each other, and keeps what it knew of places that are still the same.
-/// @return false when their bounds have parted, so that the contact ends
-bool updateContact(const World& world, Contact& contact, struct DetectionCounts& counts);
+/// Finds out where the shapes of contacts are to each other, and keeps what it knew of places that are still
+/// the same. Contacts whose bounds have parted get kGone.
+void findTouches(const World& world, std::span<Contact> contacts, struct DetectionCounts& counts);
 
 /// True when somebody wants to hear of the contact.
 [[nodiscard]] bool isReported(const World& world, const Contact& contact);

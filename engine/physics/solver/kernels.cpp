@@ -8,21 +8,21 @@ namespace plumb::physics {
 namespace scalar {
 extern const SolverKernels kKernels;
 extern const JointKernels kJointKernels;
-}
+}  // namespace scalar
 #if defined(__x86_64__) || defined(_M_X64)
 namespace sse2 {
 extern const SolverKernels kKernels;
 extern const JointKernels kJointKernels;
-}
+}  // namespace sse2
 namespace avx2 {
 extern const SolverKernels kKernels;
 extern const JointKernels kJointKernels;
-}
+}  // namespace avx2
 #elif defined(__aarch64__)
 namespace neon {
 extern const SolverKernels kKernels;
 extern const JointKernels kJointKernels;
-}
+}  // namespace neon
 #endif
 
 const SolverKernels& solverKernels() {

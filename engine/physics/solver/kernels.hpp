@@ -2,6 +2,7 @@
 
 #include <cstdint>
 
+#include "physics/narrowphase/box_lanes.hpp"
 #include "physics/solver/contact_block.hpp"
 
 namespace plumb::physics {
@@ -18,7 +19,7 @@ struct ContactSource {
     bool kinematics;            ///< some body is kinematic
 };
 
-/// The inner loops of the solver, in lanes of eight: built for each instruction set, chosen at run time, all
+/// The inner loops of the step, in lanes of eight: built for each instruction set, chosen at run time, all
 /// with the same bits. Ranges are blocks, or bodies in multiples of eight.
 struct SolverKernels {
     const char* name;
@@ -48,6 +49,9 @@ struct SolverKernels {
     /// are given again, all at once.
     void (*accelerate)(const SolverBodies& bodies, float h, bool first, int begin, int end);
     void (*move)(const SolverBodies& bodies, float h, int begin, int end);
+
+    /// The same bits as collideBoxes() of one pair.
+    void (*collideBoxes)(const BoxPairs& pairs, float speculative, BoxTouches& touches);
 };
 
 /// The kernels of this machine's widest instruction set, or those that setSimdWidth() asks for.

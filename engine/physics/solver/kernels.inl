@@ -513,6 +513,29 @@ void move(const SolverBodies& bodies, float h, int begin, int end) {
     }
 }
 
+// Detecting.
+
+#include "physics/narrowphase/box_kernel.inl"
+
+void collideBoxes(const BoxPairs& pairs, float speculative, BoxTouches& touches) {
+    const BoxTouch<Float8> touch =
+        touchBoxes<Float8>({load(pairs.halfAx), load(pairs.halfAy), load(pairs.halfBx), load(pairs.halfBy),
+                            load(pairs.x), load(pairs.y), load(pairs.cosine), load(pairs.sine),
+                            load(pairs.radiusA), load(pairs.radiusB), all(speculative)});
+    store(touches.count, touch.count);
+    if (!any(touch.count > all(0.0f))) return;
+    store(touches.normalX, touch.normalX);
+    store(touches.normalY, touch.normalY);
+    for (int p = 0; p < 2; ++p) {
+        store(touches.pointX[p], touch.pointX[p]);
+        store(touches.pointY[p], touch.pointY[p]);
+        store(touches.separation[p], touch.separation[p]);
+        store(touches.id[p], touch.id[p]);
+    }
+    store(touches.roundA, touch.roundA);
+    store(touches.roundB, touch.roundB);
+}
+
 }  // namespace
 
 extern const SolverKernels kKernels;
@@ -530,6 +553,7 @@ const SolverKernels kKernels{
     storeImpulses<FixedContactBlock>,
     accelerate,
     move,
+    collideBoxes,
 };
 
 }  // namespace plumb::physics::PLUMB_LANES

@@ -273,6 +273,12 @@ inline void scatter(Float4* records, const std::int32_t* index, const Float8 (&i
 inline Float8& operator+=(Float8& a, Float8 b) { return a = a + b; }
 inline Float8& operator-=(Float8& a, Float8 b) { return a = a - b; }
 inline Float8 abs(Float8 a) { return max(a, -a); }
+inline bool any(Mask8 mask) { return bits(mask) != 0; }
+/// For code that is written once for one number and for eight.
+template <class F>
+F all(float s) {
+    return all(s);
+}
 inline Float8 clamp(Float8 a, Float8 low, Float8 high) { return min(max(a, low), high); }
 
 }  // namespace PLUMB_LANES

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <span>
 #include <utility>
 
 #include "physics/contacts.hpp"
@@ -33,18 +34,20 @@ void lookAtAll(StepContext& step) {
     forPieces(step, count, kGrain, [&](int begin, int end, int piece) {
         std::vector<std::uint32_t>& changed = work.changedContacts[static_cast<std::size_t>(piece)];
         DetectionCounts& counts = work.countsOfPiece[static_cast<std::size_t>(piece)];
-        for (int i = begin; i < end; ++i) {
-            Contact& contact = world.contacts[static_cast<std::size_t>(i)];
+        const auto first = static_cast<std::size_t>(begin), size = static_cast<std::size_t>(end - begin);
+        const std::span<Contact> contacts = std::span{world.contacts}.subspan(first, size);
+        for (Contact& contact : contacts)
             contact.flags &= static_cast<std::uint16_t>(~(kBegan | kGone | kDisabled));
+        findTouches(world, contacts, counts);
+        for (std::size_t i = 0; i < size; ++i) {
+            Contact& contact = contacts[i];
+            if (joined && keptApart(world, contact.bodyA, contact.bodyB)) contact.flags |= kGone;
             const bool before = (contact.flags & kTouching) != 0;
-            if (!updateContact(world, contact, counts) ||
-                (joined && keptApart(world, contact.bodyA, contact.bodyB))) {
-                contact.flags |= kGone;
-            } else if (touches(contact) == before) {
-                work.contactKeys[static_cast<std::size_t>(i)] = keyOf(contact);
-                continue;
+            if ((contact.flags & kGone) != 0 || touches(contact) != before) {
+                changed.push_back(static_cast<std::uint32_t>(first + i));
+            } else {
+                work.contactKeys[first + i] = keyOf(contact);
             }
-            changed.push_back(static_cast<std::uint32_t>(i));
         }
     });
     work.counts = {};
@@ -66,9 +69,12 @@ void end(World& world, Workspace& work, Contact& contact) {
     uncolour(work, contact);
     world.islandsStale = true;
     if (isReported(world, contact)) world.events.push_back(eventOf(world, contact, ContactPhase::Ended));
-    // Who leans on something that goes away has to notice.
-    if (world.bodies.info[contact.bodyA].kind == BodyKind::Dynamic) wake(world, contact.bodyA);
-    wake(world, contact.bodyB);
+    // Who sleeps against something that goes away has to notice.
+    const auto notice = [&](std::uint32_t body) {
+        if (world.sleepers.islandOf[body] != kNone) wake(world, body);
+    };
+    notice(contact.bodyA);
+    notice(contact.bodyB);
 }
 
 void begin(World& world, Workspace& work, std::size_t index) {

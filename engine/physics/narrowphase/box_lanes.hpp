@@ -1,0 +1,23 @@
+#pragma once
+
+#include "physics/solver/lanes.hpp"
+
+namespace plumb::physics {
+
+/// Eight pairs of boxes, each in the frame of its A: the members of BoxPair (box_kernel.inl), in lanes.
+struct BoxPairs {
+    float halfAx[kLanes], halfAy[kLanes], halfBx[kLanes], halfBy[kLanes];
+    float x[kLanes], y[kLanes];
+    float cosine[kLanes], sine[kLanes];
+    float radiusA[kLanes], radiusB[kLanes];
+};
+
+/// Where they touch: the members of BoxTouch.
+struct BoxTouches {
+    float normalX[kLanes], normalY[kLanes];
+    float pointX[2][kLanes], pointY[2][kLanes], separation[2][kLanes], id[2][kLanes];
+    float count[kLanes];
+    float roundA[kLanes], roundB[kLanes];
+};
+
+}  // namespace plumb::physics
