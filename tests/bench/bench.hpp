@@ -63,6 +63,7 @@ bool writeRows(const std::string& path, std::span<const Row> rows);
 // The programs of plumb-bench: one file each, one line in main.cpp each. They give back an exit code.
 
 int runEcs(const Options& options);
+int runPhysics(const Options& options);
 int runRender(const Options& options);
 int runScene(const Options& options);
 

@@ -16,6 +16,7 @@ struct Program {
 /// Every benchmark: one file, one line.
 constexpr std::array kPrograms{
     Program{"ecs", &plumb::bench::runEcs},
+    Program{"physics", &plumb::bench::runPhysics},
     Program{"render", &plumb::bench::runRender},
     Program{"scene", &plumb::bench::runScene},
 };
@@ -23,6 +24,7 @@ constexpr std::array kPrograms{
 int usage() {
     std::printf(
         "plumb-bench NAME [LINE] [--json FILE] [--quick] [--seconds S]\n"
+        "plumb-bench physics has options of its own; a wrong one lists them\n"
         "  LINE         only the lines with this in their name\n"
         "  --quick      small sizes and few rounds: does it run at all?\n"
         "  --seconds S  for each side of each line, default 0.4; where other machines share the\n"
