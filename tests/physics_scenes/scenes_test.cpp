@@ -140,6 +140,10 @@ TEST(SceneError, seesAnOverlapAnOpenJointAndANumberThatIsNone) {
     error = errorOf(world);
     EXPECT_EQ(error.overlaps, 0u);  // joined bodies may overlap
     EXPECT_NEAR(error.maxJointError, std::hypot(0.1, 0.3), 1e-6);
+    EXPECT_TRUE(error.holds());
+
+    world.addHinge({.a = a, .b = b, .anchorA = {0.0f, 5.0f}});
+    EXPECT_FALSE(errorOf(world).holds());
 
     world.createBody({.position = {NAN, 0.0f}});
     EXPECT_FALSE(errorOf(world).finite);

@@ -18,7 +18,7 @@ std::string number(double value, int digits) { return value == 0.0 ? "-" : fixed
 
 const Measurement& referenceOf(const Measurement& row, std::span<const Measurement> rows) {
     for (const Measurement& other : rows) {
-        if (other.threads == row.threads && other.missing.empty()) return other;
+        if (other.threads == row.threads && other.missing.empty() && other.error.holds()) return other;
     }
     return row;
 }
@@ -47,8 +47,10 @@ void printRow(const Measurement& row, std::span<const Measurement> rows) {
                 number(error.meanPenetration * kMillimetres, 3).c_str(),
                 number(error.maxJointError * kMillimetres, 2).c_str(),
                 number(error.meanJointError * kMillimetres, 3).c_str(),
-                fixedText(row.quietMs / referenceOf(row, rows).quietMs, 2).c_str(),
-                error.finite ? "" : "  EXPLODED");
+                error.holds() ? fixedText(row.quietMs / referenceOf(row, rows).quietMs, 2).c_str() : "-",
+                error.holds()  ? ""
+                : error.finite ? "  CAME APART"
+                               : "  EXPLODED");
 }
 
 std::string familyOf(const std::string& scene) { return scene.substr(0, scene.rfind('_')); }
@@ -72,11 +74,11 @@ std::string jsonOf(const Measurement& row) {
         "\"missing\": \"{}\", \"msPerStep\": {}, \"quietMs\": {}, \"medianMs\": {}, \"firstMs\": {}, "
         "\"bodies\": {}, \"contacts\": {}, \"lastContacts\": {}, \"maxPenetration\": {}, "
         "\"meanPenetration\": {}, \"overlaps\": {}, \"maxJointError\": {}, \"jointError\": {}, "
-        "\"finite\": {}, \"stages\": {{}}}",
+        "\"finite\": {}, \"holds\": {}, \"stages\": {{}}}",
         row.scene, row.engine, row.threads, row.size, row.steps, row.missing, row.msPerStep, row.quietMs,
         row.medianMs, row.firstMs, row.bodies, row.contacts, row.lastContacts, error.maxPenetration,
         error.meanPenetration, error.overlaps, error.maxJointError, error.meanJointError, error.finite,
-        stages);
+        error.holds(), stages);
 }
 
 }  // namespace

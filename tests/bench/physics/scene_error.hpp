@@ -12,6 +12,12 @@ struct SceneError {
     double maxJointError = 0.0;  ///< m between two points that should be one
     double meanJointError = 0.0;
     bool finite = true;  ///< no position is NaN or infinite
+
+    static constexpr double kApart = 1.0;  ///< m; the weakest solver that still holds stretches by 0.7
+
+    /// False when a joint let go or numbers went bad. What has come apart is cheap to go on with, so such a
+    /// time says nothing.
+    [[nodiscard]] bool holds() const { return finite && maxJointError < kApart; }
 };
 
 /// Less is rounding of positions 100 m from the origin.
