@@ -34,6 +34,9 @@ struct Settings {
 
     /// Contacts are springs of this part of the substep rate. Larger is stiffer; above 1/4 they ring.
     float contactStiffness = 0.125f;
+    /// The part of what a contact carried in the last step that its spring carries without giving way, so that
+    /// what rests sinks in by that much less. Above 1/2 mass ratios of 1000 and card houses may fall.
+    float loadMemory = 0.5f;
     float jointStiffness = 0.25f;       ///< the same of joints
     float contactDampingRatio = 10.0f;  ///< much above 1: overlaps go away without a bounce
     float jointDampingRatio = 2.0f;

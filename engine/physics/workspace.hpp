@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <vector>
 
@@ -85,6 +86,17 @@ struct Cursor {
 
 inline constexpr std::size_t kMaxStages = 24;
 
+/// What makes an island hard to solve.
+struct IslandHardness {
+    float lightest = std::numeric_limits<float>::max();  ///< kg
+    float heaviest = 0.0f;
+    float lowest = std::numeric_limits<float>::max();  ///< m along gravity
+    float highest = -std::numeric_limits<float>::max();
+    float size = 0.0f;  ///< m: half widths of all its bodies
+    float bodies = 0.0f;
+    float joints = 0.0f;
+};
+
 /// Memory that a step needs and the next one reuses. Everything in it follows from the world.
 struct Workspace {
     std::unique_ptr<BroadPhase> broadPhase;
@@ -137,6 +149,7 @@ struct Workspace {
     bool sleepy = false;                                ///< some body has rested for long enough
     DetectionCounts counts;
     std::array<std::uint64_t, kMaxStages> stageRuns{};  ///< by stage: see runsOf()
+    std::vector<IslandHardness> hardness;               ///< by root of an island: see sortByQuality()
 };
 
 }  // namespace plumb::physics

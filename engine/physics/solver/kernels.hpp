@@ -14,6 +14,7 @@ struct ContactSource {
     const Float4* masses;       ///< inverse mass, inverse inertia
     const Float4* motions;      ///< velocity x, y, angular velocity
     const std::int32_t* slots;  ///< by body
+    float loadMemory;           ///< Settings::loadMemory
     std::int32_t idleSlot;      ///< the first of eight that belong to nobody
     bool surfaces;              ///< some contact has a surface speed
     bool kinematics;            ///< some body is kinematic

@@ -125,7 +125,9 @@ void prepare(const ContactSource& source, const BlockLanes* lanes, ContactBlock*
             store(point.leverB, leverB);
             store(point.separation, places.impulses[2 * p]);
             store(point.gap, places.impulses[2 * p]);
-            store(point.impulse, places.impulses[2 * p + 1] * rows.used);
+            const Float8 impulse = places.impulses[2 * p + 1] * rows.used;
+            store(point.impulse, impulse);
+            store(point.load, all(source.loadMemory) * impulse);
             store(point.mass, rows.used * inverseOrZero(masses + a.inverseInertia * leverA * leverA +
                                                         b.inverseInertia * leverB * leverB));
         }
@@ -184,7 +186,9 @@ void prepareFixed(const ContactSource& source, const BlockLanes* lanes, FixedCon
             store(point.approach, rows.used * (surfaceAlong + surface.spin * cross8(armA, normal)));
             store(point.separation, places.impulses[2 * p]);
             store(point.gap, places.impulses[2 * p]);
-            store(point.impulse, places.impulses[2 * p + 1] * rows.used);
+            const Float8 impulse = places.impulses[2 * p + 1] * rows.used;
+            store(point.impulse, impulse);
+            store(point.load, all(source.loadMemory) * impulse);
             store(point.mass, rows.used * inverseOrZero(b.inverseMass + b.inverseInertia * lever * lever));
         }
         const Float8 surfaceAcross = normal.x * surface.velocity.y - normal.y * surface.velocity.x;
@@ -279,14 +283,15 @@ struct SoftPush8 {
           impulseScale{all(pass.softness.impulseScale)} {}
 
     /// The change of impulse that answers an approach at `speed`; `impulse` gets it too. Apart, the bodies
-    /// may come together within the substep; inside each other, a spring moves them out.
-    [[nodiscard]] Float8 answer(Float8 speed, Float8 gap, Float8 mass, Float8& impulse) const {
+    /// may come together within the substep; inside each other, a spring moves them out. A spring gives way under
+    /// a load by load / stiffness; what it carried in the last step is taken off first, so that it need not.
+    [[nodiscard]] Float8 answer(Float8 speed, Float8 gap, Float8 mass, Float8 carried, Float8& impulse) const {
         const Mask8 apart = gap > all(0.0f);
         const Float8 bias = select(apart, gap * substepRate, max(gap * biasRate, slowest));
         const Float8 scale = select(apart, all(1.0f), massScale);
         const Float8 give = select(apart, all(0.0f), impulseScale);
         const Float8 before = impulse;
-        impulse = max(before - (mass * scale * (speed + bias) + give * before), all(0.0f));
+        impulse = max(before - (mass * scale * (speed + bias) + give * (before - carried)), all(0.0f));
         return impulse - before;
     }
 };
@@ -348,7 +353,7 @@ void push(const SolverBodies& bodies, const ContactPass& pass, const BlockLanes*
                                                          movedAlong(shiftA, normal, leverA, turnA));
             const Float8 speed = speedAlong(b, normal, leverB) - speedAlong(a, normal, leverA);
             Float8 impulse = load(point.impulse);
-            const Float8 change = soft.answer(speed, gap, load(point.mass), impulse);
+            const Float8 change = soft.answer(speed, gap, load(point.mass), load(point.load), impulse);
             store(point.gap, gap);
             store(point.impulse, impulse);
             pressed += impulse;
@@ -380,7 +385,7 @@ void pushFixed(const SolverBodies& bodies, const ContactPass& pass, const BlockL
                 load(point.separation) + (movedAlong(shift, normal, lever, turn) - approach * elapsed);
             const Float8 speed = speedAlong(b, normal, lever) - approach;
             Float8 impulse = load(point.impulse);
-            const Float8 change = soft.answer(speed, gap, load(point.mass), impulse);
+            const Float8 change = soft.answer(speed, gap, load(point.mass), load(point.load), impulse);
             store(point.gap, gap);
             store(point.impulse, impulse);
             pressed += impulse;

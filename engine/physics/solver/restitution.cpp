@@ -1,6 +1,7 @@
 #include "physics/solver/restitution.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace plumb::physics {
 
@@ -43,6 +44,38 @@ float approachOf(Workspace& work, const ContactBlock& block, int p, int i) {
 float approachOf(Workspace& work, const FixedContactBlock& block, int p, int i) {
     return speedAlong(sideB(work, block, p, i), block.normalX[i], block.normalY[i]) -
            block.points[p].approach[i];
+}
+
+/// m: how far a body's point moved along the normal in this step.
+float movedAlong(const Float4& shift, float nx, float ny, float lever, float turn) {
+    return shift.x * nx + shift.y * ny + (shift.z * lever + shift.w * turn);
+}
+
+/// How two bodies came together during the step, along the normal.
+struct Approach {
+    float way;           // m: how much further they are apart than before the step
+    float acceleration;  // m/s2 of B from A
+};
+
+Approach approachIn(const Workspace& work, const ContactBlock& block, int p, int i, float /*dt*/) {
+    const auto a = static_cast<std::size_t>(block.a[i]), b = static_cast<std::size_t>(block.b[i]);
+    const float nx = block.normalX[i], ny = block.normalY[i];
+    return {movedAlong(work.shift[b], nx, ny, block.points[p].leverB[i], block.turnB[i]) -
+                movedAlong(work.shift[a], nx, ny, block.points[p].leverA[i], block.turnA[i]),
+            (work.drive[b].x - work.drive[a].x) * nx + (work.drive[b].y - work.drive[a].y) * ny};
+}
+Approach approachIn(const Workspace& work, const FixedContactBlock& block, int p, int i, float dt) {
+    const auto b = static_cast<std::size_t>(block.b[i]);
+    const float nx = block.normalX[i], ny = block.normalY[i];
+    return {movedAlong(work.shift[b], nx, ny, block.points[p].lever[i], block.turn[i]) -
+                block.points[p].approach[i] * dt,
+            work.drive[b].x * nx + work.drive[b].y * ny};
+}
+
+/// m/s: how fast they met, by v2 = v0 2 + 2 a s. Between the start of the step and the impact gravity went on:
+/// without it a ball would lose, or gain, some height in each bounce.
+float speedOfImpact(float before, const Approach& approach) {
+    return -std::sqrt(std::max(before * before + 2.0f * approach.acceleration * approach.way, 0.0f));
 }
 
 void pushApart(Workspace& work, const ContactBlock& block, int p, int i, float impulse) {
@@ -94,8 +127,10 @@ void bounceBlocks(StepContext& step, std::vector<Block>& blocks, const std::vect
                 auto& point = blocks[n].points[p];
                 const float speed = approachOf(step.work, blocks[n], p, i);
                 const float before = point.impulse[i];
-                point.impulse[i] = std::max(
-                    before - point.mass[i] * (speed + bounce.bounciness[i] * bounce.approach[p][i]), 0.0f);
+                const float met =
+                    speedOfImpact(bounce.approach[p][i], approachIn(step.work, blocks[n], p, i, step.dt));
+                point.impulse[i] =
+                    std::max(before - point.mass[i] * (speed + bounce.bounciness[i] * met), 0.0f);
                 pushApart(step.work, blocks[n], p, i, point.impulse[i] - before);
             }
         }

@@ -85,6 +85,7 @@ ContactSource sourceOf(const World& world, const Workspace& work) {
     source.masses = reinterpret_cast<const Float4*>(world.bodies.mass.data());
     source.motions = reinterpret_cast<const Float4*>(world.bodies.motion.data());
     source.slots = work.slots.data();
+    source.loadMemory = world.settings.loadMemory;
     source.idleSlot = static_cast<std::int32_t>(work.bodyOf.size());
     source.surfaces = world.manifest.runs(Effect::Conveyor);
     source.kinematics = world.manifest.runs(Effect::Kinematics);

@@ -1,0 +1,68 @@
+#include "physics/workspace.hpp"
+#include "tests/accuracy/experiments.hpp"
+#include "tests/physics/world_of_bodies.hpp"
+
+namespace plumb::physics {
+namespace {
+
+/// An experiment that reaches all its targets at a quality, and must go on to.
+struct Promise {
+    std::string_view scene;
+    Quality quality;
+};
+
+constexpr Promise kPromises[] = {
+    {"freefall", 2},
+};
+
+TEST(Accuracy, whatWasReachedStaysReached) {
+    for (const Promise& promise : kPromises) {
+        SCOPED_TRACE(promise.scene);
+        bool found = false;
+        for (const accuracy::Experiment& experiment : accuracy::allExperiments()) {
+            if (experiment.name != promise.scene) continue;
+            found = true;
+            accuracy::Trial trial{promise.quality, experiment.gravity};
+            experiment.run(trial);
+            ASSERT_FALSE(trial.findings().empty());
+            for (const accuracy::Finding& finding : trial.findings()) {
+                EXPECT_LE(finding.error, finding.target) << finding.name << " in " << finding.unit;
+            }
+        }
+        EXPECT_TRUE(found);
+    }
+}
+
+TEST(Accuracy, aHardIslandGetsMoreSubstepsByItselfAndAnEasyOneDoesNot) {
+    Playground scene;
+    scene.world.settings.automaticQuality = true;
+    scene.floor();
+    scene.crate({-20.0, 0.5});
+    scene.crate({0.0, 0.5});
+    const BodyId heavy = scene.crate({0.0, 1.5});
+    ASSERT_TRUE(setMass(scene.world, heavy, 50.0f).ok());
+    scene.run(3);
+    ASSERT_EQ(scene.world.work.get().groups.size(), 2u);
+    EXPECT_EQ(scene.world.work.get().groups[0].substeps, 4);
+    EXPECT_EQ(scene.world.work.get().groups[0].bodies, 1);
+    EXPECT_EQ(scene.world.work.get().groups[1].substeps, 8);
+    EXPECT_EQ(scene.world.work.get().groups[1].bodies, 2);
+}
+
+TEST(Accuracy, automaticQualityMakesAHighStackStandHigher) {
+    double lost[2];
+    for (const bool automatic : {false, true}) {
+        Playground scene;
+        scene.world.settings.automaticQuality = automatic;
+        scene.floor();
+        BodyId top;
+        for (int i = 0; i < 40; ++i) top = scene.crate({0.0, 0.5 + i});
+        scene.run(600);
+        lost[automatic ? 1 : 0] = 39.5 - scene.y(top);
+    }
+    EXPECT_LT(lost[1], 0.5 * lost[0]);
+    EXPECT_GT(lost[1], 0.0);
+}
+
+}  // namespace
+}  // namespace plumb::physics
