@@ -133,9 +133,7 @@ void destroyBody(World& world, BodyId body) {
     while (info.firstJoint != kNone) {
         destroyJoint(world, {info.firstJoint, world.joints.hot[info.firstJoint].generation});
     }
-    while (info.firstShape != kNone) {
-        destroyShape(world, {info.firstShape, world.shapes.info[info.firstShape].generation});
-    }
+    destroyShapes(world, body);
     callFor(world, body.index, -1);
     removeAwake(world, body.index);
     info.kind = BodyKind::None;

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "physics/surfaces.hpp"
+
 namespace plumb::physics {
 
 namespace {
@@ -9,6 +11,7 @@ namespace {
 /// Fills what follows from the world, after it was written over or made.
 void refill(World& world, Workspace& work) {
     work.pairs.clear();
+    countSurfaces(world, work);
     for (const Contact& contact : world.contacts) work.pairs.add(pairKey(contact.shapeA, contact.shapeB));
     for (const SleepingIsland& island : world.sleepers.islands) {
         for (std::uint32_t c = island.firstContact; c != kNone; c = world.sleepers.nextContact[c]) {

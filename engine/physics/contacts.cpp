@@ -229,6 +229,15 @@ void copyMaterials(const World& world, Contact& contact) {
         (contact.surfaceSpeed != 0.0f ? kHasSurface : 0));
 }
 
+bool comesTo(const World& world, std::uint32_t shapeA, std::uint32_t shapeB) {
+    const Shapes& shapes = world.shapes;
+    const auto isStopped = [&](const ShapeInfo& border, const Filter& other) {
+        return (border.frontLayers & other.mask) != 0 && (border.frontMask & other.layers) != 0;
+    };
+    return !isStopped(shapes.info[shapeA], shapes.filter[shapeB]) &&
+           !isStopped(shapes.info[shapeB], shapes.filter[shapeA]);
+}
+
 Contact makeContact(const World& world, std::uint32_t shapeA, std::uint32_t shapeB) {
     Contact contact;
     const std::uint32_t bodyA = world.shapes.info[shapeA].body, bodyB = world.shapes.info[shapeB].body;

@@ -9,6 +9,9 @@ namespace plumb::physics {
 /// A contact of two shapes that do not touch yet. The one of a body that cannot be pushed comes first.
 Contact makeContact(const World& world, std::uint32_t shapeA, std::uint32_t shapeB);
 
+/// False for a border inside something, and one who is stopped by what is before it.
+[[nodiscard]] bool comesTo(const World& world, std::uint32_t shapeA, std::uint32_t shapeB);
+
 /// Friction and the like, and what kind of contact it is, from its two shapes.
 void copyMaterials(const World& world, Contact& contact);
 

@@ -31,7 +31,8 @@ static_assert(isDense(&Filter::layers, &Filter::mask, &Filter::group, &Filter::b
 static_assert(isDense(&ShapeInfo::generation, &ShapeInfo::body, &ShapeInfo::next, &ShapeInfo::flags,
                       &ShapeInfo::reserved, &ShapeInfo::density, &ShapeInfo::friction, &ShapeInfo::bounciness,
                       &ShapeInfo::rollingResistance, &ShapeInfo::surfaceSpeed, &ShapeInfo::margin,
-                      &ShapeInfo::oneWayDirection, &ShapeInfo::user));
+                      &ShapeInfo::oneWayDirection, &ShapeInfo::user, &ShapeInfo::surface,
+                      &ShapeInfo::frontLayers, &ShapeInfo::frontMask, &ShapeInfo::reserved2));
 static_assert(isDense(&Contact::shapeA, &Contact::shapeB, &Contact::bodyA, &Contact::bodyB, &Contact::flags,
                       &Contact::colour, &Contact::count, &Contact::bounciness, &Contact::rollingResistance,
                       &Contact::surfaceSpeed, &Contact::normal, &Contact::friction, &Contact::frictionImpulse,

@@ -41,8 +41,14 @@ Result<Done> check(const Geometry& geometry) {
             return firstOf(checkSize("Geometry.b.x", geometry.b.x), checkSize("Geometry.b.y", geometry.b.y),
                            checkNumber("Geometry.turn length", turn, 0.999, 1.001));
         }
-        case ShapeKind::Segment:
         case ShapeKind::ChainSegment:
+            if (const auto ends = firstOf(checkVector("Geometry.before", geometry.before, kLargest),
+                                          checkVector("Geometry.after", geometry.after, kLargest));
+                !ends) {
+                return ends;
+            }
+            [[fallthrough]];
+        case ShapeKind::Segment:
             return checkSize("Geometry segment length", distance(geometry.a, geometry.b));
         case ShapeKind::Polygon:
         case ShapeKind::Count: break;
@@ -95,6 +101,9 @@ ShapeInfo infoOf(const ShapeDefinition& definition) {
     info.surfaceSpeed = definition.surfaceSpeed;
     info.oneWayDirection = normalized(definition.oneWayDirection);
     info.user = definition.user;
+    info.surface = definition.surface;
+    info.frontLayers = definition.frontLayers;
+    info.frontMask = definition.frontMask;
     return info;
 }
 
@@ -114,6 +123,16 @@ ShapeId add(World& world, BodyId body, const Geometry& geometry, const ShapeDefi
     callFor(world, index, 1);
     setBounds(world, index);
     return {index, info.generation};
+}
+
+/// Leaves a place behind that is free once the next step has ended its contacts.
+void remove(World& world, std::uint32_t shape) {
+    Shapes& shapes = world.shapes;
+    callFor(world, shape, -1);
+    if (shapes.geometry[shape].kind == ShapeKind::Polygon) freePolygon(shapes, shapes.geometry[shape]);
+    shapes.motion[shape] = ProxyMotion::Gone;
+    shapes.dying.push_back(shape);
+    noteChanged(world, shape);
 }
 
 Error stale() {
@@ -179,30 +198,59 @@ Result<Done> createChain(World& world, BodyId body, std::span<const Vec2> points
     };
     for (std::size_t i = 0; i < segments; ++i) {
         const Geometry piece = segmentAt(i);
-        const auto checked = firstOf(check(piece), checkVector("createChain point", piece.before, kLargest),
-                                     checkVector("createChain point", piece.after, kLargest));
+        if (const auto checked = check(piece); !checked) return checked;
+    }
+    ShapeDefinition part = definition;
+    for (std::size_t i = 0; i < segments; ++i) {
+        const ShapeId shape = add(world, body, segmentAt(i), part);
+        if (part.surface != 0) continue;
+        part.surface = kOwnSurfaces | shape.index;
+        world.shapes.info[shape.index].surface = part.surface;
+    }
+    updateMass(world, body.index);
+    return Done{};
+}
+
+Result<Done> createShapes(World& world, BodyId body, std::span<const Geometry> geometries,
+                          std::span<const ShapeDefinition> definitions) {
+    if (!alive(world, body)) return stale();
+    if (geometries.size() != definitions.size()) {
+        return wrong("createShapes",
+                     "expected a definition for each of " + std::to_string(geometries.size()) +
+                         " outlines, found " + std::to_string(definitions.size()),
+                     "give both the same length");
+    }
+    for (std::size_t i = 0; i < geometries.size(); ++i) {
+        const auto checked = firstOf(check(geometries[i]), check(definitions[i]));
         if (!checked) return checked;
     }
-    for (std::size_t i = 0; i < segments; ++i) add(world, body, segmentAt(i), definition);
+    for (std::size_t i = 0; i < geometries.size(); ++i) add(world, body, geometries[i], definitions[i]);
     updateMass(world, body.index);
     return Done{};
 }
 
 void destroyShape(World& world, ShapeId shape) {
     if (!alive(world, shape)) return;
-    Shapes& shapes = world.shapes;
-    const std::uint32_t body = shapes.info[shape.index].body;
+    const std::uint32_t body = world.shapes.info[shape.index].body;
     wakeTouching(world, body);
-    callFor(world, shape.index, -1);
     std::uint32_t* link = &world.bodies.info[body].firstShape;
-    while (*link != shape.index) link = &shapes.info[*link].next;
-    *link = shapes.info[shape.index].next;
-    if (shapes.geometry[shape.index].kind == ShapeKind::Polygon)
-        freePolygon(shapes, shapes.geometry[shape.index]);
-    shapes.motion[shape.index] = ProxyMotion::Gone;
-    shapes.dying.push_back(shape.index);
-    noteChanged(world, shape.index);
+    while (*link != shape.index) link = &world.shapes.info[*link].next;
+    *link = world.shapes.info[shape.index].next;
+    remove(world, shape.index);
     updateMass(world, body);
+}
+
+void destroyShapes(World& world, BodyId body) {
+    if (!alive(world, body)) return;
+    std::uint32_t& first = world.bodies.info[body.index].firstShape;
+    if (first == kNone) return;
+    wakeTouching(world, body.index);
+    for (std::uint32_t shape = std::exchange(first, kNone); shape != kNone;) {
+        const std::uint32_t next = world.shapes.info[shape].next;
+        remove(world, shape);
+        shape = next;
+    }
+    updateMass(world, body.index);
 }
 
 Result<Done> setFriction(World& world, ShapeId shape, float friction) {

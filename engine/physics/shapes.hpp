@@ -20,6 +20,12 @@ Result<ShapeId> createPolygon(World& world, BodyId body, std::span<const Vec2> p
 /// @error fewer than 3 points (closed) or 4 (open), points in one place, a number that is not finite
 Result<Done> createChain(World& world, BodyId body, std::span<const Vec2> points, bool closed,
                          const ShapeDefinition& definition = {});
+/// Adds many at once, each with its own definition: all of them, or none if one is refused.
+/// @error as createShape(), or not as many definitions as outlines
+Result<Done> createShapes(World& world, BodyId body, std::span<const Geometry> geometries,
+                          std::span<const ShapeDefinition> definitions);
+/// Removes all shapes of a body.
+void destroyShapes(World& world, BodyId body);
 /// Removes a shape; its contacts end in the next step. A stale id does nothing.
 void destroyShape(World& world, ShapeId shape);
 

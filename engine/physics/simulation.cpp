@@ -100,7 +100,8 @@ void step(World& world, float dt, const StepOptions& options) {
     if (nothingToDo(world)) return;
     StepContext context{world, world.work.get(), dt, options.pool, options.hooks};
     for (const Stage& stage : kStages) {
-        if (!isCalledFor(stage, world, options.hooks)) continue;
+        const bool seamsLeft = stage.run == publishEvents && !context.work.surfaceChanges.empty();
+        if (!seamsLeft && !isCalledFor(stage, world, options.hooks)) continue;
         const ProfileScope scope{options.profile, stage.name};
         ++context.work.stageRuns[static_cast<std::size_t>(&stage - kStages)];
         stage.run(context);

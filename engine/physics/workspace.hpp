@@ -84,6 +84,19 @@ struct Cursor {
     std::int32_t fixed = 0;
 };
 
+/// How many contacts a surface and somebody who touches it have (surfaces.hpp).
+struct SurfaceTouch {
+    PairKey pair = 0;
+    std::int32_t count = 0;
+};
+
+/// What happened to one of these contacts in this step.
+struct SurfaceChange {
+    PairKey pair = 0;
+    std::uint32_t order = 0;
+    ContactEvent event;
+};
+
 inline constexpr std::size_t kMaxStages = 24;
 
 /// What makes an island hard to solve.
@@ -109,7 +122,11 @@ struct Workspace {
     std::vector<PairKey> newPairs;
     std::vector<std::uint32_t> colourMasks;  ///< by body: which colours its constraints have
 
+    std::vector<SurfaceTouch> surfaceTouches;  ///< by pair, rising
+
     // Of the step.
+    std::vector<SurfaceChange> surfaceChanges;
+    std::vector<SurfaceTouch> surfaceScratch;
     std::vector<std::uint16_t>
         contactKeys;  ///< by contact: bits of ContactKey, so that few have to be looked at
     std::vector<std::vector<std::uint32_t>> changedContacts;  ///< by piece: began, ended, or gone

@@ -110,6 +110,11 @@ struct ShapeInfo {
     float margin = 0.0f;  ///< m: how much larger its bounds are made
     Vec2 oneWayDirection;
     std::uint64_t user = 0;
+    std::uint32_t surface = 0;  ///< what it is a part of, see ShapeDefinition; 0: on its own
+    /// Of an inner border: whoever meets these never comes to it, see ShapeDefinition.
+    std::uint32_t frontLayers = 0;
+    std::uint32_t frontMask = 0;
+    std::uint32_t reserved2 = 0;
 };
 
 enum ShapeFlag : std::uint8_t {

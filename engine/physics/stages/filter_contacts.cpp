@@ -1,6 +1,7 @@
 #include "physics/contacts.hpp"
 #include "physics/effects/one_way.hpp"
 #include "physics/stages.hpp"
+#include "physics/surfaces.hpp"
 
 namespace plumb::physics {
 
@@ -23,7 +24,7 @@ void decideOneWay(StepContext& step, Contact& contact) {
         contact.flags &= static_cast<std::uint16_t>(~kPassing);
         if (passesThrough(world, contact, step.dt)) contact.flags |= kPassing;
     } else if ((contact.flags & kPassing) == 0 && drops(world, contact)) {
-        if (isReported(world, contact)) world.events.push_back(eventOf(world, contact, ContactPhase::Ended));
+        report(world, step.work, contact, ContactPhase::Ended);
         contact.flags |= kPassing;
     }
     if ((contact.flags & kPassing) != 0) contact.flags |= kDisabled;

@@ -64,7 +64,7 @@ void makeContacts(World& world, Workspace& work, const ContactHooks& hooks) {
         const bool joined =
             world.bodies.info[bodyA].firstJoint != kNone && world.bodies.info[bodyB].firstJoint != kNone;
         if (joined && keptApart(world, bodyA, bodyB)) continue;
-        if (refused(world, hooks, a, b)) continue;
+        if (!comesTo(world, a, b) || refused(world, hooks, a, b)) continue;
         work.pairs.add(key);
         world.contacts.push_back(makeContact(world, a, b));
     }

@@ -1,5 +1,5 @@
-#include "physics/contacts.hpp"
 #include "physics/stages.hpp"
+#include "physics/surfaces.hpp"
 
 namespace plumb::physics {
 
@@ -10,9 +10,9 @@ void publishEvents(StepContext& step) {
         if (!began && !world.settings.stayEvents) continue;
         const Contact& contact = world.contacts[i];
         if ((contact.flags & kTouching) == 0) continue;
-        if (!isReported(world, contact)) continue;
-        world.events.push_back(eventOf(world, contact, began ? ContactPhase::Began : ContactPhase::Stayed));
+        report(world, step.work, contact, began ? ContactPhase::Began : ContactPhase::Stayed);
     }
+    publishSurfaces(world, step.work);
 }
 
 }  // namespace plumb::physics

@@ -4,6 +4,7 @@
 
 #include "physics/bounds.hpp"
 #include "physics/broadphase_update.hpp"
+#include "physics/contacts.hpp"
 #include "physics/effects/one_way.hpp"
 #include "physics/joints.hpp"
 #include "physics/narrowphase/sweep.hpp"
@@ -87,7 +88,7 @@ bool opensFor(const World& world, const Mover& mover, const Mover& target) {
 bool mayMeet(const World& world, std::uint32_t a, std::uint32_t b) {
     const Shapes& shapes = world.shapes;
     if (((shapes.info[a].flags | shapes.info[b].flags) & kTrigger) != 0) return false;
-    if (!meet(shapes.filter[a], shapes.filter[b])) return false;
+    if (!meet(shapes.filter[a], shapes.filter[b]) || !comesTo(world, a, b)) return false;
     const std::uint32_t bodyA = shapes.info[a].body, bodyB = shapes.info[b].body;
     return world.bodies.info[bodyA].firstJoint == kNone || !keptApart(world, bodyA, bodyB);
 }

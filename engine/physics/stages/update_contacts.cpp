@@ -6,6 +6,7 @@
 #include "physics/joints.hpp"
 #include "physics/sleeping.hpp"
 #include "physics/stages.hpp"
+#include "physics/surfaces.hpp"
 
 namespace plumb::physics {
 
@@ -68,7 +69,7 @@ void end(World& world, Workspace& work, Contact& contact) {
     contact.flags &= static_cast<std::uint16_t>(~kTouching);
     uncolour(work, contact);
     world.islandsStale = true;
-    if (isReported(world, contact)) world.events.push_back(eventOf(world, contact, ContactPhase::Ended));
+    report(world, work, contact, ContactPhase::Ended);
     // Who sleeps against something that goes away has to notice.
     const auto notice = [&](std::uint32_t body) {
         if (world.sleepers.islandOf[body] != kNone) wake(world, body);
@@ -113,9 +114,7 @@ void endContactsOfDead(StepContext& step) {
     for (std::size_t i = world.contacts.size(); i-- > 0;) {
         Contact& contact = world.contacts[i];
         if (!gone(contact.shapeA) && !gone(contact.shapeB)) continue;
-        if ((contact.flags & kTouching) != 0 && isReported(world, contact)) {
-            world.events.push_back(eventOf(world, contact, ContactPhase::Ended));
-        }
+        if ((contact.flags & kTouching) != 0) report(world, step.work, contact, ContactPhase::Ended);
         uncolour(step.work, contact);
         step.work.pairs.remove(pairKey(contact.shapeA, contact.shapeB));
         contact = world.contacts.back();

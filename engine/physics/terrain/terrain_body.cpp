@@ -1,0 +1,109 @@
+#include "physics/terrain/terrain_body.hpp"
+
+#include <algorithm>
+
+#include "physics/bodies.hpp"
+#include "physics/checks.hpp"
+#include "physics/shapes.hpp"
+
+namespace plumb::physics {
+
+namespace {
+
+/// Tells surface numbers of terrains from those of chains.
+constexpr std::uint32_t kOfTerrain = kOwnSurfaces << 1;
+
+GridPoint cornerOf(const TerrainOutlines& terrain, std::uint32_t chunk) {
+    const CellRect cells = terrain.cellsOf(chunk);
+    return cornerOfCell(cells.x0, cells.y0);
+}
+
+Place placeOf(const TerrainOutlines& terrain, const TerrainDefinition& definition, std::uint32_t chunk) {
+    const CellRect cells = terrain.cellsOf(chunk);
+    return {definition.position.x + cells.x0 * static_cast<double>(definition.cellSize.x),
+            definition.position.y + cells.y0 * static_cast<double>(definition.cellSize.y)};
+}
+
+Vec2 toVec2(GridPoint point) { return {static_cast<float>(point.x), static_cast<float>(point.y)}; }
+
+ShapeDefinition definitionOf(const TilePalette& palette, EdgeKind kind, const TerrainDefinition& terrain) {
+    const TileMaterial& material = palette.material(kind.material);
+    const TileLayers& layers = palette.layers(kind.layers);
+    ShapeDefinition shape;
+    shape.density = 0.0f;
+    shape.friction = material.friction;
+    shape.bounciness = material.bounciness;
+    shape.surfaceSpeed = material.surfaceSpeed;
+    shape.layers = layers.layers;
+    shape.mask = layers.mask;
+    shape.reportsContacts = terrain.reportsContacts;
+    shape.user = terrain.user;
+    if (kind.oneWay != OneWay::No) {
+        shape.oneWay = true;
+        shape.oneWayDirection = toVec2(directionOf(kind.oneWay));
+    }
+    if (kind.isInner()) {
+        const TileLayers& front = palette.layers(static_cast<std::uint8_t>(kind.behind - 1));
+        shape.frontLayers = front.layers;
+        shape.frontMask = front.mask;
+    }
+    return shape;
+}
+
+}  // namespace
+
+Result<TerrainBody> TerrainBody::create(World& world, const TerrainOutlines& terrain,
+                                        const TerrainDefinition& definition) {
+    const auto checked =
+        firstOf(checkPlace("TerrainDefinition.position", definition.position),
+                checkNumber("TerrainDefinition.cellSize.x", definition.cellSize.x, kSmallest, kLargest),
+                checkNumber("TerrainDefinition.cellSize.y", definition.cellSize.y, kSmallest, kLargest));
+    if (!checked) return checked.error();
+    TerrainBody body;
+    body.definition_ = definition;
+    for (std::uint32_t chunk = 0; chunk < terrain.chunks().size(); ++chunk) {
+        const Result<BodyId> made = createBody(world, {.kind = BodyKind::Static,
+                                                       .position = placeOf(terrain, definition, chunk),
+                                                       .user = definition.user});
+        if (!made) {
+            body.destroy(world);
+            return made.error();
+        }
+        body.bodies_.push_back(*made);
+    }
+    if (!body.bodies_.empty()) body.surface_ = kOfTerrain | body.bodies_.front().index;
+    return body;
+}
+
+Result<Done> TerrainBody::makeChunk(World& world, const TerrainOutlines& terrain, std::uint32_t chunk) {
+    const GridPoint origin = cornerOf(terrain, chunk);
+    geometries_.clear();
+    definitions_.clear();
+    for (const TerrainSegment& segment : terrain.chunks()[chunk].outline.segments) {
+        geometries_.push_back(geometryOf(segment, definition_.cellSize, origin));
+        definitions_.push_back(definitionOf(terrain.mask().palette, segment.kind, definition_));
+        definitions_.back().surface = surface_;
+    }
+    destroyShapes(world, bodies_[chunk]);
+    return createShapes(world, bodies_[chunk], geometries_, definitions_);
+}
+
+Result<Done> TerrainBody::update(World& world, const TerrainOutlines& terrain,
+                                 std::span<const std::uint32_t> changed) {
+    for (const std::uint32_t chunk : changed) {
+        if (chunk >= bodies_.size()) continue;
+        if (const auto made = makeChunk(world, terrain, chunk); !made) return made;
+    }
+    return Done{};
+}
+
+void TerrainBody::destroy(World& world) {
+    for (const BodyId body : bodies_) destroyBody(world, body);
+    bodies_.clear();
+}
+
+bool TerrainBody::has(const World& world, BodyId body) const {
+    return alive(world, body) && std::find(bodies_.begin(), bodies_.end(), body) != bodies_.end();
+}
+
+}  // namespace plumb::physics
