@@ -122,19 +122,21 @@ void addAwake(World& world, std::uint32_t body) {
 void addAsleep(World& world, std::uint32_t body) { putInIsland(world, takeIsland(world.sleepers), body); }
 
 void removeAwake(World& world, std::uint32_t body) {
-    const std::uint32_t place = std::exchange(world.bodies.info[body].place, kNone);
+    const std::uint32_t place = world.bodies.info[body].place;
     if (place == kNone) return;
     world.awake[place] = world.awake.back();
     world.bodies.info[world.awake[place]].place = place;
+    world.bodies.info[body].place = kNone;  // after the other: it may be the last itself
     world.awake.pop_back();
 }
 
 void removeAwakeJoint(World& world, std::uint32_t joint) {
     std::vector<std::uint32_t>& awake = world.joints.awake;
-    const std::uint32_t place = std::exchange(world.joints.hot[joint].place, kNone);
+    const std::uint32_t place = world.joints.hot[joint].place;
     if (place == kNone) return;
     awake[place] = awake.back();
     world.joints.hot[awake[place]].place = place;
+    world.joints.hot[joint].place = kNone;  // after the other: it may be the last itself
     awake.pop_back();
 }
 

@@ -8,10 +8,10 @@
 namespace plumb::physics {
 
 // Each in a file of its own: <kind>_joint.cpp. In the order of JointKind.
-#define PLUMB_JOINTS(JOINT)                                                                         \
-    JOINT(Distance)                                                                                 \
-    JOINT(Revolute) JOINT(Prismatic) JOINT(Weld) JOINT(Wheel) JOINT(Mouse) JOINT(Motor) JOINT(Gear) \
-        JOINT(Pulley)
+#define PLUMB_JOINTS(JOINT) \
+    JOINT(Distance)         \
+    JOINT(Revolute)         \
+    JOINT(Prismatic) JOINT(Weld) JOINT(Wheel) JOINT(Mouse) JOINT(Motor) JOINT(Gear) JOINT(Pulley)
 #define PLUMB_DECLARE(kind) extern const JointType k##kind##Joint;
 PLUMB_JOINTS(PLUMB_DECLARE)
 

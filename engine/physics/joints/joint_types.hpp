@@ -2,7 +2,7 @@
 
 #include <string_view>
 
-#include "physics/solver/joint_block.hpp"
+#include "physics/solver/tie.hpp"
 #include "physics/world.hpp"
 
 namespace plumb::physics {
@@ -64,6 +64,8 @@ struct JointType {
     std::string_view name;
     JointBlockKind (*block)(std::uint8_t flags);  ///< by bits of JointFlag
     JointParts (*parts)(const JointView& view);
+    /// Instead of both: of a joint that is no matter of two bodies and their anchors.
+    Tie (*tie)(const World& world, const Joint& joint, const JointDefinition& definition) = nullptr;
 };
 
 const JointType& jointType(JointKind kind);

@@ -6,6 +6,8 @@ namespace plumb::physics {
 
 namespace {
 
+constexpr float kHertz = 5.0f;  // 1/s, unless JointDefinition::hertz says otherwise; critically damped
+
 JointBlockKind blockOf(std::uint8_t) { return kHingeBlocks; }
 
 JointParts partsOf(const JointView& view) {
@@ -14,7 +16,11 @@ JointParts partsOf(const JointView& view) {
     const Vec2 offset = rotate(view.turnA, definition.offset);
     parts.armA += offset;
     parts.apart -= offset;
-    parts.springs = ownGrip(view, parts.grip);
+    // A spring in both passes: what a limited force corrects must not be taken back.
+    const bool own = definition.hertz > 0.0f;
+    parts.grip =
+        springGrip(own ? definition.hertz : kHertz, own ? definition.dampingRatio : 1.0f, view.timing.h);
+    parts.springs = true;
     parts.most = std::fmin(definition.maxForce * view.timing.h, kNoLimit);
     parts.angle = angleOf(view);
     parts.value.held = true;

@@ -5,6 +5,7 @@
 #include "physics/joints.hpp"
 #include "physics/joints/joint_types.hpp"
 #include "physics/solver/joint_kernels.hpp"
+#include "physics/solver/joint_ties.hpp"
 #include "physics/solver/softness.hpp"
 
 namespace plumb::physics {
@@ -22,21 +23,24 @@ void forKinds(JointWork& joints, Act&& act) {
     act(joints.sliders, kSliderBlocks);
 }
 
-JointBlockKind blockOf(const Joint& joint) { return jointType(joint.kind).block(joint.flags); }
-
 bool isOneSided(int colour) { return colour >= kFirstFixedColour && colour < kColours; }
 
 // Laying out.
 
-/// Group, colour and kind of block of a joint, or -1 for one that is not solved.
+/// Group, colour and kind of block of a joint; -1 for one that is not solved; -2 - group for a tie.
 std::int32_t keyOf(const World& world, const Workspace& work, const Joint& joint) {
     if (joint.colour > kOverflow) return -1;
-    const PushedBodies bodies = pushedBodies(world, joint);
-    const std::int32_t slot = work.slots[bodies.b != kNone ? bodies.b : bodies.a];
-    if (slot < 0) return -1;
     std::size_t group = 0;
-    while (slot >= work.groups[group].end) ++group;
-    return static_cast<std::int32_t>(group * kKeysOfGroup) + joint.colour * kJointBlockKinds + blockOf(joint);
+    if (work.groups.size() > 1) {
+        const PushedBodies bodies = pushedBodies(world, joint);
+        const std::int32_t slot = work.slots[bodies.b != kNone ? bodies.b : bodies.a];
+        if (slot < 0) return -1;
+        while (slot >= work.groups[group].end) ++group;
+    }
+    const JointType& type = jointType(joint.kind);
+    if (type.tie != nullptr) return -2 - static_cast<std::int32_t>(group);
+    return static_cast<std::int32_t>(group * kKeysOfGroup) + joint.colour * kJointBlockKinds +
+           type.block(joint.flags);
 }
 
 void count(const World& world, Workspace& work) {
@@ -95,6 +99,17 @@ void fill(const World& world, Workspace& work) {
     }
 }
 
+void collectTies(StepContext& step) {
+    JointWork& joints = step.work.joints;
+    joints.ties.clear();
+    for (std::size_t i = 0; i < joints.keys.size(); ++i) {
+        if (joints.keys[i] > -2) continue;
+        const auto group = static_cast<std::uint8_t>(-2 - joints.keys[i]);
+        addTie(step, step.world.joints.awake[i], group);
+        step.work.groups[group].jointColours |= std::uint64_t{1} << kOverflow;
+    }
+}
+
 // Preparing.
 
 /// What preparing a block needs to know.
@@ -102,7 +117,6 @@ struct Preparation {
     const World& world;
     const Workspace& work;
     JointTiming timing;
-    float rate;  // 1/s
 };
 
 JointTiming timingOf(const Settings& settings, float h) {
@@ -125,16 +139,16 @@ JointView viewOf(const Preparation& all, std::uint32_t index) {
 
 void setBodies(const Preparation& all, const Joint& joint, JointBodies& bodies, int lane) {
     const auto idle = static_cast<std::int32_t>(all.work.bodyOf.size()) + lane;
-    const PushedBodies pushed = pushedBodies(all.world, joint);
+    const BodyMass& massA = all.world.bodies.mass[joint.bodyA];
+    const BodyMass& massB = all.world.bodies.mass[joint.bodyB];
     const std::int32_t a = all.work.slots[joint.bodyA], b = all.work.slots[joint.bodyB];
+    const bool pushesA = massA.inverseMass > 0.0f && joint.kind != JointKind::Mouse;
     bodies.a[lane] = a < 0 || joint.kind == JointKind::Mouse ? idle : a;
     bodies.b[lane] = b < 0 ? idle : b;
-    bodies.inverseInertiaA[lane] =
-        pushed.a != kNone ? all.world.bodies.mass[joint.bodyA].inverseInertia : 0.0f;
-    bodies.inverseInertiaB[lane] =
-        pushed.b != kNone ? all.world.bodies.mass[joint.bodyB].inverseInertia : 0.0f;
-    bodies.own[lane] = pushed.a != kNone ? bodies.a[lane] : bodies.b[lane];
-    bodies.ownIsA[lane] = pushed.a != kNone ? 1.0f : 0.0f;
+    bodies.inverseInertiaA[lane] = pushesA ? massA.inverseInertia : 0.0f;
+    bodies.inverseInertiaB[lane] = massB.inverseInertia;
+    bodies.own[lane] = pushesA ? bodies.a[lane] : bodies.b[lane];
+    bodies.ownIsA[lane] = pushesA ? 1.0f : 0.0f;
 }
 
 void clearBodies(const Preparation& all, JointBodies& bodies, int lane) {
@@ -337,11 +351,12 @@ void prepareJoints(StepContext& step) {
     for (SolveGroup& group : work.groups) group.jointColours = 0;
     forKinds(work.joints, [&](auto& store, JointBlockKind kind) { layOut(work, store, kind); });
     fill(world, work);
+    collectTies(step);
     forKinds(work.joints, [&](auto& store, JointBlockKind) {
         forPieces(step, static_cast<int>(store.blocks.size()), kGrain, [&](int begin, int end, int) {
             for (auto n = static_cast<std::size_t>(begin); n < static_cast<std::size_t>(end); ++n) {
                 const float rate = rateOf(step, store.groups[n]);
-                const Preparation all{world, work, timingOf(world.settings, 1.0f / rate), rate};
+                const Preparation all{world, work, timingOf(world.settings, 1.0f / rate)};
                 prepareBlock(all, store.lanes[n], store.blocks[n]);
             }
         });
@@ -374,6 +389,7 @@ void solveJoints(const StepContext& step, const SolverBodies& bodies, const Join
                   });
     };
     JointWork& joints = step.work.joints;
+    if (colour == kOverflow) solveTies(step.work, pass, group, act);
     run(joints.points, kernels.points, kPointBlocks);
     run(joints.hinges, kernels.hinges, kHingeBlocks);
     run(joints.rods, kernels.rods, kRodBlocks);
@@ -406,6 +422,7 @@ void storeJoints(StepContext& step) {
             }
         });
     });
+    storeTies(step);
     breakJoints(step.world, step.work.joints);
 }
 

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "physics/solver/joint_block.hpp"
+#include "physics/solver/tie.hpp"
 
 namespace plumb::physics {
 
@@ -30,6 +30,7 @@ struct JointWork {
     JointStore<HingeBlock> hinges;
     JointStore<RodBlock> rods;
     JointStore<SliderBlock> sliders;
+    std::vector<Tie> ties;
     std::vector<std::int32_t> counts;  ///< by group, colour and kind
     std::vector<std::int32_t> keys;    ///< by place in Joints::awake
     std::vector<BreakableJoint> breakables;

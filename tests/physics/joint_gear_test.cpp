@@ -1,0 +1,66 @@
+#include <gtest/gtest.h>
+
+#include "joint_world.hpp"
+
+namespace plumb::physics {
+namespace {
+
+/// Two wheels on axles, geared.
+struct Gears : JointWorld {
+    BodyId first, second;
+    JointId axleA, axleB, gear;
+
+    explicit Gears(float ratio) {
+        world.settings.gravity = {};
+        first = disc({0.0, 0.0});
+        second = disc({2.0, 0.0});
+        axleA = join(define(JointKind::Revolute, ground, first, {0.0, 0.0}));
+        axleB = join(define(JointKind::Revolute, ground, second, {2.0, 0.0}));
+        JointDefinition definition;
+        definition.kind = JointKind::Gear;
+        definition.a = first;
+        definition.b = second;
+        definition.jointA = axleA;
+        definition.jointB = axleB;
+        definition.ratio = ratio;
+        gear = join(definition);
+    }
+};
+
+TEST(GearJoint, turnsTheSecondWheelByItsRatioForManyTurns) {
+    Gears scene{2.0f};
+    (void)*setAngularVelocity(scene.world, scene.first, 12.0f);
+
+    scene.run(10.0f);
+
+    EXPECT_NEAR(
+        angularVelocityOf(scene.world, scene.first) + 2.0f * angularVelocityOf(scene.world, scene.second),
+        0.0f, 1.0e-3f);
+    EXPECT_GT(angularVelocityOf(scene.world, scene.first), 1.0f);
+    const float turns = scene.angle(scene.first) + 2.0f * scene.angle(scene.second);
+    EXPECT_NEAR(turns - kTau * std::floor(turns / kTau + 0.5f), 0.0f, 0.01f);
+}
+
+TEST(GearJoint, passesTorqueOnByItsRatio) {
+    Gears scene{2.0f};
+    for (int i = 0; i < 60; ++i) {  // 1 N m on the first wheel
+        (void)*applyTorque(scene.world, scene.first, 1.0f);
+        scene.run(JointWorld::kDt);
+    }
+
+    // With w1 = -2 w2: 1 = I a1 + f, 2 f = I a2 for the second, so a1 = 1 / (I + I / 4).
+    EXPECT_NEAR(angularVelocityOf(scene.world, scene.first), 1.0f / (0.125f * 1.25f), 0.05f);
+}
+
+TEST(GearJoint, letsGoWhenOneOfItsJointsGoes) {
+    Gears scene{1.0f};
+    destroyJoint(scene.world, scene.axleA);
+    (void)*setAngularVelocity(scene.world, scene.first, 2.0f);
+
+    scene.run(1.0f);
+
+    EXPECT_NEAR(angularVelocityOf(scene.world, scene.second), 0.0f, 1.0e-6f);
+}
+
+}  // namespace
+}  // namespace plumb::physics
