@@ -23,15 +23,17 @@ struct Sums {
     double momentD = 0.0;  // of d^2 / 2 ds
 };
 
-/// At most eight crossings and two ends, in order.
+/// At most eight crossings and two ends, kept in order.
 class Cuts {
 public:
     void add(double t) {
-        if (t > 0.0 && t < 1.0 && count_ < at_.size()) at_[count_++] = t;
+        if (!(t > 0.0 && t < 1.0) || count_ == at_.size()) return;
+        std::size_t place = count_++;
+        for (; place > 0 && at_[place - 1] > t; --place) at_[place] = at_[place - 1];
+        at_[place] = t;
     }
     template <class Act>
     void forPieces(Act&& act) {
-        std::sort(at_.begin(), at_.begin() + static_cast<std::ptrdiff_t>(count_));
         double from = 0.0;
         for (std::size_t i = 0; i <= count_; ++i) {
             const double to = i < count_ ? at_[i] : 1.0;
