@@ -1,7 +1,7 @@
 #include <cmath>
 
 #include "math/portable.hpp"
-#include "tests/physics/scene_of_bodies.hpp"
+#include "tests/box_physics/scene_of_bodies.hpp"
 
 namespace plumb::box_physics {
 namespace {

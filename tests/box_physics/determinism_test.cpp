@@ -1,6 +1,6 @@
 #include <cmath>
 
-#include "tests/physics/scene_of_bodies.hpp"
+#include "tests/box_physics/scene_of_bodies.hpp"
 #include "tests/support/allocations.hpp"
 
 namespace plumb::box_physics {

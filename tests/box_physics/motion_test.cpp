@@ -2,7 +2,7 @@
 #include <limits>
 
 #include "core/profile.hpp"
-#include "tests/physics/scene_of_bodies.hpp"
+#include "tests/box_physics/scene_of_bodies.hpp"
 
 namespace plumb::box_physics {
 namespace {

@@ -1,4 +1,4 @@
-#include "tests/physics/scene_of_bodies.hpp"
+#include "tests/box_physics/scene_of_bodies.hpp"
 
 namespace plumb::box_physics {
 namespace {
