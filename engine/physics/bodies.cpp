@@ -93,6 +93,10 @@ std::size_t bodyCount(const World& world) {
 }
 
 Result<BodyId> createBody(World& world, const BodyDefinition& definition) {
+    if (definition.kind == BodyKind::None || definition.kind > BodyKind::Dynamic) {
+        return wrong("BodyDefinition.kind", "expected Static, Kinematic or Dynamic, found another kind",
+                     "choose one of them");
+    }
     if (const Result<Done> checked = check(definition); !checked) return checked.error();
     const std::uint32_t index = takePlace(world);
     Bodies& bodies = world.bodies;

@@ -42,6 +42,8 @@ Result<Done> checkNumbers(const JointDefinition& d) {
 }
 
 Result<Done> check(const World& world, const JointDefinition& d) {
+    if (d.kind >= JointKind::Count)
+        return wrong("JointDefinition.kind", "expected a kind of joint, found none", "use a JointKind");
     if (const auto a =
             firstOf(checkAlive("JointDefinition.a", world, d.a), checkAlive("JointDefinition.b", world, d.b));
         !a) {

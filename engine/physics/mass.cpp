@@ -34,12 +34,15 @@ Sum sumOfShapes(const World& world, std::uint32_t body) {
     return sum;
 }
 
+constexpr float kLightest = 1.0e-12f;      // kg
+constexpr float kLeastInertia = 1.0e-20f;  // kg m2: less has no finite inverse that a solver could use
+
 void setMassOf(BodyMass& mass, const Sum& sum, const BodyInfo& info) {
-    mass.mass = info.setMass > 0.0f ? info.setMass : (sum.mass > 0.0f ? sum.mass : 1.0f);
+    mass.mass = std::max(kLightest, info.setMass > 0.0f ? info.setMass : (sum.mass > 0.0f ? sum.mass : 1.0f));
     mass.inertia = sum.mass > 0.0f ? sum.inertia * (mass.mass / sum.mass) : 0.0f;
     mass.inverseMass = 1.0f / mass.mass;
     const bool turns = mass.inertia > 0.0f && (info.flags & kFixedRotation) == 0;
-    mass.inverseInertia = turns ? 1.0f / mass.inertia : 0.0f;
+    mass.inverseInertia = turns ? 1.0f / std::max(mass.inertia, kLeastInertia) : 0.0f;
 }
 
 void updateExtent(World& world, std::uint32_t body) {
