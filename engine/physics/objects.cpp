@@ -1,0 +1,136 @@
+#include "physics/objects.hpp"
+
+#include <algorithm>
+
+#include "physics/checks.hpp"
+
+namespace plumb::physics {
+
+namespace {
+
+template <class T>
+void put(std::vector<std::unique_ptr<T>>& list, std::uint32_t index, std::unique_ptr<T> thing) {
+    if (list.size() <= index) list.resize(index + std::size_t{1});
+    list[index] = std::move(thing);
+}
+
+ShapeDefinition definitionOf(const ColliderSettings& settings) {
+    ShapeDefinition definition;
+    definition.density = settings.density;
+    definition.friction = settings.friction;
+    definition.bounciness = settings.bounciness;
+    definition.isTrigger = settings.isTrigger;
+    return definition;
+}
+
+}  // namespace
+
+Result<Done> RigidBody::setPosition(Place position, float angle) {
+    return physics::setPosition(world_, id_, position, angle);
+}
+
+Physics::Physics() { world_.settings.stayEvents = true; }
+Physics::~Physics() = default;
+
+Result<RigidBody*> Physics::createBody(Place position, float angle) {
+    const Result<BodyId> made = physics::createBody(world_, {.position = position, .angle = angle});
+    if (!made) return made.error();
+    put(bodies_, made->index, std::unique_ptr<RigidBody>{new RigidBody{world_, *made}});
+    return bodies_[made->index].get();
+}
+
+Result<Done> Physics::add(std::unique_ptr<Collider> collider, RigidBody* body) {
+    const ColliderSettings& settings = collider->settings_;
+    if (body == nullptr) {
+        const Result<BodyId> ground = physics::createBody(
+            world_, {.kind = BodyKind::Static, .position = settings.position, .angle = settings.angle});
+        if (!ground) return ground.error();
+        collider->own_ = *ground;
+    }
+    const BodyId owner = body != nullptr ? body->id_ : collider->own_;
+    const Result<ShapeId> shape = createShape(world_, owner, collider->geometry_, definitionOf(settings));
+    if (!shape) {
+        destroyBody(world_, collider->own_);
+        return shape.error();
+    }
+    collider->shape_ = *shape;
+    collider->body_ = body;
+    if (body != nullptr) body->colliders_.push_back(collider.get());
+    put(colliders_, shape->index, std::move(collider));
+    return Done{};
+}
+
+void Physics::destroy(Collider& collider) {
+    if (std::exchange(collider.destroyed_, true)) return;
+    destroyShape(world_, collider.shape_);
+    destroyBody(world_, collider.own_);
+    if (collider.body_ != nullptr) std::erase(collider.body_->colliders_, &collider);
+    collider.body_ = nullptr;
+    leaving_.push_back(std::move(colliders_[collider.shape_.index]));
+}
+
+void Physics::destroy(RigidBody& body) {
+    if (!alive(world_, body.id_)) return;
+    while (!body.colliders_.empty()) destroy(*body.colliders_.back());
+    destroyBody(world_, body.id_);
+    goneBodies_.push_back(std::move(bodies_[body.id_.index]));
+}
+
+Collider* Physics::find(ShapeId shape) const {
+    if (shape.index < colliders_.size()) {
+        Collider* const here = colliders_[shape.index].get();
+        if (here != nullptr && here->shape_ == shape) return here;
+    }
+    const auto gone = std::find_if(gone_.begin(), gone_.end(),
+                                   [&](const auto& collider) { return collider->shape_ == shape; });
+    return gone != gone_.end() ? gone->get() : nullptr;
+}
+
+void Physics::collectCalls() {
+    calls_.clear();
+    for (const ContactEvent& event : world_.events) {
+        Collider* const a = find(event.shapeA);
+        Collider* const b = find(event.shapeB);
+        if (a == nullptr || b == nullptr) continue;
+        calls_.push_back({a, b, event.phase});
+    }
+}
+
+void Physics::tell(Collider& to, Collider& other, ContactPhase phase) {
+    if (to.destroyed_) return;
+    switch (phase) {
+        case ContactPhase::Began: return to.onCollisionEnter(&other);
+        case ContactPhase::Stayed: return to.onCollisionStay(&other);
+        case ContactPhase::Ended: return to.onCollisionExit(&other);
+    }
+}
+
+/// Who was destroyed by an earlier call is met no more; who was met leaves in the update after that.
+void Physics::call(const Call& now) {
+    const PairKey pair = pairKey(now.a->shape_.index, now.b->shape_.index);
+    if (now.phase == ContactPhase::Ended) {
+        if (!touching_.has(pair)) return;
+        touching_.remove(pair);
+    } else {
+        if (now.a->destroyed_ || now.b->destroyed_) return;
+        if (now.phase == ContactPhase::Began) touching_.add(pair);
+    }
+    tell(*now.a, *now.b, now.phase);
+    tell(*now.b, *now.a, now.phase);
+}
+
+void Physics::update(float dt) {
+    gone_.swap(leaving_);
+    goneBodies_.clear();
+    step(world_, dt);
+    collectCalls();
+    for (const Call& now : calls_) call(now);
+    gone_.clear();
+}
+
+bool Physics::isTouching(const Collider& a, const Collider& b) const {
+    if (a.destroyed_ || b.destroyed_) return false;
+    return touching_.has(pairKey(a.shape_.index, b.shape_.index));
+}
+
+}  // namespace plumb::physics

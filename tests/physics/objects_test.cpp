@@ -1,0 +1,96 @@
+#include "physics/objects.hpp"
+
+#include <gtest/gtest.h>
+
+namespace plumb::physics {
+namespace {
+
+constexpr float kTick = 1.0f / 60.0f;
+
+struct Counter : BoxCollider {
+    using BoxCollider::BoxCollider;
+    int entered = 0, stayed = 0, left = 0;
+    void onCollisionEnter(Collider*) override { ++entered; }
+    void onCollisionStay(Collider*) override { ++stayed; }
+    void onCollisionExit(Collider*) override { ++left; }
+};
+
+/// Takes what touches it, and itself, out of the world.
+struct Mine : CircleCollider {
+    Physics& physics;
+    int entered = 0;
+    Mine(Physics& owner, float radius, const ColliderSettings& settings)
+        : CircleCollider{radius, settings}, physics{owner} {}
+    void onCollisionEnter(Collider* other) override {
+        ++entered;
+        if (other->body() != nullptr) physics.destroy(*other->body());
+        physics.destroy(*this);
+    }
+};
+
+TEST(Objects, aCubeThatLandsEntersStaysAndLeavesWhenItJumps) {
+    Physics physics;  // y down
+    Counter* const floor = *physics.create<Counter>(nullptr, Vec2{10.0f, 1.0f});
+    RigidBody* const body = *physics.createBody({0.0, -2.0});
+    BoxCollider* const cube = *physics.create<BoxCollider>(body, Vec2{0.5f, 0.5f});
+    EXPECT_FALSE(physics.isTouching(*floor, *cube));
+    for (int i = 0; i < 60; ++i) physics.update(kTick);
+    EXPECT_EQ(floor->entered, 1);
+    EXPECT_GT(floor->stayed, 10);
+    EXPECT_EQ(floor->left, 0);
+    EXPECT_TRUE(physics.isTouching(*floor, *cube));
+    EXPECT_TRUE(physics.isTouching(*cube, *floor));
+    EXPECT_NEAR(body->position().y, -1.5, 0.01);
+    ASSERT_TRUE(body->setVelocity({0.0f, -5.0f}).ok());
+    for (int i = 0; i < 10; ++i) physics.update(kTick);
+    EXPECT_EQ(floor->left, 1);
+    EXPECT_FALSE(physics.isTouching(*floor, *cube));
+}
+
+TEST(Objects, callbacksMayDestroyWhatTouchesAndThemselves) {
+    Physics physics;
+    Mine* const mine = *physics.create<Mine>(nullptr, physics, 1.0f, ColliderSettings{.isTrigger = true});
+    Counter* const floor =
+        *physics.create<Counter>(nullptr, Vec2{10.0f, 1.0f}, ColliderSettings{.position = {0.0, 1.0}});
+    for (int i = 0; i < 2; ++i) {
+        RigidBody* const body = *physics.createBody({-0.4 + 0.8 * i, -0.1});
+        ASSERT_TRUE(physics.create<BoxCollider>(body, Vec2{0.3f, 0.3f}).ok());
+    }
+    physics.update(kTick);
+    EXPECT_EQ(mine->entered, 1) << "it hears nothing more once it is gone";
+    EXPECT_TRUE(mine->destroyed());
+    for (int i = 0; i < 30; ++i) physics.update(kTick);
+    EXPECT_EQ(bodyCount(physics.world()), 2u) << "the floor and the second cube";
+    EXPECT_EQ(floor->entered - floor->left, 1);
+}
+
+TEST(Objects, forcesGravityAndConstraintsDoWhatTheySay) {
+    Physics physics;
+    RigidBody* const body = *physics.createBody({0.0, 0.0});
+    ASSERT_TRUE(physics.create<CircleCollider>(body, 0.5f).ok());
+    ASSERT_TRUE(body->setMass(4.0f).ok());
+    EXPECT_EQ(body->mass(), 4.0f);
+    body->useGravity(false);
+    ASSERT_TRUE(body->addForce({8.0f, 0.0f}).ok());
+    EXPECT_EQ(body->netForce().x, 8.0f);
+    physics.update(0.5f);
+    EXPECT_NEAR(body->velocity().x, 1.0f, 1.0e-4f);
+    EXPECT_EQ(body->velocity().y, 0.0f);
+    EXPECT_EQ(body->netForce(), Vec2{});
+    const Frame next = body->predictTransform(2.0f);
+    EXPECT_NEAR(next.position.x, body->position().x + 2.0, 1.0e-3);
+    ASSERT_TRUE(body->setAngularVelocity(3.0f).ok());
+    body->constrainRotation(true);
+    physics.update(kTick);
+    EXPECT_EQ(body->angularVelocity(), 0.0f);
+}
+
+TEST(Objects, whatMakesNoSenseIsRefusedAndLeavesNothingBehind) {
+    Physics physics;
+    EXPECT_FALSE(physics.create<CircleCollider>(nullptr, -1.0f).ok());
+    EXPECT_FALSE(physics.create<BoxCollider>(nullptr, Vec2{}).ok());
+    EXPECT_EQ(bodyCount(physics.world()), 0u);
+}
+
+}  // namespace
+}  // namespace plumb::physics
