@@ -13,7 +13,7 @@ set(denied
     "std::chrono|ticks: the simulation knows no clock"
     "wallSeconds|ticks: the simulation knows no clock"
     "std::hash<|core/hash.hpp"
-    "std::fma|a * b + c: fused results differ between CPUs"
+    "std::fma[fl]?\\(|a * b + c: fused results differ between CPUs"
     "long double|double or float: long double differs between compilers"
     "reinterpret_cast<(std::)?uintptr_t>|an id: addresses differ between runs"
 )

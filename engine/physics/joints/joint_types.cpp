@@ -1,5 +1,6 @@
 #include "physics/joints/joint_types.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -71,7 +72,7 @@ ValueParts valueParts(const JointView& view) {
     if (definition.motor.on) {
         value.driven = true;
         value.speed = definition.motor.speed;
-        value.mostMotor = std::fmin(definition.motor.maxForce * view.timing.h, kNoLimit);
+        value.mostMotor = std::min(definition.motor.maxForce * view.timing.h, kNoLimit);
     }
     if (definition.limit.on) {
         value.limited = true;

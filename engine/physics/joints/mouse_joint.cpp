@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 
 #include "physics/joints/joint_types.hpp"
@@ -19,7 +20,7 @@ JointParts partsOf(const JointView& view) {
     parts.grip =
         springGrip(spring.on ? spring.hertz : kHertz, spring.on ? spring.dampingRatio : 1.0f, view.timing.h);
     parts.springs = true;
-    parts.most = std::fmin(view.definition.maxForce * view.timing.h, kNoLimit);
+    parts.most = std::min(view.definition.maxForce * view.timing.h, kNoLimit);
     return parts;
 }
 

@@ -80,8 +80,8 @@ Simplex startFrom(const Ways& ways, const SimplexCache* cache) {
 float sizeOf(const Simplex& simplex) {
     float size = 0.0f;
     for (int i = 0; i < simplex.count; ++i) {
-        size = std::fmax(size, std::fmax(std::fabs(simplex.ways[i].a.x), std::fabs(simplex.ways[i].a.y)));
-        size = std::fmax(size, std::fmax(std::fabs(simplex.ways[i].b.x), std::fabs(simplex.ways[i].b.y)));
+        size = std::max(size, std::max(std::fabs(simplex.ways[i].a.x), std::fabs(simplex.ways[i].a.y)));
+        size = std::max(size, std::max(std::fabs(simplex.ways[i].b.x), std::fabs(simplex.ways[i].b.y)));
     }
     return size;
 }

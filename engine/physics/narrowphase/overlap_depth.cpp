@@ -25,7 +25,7 @@ struct Polytope {
         for (int i = count; i > place; --i) ways[i] = ways[i - 1];
         ways[place] = way;
         ++count;
-        size = std::fmax(size, std::fmax(std::fabs(way.way.x), std::fabs(way.way.y)));
+        size = std::max(size, std::max(std::fabs(way.way.x), std::fabs(way.way.y)));
     }
 };
 

@@ -51,7 +51,7 @@ struct Advance {
     }
     /// m: the same after any turn.
     [[nodiscard]] float room() const {
-        return mover.sweep.turn == 0.0f ? 0.0f : std::fmax(mover.reach - extent, 0.0f);
+        return mover.sweep.turn == 0.0f ? 0.0f : std::max(mover.reach - extent, 0.0f);
     }
     [[nodiscard]] float spin() const { return std::fabs(mover.sweep.turn) * mover.reach; }
 };
@@ -63,7 +63,7 @@ float safePart(float gap, float speed, const Advance& a, const Advance& b, float
         return left < 0.0f ? 0.0f : rate * rest > left ? left / rate : rest;
     };
     // Corners move no faster than the farthest, and reach no further.
-    float safe = std::fmax(until(gap, speed + a.spin() + b.spin()), until(gap - a.room() - b.room(), speed));
+    float safe = std::max(until(gap, speed + a.spin() + b.spin()), until(gap - a.room() - b.room(), speed));
     if (a.mover.sweep.turn == 0.0f && b.mover.sweep.turn == 0.0f) return safe;
 
     // What is left of the gap is concave in the part: above each of its chords, and safe wherever it is
@@ -82,7 +82,7 @@ float safePart(float gap, float speed, const Advance& a, const Advance& b, float
             (remains >= 0.0f ? lowLeft : highLeft) = remains;
         }
     }
-    return std::fmax(safe, low);
+    return std::max(safe, low);
 }
 
 }  // namespace

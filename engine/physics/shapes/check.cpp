@@ -29,7 +29,7 @@ bool isConvex(Corners corners) {
     float size = 0.0f;
     for (const Corner& corner : corners) {
         const Vec2 way = corner.point - corners[0].point;
-        size = std::fmax(size, std::fmax(std::fabs(way.x), std::fabs(way.y)));
+        size = std::max(size, std::max(std::fabs(way.x), std::fabs(way.y)));
     }
     const float slack = 1.0e-3f * size;
     for (std::size_t i = 0; i < corners.size(); ++i) {

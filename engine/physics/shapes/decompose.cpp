@@ -40,8 +40,8 @@ Loop cleaned(std::span<const Vec2> outline) {
 }
 
 bool isBetween(Vec2 a, Vec2 b, Vec2 point) {
-    return std::fmin(a.x, b.x) <= point.x && point.x <= std::fmax(a.x, b.x) &&
-           std::fmin(a.y, b.y) <= point.y && point.y <= std::fmax(a.y, b.y);
+    return std::min(a.x, b.x) <= point.x && point.x <= std::max(a.x, b.x) && std::min(a.y, b.y) <= point.y &&
+           point.y <= std::max(a.y, b.y);
 }
 
 /// Sides that cross or touch.

@@ -104,7 +104,7 @@ Result<Hull> makeHull(std::span<const Vec2> points) {
         for (const Vec2 point : loop) around = {min(around.min, point), max(around.max, point)};
         return around;
     }();
-    const float size = std::fmax(box.size().x, box.size().y);
+    const float size = std::max(box.size().x, box.size().y);
     if (!(size >= kSmallestShape)) {
         return error(format("it is only {} m large", size), "make it at least 0.1 mm large");
     }

@@ -1,5 +1,6 @@
 #include "physics/solver/joint_lanes.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "physics/joints.hpp"
@@ -305,8 +306,8 @@ template <class Block>
 void note(const Workspace& work, const JointStore<Block>& store, float rate, BreakableJoint& breakable) {
     const Given given =
         givenBy(work, store.blocks[static_cast<std::size_t>(breakable.block)], breakable.lane, rate);
-    breakable.force = std::fmax(breakable.force, length(given.force));
-    breakable.torque = std::fmax(breakable.torque, std::fabs(given.torque));
+    breakable.force = std::max(breakable.force, length(given.force));
+    breakable.torque = std::max(breakable.torque, std::fabs(given.torque));
 }
 
 void breakJoints(World& world, JointWork& joints) {
