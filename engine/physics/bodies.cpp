@@ -184,7 +184,7 @@ Result<Done> setVelocity(World& world, BodyId body, Vec2 velocity) {
         firstOf(checkAlive("setVelocity", world, body), checkVector("setVelocity", velocity, kFastest));
     if (!checked) return checked;
     if (world.bodies.info[body.index].kind == BodyKind::Static) return Done{};
-    if (velocity != Vec2{}) wake(world, body.index);
+    if (velocity != Vec2{}) wakeForMotion(world, body.index);
     world.bodies.motion[body.index].velocity = velocity;
     return Done{};
 }
@@ -194,7 +194,7 @@ Result<Done> setAngularVelocity(World& world, BodyId body, float velocity) {
                                  checkNumber("setAngularVelocity", velocity, -kFastest, kFastest));
     if (!checked) return checked;
     if (world.bodies.info[body.index].kind == BodyKind::Static) return Done{};
-    if (velocity != 0.0f) wake(world, body.index);
+    if (velocity != 0.0f) wakeForMotion(world, body.index);
     world.bodies.motion[body.index].angularVelocity = velocity;
     return Done{};
 }
@@ -305,10 +305,12 @@ Result<Done> moveTo(World& world, BodyId body, Place position, float angle, floa
     const BodyPose& pose = world.bodies.pose[body.index];
     const Rot target = rotFromAngle(angle);
     BodyMotion& motion = world.bodies.motion[body.index];
-    motion.velocity = (position + rotate(target, pose.localCentre) - pose.centre) / dt;
-    motion.angularVelocity = angleOf(between(pose.rotation, target)) / dt;
+    const Vec2 velocity = (position + rotate(target, pose.localCentre) - pose.centre) / dt;
+    const float spin = angleOf(between(pose.rotation, target)) / dt;
+    if (velocity != Vec2{} || spin != 0.0f) wakeForMotion(world, body.index);
+    motion.velocity = velocity;
+    motion.angularVelocity = spin;
     world.bodies.info[body.index].flags |= kHasTarget;
-    wake(world, body.index);
     return Done{};
 }
 

@@ -155,6 +155,10 @@ void wake(World& world, std::uint32_t body) {
 void wakeTouching(World& world, std::uint32_t body) {
     wake(world, body);
     if (world.bodies.info[body].kind == BodyKind::Dynamic) return;
+    forJointsOf(world, body, [&](std::uint32_t j) {
+        const Joint& joint = world.joints.hot[j];
+        wake(world, joint.bodyA == body ? joint.bodyB : joint.bodyA);
+    });
     std::vector<std::uint32_t> touched;
     for (const SleepingIsland& island : world.sleepers.islands) {
         for (std::uint32_t c = island.firstContact; c != kNone; c = world.sleepers.nextContact[c]) {
@@ -166,6 +170,13 @@ void wakeTouching(World& world, std::uint32_t body) {
         }
     }
     for (const std::uint32_t other : touched) wake(world, other);
+}
+
+void wakeForMotion(World& world, std::uint32_t body) {
+    const BodyMotion& motion = world.bodies.motion[body];
+    const bool moved = (world.bodies.info[body].flags & kMoved) != 0;
+    const bool starts = !moved && motion.velocity == Vec2{} && motion.angularVelocity == 0.0f;
+    starts ? wakeTouching(world, body) : wake(world, body);
 }
 
 void sleepIslands(World& world, std::vector<std::uint32_t>& sleepingRoots) {

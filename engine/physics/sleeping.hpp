@@ -17,8 +17,10 @@ void removeAwake(World& world, std::uint32_t body);
 
 /// Wakes the whole island of a body; one that is awake stays so for another Settings::sleepTime.
 void wake(World& world, std::uint32_t body);
-/// Wakes everything that touches a body, and the body itself.
+/// Wakes everything that touches a body or is joined to it, and the body itself.
 void wakeTouching(World& world, std::uint32_t body);
+/// Wakes a body that is about to move; if it stood still, what lies on it and hangs from it too.
+void wakeForMotion(World& world, std::uint32_t body);
 /// Puts the island of a body to sleep at once.
 void sleepNow(World& world, std::uint32_t body);
 

@@ -69,6 +69,37 @@ TEST(Sleep, setVelocityWakes) {
     EXPECT_GT(scene.y(crate), 1.0);
 }
 
+TEST(Sleep, aPlatformThatStartsToMoveWakesWhatLiesOnItAndWhatHangsFromIt) {
+    Sleepy scene;
+    const BodyId platform = scene.body(BodyKind::Kinematic, {0.0, 0.0});
+    scene.shape(platform, box({2.0f, 0.25f}));
+    const BodyId lying = scene.crate({1.0, 0.75});
+    const BodyId hanging = scene.ball({0.0, -2.0}, 0.25f);
+    ASSERT_TRUE(
+        createJoint(scene.world, {.kind = JointKind::Distance, .a = platform, .b = hanging, .length = 2.0f})
+            .ok());
+    scene.run(180);
+    ASSERT_FALSE(isAwake(scene.world, lying));
+    ASSERT_FALSE(isAwake(scene.world, hanging));
+    ASSERT_TRUE(setVelocity(scene.world, platform, {0.0f, 1.0f}).ok());
+    scene.run(60);
+    EXPECT_NEAR(scene.y(lying), 1.75, 0.02);
+    EXPECT_NEAR(scene.y(hanging), -1.0, 0.02);
+    scene.run(60);
+    EXPECT_NEAR(scene.y(lying), 2.75, 0.02) << "it fell asleep on a platform that moves";
+    EXPECT_NEAR(scene.y(hanging), 0.0, 0.02);
+}
+
+TEST(Sleep, aSlowLiftDoesNotLeaveAnybodyInTheAir) {
+    Sleepy scene;
+    const BodyId lift = scene.body(BodyKind::Kinematic, {0.0, 0.0});
+    scene.shape(lift, box({2.0f, 0.25f}));
+    const BodyId crate = scene.crate({0.0, 0.75});
+    ASSERT_TRUE(setVelocity(scene.world, lift, {0.0f, -0.02f}).ok());  // slower than what counts as rest
+    scene.run(600);
+    EXPECT_NEAR(scene.y(crate), 0.55, 0.01);
+}
+
 TEST(Sleep, aBodyMadeAsleepWaitsToBeHit) {
     Sleepy scene;
     const Result<BodyId> hanging = createBody(scene.world, {.position = {0.0, 5.0}, .awake = false});

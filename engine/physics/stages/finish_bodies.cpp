@@ -82,6 +82,9 @@ void finish(StepContext& step, std::size_t slot, std::uint32_t body, Findings& f
         found.broken.push_back(body);
         return;
     }
+    const Float4& shift = step.work.shift[slot];
+    const bool moved = shift.x != 0.0f || shift.y != 0.0f || shift.z != 0.0f;
+    info.flags = static_cast<std::uint8_t>(moved ? info.flags | kMoved : info.flags & ~kMoved);
     BodyMotion& motion = world.bodies.motion[body];
     if (info.kind == BodyKind::Kinematic) {
         if ((info.flags & kHasTarget) != 0) motion.velocity = {}, motion.angularVelocity = 0.0f;

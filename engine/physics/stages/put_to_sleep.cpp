@@ -10,6 +10,24 @@ namespace {
 /// Ties that ended keep islands larger than need be; to look for them each step is not worth it.
 constexpr std::uint64_t kStepsBetweenRebuilds = 16;
 
+/// What a moving platform carries or pulls stays awake, however slow it is: it could be left in the air.
+void keepCarriedAwake(World& world, std::vector<std::uint32_t>& verdict) {
+    const auto moves = [&](std::uint32_t body) {
+        const BodyInfo& info = world.bodies.info[body];
+        return info.kind == BodyKind::Kinematic && (info.flags & kMoved) != 0;
+    };
+    const auto keepAwake = [&](std::uint32_t a, std::uint32_t b) {
+        if (!moves(a) && !moves(b)) return;
+        const std::uint32_t carried = moves(a) ? b : a;
+        if (world.bodies.info[carried].kind == BodyKind::Dynamic) verdict[islandOf(world, carried)] = kNone;
+    };
+    for (const Contact& contact : world.contacts) {
+        if ((contact.flags & kTouching) != 0) keepAwake(contact.bodyA, contact.bodyB);
+    }
+    for (const std::uint32_t j : world.joints.awake)
+        keepAwake(world.joints.hot[j].bodyA, world.joints.hot[j].bodyB);
+}
+
 }  // namespace
 
 void putToSleep(StepContext& step) {
@@ -24,6 +42,7 @@ void putToSleep(StepContext& step) {
         if (world.bodies.motion[body].restTime < world.settings.sleepTime)
             verdict[islandOf(world, body)] = kNone;
     }
+    if (world.manifest.runs(Effect::Kinematics)) keepCarriedAwake(world, verdict);
     const bool some = std::any_of(world.awake.begin(), world.awake.end(), [&](std::uint32_t body) {
         return world.bodies.info[body].kind == BodyKind::Dynamic && verdict[islandOf(world, body)] != kNone;
     });
