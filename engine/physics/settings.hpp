@@ -23,6 +23,8 @@ struct Settings {
 
     SolverKind solver = SolverKind::SoftStep;
     IntegratorKind integrator = IntegratorKind::SemiImplicitEuler;
+    /// Who finds which bounds overlap. Nothing but time depends on it, and it may change between any two
+    /// steps; README.md says which is fastest where. A value that is none of them is Tree.
     BroadPhaseKind broadPhase = BroadPhaseKind::Tree;
     /// 2^quality substeps: each more costs 1.3 to 2 times the time and makes errors 3 to 4 times smaller.
     Quality quality = 2;
@@ -34,8 +36,8 @@ struct Settings {
 
     /// Contacts are springs of this part of the substep rate. Larger is stiffer; above 1/4 they ring.
     float contactStiffness = 0.125f;
-    /// The part of what a contact carried in the last step that its spring carries without giving way, so that
-    /// what rests sinks in by that much less. Above 1/2 mass ratios of 1000 and card houses may fall.
+    /// The part of what a contact carried in the last step that its spring carries without giving way, so
+    /// that what rests sinks in by that much less. Above 1/2 mass ratios of 1000 and card houses may fall.
     float loadMemory = 0.5f;
     float jointStiffness = 0.25f;       ///< the same of joints
     float contactDampingRatio = 10.0f;  ///< much above 1: overlaps go away without a bounce
@@ -46,8 +48,8 @@ struct Settings {
     float slop = 0.005f;
     /// m: nearer than this two shapes have a contact, though they do not touch yet.
     float speculativeDistance = 0.02f;
-    /// m: two touching bodies keep the points where they touch until they have moved by this along each other.
-    /// Smaller finds points anew more often, which costs time and lets high stacks tremble.
+    /// m: two touching bodies keep the points where they touch until they have moved by this along each
+    /// other. Smaller finds points anew more often, which costs time and lets high stacks tremble.
     float recycleDistance = 0.01f;
     /// m: bounds are this much larger than shapes, so that few movements leave them; at most an eighth
     /// of a shape's size. Larger: fewer searches, more pairs.

@@ -17,7 +17,7 @@ namespace plumb::physics::test {
 
 namespace {
 
-constexpr std::uint64_t kSeeds = 60;
+constexpr std::uint64_t kSeeds = 64;
 constexpr auto kKinds = static_cast<std::uint32_t>(BroadPhaseKind::Count);
 
 /// Tells the broad phase of the changes, and asks for the pairs of the changed ones: sorted keys.

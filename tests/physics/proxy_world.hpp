@@ -88,7 +88,7 @@ struct ProxyWorld {
 inline AABB boxAt(Vec2 centre, Vec2 half) { return {centre - half, centre + half}; }
 
 /// How a random world is spread out.
-enum class Spread : std::uint8_t { Even, Crowds, Sizes, Column, Lattice, Far, Count };
+enum class Spread : std::uint8_t { Even, Crowds, Sizes, Column, Lattice, Spot, Giants, Far, Count };
 
 /// Half the size and the place of a random box.
 inline AABB randomBox(Random& random, Spread spread) {
@@ -110,6 +110,9 @@ inline AABB randomBox(Random& random, Spread spread) {
             const Vec2 size{static_cast<float>(random.below(3)), static_cast<float>(random.below(3))};
             return {corner, corner + size};
         }
+        case Spread::Spot: return boxAt({3.0f, 3.0f}, half);
+        case Spread::Giants:  // a kilometre wide among crumbs
+            return boxAt(even * 60.0f, random.below(50) == 0 ? Vec2{500.0f, 500.0f} : half * 0.1f);
         default: return boxAt(even + Vec2{1e6f, -1e6f}, half);
     }
 }

@@ -1,6 +1,7 @@
 #include "core/cpu.hpp"
 #include "core/random.hpp"
 #include "core/task_pool.hpp"
+#include "physics/softbody.hpp"
 #include "tests/physics/world_of_bodies.hpp"
 
 namespace plumb::physics {
@@ -46,6 +47,61 @@ TEST(SameBits, whateverTheInstructionSet) {
         EXPECT_EQ(heapAfter(90), expected) << static_cast<int>(width);
     }
     setSimdWidth(widest);
+}
+
+/// A heap with all that asks the broad phase: bullets, a rope, a lift, and bodies that come and go.
+World busyWorldAfter(int ticks, BroadPhaseKind kind, const StepOptions& options = {}) {
+    Playground scene;
+    World& world = scene.world;
+    world.settings.sleeping = true;
+    world.settings.broadPhase = kind;
+    pourIn(scene, 400);
+    const BodyId lift = scene.body(BodyKind::Kinematic, {-9.0, 1.0});
+    scene.shape(lift, box({1.0f, 0.2f}));
+    EXPECT_TRUE(setVelocity(world, lift, {1.0f, 0.0f}).ok());
+    EXPECT_TRUE(createRope(world, {-8.0, 6.0}, {8.0, 6.0}, 40).ok());
+    Random random = Random::seeded(9);
+    std::vector<BodyId> guests;
+    for (int tick = 0; tick < ticks; ++tick) {
+        if (tick % 10 == 0) {
+            const BodyId bullet = scene.ball({-30.0, random.between(0.5f, 8.0f)}, 0.1f);
+            EXPECT_TRUE(setVelocity(world, bullet, {200.0f, 0.0f}).ok());
+            guests.push_back(bullet);
+        }
+        if (tick % 25 == 24) {
+            destroyBody(world, guests[random.below(static_cast<std::uint32_t>(guests.size()))]);
+        }
+        scene.run(1, options);
+    }
+    return world;
+}
+
+TEST(SameBits, whateverTheBroadPhase) {
+    const World expected = busyWorldAfter(300, BroadPhaseKind::Tree);
+    EXPECT_GT(touching(expected), 300);
+    TaskPool pool{2};
+    for (const BroadPhaseKind kind :
+         {BroadPhaseKind::Grid, BroadPhaseKind::SweepAndPrune, BroadPhaseKind::Quadtree}) {
+        SCOPED_TRACE(nameOf(kind));
+        World world = busyWorldAfter(300, kind, {.pool = &pool});
+        EXPECT_NE(hashOf(world), hashOf(expected));  // settings are part of the world
+        world.settings.broadPhase = expected.settings.broadPhase;
+        EXPECT_EQ(hashOf(world), hashOf(expected));
+    }
+}
+
+TEST(SameBits, evenWhereTheBroadPhaseChangesMeanwhile) {
+    Playground plain, fickle;
+    pourIn(plain, 200);
+    pourIn(fickle, 200);
+    for (std::uint8_t tick = 0; tick < 120; ++tick) {
+        // Those beyond the last are none, and mean the tree.
+        if (tick % 5 == 0) fickle.world.settings.broadPhase = static_cast<BroadPhaseKind>(tick / 5 % 7);
+        plain.run(1);
+        fickle.run(1);
+        ASSERT_EQ(bitsOf(plain.world), bitsOf(fickle.world)) << tick;
+    }
+    EXPECT_GT(touching(plain.world), 100);
 }
 
 TEST(SameBits, aSnapshotPutBackEverySeventhTickChangesNothing) {

@@ -18,7 +18,8 @@
 #endif
 
 // Eight floats, their comparison, and the same for words, as each kind of processor has them. Each lane is
-// computed as one float would be, so results do not depend on the kind. Loads are from multiples of 32 bytes.
+// computed as one float would be, so results do not depend on the kind. No lane is a NaN in least() and
+// most(); what is rounded is within 2^30. load() is from multiples of 32 bytes, loadAny() from anywhere.
 
 namespace plumb::physics {
 
@@ -37,6 +38,7 @@ inline Floats load(const float* at) {
     for (int i = 0; i < 8; ++i) all.lane[i] = at[i];
     return all;
 }
+inline Floats loadAny(const float* at) { return load(at); }
 inline Floats spread(float x) { return {{x, x, x, x, x, x, x, x}}; }
 inline Words spread(std::uint32_t word) { return {word}; }
 inline Floats minus(const Floats& a, const Floats& b) {
@@ -52,6 +54,24 @@ inline Floats plus(const Floats& a, const Floats& b) {
 inline Floats times(const Floats& a, const Floats& b) {
     Floats all;
     for (int i = 0; i < 8; ++i) all.lane[i] = a.lane[i] * b.lane[i];
+    return all;
+}
+inline Floats roundedDown(const Floats& a) {
+    Floats all;
+    for (int i = 0; i < 8; ++i) all.lane[i] = std::floor(a.lane[i]);
+    return all;
+}
+inline void storeWhole(const Floats& a, std::int32_t* to) {
+    for (int i = 0; i < 8; ++i) to[i] = static_cast<std::int32_t>(a.lane[i]);
+}
+inline Floats least(const Floats& a, const Floats& b) {
+    Floats all;
+    for (int i = 0; i < 8; ++i) all.lane[i] = a.lane[i] < b.lane[i] ? a.lane[i] : b.lane[i];
+    return all;
+}
+inline Floats most(const Floats& a, const Floats& b) {
+    Floats all;
+    for (int i = 0; i < 8; ++i) all.lane[i] = a.lane[i] > b.lane[i] ? a.lane[i] : b.lane[i];
     return all;
 }
 inline Floats absolute(const Floats& a) {
@@ -91,11 +111,23 @@ using Words = __m128i;
 using Mask = Floats;
 
 inline Floats load(const float* at) { return {_mm_load_ps(at), _mm_load_ps(at + 4)}; }
+inline Floats loadAny(const float* at) { return {_mm_loadu_ps(at), _mm_loadu_ps(at + 4)}; }
 inline Floats spread(float x) { return {_mm_set1_ps(x), _mm_set1_ps(x)}; }
 inline Words spread(std::uint32_t word) { return _mm_set1_epi32(static_cast<int>(word)); }
 inline Floats minus(Floats a, Floats b) { return {_mm_sub_ps(a.low, b.low), _mm_sub_ps(a.high, b.high)}; }
 inline Floats plus(Floats a, Floats b) { return {_mm_add_ps(a.low, b.low), _mm_add_ps(a.high, b.high)}; }
 inline Floats times(Floats a, Floats b) { return {_mm_mul_ps(a.low, b.low), _mm_mul_ps(a.high, b.high)}; }
+inline Floats least(Floats a, Floats b) { return {_mm_min_ps(a.low, b.low), _mm_min_ps(a.high, b.high)}; }
+inline Floats most(Floats a, Floats b) { return {_mm_max_ps(a.low, b.low), _mm_max_ps(a.high, b.high)}; }
+inline __m128 fourRoundedDown(__m128 a) {
+    const __m128 whole = _mm_cvtepi32_ps(_mm_cvttps_epi32(a));
+    return _mm_sub_ps(whole, _mm_and_ps(_mm_cmplt_ps(a, whole), _mm_set1_ps(1.0f)));
+}
+inline Floats roundedDown(Floats a) { return {fourRoundedDown(a.low), fourRoundedDown(a.high)}; }
+inline void storeWhole(Floats a, std::int32_t* to) {
+    _mm_storeu_si128(reinterpret_cast<__m128i*>(to), _mm_cvttps_epi32(a.low));
+    _mm_storeu_si128(reinterpret_cast<__m128i*>(to + 4), _mm_cvttps_epi32(a.high));
+}
 inline Floats absolute(Floats a) {
     const __m128 sign = _mm_set1_ps(-0.0f);
     return {_mm_andnot_ps(sign, a.low), _mm_andnot_ps(sign, a.high)};
@@ -124,11 +156,18 @@ using Words = __m256i;
 using Mask = __m256;
 
 PLUMB_AVX2 inline Floats load(const float* at) { return _mm256_load_ps(at); }
+PLUMB_AVX2 inline Floats loadAny(const float* at) { return _mm256_loadu_ps(at); }
 PLUMB_AVX2 inline Floats spread(float x) { return _mm256_set1_ps(x); }
 PLUMB_AVX2 inline Words spread(std::uint32_t word) { return _mm256_set1_epi32(static_cast<int>(word)); }
 PLUMB_AVX2 inline Floats minus(Floats a, Floats b) { return _mm256_sub_ps(a, b); }
 PLUMB_AVX2 inline Floats plus(Floats a, Floats b) { return _mm256_add_ps(a, b); }
 PLUMB_AVX2 inline Floats times(Floats a, Floats b) { return _mm256_mul_ps(a, b); }
+PLUMB_AVX2 inline Floats least(Floats a, Floats b) { return _mm256_min_ps(a, b); }
+PLUMB_AVX2 inline Floats most(Floats a, Floats b) { return _mm256_max_ps(a, b); }
+PLUMB_AVX2 inline Floats roundedDown(Floats a) { return _mm256_floor_ps(a); }
+PLUMB_AVX2 inline void storeWhole(Floats a, std::int32_t* to) {
+    _mm256_storeu_si256(reinterpret_cast<__m256i*>(to), _mm256_cvttps_epi32(a));
+}
 PLUMB_AVX2 inline Floats absolute(Floats a) { return _mm256_andnot_ps(_mm256_set1_ps(-0.0f), a); }
 PLUMB_AVX2 inline Mask atMost(Floats a, Floats b) { return _mm256_cmp_ps(a, b, _CMP_LE_OQ); }
 PLUMB_AVX2 inline Mask above(Floats a, Floats b) { return _mm256_cmp_ps(a, b, _CMP_GT_OQ); }
@@ -161,11 +200,19 @@ struct Mask {
 };
 
 inline Floats load(const float* at) { return {vld1q_f32(at), vld1q_f32(at + 4)}; }
+inline Floats loadAny(const float* at) { return load(at); }
 inline Floats spread(float x) { return {vdupq_n_f32(x), vdupq_n_f32(x)}; }
 inline Words spread(std::uint32_t word) { return vdupq_n_u32(word); }
 inline Floats minus(Floats a, Floats b) { return {vsubq_f32(a.low, b.low), vsubq_f32(a.high, b.high)}; }
 inline Floats plus(Floats a, Floats b) { return {vaddq_f32(a.low, b.low), vaddq_f32(a.high, b.high)}; }
 inline Floats times(Floats a, Floats b) { return {vmulq_f32(a.low, b.low), vmulq_f32(a.high, b.high)}; }
+inline Floats least(Floats a, Floats b) { return {vminq_f32(a.low, b.low), vminq_f32(a.high, b.high)}; }
+inline Floats most(Floats a, Floats b) { return {vmaxq_f32(a.low, b.low), vmaxq_f32(a.high, b.high)}; }
+inline Floats roundedDown(Floats a) { return {vrndmq_f32(a.low), vrndmq_f32(a.high)}; }
+inline void storeWhole(Floats a, std::int32_t* to) {
+    vst1q_s32(to, vcvtq_s32_f32(a.low));
+    vst1q_s32(to + 4, vcvtq_s32_f32(a.high));
+}
 inline Floats absolute(Floats a) { return {vabsq_f32(a.low), vabsq_f32(a.high)}; }
 inline Mask atMost(Floats a, Floats b) { return {vcleq_f32(a.low, b.low), vcleq_f32(a.high, b.high)}; }
 inline Mask above(Floats a, Floats b) { return {vcgtq_f32(a.low, b.low), vcgtq_f32(a.high, b.high)}; }

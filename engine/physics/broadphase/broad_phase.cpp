@@ -2,8 +2,11 @@
 
 #include <array>
 
+#include "physics/broadphase/box_searches.hpp"
+#include "physics/broadphase/grid.hpp"
+#include "physics/broadphase/quadtree.hpp"
+#include "physics/broadphase/sweep_and_prune.hpp"
 #include "physics/broadphase/tree.hpp"
-#include "physics/broadphase/tree_search.hpp"
 
 namespace plumb::physics {
 
@@ -14,15 +17,16 @@ struct Kind {
     std::unique_ptr<BroadPhase> (*make)();
 };
 
-std::unique_ptr<BroadPhase> makeTree() {
-    return std::make_unique<TreeBroadPhase>(treeSearchFor(simdWidth()));
+template <class Phase>
+std::unique_ptr<BroadPhase> make() {
+    return std::make_unique<Phase>(boxSearchesFor(simdWidth()));
 }
 
 constexpr std::array<Kind, static_cast<std::size_t>(BroadPhaseKind::Count)> kKinds{{
-    {"tree", &makeTree},
-    {"grid", &makeTree},
-    {"sweep and prune", &makeTree},
-    {"quadtree", &makeTree},
+    {"tree", &make<TreeBroadPhase>},
+    {"grid", &make<GridBroadPhase>},
+    {"sweep and prune", &make<SweepAndPruneBroadPhase>},
+    {"quadtree", &make<QuadtreeBroadPhase>},
 }};
 
 const Kind& entryOf(BroadPhaseKind kind) {

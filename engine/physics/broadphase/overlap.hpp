@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cstdint>
 #include <limits>
 
 #include "math/rect.hpp"
@@ -25,6 +26,10 @@ constexpr AABB usable(const AABB& box) {
 constexpr bool touch(const AABB& a, const AABB& b) {
     return a.min.x <= b.max.x && b.min.x <= a.max.x && a.min.y <= b.max.y && b.min.y <= a.max.y;
 }
+
+/// Layers and mask that members of the group have on top of their own where several proxies are looked at as
+/// one: they may meet each other whatever their layers.
+constexpr std::uint32_t overruledBy(std::int32_t group) { return group > 0 ? 0xffffffffu : 0u; }
 
 /// Where a box stands, also where its size is more than a float holds.
 constexpr Vec2 middleOf(const AABB& box) { return box.min * 0.5f + box.max * 0.5f; }

@@ -110,9 +110,10 @@ void PackedTree::write(const Proxies& proxies, std::uint32_t lane, std::uint32_t
     if (proxies.motions[id] == ProxyMotion::Awake) leaf.awake |= bit;
 }
 
-void PackedTree::read(const Proxies& proxies, std::uint32_t lane) {
-    write(proxies, lane, leaves_[lane / kBranch].ids[lane % kBranch]);
+std::uint32_t PackedTree::move(const Proxies& proxies, std::uint32_t lane) {
+    write(proxies, lane, idAt(lane));
     setBit(stale_[0], lane / kBranch);
+    return lane;
 }
 
 void PackedTree::erase(std::uint32_t lane) {
@@ -128,17 +129,17 @@ void PackedTree::erase(std::uint32_t lane) {
 }
 
 void PackedTree::append(const Proxies& proxies, std::span<const std::uint32_t> arrivals,
-                        std::span<std::uint32_t> lanes, std::uint32_t firstLane) {
+                        std::span<std::uint32_t> places, std::uint32_t first) {
     makeRoom(used_ + static_cast<std::uint32_t>(arrivals.size()));
     for (const std::uint32_t id : arrivals) {
         write(proxies, used_, id);
         setBit(stale_[0], used_ / kBranch);
-        lanes[id] = firstLane + used_++;
+        places[id] = first + used_++;
     }
 }
 
 void PackedTree::sort(const Proxies& proxies, std::span<const std::uint32_t> arrivals,
-                      std::span<std::uint32_t> lanes, std::uint32_t firstLane) {
+                      std::span<std::uint32_t> places, std::uint32_t first) {
     order_.clear();
     for (const TreeLeaf& leaf : leaves_) {
         for (std::uint32_t i = 0; i < kBranch; ++i) {
@@ -148,19 +149,19 @@ void PackedTree::sort(const Proxies& proxies, std::span<const std::uint32_t> arr
     order_.insert(order_.end(), arrivals.begin(), arrivals.end());
     clear();
     curve_.sort(proxies.bounds, order_);
-    append(proxies, order_, lanes, firstLane);
+    append(proxies, order_, places, first);
     sorted_ = used_;
 }
 
-bool PackedTree::take(const Proxies& proxies, std::span<std::uint32_t> arrivals,
-                      std::span<std::uint32_t> lanes, std::uint32_t firstLane) {
+bool PackedTree::take(const Proxies& proxies, std::span<std::uint32_t> arrivals, std::uint32_t,
+                      std::span<std::uint32_t> places, std::uint32_t first) {
     if (isDue(arrivals.size())) {
-        sort(proxies, arrivals, lanes, firstLane);
+        sort(proxies, arrivals, places, first);
         return true;
     }
     if (!arrivals.empty()) {
         curve_.sort(proxies.bounds, arrivals);
-        append(proxies, arrivals, lanes, firstLane);
+        append(proxies, arrivals, places, first);
     }
     return false;
 }
@@ -184,7 +185,7 @@ void PackedTree::noteSize(std::size_t leaf, const TreeNode& parent) {
     stretches_[leaf] = stretch;
 }
 
-void PackedTree::refit(std::size_t searches) {
+void PackedTree::settle(std::size_t searches) {
     if (height_ == 0) return;
     takeBits(stale_[0], [&](std::size_t leaf) {
         TreeNode& parent = levels_[0][leaf / kBranch];

@@ -35,35 +35,25 @@ struct TreeLeaf {
     std::uint8_t awake;          ///< bits: lanes that are ProxyMotion::Awake
 };
 
-/// Layers and masks that a proxy has on top of its own for those who look from afar: its group may meet each
-/// other whatever their layers.
-constexpr std::uint32_t overruledBy(std::int32_t group) { return group > 0 ? 0xffffffffu : 0u; }
-
 /// A tree of boxes with eight children per node and no pointers: leaf i is lane i % 8 of node i / 8 of the
 /// level above, and so on up. Leaves are filled in the order of a curve through the boxes. Whoever comes
 /// later goes to further leaves, who leaves leaves an empty lane, and who moves stretches its leaf, until
 /// sorting again costs less than the time that searches have lost.
 class PackedTree {
 public:
-    /// Takes `arrivals`, which are reordered, and writes to `lanes[id]` where they went: firstLane + lane.
-    /// When it is time to, everybody is sorted and goes to another lane.
-    /// @return  whether everybody was: all boxes have been read then
-    bool take(const Proxies& proxies, std::span<std::uint32_t> arrivals, std::span<std::uint32_t> lanes,
-              std::uint32_t firstLane);
+    // What PartedProxies asks of a part; places are lanes.
+    bool take(const Proxies& proxies, std::span<std::uint32_t> arrivals, std::uint32_t moving,
+              std::span<std::uint32_t> places, std::uint32_t first);
     void erase(std::uint32_t lane);
-    /// Reads a proxy's box and filter again.
-    void read(const Proxies& proxies, std::uint32_t lane);
-    /// Makes the nodes follow the leaves.
-    /// @param searches  that will follow, for the account of time lost
-    void refit(std::size_t searches);
-    /// Whether take() would sort, with so many arrivals.
-    [[nodiscard]] bool isDue(std::size_t arrivals = 0) const;
-    void clear();
-
-    [[nodiscard]] bool empty() const { return size() == 0; }
+    std::uint32_t move(const Proxies& proxies, std::uint32_t lane);
+    void settle(std::size_t searches);
+    [[nodiscard]] bool isDue(std::size_t arrivals) const;
+    [[nodiscard]] std::uint32_t places() const { return used_; }
     [[nodiscard]] std::uint32_t size() const { return used_ - holes_; }
-    /// Lanes in use, empty ones among them.
-    [[nodiscard]] std::uint32_t lanes() const { return used_; }
+    [[nodiscard]] std::uint32_t idAt(std::uint32_t lane) const {
+        return leaves_[lane / kBranch].ids[lane % kBranch];
+    }
+    void clear();
 
     [[nodiscard]] std::uint32_t height() const { return height_; }  ///< levels of nodes; 0 without lanes
     /// @param i  below height(); the children of level 0 are the leaves
@@ -73,10 +63,10 @@ public:
 private:
     static constexpr std::size_t kMostLevels = 11;  // 8^12 lanes: more than there are ids
 
-    void sort(const Proxies& proxies, std::span<const std::uint32_t> arrivals, std::span<std::uint32_t> lanes,
-              std::uint32_t firstLane);
+    void sort(const Proxies& proxies, std::span<const std::uint32_t> arrivals,
+              std::span<std::uint32_t> places, std::uint32_t first);
     void append(const Proxies& proxies, std::span<const std::uint32_t> arrivals,
-                std::span<std::uint32_t> lanes, std::uint32_t firstLane);
+                std::span<std::uint32_t> places, std::uint32_t first);
     void makeRoom(std::uint32_t lanes);
     void write(const Proxies& proxies, std::uint32_t lane, std::uint32_t id);
     void noteSize(std::size_t leaf, const TreeNode& parent);

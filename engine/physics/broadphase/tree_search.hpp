@@ -3,14 +3,13 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/cpu.hpp"
 #include "physics/broadphase/line_sweep.hpp"
 #include "physics/broadphase/packed_tree.hpp"
 
 namespace plumb::physics {
 
 /// Some lanes of one leaf look for partners in a tree.
-struct PairSearch {
+struct TreeSearch {
     const PackedTree* own = nullptr;
     const PackedTree* others = nullptr;  ///< may be the same; not empty
     std::uint32_t leaf = 0;              ///< of `own`
@@ -19,15 +18,13 @@ struct PairSearch {
     const std::uint8_t* isMoved = nullptr;  ///< by proxy: nonzero for all that look
 };
 
-/// The searches as compiled for one kind of processor. Trees are not empty.
-struct TreeSearch {
-    void (*findPairs)(const PairSearch& search, std::vector<PairKey>& pairs);
+/// The searches through trees as compiled for one kind of processor. Trees are not empty.
+struct TreeSearches {
+    void (*findPairs)(const TreeSearch& search, std::vector<PairKey>& pairs);
     void (*findInBox)(const PackedTree& tree, const AABB& box, std::uint32_t mask,
                       std::vector<std::uint32_t>& found);
     void (*findOnSweep)(const PackedTree& tree, const LineSweep& sweep, std::uint32_t mask,
                         std::vector<std::uint32_t>& found);
 };
-
-const TreeSearch& treeSearchFor(SimdWidth width);
 
 }  // namespace plumb::physics

@@ -1,21 +1,10 @@
-// The searches through a PackedTree, included once for each kind of processor into a namespace of its own
-// that has the functions of box_lanes.hpp, with PLUMB_TARGET. No includes, no lambdas, nothing from elsewhere
-// that is not inlined: all of it must be compiled for that processor. How many boxes overlap is anybody's
-// guess, and a wrong guess of the processor costs more than a test or two. So tests give bits, and bits
-// become lists, with hardly a branch.
+// The searches through a PackedTree; see box_search.inl for how it is compiled.
 
 constexpr std::uint32_t kChunk = 8;                // nodes whose children are looked at together
 constexpr std::uint32_t kMost = kChunk * kBranch;  // of these children
 constexpr std::uint32_t kMany = 12;                // children in the view of several lanes: too wide a view
 constexpr std::uint32_t kMostHits =
     kMost * kBranch > kMany* kBranch* kBranch ? kMost* kBranch : kMany* kBranch* kBranch;
-constexpr std::uint32_t kSpare = 3;  // of lists that are written to by fours
-constexpr std::uint64_t kEachByte = 0x0101010101010101ull;
-
-/// A box to compare eight with.
-struct Wide {
-    Floats high[4];  ///< m: right, bottom, -left, -top
-};
 
 /// A box and a filter to compare eight with.
 struct WideProbe {
@@ -31,10 +20,6 @@ struct WideSweep {
     Floats way[2];
     Floats reach[2];
 };
-
-PLUMB_TARGET inline Wide widen(const AABB& box) {
-    return {{spread(box.max.x), spread(box.max.y), spread(-box.min.x), spread(-box.min.y)}};
-}
 
 PLUMB_TARGET inline Wide widenLane(const TreeBoxes& boxes, std::uint32_t lane) {
     return {{spread(-boxes.low[2][lane]), spread(-boxes.low[3][lane]), spread(-boxes.low[0][lane]),
@@ -68,18 +53,6 @@ PLUMB_TARGET inline std::uint32_t mayMeet(const TreeNode& node, const WideProbe&
     return bitsOf(both(meet, overlaps(node.boxes, probe.box)));
 }
 
-/// Appends the places of the bits, plus `first`. Writes up to kSpare places more.
-PLUMB_TARGET inline std::uint32_t* appendBits(std::uint64_t bits, std::uint32_t first, std::uint32_t* to) {
-    const int count = std::popcount(bits);
-    for (int done = 0; done < count; done += 4) {
-        for (int i = 0; i < 4; ++i) {
-            to[done + i] = first + static_cast<std::uint32_t>(std::countr_zero(bits));
-            bits &= bits - 1;
-        }
-    }
-    return to + count;
-}
-
 /// Lanes of a leaf that do not look themselves.
 PLUMB_TARGET inline std::uint32_t unmovedLanes(const TreeLeaf& leaf, const std::uint8_t* isMoved) {
     std::uint32_t bits = 0;
@@ -98,7 +71,7 @@ struct Lookers {
     std::uint64_t others = 0;     ///< lanes other than it
 };
 
-PLUMB_TARGET inline void collectLookers(const PairSearch& search, std::uint32_t lanes, Lookers& lookers) {
+PLUMB_TARGET inline void collectLookers(const TreeSearch& search, std::uint32_t lanes, Lookers& lookers) {
     const TreeLeaf& own = search.own->leaves()[search.leaf];
     for (; lanes != 0; lanes &= lanes - 1) {
         const auto i = static_cast<std::uint32_t>(std::countr_zero(lanes));
@@ -112,7 +85,7 @@ PLUMB_TARGET inline void collectLookers(const PairSearch& search, std::uint32_t 
 }
 
 /// Which lanes of a leaf each looker has to report when they overlap: of two that look, one does.
-PLUMB_TARGET inline std::uint64_t openLanes(const PairSearch& search, const Lookers& lookers,
+PLUMB_TARGET inline std::uint64_t openLanes(const TreeSearch& search, const Lookers& lookers,
                                             std::uint32_t leaf) {
     const bool same = search.own == search.others;
     if (same ? leaf > search.leaf : search.ownMayBeAwake) return ~std::uint64_t{0};
@@ -121,7 +94,7 @@ PLUMB_TARGET inline std::uint64_t openLanes(const PairSearch& search, const Look
 }
 
 /// Tests the looking lanes against leaves.
-PLUMB_TARGET inline void testLeaves(const PairSearch& search, std::uint32_t lanes,
+PLUMB_TARGET inline void testLeaves(const TreeSearch& search, std::uint32_t lanes,
                                     std::span<const std::uint32_t> candidates, std::vector<PairKey>& pairs) {
     const TreeLeaf& own = search.own->leaves()[search.leaf];
     const TreeLeaf* leaves = search.others->leaves();
@@ -151,7 +124,7 @@ PLUMB_TARGET inline void testLeaves(const PairSearch& search, std::uint32_t lane
 }
 
 /// Goes down from some nodes of a level to the leaves that the lanes may have partners in.
-PLUMB_TARGET void findPairsBelow(const PairSearch& search, std::uint32_t lanes, const WideProbe& probe,
+PLUMB_TARGET void findPairsBelow(const TreeSearch& search, std::uint32_t lanes, const WideProbe& probe,
                                  std::uint32_t level, std::span<const std::uint32_t> nodes,
                                  std::vector<PairKey>& pairs) {
     const TreeNode* all = search.others->level(level);
@@ -180,7 +153,7 @@ PLUMB_TARGET void findPairsBelow(const PairSearch& search, std::uint32_t lanes, 
     }
 }
 
-PLUMB_TARGET void findPairsOfLeaf(const PairSearch& search, std::vector<PairKey>& pairs) {
+PLUMB_TARGET void findPairsOfLeaf(const TreeSearch& search, std::vector<PairKey>& pairs) {
     const std::uint32_t root = 0;
     const WideProbe probe = widenLanes(search.own->leaves()[search.leaf], search.lanes);
     findPairsBelow(search, search.lanes, probe, search.others->height() - 1, {&root, 1}, pairs);
@@ -233,8 +206,8 @@ PLUMB_TARGET void findBelow(const PackedTree& tree, const View& view, std::uint3
     }
 }
 
-PLUMB_TARGET void findInBox(const PackedTree& tree, const AABB& box, std::uint32_t mask,
-                            std::vector<std::uint32_t>& found) {
+PLUMB_TARGET void findInTree(const PackedTree& tree, const AABB& box, std::uint32_t mask,
+                             std::vector<std::uint32_t>& found) {
     const std::uint32_t root = 0;
     findBelow(tree, widen(box), mask, tree.height() - 1, {&root, 1}, found);
 }
@@ -248,5 +221,3 @@ PLUMB_TARGET void findOnSweep(const PackedTree& tree, const LineSweep& sweep, st
                          {spread(sweep.half.x), spread(sweep.half.y)}};
     findBelow(tree, wide, mask, tree.height() - 1, {&root, 1}, found);
 }
-
-constexpr TreeSearch kSearch{&findPairsOfLeaf, &findInBox, &findOnSweep};

@@ -1,0 +1,193 @@
+#include "physics/broadphase/cell_grid.hpp"
+
+#include <bit>
+#include <cmath>
+
+#include "physics/broadphase/overlap.hpp"
+#include "physics/broadphase/spread.hpp"
+
+namespace plumb::physics {
+
+namespace {
+
+constexpr std::uint32_t kFew = 32;             // are searched without cells
+constexpr std::uint64_t kTestsPerSort = 8;     // what sorting one costs, in tests of eight boxes
+constexpr std::uint32_t kSortsPerChoice = 32;  // sizes change slowly
+constexpr float kCoarser = 4.0f;               // from level to level
+constexpr float kLeastCell = 0.1f;             // ratio to the spacing: finer ones tell nobody apart
+
+bool fits(const BoxCells& sides) { return sides[2] - sides[0] <= 1 && sides[3] - sides[1] <= 1; }
+
+}  // namespace
+
+CellGrid::Cell CellGrid::cellOf(const AABB& box, std::uint32_t finest) const {
+    for (std::uint32_t level = finest; level + 1 < kLevels; ++level) {
+        const float perMetre = levels_[level].perMetre;
+        const BoxCells sides{cellAt(box.min.x, perMetre), cellAt(box.min.y, perMetre),
+                             cellAt(box.max.x, perMetre), cellAt(box.max.y, perMetre)};
+        if (fits(sides)) return {sides[0], sides[1], level};
+    }
+    return {0, 0, kLevels - 1};
+}
+
+std::uint32_t CellGrid::indexOf(const Cell& cell) const {
+    const Level& level = levels_[cell.level];
+    const std::uint32_t column = static_cast<std::uint32_t>(cell.x) & (level.columns - 1);
+    const std::uint32_t row = static_cast<std::uint32_t>(cell.y) & (level.rows - 1);
+    return level.firstCell + row * level.columns + column;
+}
+
+Vec2 CellGrid::alongRow(const LineSweep& sweep, double top, double bottom) {
+    double first = 0.0;
+    double last = 1.0;
+    const double way = double{sweep.way.y};
+    if (way != 0.0) {
+        const double a = (top - double{sweep.half.y} - double{sweep.from.y}) / way;
+        const double b = (bottom + double{sweep.half.y} - double{sweep.from.y}) / way;
+        first = std::max(first, std::min(a, b));
+        last = std::min(last, std::max(a, b));
+        if (!(first <= last)) return {1.0f, 0.0f};
+    }
+    const double from = double{sweep.from.x} + double{sweep.way.x} * first;
+    const double to = double{sweep.from.x} + double{sweep.way.x} * last;
+    return {static_cast<float>(std::min(from, to)) - sweep.half.x,
+            static_cast<float>(std::max(from, to)) + sweep.half.x};
+}
+
+void CellGrid::clear() {
+    rows_.reset(0);
+    cells_.clear();
+    for (Level& level : levels_) level.count = 0;
+    sorted_ = sortedSize_ = 0;
+    lost_ = 0;
+}
+
+/// For those in order_, if they are others than the last time or long ago.
+void CellGrid::chooseSizes(const Proxies& proxies) {
+    const std::size_t before = chosenFor_;
+    const std::size_t now = order_.size();
+    const bool alike = now <= before + before / 8 && before <= now + now / 8;
+    if (alike && sortsSince_++ < kSortsPerChoice) return;
+    chosenFor_ = now;
+    sortsSince_ = 0;
+    const Spread spread = spreadOf(proxies, order_);
+    aspect_ = spread.aspect;
+    float extent = std::max(spread.extent, spread.spacing * kLeastCell);
+    for (Level& level : levels_) {
+        level.perMetre = std::clamp(1.0f / extent, 1e-30f, 1e30f);
+        extent *= kCoarser;
+    }
+    levels_[kLevels - 1].perMetre = 0.0f;  // one cell for whoever is too large
+}
+
+/// Puts those in order_ into cells, which are as many.
+void CellGrid::chooseCells(const Proxies& proxies) {
+    for (Level& level : levels_) level.count = 0;
+    orderBoxes_.resize(order_.size() + order_.size() % 2);
+    for (std::size_t i = 0; i < order_.size(); ++i) orderBoxes_[i] = usable(proxies.bounds[order_[i]]);
+    orderSides_.resize(orderBoxes_.size());
+    searches_.findCells(orderBoxes_, levels_[0].perMetre, orderSides_);
+    orderCells_.resize(order_.size());
+    for (std::size_t i = 0; i < order_.size(); ++i) {
+        const BoxCells& sides = orderSides_[i];
+        orderCells_[i] = fits(sides) ? Cell{sides[0], sides[1], 0} : cellOf(orderBoxes_[i], 1);
+        ++levels_[orderCells_[i].level].count;
+    }
+    std::uint32_t cells = 0;
+    for (Level& level : levels_) {
+        level.firstCell = cells;
+        level.columns = level.rows = 1;
+        if (level.count == 0) continue;
+        if (&level != &levels_[kLevels - 1]) {
+            const float most = std::max(static_cast<float>(level.count / 4), 4.0f);
+            const float columns = std::sqrt(static_cast<float>(level.count) * aspect_);
+            level.columns = std::bit_ceil(static_cast<std::uint32_t>(std::clamp(columns, 4.0f, most)));
+            level.rows = std::bit_ceil(std::max(level.count / level.columns, 4u));
+        }
+        cells += level.columns * level.rows;
+    }
+    starts_.assign(cells + 1, 0);
+}
+
+void CellGrid::sort(const Proxies& proxies, std::uint32_t spare, std::span<std::uint32_t> places,
+                    std::uint32_t first) {
+    chooseSizes(proxies);
+    chooseCells(proxies);
+    for (const Cell& cell : orderCells_) ++starts_[indexOf(cell) + 1];
+    for (std::size_t i = 1; i < starts_.size(); ++i) starts_[i] += starts_[i - 1] + spare;
+    sorted_ = starts_.back();
+    sortedSize_ = static_cast<std::uint32_t>(order_.size());
+    lost_ = 0;
+    rows_.reset(sorted_);
+    cells_.resize(sorted_);
+    // starts_[c] runs from the first place of a cell to its first spare one while it is filled.
+    for (std::size_t i = 0; i < order_.size(); ++i) {
+        const std::uint32_t place = starts_[indexOf(orderCells_[i])]++;
+        rows_.write(proxies, place, order_[i], orderBoxes_[i]);
+        cells_[place] = orderCells_[i];
+        places[order_[i]] = first + place;
+    }
+    for (std::size_t i = starts_.size() - 1; i > 0; --i) starts_[i] = starts_[i - 1] + spare;
+    starts_[0] = 0;
+}
+
+/// A free place in the cell, or behind all cells.
+std::uint32_t CellGrid::placeIn(const Cell& cell) {
+    const std::uint32_t index = indexOf(cell);
+    if (levels_[cell.level].count > 0) {
+        for (std::uint32_t place = starts_[index]; place < starts_[index + 1]; ++place) {
+            if (!rows_.isFree(place)) continue;
+            cells_[place] = cell;
+            return place;
+        }
+    }
+    return rows_.addPlace();
+}
+
+bool CellGrid::isDue(std::size_t arrivals) const {
+    const std::size_t behind = rows_.count - sorted_ + arrivals;
+    return lost_ > kTestsPerSort * rows_.size() || behind > sorted_ / 2 + kFew ||
+           rows_.size() < sortedSize_ / 4;
+}
+
+bool CellGrid::take(const Proxies& proxies, std::span<std::uint32_t> arrivals, std::uint32_t moving,
+                    std::span<std::uint32_t> places, std::uint32_t first) {
+    const bool mostMove = moving > rows_.size() / 4 && rows_.size() > kFew;
+    if (!mostMove && !isDue(arrivals.size())) {
+        for (const std::uint32_t id : arrivals) {
+            const AABB box = usable(proxies.bounds[id]);
+            const std::uint32_t place = placeIn(cellOf(box));
+            rows_.write(proxies, place, id, box);
+            places[id] = first + place;
+        }
+        return false;
+    }
+    order_.clear();
+    for (std::uint32_t place = 0; place < rows_.count; ++place) {
+        if (!rows_.isFree(place)) order_.push_back(rows_.ids[place]);
+    }
+    order_.insert(order_.end(), arrivals.begin(), arrivals.end());
+    // Where most move all are sorted in each step anyway.
+    sort(proxies, mostMove ? 0 : 1, places, first);
+    return true;
+}
+
+std::uint32_t CellGrid::move(const Proxies& proxies, std::uint32_t place) {
+    const std::uint32_t id = rows_.ids[place];
+    const AABB box = usable(proxies.bounds[id]);
+    const Cell cell = cellOf(box);
+    if (place >= sorted_ || cell != cells_[place]) {
+        rows_.erase(place);
+        place = placeIn(cell);
+    }
+    rows_.write(proxies, place, id, box);
+    return place;
+}
+
+void CellGrid::settle(std::size_t searches) {
+    while (rows_.count > sorted_ && rows_.isFree(rows_.count - 1)) rows_.dropPlace();
+    const std::uint32_t behind = rows_.count - sorted_;
+    if (behind > kFew) lost_ += searches * (behind / 8);
+}
+
+}  // namespace plumb::physics

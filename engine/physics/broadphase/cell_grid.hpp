@@ -1,0 +1,179 @@
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "physics/broadphase/box_searches.hpp"
+
+namespace plumb::physics {
+
+/// Boxes in the cells of a few grids, each four times as coarse as the one before; a box is in the finest one
+/// of which it needs no more than two cells each way, in the cell of its left top corner. Cells repeat: a
+/// grid is rolled up to a torus of about as many cells as it has boxes, so no world is too large, and
+/// strangers in a cell are told apart by their boxes. Cells have a free place or two; who finds none in its
+/// new cell goes behind all cells, where every search looks, until sorting everybody anew costs less.
+/// Source: C. Ericson, "Real-Time Collision Detection", 2005, 7.1.3 (hashed storage) and 7.2 (hierarchical
+/// grids)
+class CellGrid {
+public:
+    // What PartedProxies asks of a part.
+    bool take(const Proxies& proxies, std::span<std::uint32_t> arrivals, std::uint32_t moving,
+              std::span<std::uint32_t> places, std::uint32_t first);
+    void erase(std::uint32_t place) { rows_.erase(place); }
+    std::uint32_t move(const Proxies& proxies, std::uint32_t place);
+    void settle(std::size_t searches);
+    [[nodiscard]] bool isDue(std::size_t arrivals) const;
+    [[nodiscard]] std::uint32_t places() const { return rows_.count; }
+    [[nodiscard]] std::uint32_t size() const { return rows_.size(); }
+    [[nodiscard]] std::uint32_t idAt(std::uint32_t place) const { return rows_.ids[place]; }
+    void clear();
+
+    [[nodiscard]] const BoxRows& rows() const { return rows_; }
+    [[nodiscard]] bool areNear(std::uint32_t a, std::uint32_t b) const {
+        return b < sorted_ && cells_[a].level == cells_[b].level && cells_[a].y == cells_[b].y &&
+               static_cast<std::uint32_t>(cells_[b].x - cells_[a].x) <= kNearCells;
+    }
+    /// Calls visit(begin, end) with ranges of places, from `from` on, where all are that the box may overlap.
+    template <class Visit>
+    void visitNear(const AABB& box, std::uint32_t from, const Visit& visit) const;
+    /// The same for all that the sweep may meet.
+    template <class Visit>
+    void visitAlong(const LineSweep& sweep, const Visit& visit) const;
+
+private:
+    static constexpr std::uint32_t kNearCells = 12;
+    static constexpr std::uint32_t kLevels = 10;  // the last one is a single cell
+
+    /// Where a box is in its grid.
+    struct Cell {
+        std::int32_t x = 0;
+        std::int32_t y = 0;
+        std::uint32_t level = 0;
+        friend bool operator==(const Cell&, const Cell&) = default;
+    };
+    struct Level {
+        float perMetre = 0.0f;      ///< cells per m
+        std::uint32_t columns = 1;  ///< powers of two
+        std::uint32_t rows = 1;
+        std::uint32_t firstCell = 0;  ///< in starts_
+        std::uint32_t count = 0;      ///< of boxes
+    };
+
+    static std::int32_t cellAt(float x, float perMetre);
+    [[nodiscard]] Cell cellOf(const AABB& box, std::uint32_t finest = 0) const;
+    [[nodiscard]] std::uint32_t indexOf(const Cell& cell) const;
+    /// Calls visit with the places of some cells of a row.
+    template <class Visit>
+    void visitRow(const Level& level, std::int32_t row, std::int32_t left, std::uint32_t wide,
+                  const Visit& visit) const;
+    template <class Visit>
+    void visitLevel(const Level& level, const AABB& box, std::uint32_t from, const Visit& visit) const;
+    template <class Visit>
+    void visitLevelAlong(const Level& level, const LineSweep& sweep, const Visit& visit) const;
+    /// How far the sweep goes along x while it may meet boxes of a row.
+    static Vec2 alongRow(const LineSweep& sweep, double top, double bottom);
+    void chooseSizes(const Proxies& proxies);
+    void chooseCells(const Proxies& proxies);
+    /// @param spare  free places in each cell
+    void sort(const Proxies& proxies, std::uint32_t spare, std::span<std::uint32_t> places,
+              std::uint32_t first);
+    std::uint32_t placeIn(const Cell& cell);
+
+    Level levels_[kLevels];
+    std::vector<std::uint32_t> starts_;  ///< by cell: its first place; and one more
+    BoxRows rows_;
+    std::vector<Cell> cells_;       ///< by place
+    std::uint32_t sorted_ = 0;      ///< places that are in cells
+    std::uint32_t sortedSize_ = 0;  ///< boxes, then
+    std::uint64_t lost_ = 0;        ///< tests that searches have made behind the cells
+    float aspect_ = 1.0f;           ///< how much wider than high all are together
+    std::size_t chosenFor_ = 0;     ///< boxes, when the sizes of cells were chosen
+    std::uint32_t sortsSince_ = 0;
+
+    std::vector<std::uint32_t> order_;
+    std::vector<AABB> orderBoxes_;
+    std::vector<BoxCells> orderSides_;
+    std::vector<Cell> orderCells_;
+    const RowSearches& searches_ = boxSearchesFor(simdWidth()).rows;
+};
+
+inline std::int32_t CellGrid::cellAt(float x, float perMetre) {
+    constexpr float kMost = 0x1p30f;
+    float scaled = x * perMetre;
+    scaled = scaled < kMost ? scaled : kMost;
+    scaled = scaled > -kMost ? scaled : -kMost;
+    const auto cell = static_cast<std::int32_t>(scaled);
+    return cell - static_cast<std::int32_t>(scaled < static_cast<float>(cell));
+}
+
+template <class Visit>
+void CellGrid::visitRow(const Level& level, std::int32_t row, std::int32_t left, std::uint32_t wide,
+                        const Visit& visit) const {
+    const std::uint32_t first =
+        level.firstCell + (static_cast<std::uint32_t>(row) & (level.rows - 1)) * level.columns;
+    const std::uint32_t column = static_cast<std::uint32_t>(left) & (level.columns - 1);
+    const std::uint32_t* cells = starts_.data() + first;
+    if (wide >= level.columns) {
+        visit(cells[0], cells[level.columns]);
+    } else if (column + wide <= level.columns) {
+        visit(cells[column], cells[column + wide]);
+    } else {
+        visit(cells[column], cells[level.columns]);
+        visit(cells[0], cells[column + wide - level.columns]);
+    }
+}
+
+template <class Visit>
+void CellGrid::visitLevel(const Level& level, const AABB& box, std::uint32_t from, const Visit& visit) const {
+    const std::uint32_t begin = starts_[level.firstCell];
+    const std::uint32_t end = starts_[level.firstCell + level.columns * level.rows];
+    if (end <= from) return;
+    // One cell to the left and above may hold boxes that reach here.
+    const std::int32_t left = cellAt(box.min.x, level.perMetre) - 1;
+    const std::int32_t top = cellAt(box.min.y, level.perMetre) - 1;
+    const auto wide = static_cast<std::uint32_t>(cellAt(box.max.x, level.perMetre) - left) + 1;
+    const auto high = static_cast<std::uint32_t>(cellAt(box.max.y, level.perMetre) - top) + 1;
+    if (high > level.rows || high > level.count / 8 + 2) return visit(std::max(begin, from), end);
+    for (std::uint32_t i = 0; i < high; ++i)
+        visitRow(level, top + static_cast<std::int32_t>(i), left, wide,
+                 [&](std::uint32_t a, std::uint32_t b) { visit(std::max(a, from), b); });
+}
+
+template <class Visit>
+void CellGrid::visitLevelAlong(const Level& level, const LineSweep& sweep, const Visit& visit) const {
+    const std::int32_t top = cellAt(sweep.bounds.min.y, level.perMetre) - 1;
+    const auto high = static_cast<std::uint32_t>(cellAt(sweep.bounds.max.y, level.perMetre) - top) + 1;
+    if (high > level.rows || high > level.count / 8 + 2) {
+        const std::uint32_t begin = starts_[level.firstCell];
+        return visit(begin, starts_[level.firstCell + level.columns * level.rows]);
+    }
+    for (std::uint32_t i = 0; i < high; ++i) {
+        const std::int32_t row = top + static_cast<std::int32_t>(i);
+        const double size = 1.0 / double{level.perMetre};
+        // A cell more on each side for what rounding may lose.
+        const Vec2 span = alongRow(sweep, (row - 1.0) * size, (row + 3.0) * size);
+        const std::int32_t left = cellAt(span.x, level.perMetre) - 2;
+        const auto wide = static_cast<std::uint32_t>(cellAt(span.y, level.perMetre) + 1 - left) + 1;
+        if (span.x <= span.y) visitRow(level, row, left, wide, visit);
+    }
+}
+
+template <class Visit>
+void CellGrid::visitNear(const AABB& box, std::uint32_t from, const Visit& visit) const {
+    for (const Level& level : levels_) {
+        if (level.count > 0) visitLevel(level, box, from, visit);
+    }
+    if (rows_.count > sorted_) visit(std::max(sorted_, from), rows_.count);
+}
+
+template <class Visit>
+void CellGrid::visitAlong(const LineSweep& sweep, const Visit& visit) const {
+    for (const Level& level : levels_) {
+        if (level.count > 0) visitLevelAlong(level, sweep, visit);
+    }
+    if (rows_.count > sorted_) visit(sorted_, rows_.count);
+}
+
+}  // namespace plumb::physics

@@ -1,0 +1,11 @@
+#pragma once
+
+#include "physics/broadphase/cell_grid.hpp"
+#include "physics/broadphase/row_broad_phase.hpp"
+
+namespace plumb::physics {
+
+/// Uniform grids. Best where all are of about one size.
+using GridBroadPhase = RowBroadPhase<CellGrid>;
+
+}  // namespace plumb::physics

@@ -1,0 +1,132 @@
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "physics/broadphase/broad_phase.hpp"
+#include "physics/broadphase/line_sweep.hpp"
+
+namespace plumb::physics {
+
+/// Squares in squares, half as wide from level to level. A box is in the smallest square that its middle is
+/// in and that is no smaller than the box, so it may stick out by half a square: coming, going and moving on
+/// cost the same in any world, and hardly anything while the middle stays in the square.
+/// Source: T. Ulrich, "Loose Octrees", Game Programming Gems, 2000
+class LooseQuadtree {
+public:
+    struct Item {
+        AABB box;
+        Filter filter;
+        std::uint32_t id = 0;
+        std::uint32_t node = kNobody;  ///< kNobody: this item is free
+        std::uint32_t next = kNobody;  ///< in the same node
+        std::uint32_t previous = kNobody;
+        bool awake = false;
+    };
+
+    // What PartedProxies asks of a part.
+    bool take(const Proxies& proxies, std::span<std::uint32_t> arrivals, std::uint32_t moving,
+              std::span<std::uint32_t> places, std::uint32_t first);
+    void erase(std::uint32_t place);
+    std::uint32_t move(const Proxies& proxies, std::uint32_t place);
+    void settle(std::size_t) {}
+    [[nodiscard]] bool isDue(std::size_t arrivals) const;
+    [[nodiscard]] std::uint32_t places() const { return static_cast<std::uint32_t>(items_.size()); }
+    [[nodiscard]] std::uint32_t size() const { return size_; }
+    [[nodiscard]] std::uint32_t idAt(std::uint32_t place) const { return items_[place].id; }
+    void clear();
+
+    [[nodiscard]] const Item& itemAt(std::uint32_t place) const { return items_[place]; }
+    /// Whether somebody here may meet one with this filter.
+    [[nodiscard]] bool mayMeet(const Filter& filter) const;
+    /// Calls visit(place) for all in squares that reach into the box and, unless that is null, that the sweep
+    /// may meet.
+    template <class Visit>
+    void visitNear(const AABB& box, const LineSweep* sweep, const Visit& visit) const;
+
+private:
+    static constexpr std::uint32_t kNobody = 0xffffffffu;
+    static constexpr std::uint32_t kOutside = 0;  ///< the node of those too far or too large for squares
+    static constexpr int kMostLevels = 64;
+
+    struct Node {
+        Vec2 middle;        ///< m
+        float half = 0.0f;  ///< m
+        std::uint32_t parent = kNobody;
+        std::array<std::uint32_t, 4> children{kNobody, kNobody, kNobody, kNobody};
+        std::uint32_t firstItem = kNobody;
+        std::uint32_t count = 0;  ///< items in it and below
+    };
+
+    /// Where a box has to be.
+    struct Goal {
+        Vec2 middle;
+        float half = 0.0f;  ///< m: half the width of the square
+    };
+
+    [[nodiscard]] bool isOutside(const AABB& box) const;
+    [[nodiscard]] Goal goalOf(const AABB& box) const;
+    [[nodiscard]] static bool holds(const Node& node, const Goal& goal);
+    [[nodiscard]] static Vec2 reachFrom(const Node& node, float part);
+    [[nodiscard]] static AABB reachOf(const Node& node);
+    void growRoot(const Goal& goal);
+    std::uint32_t childFor(std::uint32_t node, const Goal& goal);
+    void link(std::uint32_t place, std::uint32_t node);
+    void unlink(std::uint32_t place);
+    void insert(std::uint32_t place, std::uint32_t from);
+    void read(const Proxies& proxies, std::uint32_t place, std::uint32_t id);
+
+    std::vector<Node> nodes_;  ///< 0: outside
+    std::vector<Item> items_;
+    std::vector<std::uint32_t> free_;
+    std::uint32_t root_ = kNobody;
+    std::uint32_t size_ = 0;
+    std::uint32_t chosenFor_ = 0;  ///< items when leastHalf_ was chosen
+    float leastHalf_ = 0.0f;       ///< m: half the width of the smallest squares, a power of two
+    std::uint32_t layers_ = 0;     ///< of all that have been here
+    std::uint32_t masks_ = 0;
+};
+
+template <class Visit>
+void LooseQuadtree::visitNear(const AABB& box, const LineSweep* sweep, const Visit& visit) const {
+    std::array<std::uint32_t, 3 * kMostLevels + 2> stack;
+    std::size_t depth = 0;
+    if (nodes_.empty()) return;
+    stack[depth++] = kOutside;
+    if (root_ != kNobody) stack[depth++] = root_;
+    while (depth > 0) {
+        const Node& node = nodes_[stack[--depth]];
+        for (std::uint32_t place = node.firstItem; place != kNobody; place = items_[place].next) {
+            if (touch(items_[place].box, box)) visit(place);
+        }
+        // Children reach half their width further than they are wide, to where their neighbours' middles are.
+        const Vec2 inner = reachFrom(node, 0.5f);
+        const Vec2 outer = reachFrom(node, 1.5f);
+        const bool left = box.min.x <= node.middle.x + inner.x && box.max.x >= node.middle.x - outer.x;
+        const bool right = box.max.x >= node.middle.x - inner.x && box.min.x <= node.middle.x + outer.x;
+        const bool above = box.min.y <= node.middle.y + inner.y && box.max.y >= node.middle.y - outer.y;
+        const bool below = box.max.y >= node.middle.y - inner.y && box.min.y <= node.middle.y + outer.y;
+        const bool reached[] = {left && above, right && above, left && below, right && below};
+        for (std::size_t i = 0; i < 4; ++i) {
+            const std::uint32_t child = node.children[i];
+            if (!reached[i] || child == kNobody || nodes_[child].count == 0) continue;
+            if (sweep == nullptr || physics::mayMeet(*sweep, reachOf(nodes_[child]))) stack[depth++] = child;
+        }
+    }
+}
+
+/// Some of a node's half width, and a little more for what rounding may have taken from middles.
+inline Vec2 LooseQuadtree::reachFrom(const Node& node, float part) {
+    const float half = node.half * part * 1.00001f;
+    return {half + std::fabs(node.middle.x) * 1e-6f, half + std::fabs(node.middle.y) * 1e-6f};
+}
+
+inline AABB LooseQuadtree::reachOf(const Node& node) {
+    const Vec2 reach = reachFrom(node, 2.0f);
+    return {node.middle - reach, node.middle + reach};
+}
+
+}  // namespace plumb::physics

@@ -1,0 +1,52 @@
+#include "physics/broadphase/quadtree.hpp"
+
+#include "physics/broadphase/overlap.hpp"
+
+namespace plumb::physics {
+
+void QuadtreeBroadPhase::findPairs(const Proxies&, std::span<const std::uint32_t> moved,
+                                   std::span<const std::uint8_t> isMoved, std::vector<PairKey>& pairs) const {
+    for (const std::uint32_t id : moved) {
+        const ProxyPlace place = proxies_.placeOf(id);
+        if (place == kNoPlace) continue;
+        const std::uint32_t own = partOfPlace(place);
+        const LooseQuadtree::Item& looker = proxies_.parts[own].itemAt(inPart(place));
+        if (looker.box == kNowhere) continue;
+        for (std::uint32_t other = own == kMovingPart ? 0u : kMovingPart; other < kParts; ++other) {
+            const LooseQuadtree& tree = proxies_.parts[other];
+            // Of two that both rest none is awake, so only who is awake looks among them.
+            if (other != kMovingPart && !looker.awake) continue;
+            if (tree.size() == 0 || !tree.mayMeet(looker.filter)) continue;
+            tree.visitNear(looker.box, nullptr, [&](std::uint32_t partner) {
+                const LooseQuadtree::Item& item = tree.itemAt(partner);
+                // Of two that look one reports: the lower of those that move, else who may be awake.
+                const bool theirs = own == other ? item.id <= id : own != kMovingPart;
+                if ((theirs && isMoved[item.id] != 0) || item.id == id) return;
+                if (!looker.awake && !item.awake) return;
+                if (meet(looker.filter, item.filter)) pairs.push_back(pairKey(id, item.id));
+            });
+        }
+    }
+}
+
+void QuadtreeBroadPhase::query(const Proxies&, const AABB& box, std::uint32_t mask,
+                               std::vector<std::uint32_t>& found) const {
+    for (const LooseQuadtree& tree : proxies_.parts) {
+        tree.visitNear(usable(box), nullptr, [&](std::uint32_t place) {
+            if ((tree.itemAt(place).filter.layers & mask) != 0) found.push_back(tree.itemAt(place).id);
+        });
+    }
+}
+
+void QuadtreeBroadPhase::cast(const Proxies&, Vec2 from, Vec2 way, Vec2 half, std::uint32_t mask,
+                              std::vector<std::uint32_t>& found) const {
+    const LineSweep sweep = lineSweep(from, way, half);
+    for (const LooseQuadtree& tree : proxies_.parts) {
+        tree.visitNear(sweep.bounds, &sweep, [&](std::uint32_t place) {
+            const LooseQuadtree::Item& item = tree.itemAt(place);
+            if ((item.filter.layers & mask) != 0 && mayMeet(sweep, item.box)) found.push_back(item.id);
+        });
+    }
+}
+
+}  // namespace plumb::physics

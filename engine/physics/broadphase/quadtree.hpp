@@ -1,0 +1,34 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "physics/broadphase/box_searches.hpp"
+#include "physics/broadphase/loose_quadtree.hpp"
+#include "physics/broadphase/parted_proxies.hpp"
+
+namespace plumb::physics {
+
+/// Loose quadtrees. Nothing is ever sorted: best where many come and go.
+class QuadtreeBroadPhase final : public BroadPhase {
+public:
+    explicit QuadtreeBroadPhase(const BoxSearches&) {}
+
+    void rebuild(const Proxies& proxies) override { proxies_.rebuild(proxies); }
+    void update(const Proxies& proxies, std::span<const std::uint32_t> changed) override {
+        proxies_.update(proxies, changed);
+    }
+    void arrange(std::span<std::uint32_t>) override {}
+    void findPairs(const Proxies& proxies, std::span<const std::uint32_t> moved,
+                   std::span<const std::uint8_t> isMoved, std::vector<PairKey>& pairs) const override;
+    void query(const Proxies& proxies, const AABB& box, std::uint32_t mask,
+               std::vector<std::uint32_t>& found) const override;
+    void cast(const Proxies& proxies, Vec2 from, Vec2 way, Vec2 half, std::uint32_t mask,
+              std::vector<std::uint32_t>& found) const override;
+
+private:
+    PartedProxies<LooseQuadtree> proxies_;
+};
+
+}  // namespace plumb::physics

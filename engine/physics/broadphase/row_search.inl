@@ -1,0 +1,92 @@
+// The searches through BoxRows; see box_search.inl for how it is compiled.
+
+PLUMB_TARGET inline std::uint32_t overlapsAt(const BoxRows& rows, std::uint32_t place, const Wide& wide) {
+    const Mask x = both(atMost(loadAny(&rows.low[0][place]), wide.high[0]),
+                        atMost(loadAny(&rows.low[2][place]), wide.high[2]));
+    const Mask y = both(atMost(loadAny(&rows.low[1][place]), wide.high[1]),
+                        atMost(loadAny(&rows.low[3][place]), wide.high[3]));
+    return bitsOf(both(x, y));
+}
+
+constexpr std::uint32_t kMostRowHits = 512;
+
+PLUMB_TARGET inline void takeHits(const RowSearch& search, const std::uint32_t* hits, std::uint32_t hitCount,
+                                  std::uint32_t first, std::vector<PairKey>& pairs) {
+    const BoxRows& own = *search.own;
+    const BoxRows& others = *search.others;
+    const bool same = &own == &others;
+    PairKey found[kMostRowHits];
+    std::size_t count = 0;
+    for (std::uint32_t h = 0; h < hitCount; ++h) {
+        const std::uint32_t i = search.lookers[hits[h] / 8 % 8];
+        const std::uint32_t j = first + hits[h] / 64 * 8 + hits[h] % 8;
+        const std::uint32_t a = own.ids[i];
+        const std::uint32_t b = others.ids[j];
+        // Of two that look one reports: the first in the same rows, else who may be awake.
+        const bool left = same ? j <= i : !search.ownMayBeAwake;
+        const bool reported = left & (search.isMoved[b] != 0);
+        const bool awake = (own.states[i] | others.states[j]) == BoxRows::kAwake;
+        found[count] = pairKey(a, b);
+        count += awake & !reported & (a != b) & meet(own.filters[i], others.filters[j]) ? 1u : 0u;
+    }
+    pairs.insert(pairs.end(), found, found + count);
+}
+
+/// Bits of eight places for each looker: those behind it.
+PLUMB_TARGET inline std::uint64_t laterPlaces(const RowSearch& search, std::uint32_t place) {
+    std::uint64_t bits = 0;
+    for (std::uint32_t i = 0; i < search.count; ++i) {
+        const std::uint32_t behind = search.lookers[i] + 1;
+        const std::uint32_t skipped = behind > place ? behind - place : 0;
+        bits |= std::uint64_t{0xffu << (skipped < kBranch ? skipped : kBranch) & 0xff} << 8 * i;
+    }
+    return bits;
+}
+
+PLUMB_TARGET void findPairsInRows(const RowSearch& search, std::span<const Stretch> stretches,
+                                  std::vector<PairKey>& pairs) {
+    Wide boxes[RowSearch::kMostLookers];
+    for (std::uint32_t i = 0; i < search.count; ++i) boxes[i] = widen(search.own->boxAt(search.lookers[i]));
+    const std::uint32_t last = search.lookers[search.count - 1];
+    std::uint32_t hits[kMostRowHits + kSpare];
+    for (const Stretch& stretch : stretches) {
+        std::uint32_t* end = hits;
+        std::uint32_t first = stretch.begin;
+        for (std::uint32_t place = first; place < stretch.end; place += kBranch) {
+            const std::uint32_t left = stretch.end - place;
+            std::uint64_t bits = 0;
+            for (std::uint32_t i = 0; i < search.count; ++i)
+                bits |= std::uint64_t{overlapsAt(*search.others, place, boxes[i])} << 8 * i;
+            if (left < kBranch) bits &= ((1u << left) - 1) * kEachByte;
+            if (search.onlyLater && place <= last) bits &= laterPlaces(search, place);
+            end = appendBits(bits, (place - first) * 8, end);
+            if (end > hits + kMostRowHits - kBranch * kBranch) {
+                takeHits(search, hits, static_cast<std::uint32_t>(end - hits), first, pairs);
+                end = hits;
+            }
+        }
+        takeHits(search, hits, static_cast<std::uint32_t>(end - hits), first, pairs);
+    }
+}
+
+PLUMB_TARGET void findInRows(const BoxRows& rows, Stretch part, const AABB& box, const LineSweep* sweep,
+                             std::uint32_t mask, std::vector<std::uint32_t>& found) {
+    const Wide wide = widen(box);
+    for (std::uint32_t place = part.begin; place < part.end; place += kBranch) {
+        const std::uint32_t left = part.end - place;
+        std::uint32_t hits = overlapsAt(rows, place, wide) & (left < kBranch ? (1u << left) - 1 : 0xff);
+        for (; hits != 0; hits &= hits - 1) {
+            const std::uint32_t i = place + static_cast<std::uint32_t>(std::countr_zero(hits));
+            if ((rows.filters[i].layers & mask) == 0) continue;
+            if (sweep == nullptr || mayMeet(*sweep, rows.boxAt(i))) found.push_back(rows.ids[i]);
+        }
+    }
+}
+
+PLUMB_TARGET void findCells(std::span<const AABB> boxes, float perMetre, std::span<BoxCells> cells) {
+    const Floats scale = spread(perMetre);
+    for (std::size_t i = 0; i < boxes.size(); i += 2) {
+        const Floats sides = times(loadAny(&boxes[i].min.x), scale);
+        storeWhole(roundedDown(most(least(sides, spread(0x1p30f)), spread(-0x1p30f))), cells[i].data());
+    }
+}

@@ -1,0 +1,195 @@
+#include "physics/broadphase/sorted_rows.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+#include "physics/broadphase/overlap.hpp"
+#include "physics/broadphase/spread.hpp"
+
+namespace plumb::physics {
+
+namespace {
+
+constexpr std::uint32_t kFew = 32;             // are searched without an order
+constexpr std::uint64_t kTestsPerSort = 8;     // what sorting one costs, in tests of eight boxes
+constexpr std::uint32_t kSortsPerChoice = 32;  // the axis changes seldom
+constexpr float kLonger = 4.0f;                // from segment to segment
+constexpr float kStray = 0.25f;                // of the usual length
+constexpr float kRounding = 1e-6f;             // ratio: eight times the last bit of a float
+constexpr std::size_t kMostShifts = 16;        // per key: more, and the keys are not nearly sorted
+
+/// A number that sorts as the float does. No NaN.
+std::uint32_t sortable(float x) {
+    const auto bits = std::bit_cast<std::uint32_t>(x + 0.0f);  // -0 is 0
+    return (bits & 0x80000000u) != 0 ? ~bits : bits | 0x80000000u;
+}
+
+/// Insertion, while it pays.
+bool sortNearlySorted(std::vector<std::uint64_t>& keys) {
+    std::size_t left = kMostShifts * keys.size();
+    for (std::size_t i = 1; i < keys.size(); ++i) {
+        const std::uint64_t key = keys[i];
+        std::size_t at = i;
+        for (; at > 0 && keys[at - 1] > key; --at) keys[at] = keys[at - 1];
+        keys[at] = key;
+        if (i - at > left) return false;
+        left -= i - at;
+    }
+    return true;
+}
+
+/// Four passes over bytes of the upper half; those with equal halves stay as they are.
+void sortByByte(std::vector<std::uint64_t>& keys, std::vector<std::uint64_t>& spare) {
+    spare.resize(keys.size());
+    for (int shift = 32; shift < 64; shift += 8) {
+        std::uint32_t counts[257] = {};
+        for (const std::uint64_t key : keys) ++counts[(key >> shift & 255) + 1];
+        for (int i = 1; i < 257; ++i) counts[i] += counts[i - 1];
+        for (const std::uint64_t key : keys) spare[counts[key >> shift & 255]++] = key;
+        keys.swap(spare);
+    }
+}
+
+}  // namespace
+
+void SortedRows::clear() {
+    rows_.reset(0);
+    starts_.clear();
+    for (Segment& segment : segments_) segment = {};
+    sorted_ = sortedSize_ = 0;
+    lost_ = 0;
+}
+
+/// For those in order_, if they are others than the last time or long ago.
+void SortedRows::chooseAxis(const Proxies& proxies) {
+    const std::size_t before = chosenFor_;
+    const std::size_t now = order_.size();
+    const bool alike = now <= before + before / 8 && before <= now + now / 8;
+    if (alike && sortsSince_++ < kSortsPerChoice) return;
+    chosenFor_ = now;
+    sortsSince_ = 0;
+    const Spread spread = spreadOf(proxies, order_);
+    axis_ = spread.aspect >= 1.0f ? 0 : 1;
+    usual_ = spread.extent;
+    stray_ = spread.extent * kStray;
+}
+
+std::uint32_t SortedRows::segmentOf(const AABB& box) const {
+    const float length = endOf(box) - startOf(box);
+    float most = usual_;
+    for (std::uint32_t i = 0; i + 1 < kSegments; ++i) {
+        if (!(length > most)) return i;  // nowhere is in the first one
+        most *= kLonger;
+    }
+    return kSegments - 1;
+}
+
+void SortedRows::sort(const Proxies& proxies, std::span<std::uint32_t> places, std::uint32_t first) {
+    chooseAxis(proxies);
+    for (Segment& segment : segments_) segment = {};
+    for (auto& keys : keys_) keys.clear();
+    boxes_.resize(order_.size());
+    for (std::uint32_t k = 0; k < order_.size(); ++k) {
+        const AABB box = usable(proxies.bounds[order_[k]]);
+        const std::uint32_t i = segmentOf(box);
+        boxes_[k] = box;
+        keys_[i].push_back(Key{sortable(startOf(box))} << 32 | k);
+        segments_[i].longest = std::max(segments_[i].longest, endOf(box) - startOf(box));
+    }
+    rows_.reset(static_cast<std::uint32_t>(order_.size()));
+    starts_.resize(order_.size());
+    std::uint32_t place = 0;
+    for (std::uint32_t i = 0; i < kSegments; ++i) {
+        if (!sortNearlySorted(keys_[i])) sortByByte(keys_[i], spare_);
+        segments_[i].begin = place;
+        for (const Key key : keys_[i]) {
+            const std::uint32_t id = order_[key & 0xffffffffu];
+            const AABB& box = boxes_[key & 0xffffffffu];
+            rows_.write(proxies, place, id, box);
+            starts_[place] = startOf(box);
+            places[id] = first + place++;
+        }
+        segments_[i].end = place;
+    }
+    sorted_ = sortedSize_ = place;
+    lost_ = 0;
+}
+
+/// The first place from `begin` on whose start is above x.
+std::uint32_t SortedRows::firstAbove(float x, std::uint32_t begin, std::uint32_t end) const {
+    if (begin >= end) return end;
+    const float* at = starts_.data() + begin;
+    std::uint32_t left = end - begin;
+    while (left > 1) {
+        const std::uint32_t half = left / 2;
+        at = at[half - 1] <= x ? at + half : at;  // a guess for the processor, so no branch
+        left -= half;
+    }
+    return static_cast<std::uint32_t>(at - starts_.data()) + (*at <= x ? 1 : 0);
+}
+
+Stretch SortedRows::findStarts(const Segment& segment, const AABB& box, std::uint32_t from) const {
+    // Boxes may have strayed, and rounding may have taken a little from lengths and places.
+    const float low = startOf(box) - segment.longest - stray_;
+    const float high = endOf(box) + stray_ + std::fabs(endOf(box)) * kRounding;
+    if (from > segment.begin) {
+        // The search is for those behind one who is here: the last one is not far.
+        std::uint32_t step = 8;
+        while (from + step < segment.end && starts_[from + step] <= high) step *= 2;
+        return {from, firstAbove(high, from, std::min(from + step, segment.end))};
+    }
+    const float lost = (std::fabs(startOf(box)) + segment.longest) * kRounding;
+    const std::uint32_t begin = firstAbove(low - lost, segment.begin, segment.end);
+    return {begin, firstAbove(high, begin, segment.end)};
+}
+
+bool SortedRows::isDue(std::size_t arrivals) const {
+    const std::size_t behind = rows_.count - sorted_ + arrivals;
+    return lost_ > kTestsPerSort * rows_.size() || behind > sorted_ / 2 + kFew ||
+           rows_.size() < sortedSize_ / 4;
+}
+
+bool SortedRows::take(const Proxies& proxies, std::span<std::uint32_t> arrivals, std::uint32_t moving,
+                      std::span<std::uint32_t> places, std::uint32_t first) {
+    const bool mostMove = moving > rows_.size() / 2 && rows_.size() > kFew;
+    if (!mostMove && !isDue(arrivals.size())) {
+        for (const std::uint32_t id : arrivals) {
+            const std::uint32_t place = rows_.addPlace();
+            rows_.write(proxies, place, id, usable(proxies.bounds[id]));
+            places[id] = first + place;
+        }
+        return false;
+    }
+    order_.clear();
+    for (std::uint32_t place = 0; place < rows_.count; ++place) {
+        if (!rows_.isFree(place)) order_.push_back(rows_.ids[place]);
+    }
+    order_.insert(order_.end(), arrivals.begin(), arrivals.end());
+    sort(proxies, places, first);
+    return true;
+}
+
+std::uint32_t SortedRows::move(const Proxies& proxies, std::uint32_t place) {
+    const std::uint32_t id = rows_.ids[place];
+    const AABB box = usable(proxies.bounds[id]);
+    if (place < sorted_) {
+        const float strayed = std::fabs(startOf(box) - starts_[place]);
+        std::uint32_t segment = 0;
+        while (place >= segments_[segment].end) ++segment;
+        if (!(strayed <= stray_) || endOf(box) - startOf(box) > segments_[segment].longest) {
+            rows_.erase(place);
+            place = rows_.addPlace();
+        }
+    }
+    rows_.write(proxies, place, id, box);
+    return place;
+}
+
+void SortedRows::settle(std::size_t searches) {
+    while (rows_.count > sorted_ && rows_.isFree(rows_.count - 1)) rows_.dropPlace();
+    const std::uint32_t behind = rows_.count - sorted_;
+    if (behind > kFew) lost_ += searches * (behind / 8);
+}
+
+}  // namespace plumb::physics

@@ -1,0 +1,91 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "physics/broadphase/box_rows.hpp"
+
+namespace plumb::physics {
+
+/// Boxes sorted by where they begin along one axis, that along which they are spread out further. Who is much
+/// longer than most is in another segment, so that each segment knows how far before a box those begin that
+/// reach it. A box may stray a little from where it was sorted to; who strays further goes behind all
+/// segments, where every search looks, until sorting everybody anew costs less.
+/// Source: D. Baraff, "Dynamic Simulation of Non-Penetrating Rigid Bodies", thesis, 1992 (sorted intervals
+/// that stay nearly sorted); C. Ericson, "Real-Time Collision Detection", 2005, 7.5
+class SortedRows {
+public:
+    // What PartedProxies asks of a part.
+    bool take(const Proxies& proxies, std::span<std::uint32_t> arrivals, std::uint32_t moving,
+              std::span<std::uint32_t> places, std::uint32_t first);
+    void erase(std::uint32_t place) { rows_.erase(place); }
+    std::uint32_t move(const Proxies& proxies, std::uint32_t place);
+    void settle(std::size_t searches);
+    [[nodiscard]] bool isDue(std::size_t arrivals) const;
+    [[nodiscard]] std::uint32_t places() const { return rows_.count; }
+    [[nodiscard]] std::uint32_t size() const { return rows_.size(); }
+    [[nodiscard]] std::uint32_t idAt(std::uint32_t place) const { return rows_.ids[place]; }
+    void clear();
+
+    // What RowBroadPhase asks of it.
+    [[nodiscard]] const BoxRows& rows() const { return rows_; }
+    [[nodiscard]] bool areNear(std::uint32_t a, std::uint32_t b) const {
+        return b - a < kNear && b < sorted_;
+    }
+    template <class Visit>
+    void visitNear(const AABB& box, std::uint32_t from, const Visit& visit) const;
+    template <class Visit>
+    void visitAlong(const LineSweep& sweep, const Visit& visit) const {
+        visitNear(sweep.bounds, 0, visit);
+    }
+
+private:
+    static constexpr std::uint32_t kNear = 16;
+    static constexpr std::uint32_t kSegments = 6;
+    using Key = std::uint64_t;  ///< where it begins, as a number that sorts alike << 32 | place in order_
+
+    struct Segment {
+        std::uint32_t begin = 0;
+        std::uint32_t end = 0;
+        float longest = 0.0f;  ///< m: along the axis
+    };
+
+    void chooseAxis(const Proxies& proxies);
+    [[nodiscard]] std::uint32_t segmentOf(const AABB& box) const;
+    [[nodiscard]] float startOf(const AABB& box) const { return axis_ == 0 ? box.min.x : box.min.y; }
+    [[nodiscard]] float endOf(const AABB& box) const { return axis_ == 0 ? box.max.x : box.max.y; }
+    void sort(const Proxies& proxies, std::span<std::uint32_t> places, std::uint32_t first);
+    [[nodiscard]] std::uint32_t firstAbove(float x, std::uint32_t begin, std::uint32_t end) const;
+    /// The places of a segment, not before `from`, of those that the box may overlap.
+    [[nodiscard]] Stretch findStarts(const Segment& segment, const AABB& box, std::uint32_t from) const;
+
+    Segment segments_[kSegments];
+    BoxRows rows_;
+    std::vector<float> starts_;     ///< m: by place, where each was sorted to
+    int axis_ = 0;                  ///< 0 is x
+    float usual_ = 0.0f;            ///< m: what most are not longer than
+    float stray_ = 0.0f;            ///< m: how far a box may be from where it was sorted to
+    std::uint32_t sorted_ = 0;      ///< places that are in segments
+    std::uint32_t sortedSize_ = 0;  ///< boxes, then
+    std::uint64_t lost_ = 0;        ///< tests that searches have made behind the segments
+    std::size_t chosenFor_ = 0;     ///< boxes, when the axis was chosen
+    std::uint32_t sortsSince_ = 0;
+
+    std::vector<std::uint32_t> order_;
+    std::vector<AABB> boxes_;  ///< as order_
+    std::vector<Key> keys_[kSegments];
+    std::vector<Key> spare_;
+};
+
+template <class Visit>
+void SortedRows::visitNear(const AABB& box, std::uint32_t from, const Visit& visit) const {
+    for (const Segment& segment : segments_) {
+        if (segment.end <= from || segment.begin == segment.end) continue;
+        const Stretch stretch = findStarts(segment, box, from);
+        visit(stretch.begin, stretch.end);
+    }
+    if (rows_.count > sorted_) visit(std::max(sorted_, from), rows_.count);
+}
+
+}  // namespace plumb::physics
