@@ -1,19 +1,14 @@
 #pragma once
 
-#include <cstdint>
-
 #include "math/vec2.hpp"
-#include "reflect/type_builder.hpp"
+#include "scene/collider_surface.hpp"
 
 namespace plumb {
 
 /// A circle around position + offset.
-struct CircleCollider {
-    float radius = 16.0f;              ///< px
-    Vec2 offset;                       ///< px, from the Transform to the middle
-    bool isTrigger = false;            ///< reports contacts, stops nothing
-    std::uint32_t layers = 1;          ///< bits: what it is
-    std::uint32_t mask = 0xffffffffu;  ///< bits: what it collides with
+struct CircleCollider : ColliderSurface {
+    float radius = 16.0f;  ///< px
+    Vec2 offset;           ///< px, from the Transform to the middle
 
     CircleCollider() = default;
     explicit CircleCollider(float size) : radius{size} {}
@@ -24,9 +19,7 @@ struct CircleCollider {
         type.field<&CircleCollider::offset>("offset")
             .unit(Unit::Pixels)
             .doc("From the Transform to the middle.");
-        type.field<&CircleCollider::isTrigger>("isTrigger").doc("Reports contacts, stops nothing.");
-        type.field<&CircleCollider::layers>("layers").doc("Bits: what it is.");
-        type.field<&CircleCollider::mask>("mask").doc("Bits: what it collides with.");
+        describeSurface(type);
     }
 };
 

@@ -7,11 +7,15 @@ namespace plumb {
 
 /// A body that moves as told and pushes others: platforms, doors, lifts.
 struct KinematicBody {
-    Vec2 velocity;  ///< px/s
+    Vec2 velocity;                 ///< px/s
+    float angularVelocity = 0.0f;  ///< rad/s, clockwise on screen
 
     static void describe(TypeBuilder<KinematicBody>& type) {
         type.name("KinematicBody").doc("Moves as told and pushes others: platforms, doors, lifts.");
         type.field<&KinematicBody::velocity>("velocity").unit(Unit::PixelsPerSecond);
+        type.field<&KinematicBody::angularVelocity>("angularVelocity")
+            .unit(Unit::RadiansPerSecond)
+            .doc("Clockwise on screen.");
     }
 };
 
