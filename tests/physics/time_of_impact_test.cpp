@@ -171,7 +171,7 @@ TEST(CastShapeProperty, stopsWhereItFirstTouches) {
         if (apart(0.0f).distance < 0.0f) {
             ASSERT_TRUE(hit.has_value());
             EXPECT_EQ(hit->fraction, 0.0f);
-            EXPECT_NEAR(hit->overlap, -apart(0.0f).distance, 1e-6f);
+            EXPECT_NEAR(hit->separation, apart(0.0f).distance, 1e-6f);
             continue;
         }
         const float until = hit ? hit->fraction : 1.0f;

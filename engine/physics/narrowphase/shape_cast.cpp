@@ -5,6 +5,8 @@ namespace plumb::physics {
 namespace {
 
 constexpr int kMostIterations = 48;
+/// Ratio: a way that comes nearer by less than this of its length leads along a surface.
+constexpr float kAlong = 1.0e-4f;
 
 /// m: near enough to be a hit: what floats can tell apart at this distance from the origin.
 float touchOf(const Convex& a, const Frame& bInA) {
@@ -15,19 +17,22 @@ float touchOf(const Convex& a, const Frame& bInA) {
 
 }  // namespace
 
-std::optional<CastHit> castShape(const Convex& a, const Convex& b, const Frame& bInA, Vec2 way) {
+std::optional<ConvexHit> castShape(const Convex& a, const Convex& b, const Frame& bInA, Vec2 way) {
     SimplexCache cache;
-    CastHit hit;
+    ConvexHit hit;
     for (int iteration = 0; iteration < kMostIterations; ++iteration) {
         const Frame frame{bInA.position + way * hit.fraction, bInA.rotation};
         const Distance apart = distanceBetween(a, b, frame, &cache);
         hit.normal = apart.normal;
         hit.point = apart.pointA;
-        if (!(apart.distance > touchOf(a, frame))) {
-            if (iteration == 0 && apart.distance < 0.0f) hit.overlap = -apart.distance;
+        if (iteration == 0) hit.separation = apart.distance;
+        const float speed = -dot(way, apart.normal);
+        const float touch = touchOf(a, frame);
+        if (!(apart.distance > touch)) {
+            const bool slides = apart.distance >= -touch && speed <= kAlong * length(way);
+            if (iteration == 0 && slides) return std::nullopt;
             return hit;
         }
-        const float speed = -dot(way, apart.normal);
         if (!(speed > 0.0f)) return std::nullopt;
         const float next = hit.fraction + apart.distance / speed;
         if (!(next <= 1.0f)) return std::nullopt;

@@ -38,6 +38,8 @@ struct CastHit {
     Vec2 normal;            ///< length 1, out of the shape
     float fraction = 0.0f;  ///< ratio of the way, 0..1; 0 when it began inside
     float distance = 0.0f;  ///< m of the way
+    /// m between both at the start, of a moving outline; negative: how deep they overlapped, along the normal
+    float separation = 0.0f;
 };
 
 }  // namespace plumb::physics

@@ -1,0 +1,250 @@
+#include "physics/character/character_controller.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <type_traits>
+
+#include "physics/bodies.hpp"
+#include "physics/checks.hpp"
+#include "physics/shapes.hpp"
+#include "physics/shapes/shape_types.hpp"
+
+namespace plumb::physics {
+
+static_assert(std::is_trivially_copyable_v<CharacterController>, "a part of snapshots");
+
+namespace {
+
+constexpr float kTakeOff = 1.0e-3f;  // m/s: faster upwards leaves the ground
+constexpr float kMostTick = 1.0f;    // s
+constexpr std::size_t kMostPushes = 16;
+
+Result<Done> checkOutline(const Geometry& outline) {
+    const bool known = outline.kind == ShapeKind::Box || outline.kind == ShapeKind::Circle ||
+                       outline.kind == ShapeKind::Capsule;
+    if (known) return checkGeometry(outline, {});
+    return wrong("CharacterDefinition.outline", "expected a box, a circle or a capsule, found another kind",
+                 "use physics::box(), circle() or capsule()");
+}
+
+Result<Done> checkUp(Vec2 up) {
+    const float square = lengthSquared(up);
+    if (square > 0.999f && square < 1.001f) return Done{};
+    return wrong("CharacterDefinition.up", "expected a direction of length 1", "use {0, -1} where y is down");
+}
+
+Result<Done> check(const CharacterDefinition& definition) {
+    const auto length = [](const char* where, float value) {
+        return checkNumber(where, value, 0.0, static_cast<double>(kLargest));
+    };
+    return firstOf(
+        checkOutline(definition.outline), checkUp(definition.up),
+        checkNumber("CharacterDefinition.steepest", definition.steepest, 0.0, 1.5),
+        length("CharacterDefinition.stepHeight", definition.stepHeight),
+        length("CharacterDefinition.snap", definition.snap),
+        length("CharacterDefinition.cornerCorrection", definition.cornerCorrection),
+        checkNumber("CharacterDefinition.gravityScale", definition.gravityScale, -kFastest, kFastest),
+        checkNumber("CharacterDefinition.pushForce", definition.pushForce, 0.0, kStrongest),
+        checkNumber("CharacterDefinition.pushMass", definition.pushMass, 0.0, kStrongest),
+        checkNumber("CharacterDefinition.weight", definition.weight, 0.0, kStrongest),
+        checkNumber("CharacterDefinition.gap", definition.gap, kSmallest, 0.1));
+}
+
+/// In double: a rider is put back by this in each tick, and must not wander off.
+Place turned(Rot rotation, Place arm) {
+    const auto cosine = static_cast<double>(rotation.cos), sine = static_cast<double>(rotation.sin);
+    return {cosine * arm.x - sine * arm.y, sine * arm.x + cosine * arm.y};
+}
+
+Vec2 velocityAt(const World& world, BodyId body, Place point) {
+    const BodyMotion& motion = world.bodies.motion[body.index];
+    return motion.velocity + cross(motion.angularVelocity, point - world.bodies.pose[body.index].centre);
+}
+
+/// m/s to the right hand of the ground's normal, of a conveyor.
+float conveyorSpeed(const World& world, const CharacterTouch& ground) {
+    return world.shapes.info[ground.shape.index].surfaceSpeed;
+}
+
+}  // namespace
+
+Result<CharacterController> CharacterController::create(const CharacterDefinition& definition,
+                                                        Place position) {
+    const auto checked = firstOf(check(definition), checkPlace("CharacterController position", position));
+    if (!checked) return checked.error();
+    return CharacterController{definition, position};
+}
+
+Result<Done> CharacterController::setDefinition(const CharacterDefinition& definition) {
+    const auto checked = check(definition);
+    if (checked) definition_ = definition, placed_ = true;
+    return checked;
+}
+
+Result<Done> CharacterController::setPosition(Place position) {
+    const auto checked = checkPlace("CharacterController::setPosition", position);
+    if (!checked) return checked;
+    leaveGround();
+    position_ = position;
+    placed_ = true;
+    return checked;
+}
+
+Result<Done> CharacterController::setVelocity(Vec2 velocity) {
+    const auto checked = checkVector("CharacterController::setVelocity", velocity, kFastest);
+    if (checked) velocity_ = velocity;
+    return checked;
+}
+
+Result<Done> CharacterController::jump(float speed) {
+    const auto checked = checkNumber("CharacterController::jump", speed, 0.0, kFastest);
+    return checked ? setVelocity(velocity_ + definition_.up * speed) : checked;
+}
+
+void CharacterController::leaveGround() {
+    if (ground_) velocity_ += groundVelocity_;
+    ground_ = {};
+    groundVelocity_ = {};
+}
+
+bool CharacterController::dropThrough(World& world) {
+    if (!ground_ || !alive(world, ground_.shape)) return false;
+    CharacterMover mover{world, definition_, position_, 0.0f};
+    mover.probe().oneWay = false;
+    const float sink = 2.0f * definition_.gap;
+    if (mover.standsOn(definition_.snap + sink)) return false;
+    // Who is inside of a one-way shape is not held by it any more.
+    position_ = position_ + definition_.up * -sink;
+    leaveGround();
+    return true;
+}
+
+/// Where its ground takes it.
+Place CharacterController::heldPlace(const CharacterProbe& probe) const {
+    if (!ground_ || probe.world().bodies.info[ground_.body.index].kind == BodyKind::Static) return position_;
+    const BodyPose pose = probe.poseOf(ground_.body.index);
+    const Place arm = turned(pose.rotation, hold_);
+    return Place{pose.centre.x + arm.x, pose.centre.y + arm.y} + definition_.up * height_;
+}
+
+/// Takes hold of the ground under its middle.
+void CharacterController::holdOn(const CharacterProbe& probe) {
+    const BodyPose pose = probe.poseOf(ground_.body.index);
+    height_ = dot(position_ - ground_.point, ground_.normal) / rise(ground_.normal);
+    const Place under = position_ + definition_.up * -height_;
+    const Place arm{under.x - pose.centre.x, under.y - pose.centre.y};
+    hold_ = turned(inverse(pose.rotation), arm);
+}
+
+bool CharacterController::ride(CharacterMover& mover, Place held) {
+    CharacterProbe& probe = mover.probe();
+    const BodyMotion& motion = probe.world().bodies.motion[ground_.body.index];
+    probe.carrier = ground_.body;
+    const bool arrived = mover.carryTo(held);
+    probe.carrier = {};
+    if (motion.angularVelocity == 0.0f) return arrived;
+    const Vec2 extent = boundsOf(definition_.outline, {}, {}).size();
+    const Place foot = held + definition_.up * -height_;
+    mover.settle(0.1f * std::max(extent.x, extent.y) + definition_.snap);
+    height_ = rise(mover.position() - foot);
+    return arrived;
+}
+
+/// Walls stop it; loose bodies are pushed as hard as it can.
+void CharacterController::stopAt(World& world, const CharacterTouch& touch, float dt) {
+    if (!touch) return;
+    const Vec2 own = velocity_ + groundVelocity_;
+    Vec2 theirs = velocityAt(world, touch.body, touch.point);
+    float closing = dot(theirs - own, touch.normal);
+    if (!(closing > 0.0f)) return;
+    const BodyMass& mass = world.bodies.mass[touch.body.index];
+    if (mass.inverseMass > 0.0f && mass.mass <= definition_.pushMass) {
+        const float impulse = std::min(closing / mass.inverseMass, definition_.pushForce * dt);
+        static_cast<void>(applyImpulse(world, touch.body, touch.normal * -impulse));
+        closing -= impulse * mass.inverseMass;
+    }
+    velocity_ += touch.normal * closing;
+}
+
+void CharacterController::walk(CharacterMover& mover, float dx, CharacterMotion& motion) const {
+    const Place before = mover.position();
+    const CharacterMotion walked = mover.walk(dx, ground_.normal);
+    motion.slope = walked.slope;
+    motion.wall = walked.wall;
+    motion.ceiling = walked.ceiling;
+    motion.ground = mover.followGround(dx, rise(mover.position() - before), ground_.normal).ground;
+    if (motion.ground) return;
+    const Place place = mover.position();
+    motion.ground = mover.fly(definition_.up * (-4.0f * definition_.gap)).ground;  // a pit between two slopes
+    if (!motion.ground) mover.setPosition(place);
+}
+
+// NOLINTNEXTLINE(readability-function-size): one tick, in order
+CharacterMotion CharacterController::update(World& world, float dt) {
+    CharacterMotion motion;
+    if (!(dt > 0.0f && dt <= kMostTick)) return motion;
+    if (ground_ && !alive(world, ground_.shape)) leaveGround(), motion.leftGround = true;
+    CharacterMover mover{world, definition_, position_, dt};
+    if (placed_ && mover.pushOut()) mover.escape();
+    position_ = mover.position();
+    placed_ = false;
+
+    // What its ground and other things that move do to it.
+    const bool stood = grounded();
+    const bool walks = stood && !(rise(velocity_) > kTakeOff);
+    const Vec2 gravity = world.settings.gravity * definition_.gravityScale;
+    const Place held = heldPlace(mover.probe());
+    const Vec2 taken = held - position_;
+    groundVelocity_ = stood ? taken / dt : Vec2{};
+    const Vec2 right = perpendicular(definition_.up);
+    const float dx = walks ? (along(velocity_) + conveyorSpeed(world, ground_)) * dt : 0.0f;
+    Vec2 own = walks ? right * dx : velocity_ * dt + gravity * (0.5f * dt * dt);
+    mover.probe().floor = ground_.shape;
+    std::array<CharacterProbe::Push, kMostPushes> room;
+    const std::size_t pushes = mover.probe().pushesAt(position_, taken, own, ground_.body, room);
+    const bool arrived = !stood || held == position_ || ride(mover, held);
+    const Place rode = mover.position();
+    const Vec2 left = mover.giveWay({room.data(), pushes}, walks ? Vec2{} : own);
+    motion.squeezedBy = mover.pushOut();
+    const Place start = mover.position();
+
+    // What it does itself.
+    if (walks) {
+        walk(mover, dx, motion);
+    } else {
+        const CharacterMotion flown = mover.fly(left);
+        motion.ground = flown.ground;
+        motion.slope = flown.slope;
+        motion.wall = flown.wall;
+        motion.ceiling = flown.ceiling;
+        velocity_ += gravity * dt;
+    }
+    const BodyId before = ground_.body;
+    position_ = mover.position();
+    for (const CharacterTouch* touch : {&motion.slope, &motion.wall, &motion.ceiling}) {
+        stopAt(world, *touch, dt);
+    }
+    if (!walks) leaveGround();
+    if (motion.ground) {
+        motion.landed = !walks;
+        const Vec2 theirs =
+            walks ? groundVelocity_ : velocityAt(world, motion.ground.body, motion.ground.point);
+        if (!walks) velocity_ -= theirs;
+        groundVelocity_ = theirs;
+        ground_ = motion.ground;
+        velocity_ = right * along(velocity_);
+        const bool stays = walks && arrived && start == rode && position_ == start && before == ground_.body;
+        if (!stays) holdOn(mover.probe());
+        if (definition_.weight > 0.0f) {
+            static_cast<void>(
+                applyImpulseAt(world, ground_.body, gravity * (definition_.weight * dt), ground_.point));
+        }
+    } else {
+        if (walks) velocity_ = right * along(velocity_), leaveGround();
+        motion.leftGround = motion.leftGround || stood;
+    }
+    return motion;
+}
+
+}  // namespace plumb::physics

@@ -1,0 +1,263 @@
+#include "physics/character/character_mover.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "physics/shapes/shape_types.hpp"
+
+namespace plumb::physics {
+
+namespace {
+
+constexpr int kMostTurns = 6;      // times that one way may be bent in one tick
+constexpr int kMostPushes = 16;    // out of what it overlaps
+constexpr float kSlack = 5.0e-4f;  // of a cosine: 0.04 degrees at 50
+constexpr float kUpright = 0.1f;   // cosine: flatter than this is a slope, not a wall
+constexpr float kCeiling = 0.7f;   // cosine
+/// Cosine: a round outline stands on the corner of a floor if its normal there is no steeper, 60 degrees.
+constexpr float kRoundCorner = 0.5f;
+/// Part of the radius by which a round outline has to be over a corner for that.
+constexpr float kRoundReach = 0.14f;
+constexpr int kCornerTries = 16;
+
+/// The part of a way that leads into a surface is taken away.
+Vec2 alongSurface(Vec2 way, Vec2 normal) { return way - normal * std::min(dot(way, normal), 0.0f); }
+
+}  // namespace
+
+CharacterMover::CharacterMover(World& world, const CharacterDefinition& definition, Place position, float dt)
+    : definition_{definition},
+      probe_{world, definition, dt},
+      position_{position},
+      right_{perpendicular(definition.up)},
+      steepest_{cosine(definition.steepest) - kSlack} {}
+
+bool CharacterMover::isGround(Vec2 normal) const { return rise(normal) >= steepest_; }
+
+Vec2 CharacterMover::onGround(float dx, Vec2 normal) const {
+    if (definition_.evenSpeed) return right_ * dx + definition_.up * (dx * slopeOf(normal));
+    return perpendicular(normal) * dx;
+}
+
+/// A round outline on the corner of a floor meets it at any angle. The floor is as steep as it is.
+std::optional<Vec2> CharacterMover::groundNormalOf(const CharacterHit& hit) const {
+    const Vec2 normal = hit.touch.normal;
+    if (isGround(normal)) return normal;
+    if (definition_.outline.radius <= 0.0f || rise(normal) < kRoundCorner) return std::nullopt;
+    const float gap = definition_.gap;
+    const float inward = along(normal) > 0.0f ? -3.0f * gap : 3.0f * gap;
+    const Place over = hit.touch.point + (right_ * inward + definition_.up * (5.0f * gap));
+    const auto floor = probe_.castDisc(over, gap, definition_.up * (-8.0f * gap));
+    if (!floor || !isGround(floor->touch.normal)) return std::nullopt;
+    return floor->touch.normal;
+}
+
+void CharacterMover::note(CharacterMotion& motion, const CharacterTouch& touch) const {
+    const float up = rise(touch.normal);
+    (up > kUpright ? motion.slope : up < -kCeiling ? motion.ceiling : motion.wall) = touch;
+}
+
+CharacterTouch CharacterMover::pushOut() {
+    const Place before = position_;
+    const float gap = definition_.gap;
+    for (int i = 0; i < kMostPushes; ++i) {
+        const auto hit = probe_.nearest(position_, 0.5f * gap);
+        if (!hit) return {};
+        shift(hit->touch.normal * (gap - hit->separation));
+    }
+    const auto hit = probe_.nearest(position_, -0.5f * gap);
+    if (!hit) return {};
+    position_ = before;
+    return hit->touch;
+}
+
+bool CharacterMover::escape() {
+    const Place before = position_;
+    const Vec2 up = definition_.up, right = right_;
+    const Vec2 extent = boundsOf(definition_.outline, {}, {}).size();
+    const float size = 0.125f * std::min(extent.x, extent.y);
+    for (int ring = 1; ring <= 32; ++ring) {
+        for (const Vec2 way : {up, right, -right, up + right, up - right, -up, right - up, -right - up}) {
+            position_ = before + way * (size * static_cast<float>(ring));
+            if (probe_.nearest(position_, 0.0f)) continue;
+            return true;
+        }
+    }
+    position_ = before;
+    return false;
+}
+
+bool CharacterMover::carryTo(Place place) {
+    Vec2 way = place - position_;
+    for (int turn = 0; turn < kMostTurns; ++turn) {
+        const auto hit = cast(way);
+        if (!hit) {
+            position_ = turn == 0 ? place : position_ + way;
+            return turn == 0;
+        }
+        shift(way * hit->fraction);
+        way = alongSurface(way * (1.0f - hit->fraction), hit->touch.normal);
+    }
+    return false;
+}
+
+Vec2 CharacterMover::giveWay(std::span<const CharacterProbe::Push> pushes, Vec2 own) {
+    float met = 1.0f;
+    for (const CharacterProbe::Push& push : pushes) met = std::min(met, push.fraction);
+    const auto advance = [&](Vec2 way) {
+        const auto hit = cast(way);
+        shift(way * (hit ? hit->fraction : 1.0f));
+    };
+    for (const CharacterProbe::Push& push : pushes) {
+        probe_.carrier = push.body;
+        if (&push == pushes.data()) advance(own * met);
+        advance(push.way);
+        if ((probe_.world().shapes.info[push.shape.index].flags & kOneWay) != 0) probe_.floor = push.shape;
+    }
+    probe_.carrier = {};
+    return pushes.empty() ? own : own * (1.0f - met);
+}
+
+void CharacterMover::settle(float reach) {
+    const Vec2 lift = definition_.up * reach;
+    const auto above = cast(lift);
+    const float raised = reach * (above ? above->fraction : 1.0f);
+    const Place from = position_ + definition_.up * raised;
+    const auto floor = probe_.cast(from, definition_.up * -(raised + reach));
+    if (floor) position_ = from + definition_.up * (-(raised + reach) * floor->fraction);
+}
+
+/// Up, on, and down again. @return false, and nothing is changed, when there is no step that is low enough.
+bool CharacterMover::stepUp(float dx) {
+    if (!(definition_.stepHeight > 0.0f)) return false;
+    const Vec2 up = definition_.up;
+    const float gap = definition_.gap;
+    const auto above = cast(up * definition_.stepHeight);
+    const float raised = definition_.stepHeight * (above ? above->fraction : 1.0f);
+    Place place = position_ + up * raised;
+    const float onto = std::max(std::fabs(dx), 4.0f * gap + kRoundReach * definition_.outline.radius);
+    const Vec2 forward = right_ * (dx < 0.0f ? -onto : onto);
+    const auto ahead = probe_.cast(place, forward);
+    if (ahead && ahead->fraction * onto < 2.0f * gap) return false;
+    place = place + forward * (ahead ? ahead->fraction : 1.0f);
+    const auto floor = probe_.cast(place, up * -raised);
+    if (!floor || !groundNormalOf(*floor)) return false;
+    place = place + up * (-raised * floor->fraction);
+    if (!(raised * (1.0f - floor->fraction) > 0.1f * gap)) return false;
+    position_ = place;
+    return true;
+}
+
+CharacterMotion CharacterMover::walk(float dx, Vec2 groundNormal) {
+    CharacterMotion motion;
+    Vec2 normal = isGround(groundNormal) ? groundNormal : definition_.up;
+    for (int turn = 0; turn < kMostTurns && dx != 0.0f; ++turn) {
+        const Vec2 way = onGround(dx, normal);
+        const auto hit = cast(way);
+        if (!hit) {
+            shift(way);
+            break;
+        }
+        shift(way * hit->fraction);
+        dx *= 1.0f - hit->fraction;
+        if (isGround(hit->touch.normal)) {
+            normal = hit->touch.normal;
+            continue;
+        }
+        if (stepUp(dx)) break;
+        note(motion, hit->touch);
+        break;
+    }
+    return motion;
+}
+
+CharacterMotion CharacterMover::fly(Vec2 way) {
+    CharacterMotion motion;
+    Vec2 before;  // normal of what it slid along last
+    for (int turn = 0; turn < kMostTurns && way != Vec2{}; ++turn) {
+        const auto hit = cast(way);
+        if (!hit) {
+            shift(way);
+            break;
+        }
+        const Vec2 normal = hit->touch.normal;
+        shift(way * hit->fraction);
+        way *= 1.0f - hit->fraction;
+        const auto ground = rise(way) <= 0.0f ? groundNormalOf(*hit) : std::nullopt;
+        if (ground) {
+            const CharacterMotion walked = walk(along(way), *ground);
+            motion.wall = walked.wall ? walked.wall : motion.wall;
+            motion.ground = hit->touch;
+            motion.ground.normal = *ground;
+            motion.landed = true;
+            break;
+        }
+        if (rise(normal) < -kCeiling && rise(way) > 0.0f && passCorner(way)) continue;
+        note(motion, hit->touch);
+        way = alongSurface(way, normal);
+        const bool wedged = before != Vec2{} && dot(before, normal) < 0.999f && dot(way, before) < 0.0f;
+        if (wedged && rise(before) > kUpright && rise(normal) > kUpright) {
+            motion.ground = hit->touch;  // between two slopes it stands as in a pit
+            motion.ground.normal = definition_.up;
+            motion.landed = true;
+        }
+        if (wedged) break;
+        before = normal;
+    }
+    return motion;
+}
+
+bool CharacterMover::passCorner(Vec2 way) {
+    const float step = definition_.cornerCorrection / static_cast<float>(kCornerTries);
+    const float aim = along(way);
+    const float first = aim < 0.0f ? -1.0f : 1.0f;
+    const Vec2 rising = definition_.up * std::max(rise(way), 4.0f * definition_.gap);
+    for (int i = 1; i <= kCornerTries && step > 0.0f; ++i) {
+        for (const float side : {first, -first}) {
+            // Going against its own direction only helps who has none.
+            if (side != first && aim != 0.0f) continue;
+            const Vec2 aside = right_ * (side * step * static_cast<float>(i));
+            const Place place = position_ + aside;
+            if (cast(aside) || probe_.cast(place, rising)) continue;
+            position_ = place;
+            return true;
+        }
+    }
+    return false;
+}
+
+CharacterMotion CharacterMover::snapDown(float reach) {
+    CharacterMotion motion;
+    const auto hit = cast(definition_.up * -reach);
+    const auto normal = hit ? groundNormalOf(*hit) : std::nullopt;
+    if (!normal) return motion;
+    const float drop = reach * hit->fraction;
+    // What rests is left alone, or it would creep.
+    if (drop > 0.0625f * definition_.gap) shift(definition_.up * -drop);
+    motion.ground = hit->touch;
+    motion.ground.normal = *normal;
+    motion.landed = true;
+    return motion;
+}
+
+CharacterMotion CharacterMover::followGround(float walked, float climbed, Vec2 groundNormal) {
+    const Place before = position_;
+    const float free = definition_.snap + std::max(climbed, 0.0f);
+    const float steepest = std::sqrt(std::max(1.0f - steepest_ * steepest_, 0.0f)) / steepest_;
+    const CharacterMotion motion = snapDown(free + std::fabs(walked) * steepest + 2.0f * definition_.gap);
+    if (!motion.ground) return motion;
+    // A slope may lead further down than a ledge.
+    const auto falls = [&](Vec2 normal) { return std::max(-slopeOf(normal) * walked, 0.0f); };
+    const float most =
+        free + std::max(falls(groundNormal), falls(motion.ground.normal)) + 2.0f * definition_.gap;
+    if (-rise(position_ - before) <= most) return motion;
+    position_ = before;
+    return {};
+}
+
+bool CharacterMover::standsOn(float reach) const {
+    const auto hit = cast(definition_.up * -reach);
+    return hit && groundNormalOf(*hit);
+}
+
+}  // namespace plumb::physics

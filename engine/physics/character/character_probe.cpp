@@ -1,0 +1,171 @@
+#include "physics/character/character_probe.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "physics/narrowphase/collide.hpp"
+#include "physics/narrowphase/distance.hpp"
+#include "physics/queries/candidates.hpp"
+#include "physics/shapes.hpp"
+#include "physics/shapes/shape_types.hpp"
+
+namespace plumb::physics {
+
+namespace {
+
+/// Cosine of the angle between the open direction of a one-way shape and a normal that is its solid side.
+constexpr float kSolidSide = 0.7f;
+/// Ratio: a way that comes nearer by less than this of its length leads along a surface.
+constexpr float kAlong = 1.0e-3f;
+/// m/s: kinematic bodies up to this speed are seen where the next step takes them.
+constexpr float kFastestSeen = 60.0f;
+
+/// The box around a way (m), with room for rounding far from the origin.
+AABB boxAlong(const AABB& bounds, Place from, Vec2 way, float gap) {
+    const Vec2 start = toVec2(from);
+    const float margin = gap + 1.0e-6f * (std::fabs(start.x) + std::fabs(start.y));
+    const AABB box{start + bounds.min, start + bounds.max};
+    return grown(merged(box, {box.min + way, box.max + way}), margin);
+}
+
+}  // namespace
+
+CharacterProbe::CharacterProbe(World& world, const CharacterDefinition& definition, float dt)
+    : filter{definition.filter}, world_{world}, definition_{definition}, dt_{dt} {}
+
+bool CharacterProbe::isCarried(std::uint32_t body) const {
+    const BodyMotion& motion = world_.bodies.motion[body];
+    return world_.bodies.info[body].kind == BodyKind::Kinematic && dt_ > 0.0f &&
+           (motion.velocity != Vec2{} || motion.angularVelocity != 0.0f);
+}
+
+BodyPose CharacterProbe::poseOf(std::uint32_t body) const {
+    BodyPose pose = world_.bodies.pose[body];
+    if (!isCarried(body)) return pose;
+    const BodyMotion& motion = world_.bodies.motion[body];
+    pose.centre = pose.centre + motion.velocity * dt_;
+    if (motion.angularVelocity != 0.0f) {
+        pose.rotation = normalized(rotFromAngle(motion.angularVelocity * dt_) * pose.rotation);
+    }
+    return pose;
+}
+
+std::span<const std::uint32_t> CharacterProbe::around(const AABB& bounds, Place from, Vec2 way) const {
+    if (!isUsable(from) || !isUsable(way)) return {};
+    const float reach = kFastestSeen * dt_ + definition_.gap;
+    return candidatesAlong(world_, from + bounds.center(), way, 0.5f * bounds.size() + Vec2{reach, reach},
+                           filter);
+}
+
+bool CharacterProbe::hasPassed(std::uint32_t body) const {
+    return std::find(passed_.begin(), passed_.begin() + passedCount_, body) != passed_.begin() + passedCount_;
+}
+
+bool CharacterProbe::ignores(std::uint32_t shape) const {
+    const ShapeInfo& info = world_.shapes.info[shape];
+    return (!oneWay && (info.flags & kOneWay) != 0) || (carrier && info.body == carrier.index);
+}
+
+bool CharacterProbe::stops(const CastHit& hit, const BodyPose& pose) const {
+    const ShapeInfo& info = world_.shapes.info[hit.shape.index];
+    if ((info.flags & kOneWay) == 0) return true;
+    // Whatever is inside at the start came in from behind.
+    return dot(hit.normal, rotate(pose.rotation, info.oneWayDirection)) > kSolidSide &&
+           (hit.separation >= 0.0f || hit.shape == floor);
+}
+
+std::optional<CharacterHit> CharacterProbe::first(const Geometry& outline, Place from, Vec2 way) const {
+    const MovingOutline moving{convexOf(outline, {}), from, {}, way};
+    const AABB bounds = boundsOf(outline, {}, {});
+    const float along = kAlong * length(way);
+    const AABB box = boxAlong(bounds, from, way, definition_.gap);
+    std::optional<CastHit> first;
+    float closing = 0.0f;
+    for (const std::uint32_t shape : around(bounds, from, way)) {
+        const bool elsewhere = !intersects(box, world_.shapes.bounds[shape]);
+        if (ignores(shape) || (elsewhere && !isCarried(world_.shapes.info[shape].body))) continue;
+        const BodyPose pose = poseOf(world_.shapes.info[shape].body);
+        const auto hit = meet(world_, shape, pose, moving);
+        if (!hit || (first && hit->fraction >= first->fraction)) continue;
+        const float nearer = -dot(way, hit->normal);
+        if ((hit->fraction == 0.0f && !(nearer > along)) || !stops(*hit, pose)) continue;
+        if (hit->separation < 0.0f && hasPassed(hit->body.index)) continue;
+        first = hit;
+        closing = nearer;
+    }
+    if (!first) return std::nullopt;
+    const float back = closing > 0.0f ? definition_.gap / closing : 0.0f;
+    return CharacterHit{{first->shape, first->body, first->normal, first->point},
+                        std::max(first->fraction - back, 0.0f),
+                        first->separation};
+}
+
+std::optional<CharacterHit> CharacterProbe::cast(Place from, Vec2 way) const {
+    return first(definition_.outline, from, way);
+}
+
+std::optional<CharacterHit> CharacterProbe::castDisc(Place from, float radius, Vec2 way) const {
+    return first(circle(radius), from, way);
+}
+
+std::optional<CharacterHit> CharacterProbe::apart(std::uint32_t shape, Place at, float within) const {
+    const ShapeInfo& info = world_.shapes.info[shape];
+    const BodyPose pose = poseOf(info.body);
+    const Geometry& geometry = world_.shapes.geometry[shape];
+    const Frame frame = seenFrom(pose, at, Rot{});
+    CharacterHit hit{{idOf(world_, shape), {info.body, world_.bodies.info[info.body].generation}, {}, {}}};
+    if (geometry.kind == ShapeKind::ChainSegment) {
+        const Manifold manifold =
+            collide(definition_.outline, geometry, world_.shapes.corners, inverse(frame), within);
+        if (manifold.count == 0) return std::nullopt;
+        const bool second =
+            manifold.count == 2 && manifold.points[1].separation < manifold.points[0].separation;
+        const ManifoldPoint& deepest = manifold.points[second ? 1 : 0];
+        hit.separation = deepest.separation;
+        hit.touch.normal = -manifold.normal;
+        hit.touch.point = at + deepest.point;
+        return hit;
+    }
+    const Distance apart =
+        distanceBetween(convexOf(geometry, world_.shapes.corners), convexOf(definition_.outline, {}), frame);
+    if (!(apart.distance < within)) return std::nullopt;
+    hit.separation = apart.distance;
+    hit.touch.normal = rotate(pose.rotation, apart.normal);
+    hit.touch.point = placeOf(pose, apart.pointA);
+    return hit;
+}
+
+std::optional<CharacterHit> CharacterProbe::nearest(Place at, float within) const {
+    std::optional<CharacterHit> best;
+    for (const std::uint32_t shape : around(boundsOf(definition_.outline, {}, {}), at, {})) {
+        const ShapeInfo& info = world_.shapes.info[shape];
+        if (ignores(shape) || hasPassed(info.body)) continue;
+        if ((info.flags & kOneWay) != 0 && idOf(world_, shape) != floor) continue;
+        const auto hit = apart(shape, at, within);
+        if (hit && hit->separation < within && (!best || hit->separation < best->separation)) best = hit;
+    }
+    return best;
+}
+
+std::size_t CharacterProbe::pushesAt(Place at, Vec2 ride, Vec2 own, BodyId except, std::span<Push> room) {
+    MovingOutline moving{convexOf(definition_.outline, {}), at, {}, {}};
+    std::size_t count = 0;
+    passedCount_ = 0;
+    for (const std::uint32_t shape : around(boundsOf(definition_.outline, {}, {}), at, ride + own)) {
+        const std::uint32_t body = world_.shapes.info[shape].body;
+        if (ignores(shape) || !isCarried(body) || (except && except.index == body)) continue;
+        const BodyPose& pose = world_.bodies.pose[body];
+        const Vec2 taken = placeOf(poseOf(body), seenFrom(pose, at)) - at;
+        moving.way = ride + own - taken;
+        const auto hit = meet(world_, shape, pose, moving);
+        const bool meets = hit && -dot(moving.way, hit->normal) > kAlong * length(moving.way);
+        if (!meets && passedCount_ < passed_.size()) passed_[passedCount_++] = body;
+        if (!meets || !stops(*hit, pose) || count == room.size()) continue;
+        const float pressed = dot(taken - ride, hit->normal) * (1.0f - hit->fraction);
+        if (!(pressed > 0.0f)) continue;
+        room[count++] = {hit->body, hit->shape, hit->normal * (pressed + definition_.gap), hit->fraction};
+    }
+    return count;
+}
+
+}  // namespace plumb::physics
