@@ -5,15 +5,14 @@
 #include <cmath>
 
 #include "physics/broadphase/overlap.hpp"
-#include "physics/broadphase/spread.hpp"
 
 namespace plumb::physics {
 
 namespace {
 
-constexpr float kFar = 0x1p40f;           // m: further out there are no squares
-constexpr float kSmallest = 0x1p-20f;     // m
-constexpr float kLeastOfSpacing = 0.25f;  // smaller squares tell nobody apart
+constexpr float kFar = 0x1p40f;        // m: further out there are no squares
+constexpr float kSmallest = 0x1p-12f;  // m: half the width of a square
+constexpr std::uint32_t kMany = 8;     // in a square
 
 /// The power of two that is not below x.
 float powerAbove(float x) {
@@ -28,18 +27,18 @@ void LooseQuadtree::clear() {
     items_.clear();
     free_.clear();
     root_ = kNobody;
-    size_ = chosenFor_ = 0;
+    size_ = 0;
     layers_ = masks_ = 0;
 }
 
-bool LooseQuadtree::isOutside(const AABB& box) const {
+bool LooseQuadtree::isOutside(const AABB& box) {
     const auto isNear = [](Vec2 point) { return std::fabs(point.x) < kFar && std::fabs(point.y) < kFar; };
     return !(isNear(box.min) && isNear(box.max));
 }
 
-LooseQuadtree::Goal LooseQuadtree::goalOf(const AABB& box) const {
+LooseQuadtree::Goal LooseQuadtree::goalOf(const AABB& box) {
     const Vec2 size = box.size();
-    return {middleOf(box), powerAbove(std::max({size.x * 0.5f, size.y * 0.5f, leastHalf_}))};
+    return {middleOf(box), powerAbove(std::max({size.x * 0.5f, size.y * 0.5f, kSmallest}))};
 }
 
 bool LooseQuadtree::holds(const Node& node, const Goal& goal) {
@@ -47,37 +46,58 @@ bool LooseQuadtree::holds(const Node& node, const Goal& goal) {
            std::fabs(goal.middle.y - node.middle.y) <= node.half;
 }
 
+void LooseQuadtree::makeChildren(std::uint32_t node) {
+    const Node parent = nodes_[node];
+    const float half = parent.half * 0.5f;
+    nodes_[node].children = static_cast<std::uint32_t>(nodes_.size());
+    for (int i = 0; i < 4; ++i) {
+        const Vec2 way{i % 2 == 0 ? -half : half, i / 2 == 0 ? -half : half};
+        nodes_.push_back({kNowhere, parent.middle + way, half, node});
+    }
+}
+
+/// Makes the top so large that it holds the goal: what was the top becomes a quarter of a square, and so on.
 void LooseQuadtree::growRoot(const Goal& goal) {
     if (root_ == kNobody) {
         root_ = static_cast<std::uint32_t>(nodes_.size());
         const float size = goal.half * 2.0f;
         const Vec2 corner{std::floor(goal.middle.x / size) * size, std::floor(goal.middle.y / size) * size};
-        nodes_.push_back({corner + Vec2{goal.half, goal.half}, goal.half});
+        nodes_.push_back({kNowhere, corner + Vec2{goal.half, goal.half}, goal.half});
     }
     while (!holds(nodes_[root_], goal)) {
-        const Node old = nodes_[root_];
+        Node old = nodes_[root_];
         const Vec2 way{goal.middle.x < old.middle.x ? -old.half : old.half,
                        goal.middle.y < old.middle.y ? -old.half : old.half};
-        Node node{old.middle + way, old.half * 2.0f};
-        node.children[(way.x < 0.0f ? 1u : 0u) | (way.y < 0.0f ? 2u : 0u)] = root_;
-        node.count = old.count;
-        nodes_[root_].parent = static_cast<std::uint32_t>(nodes_.size());
-        root_ = nodes_[root_].parent;
-        nodes_.push_back(node);
+        nodes_[root_] = {old.reach, old.middle + way, old.half * 2.0f};
+        nodes_[root_].count = old.count;
+        makeChildren(root_);
+        const std::uint32_t quarter =
+            nodes_[root_].children + ((way.x < 0.0f ? 1u : 0u) | (way.y < 0.0f ? 2u : 0u));
+        old.parent = root_;
+        nodes_[quarter] = old;
+        for (std::uint32_t place = old.firstItem; place != kNobody; place = items_[place].next)
+            items_[place].node = quarter;
+        for (std::uint32_t i = 0; i < 4 && old.children != kNobody; ++i)
+            nodes_[old.children + i].parent = quarter;
     }
 }
 
-std::uint32_t LooseQuadtree::childFor(std::uint32_t node, const Goal& goal) {
-    const bool right = goal.middle.x >= nodes_[node].middle.x;
-    const bool below = goal.middle.y >= nodes_[node].middle.y;
-    const std::size_t quarter = (right ? 1u : 0u) | (below ? 2u : 0u);
-    if (nodes_[node].children[quarter] == kNobody) {
-        const float half = nodes_[node].half * 0.5f;
-        const Vec2 middle = nodes_[node].middle + Vec2{right ? half : -half, below ? half : -half};
-        nodes_[node].children[quarter] = static_cast<std::uint32_t>(nodes_.size());
-        nodes_.push_back({middle, half, node});
-    }
-    return nodes_[node].children[quarter];
+std::uint32_t LooseQuadtree::childFor(std::uint32_t node, const Goal& goal) const {
+    const Node& parent = nodes_[node];
+    return parent.children +
+           ((goal.middle.x >= parent.middle.x ? 1u : 0u) | (goal.middle.y >= parent.middle.y ? 2u : 0u));
+}
+
+/// Notes that a box is in a node.
+void LooseQuadtree::reachOut(std::uint32_t node, const AABB& box) {
+    for (; node != kNobody && merged(nodes_[node].reach, box) != nodes_[node].reach;
+         node = nodes_[node].parent)
+        nodes_[node].reach = merged(nodes_[node].reach, box);
+}
+
+/// One less is in it or below.
+void LooseQuadtree::leave(std::uint32_t node) {
+    if (--nodes_[node].count == 0) nodes_[node].reach = kNowhere;
 }
 
 void LooseQuadtree::link(std::uint32_t place, std::uint32_t node) {
@@ -87,6 +107,7 @@ void LooseQuadtree::link(std::uint32_t place, std::uint32_t node) {
     item.next = nodes_[node].firstItem;
     if (item.next != kNobody) items_[item.next].previous = place;
     nodes_[node].firstItem = place;
+    if (node != kOutside) reachOut(node, item.box);
 }
 
 void LooseQuadtree::unlink(std::uint32_t place) {
@@ -97,6 +118,21 @@ void LooseQuadtree::unlink(std::uint32_t place) {
         nodes_[item.node].firstItem = item.next;
     }
     if (item.next != kNobody) items_[item.next].previous = item.previous;
+}
+
+/// Sends those on that its quarters can hold.
+void LooseQuadtree::split(std::uint32_t node) {
+    makeChildren(node);
+    std::uint32_t next = kNobody;
+    for (std::uint32_t place = nodes_[node].firstItem; place != kNobody; place = next) {
+        next = items_[place].next;
+        const Goal goal = goalOf(items_[place].box);
+        if (goal.half >= nodes_[node].half) continue;
+        unlink(place);
+        const std::uint32_t child = childFor(node, goal);
+        ++nodes_[child].count;
+        link(place, child);
+    }
 }
 
 /// Puts an item below a node that holds it, or kNobody for the top.
@@ -110,6 +146,10 @@ void LooseQuadtree::insert(std::uint32_t place, std::uint32_t from) {
         ++nodes_[node].count;
     }
     while (nodes_[node].half > goal.half) {
+        if (nodes_[node].children == kNobody) {
+            if (nodes_[node].count <= kMany) break;
+            split(node);
+        }
         node = childFor(node, goal);
         ++nodes_[node].count;
     }
@@ -135,48 +175,53 @@ void LooseQuadtree::erase(std::uint32_t place) {
     unlink(place);
     for (std::uint32_t node = items_[place].node; node != kNobody && node != kOutside;
          node = nodes_[node].parent)
-        --nodes_[node].count;
+        leave(node);
     items_[place].node = kNobody;
     free_.push_back(place);
     --size_;
 }
 
 bool LooseQuadtree::isDue(std::size_t arrivals) const {
-    // Squares may be too large or too small by now, and empty ones too many.
-    return size_ + arrivals > 2 * std::size_t{chosenFor_} || nodes_.size() > 8 * items_.size() + 4096;
+    // Most are new, or those that moved on have left too many empty squares behind.
+    return arrivals > size_ || nodes_.size() > 2 * items_.size() + 4096;
+}
+
+void LooseQuadtree::add(const Proxies& proxies, std::uint32_t id, std::span<std::uint32_t> places,
+                        std::uint32_t first) {
+    auto place = static_cast<std::uint32_t>(items_.size());
+    if (free_.empty()) {
+        items_.emplace_back();
+    } else {
+        place = free_.back();
+        free_.pop_back();
+    }
+    read(proxies, place, id);
+    insert(place, kNobody);
+    ++size_;
+    places[id] = first + place;
+}
+
+/// Neighbours come one after the other, so that they are near each other in memory.
+void LooseQuadtree::sortAll(const Proxies& proxies, std::span<const std::uint32_t> arrivals) {
+    order_.clear();
+    for (const Item& item : items_) {
+        if (item.node != kNobody) order_.push_back(item.id);
+    }
+    order_.insert(order_.end(), arrivals.begin(), arrivals.end());
+    curve_.sort(proxies.bounds, order_);
+    clear();
+    nodes_.push_back({});
 }
 
 bool LooseQuadtree::take(const Proxies& proxies, std::span<std::uint32_t> arrivals, std::uint32_t,
                          std::span<std::uint32_t> places, std::uint32_t first) {
-    std::vector<std::uint32_t> all;
-    const bool isNew = isDue(arrivals.size());
-    if (isNew) {
-        for (const Item& item : items_) {
-            if (item.node != kNobody) all.push_back(item.id);
-        }
-        all.insert(all.end(), arrivals.begin(), arrivals.end());
-        arrivals = all;
-        clear();
-        nodes_.push_back({});
-        chosenFor_ = static_cast<std::uint32_t>(arrivals.size());
-        const Spread spread = spreadOf(proxies, arrivals);
-        leastHalf_ = powerAbove(
-            std::clamp(std::max(spread.extent * 0.5f, spread.spacing * kLeastOfSpacing), kSmallest, kFar));
+    if (!isDue(arrivals.size())) {
+        for (const std::uint32_t id : arrivals) add(proxies, id, places, first);
+        return false;
     }
-    for (const std::uint32_t id : arrivals) {
-        auto place = static_cast<std::uint32_t>(items_.size());
-        if (free_.empty()) {
-            items_.emplace_back();
-        } else {
-            place = free_.back();
-            free_.pop_back();
-        }
-        read(proxies, place, id);
-        insert(place, kNobody);
-        ++size_;
-        places[id] = first + place;
-    }
-    return isNew;
+    sortAll(proxies, arrivals);
+    for (const std::uint32_t id : order_) add(proxies, id, places, first);
+    return true;
 }
 
 std::uint32_t LooseQuadtree::move(const Proxies& proxies, std::uint32_t place) {
@@ -191,12 +236,15 @@ std::uint32_t LooseQuadtree::move(const Proxies& proxies, std::uint32_t place) {
         return place;
     }
     const Goal goal = goalOf(item.box);
-    if (nodes_[old].half == goal.half && holds(nodes_[old], goal)) return place;
+    if (holds(nodes_[old], goal) && (nodes_[old].children == kNobody || nodes_[old].half == goal.half)) {
+        reachOut(old, item.box);
+        return place;
+    }
     // Up to the first square that holds it, and down again.
     unlink(place);
     std::uint32_t node = old;
     while (node != kNobody && !holds(nodes_[node], goal)) {
-        --nodes_[node].count;
+        leave(node);
         node = nodes_[node].parent;
     }
     insert(place, node);

@@ -1,20 +1,22 @@
 #pragma once
 
 #include <array>
-#include <cmath>
 #include <cstdint>
 #include <span>
 #include <vector>
 
 #include "physics/broadphase/broad_phase.hpp"
+#include "physics/broadphase/curve_order.hpp"
 #include "physics/broadphase/line_sweep.hpp"
+#include "physics/broadphase/overlap.hpp"
 
 namespace plumb::physics {
 
-/// Squares in squares, half as wide from level to level. A box is in the smallest square that its middle is
-/// in and that is no smaller than the box, so it may stick out by half a square: coming, going and moving on
-/// cost the same in any world, and hardly anything while the middle stays in the square.
-/// Source: T. Ulrich, "Loose Octrees", Game Programming Gems, 2000
+/// Squares in squares, half as wide from level to level; one with many boxes sends those that are small
+/// enough on to its quarters. A box is in a square that its middle is in and that is no smaller than the box,
+/// so it may stick out by half a square: coming, going and moving on cost the same in any world, and hardly
+/// anything while the middle stays in the square. Source: T. Ulrich, "Loose Octrees", Game Programming Gems,
+/// 2000
 class LooseQuadtree {
 public:
     struct Item {
@@ -53,10 +55,12 @@ private:
     static constexpr int kMostLevels = 64;
 
     struct Node {
-        Vec2 middle;        ///< m
-        float half = 0.0f;  ///< m
+        AABB reach = kNowhere;  ///< of all who have been in it or below since it was empty
+        Vec2 middle;            ///< m
+        float half = 0.0f;      ///< m
         std::uint32_t parent = kNobody;
-        std::array<std::uint32_t, 4> children{kNobody, kNobody, kNobody, kNobody};
+        std::uint32_t children =
+            kNobody;  ///< the first of four; with them, it keeps only what they cannot hold
         std::uint32_t firstItem = kNobody;
         std::uint32_t count = 0;  ///< items in it and below
     };
@@ -67,16 +71,20 @@ private:
         float half = 0.0f;  ///< m: half the width of the square
     };
 
-    [[nodiscard]] bool isOutside(const AABB& box) const;
-    [[nodiscard]] Goal goalOf(const AABB& box) const;
+    [[nodiscard]] static bool isOutside(const AABB& box);
+    [[nodiscard]] static Goal goalOf(const AABB& box);
     [[nodiscard]] static bool holds(const Node& node, const Goal& goal);
-    [[nodiscard]] static Vec2 reachFrom(const Node& node, float part);
-    [[nodiscard]] static AABB reachOf(const Node& node);
     void growRoot(const Goal& goal);
-    std::uint32_t childFor(std::uint32_t node, const Goal& goal);
+    [[nodiscard]] std::uint32_t childFor(std::uint32_t node, const Goal& goal) const;
+    void makeChildren(std::uint32_t node);
+    void reachOut(std::uint32_t node, const AABB& box);
+    void leave(std::uint32_t node);
+    void split(std::uint32_t node);
     void link(std::uint32_t place, std::uint32_t node);
     void unlink(std::uint32_t place);
     void insert(std::uint32_t place, std::uint32_t from);
+    void sortAll(const Proxies& proxies, std::span<const std::uint32_t> arrivals);
+    void add(const Proxies& proxies, std::uint32_t id, std::span<std::uint32_t> places, std::uint32_t first);
     void read(const Proxies& proxies, std::uint32_t place, std::uint32_t id);
 
     std::vector<Node> nodes_;  ///< 0: outside
@@ -84,10 +92,11 @@ private:
     std::vector<std::uint32_t> free_;
     std::uint32_t root_ = kNobody;
     std::uint32_t size_ = 0;
-    std::uint32_t chosenFor_ = 0;  ///< items when leastHalf_ was chosen
-    float leastHalf_ = 0.0f;       ///< m: half the width of the smallest squares, a power of two
-    std::uint32_t layers_ = 0;     ///< of all that have been here
+    std::uint32_t layers_ = 0;  ///< of all that have been here
     std::uint32_t masks_ = 0;
+
+    CurveOrder curve_;
+    std::vector<std::uint32_t> order_;
 };
 
 template <class Visit>
@@ -102,31 +111,13 @@ void LooseQuadtree::visitNear(const AABB& box, const LineSweep* sweep, const Vis
         for (std::uint32_t place = node.firstItem; place != kNobody; place = items_[place].next) {
             if (touch(items_[place].box, box)) visit(place);
         }
-        // Children reach half their width further than they are wide, to where their neighbours' middles are.
-        const Vec2 inner = reachFrom(node, 0.5f);
-        const Vec2 outer = reachFrom(node, 1.5f);
-        const bool left = box.min.x <= node.middle.x + inner.x && box.max.x >= node.middle.x - outer.x;
-        const bool right = box.max.x >= node.middle.x - inner.x && box.min.x <= node.middle.x + outer.x;
-        const bool above = box.min.y <= node.middle.y + inner.y && box.max.y >= node.middle.y - outer.y;
-        const bool below = box.max.y >= node.middle.y - inner.y && box.min.y <= node.middle.y + outer.y;
-        const bool reached[] = {left && above, right && above, left && below, right && below};
-        for (std::size_t i = 0; i < 4; ++i) {
-            const std::uint32_t child = node.children[i];
-            if (!reached[i] || child == kNobody || nodes_[child].count == 0) continue;
-            if (sweep == nullptr || physics::mayMeet(*sweep, reachOf(nodes_[child]))) stack[depth++] = child;
+        if (node.children == kNobody) continue;
+        for (std::uint32_t child = node.children; child < node.children + 4; ++child) {
+            const AABB& reach = nodes_[child].reach;
+            if (!touch(reach, box)) continue;
+            if (sweep == nullptr || physics::mayMeet(*sweep, reach)) stack[depth++] = child;
         }
     }
-}
-
-/// Some of a node's half width, and a little more for what rounding may have taken from middles.
-inline Vec2 LooseQuadtree::reachFrom(const Node& node, float part) {
-    const float half = node.half * part * 1.00001f;
-    return {half + std::fabs(node.middle.x) * 1e-6f, half + std::fabs(node.middle.y) * 1e-6f};
-}
-
-inline AABB LooseQuadtree::reachOf(const Node& node) {
-    const Vec2 reach = reachFrom(node, 2.0f);
-    return {node.middle - reach, node.middle + reach};
 }
 
 }  // namespace plumb::physics

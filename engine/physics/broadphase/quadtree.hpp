@@ -10,7 +10,7 @@
 
 namespace plumb::physics {
 
-/// Loose quadtrees. Nothing is ever sorted: best where many come and go.
+/// Loose quadtrees. No step puts all in order again: best where many come and go and no step may be long.
 class QuadtreeBroadPhase final : public BroadPhase {
 public:
     explicit QuadtreeBroadPhase(const BoxSearches&) {}
@@ -19,7 +19,7 @@ public:
     void update(const Proxies& proxies, std::span<const std::uint32_t> changed) override {
         proxies_.update(proxies, changed);
     }
-    void arrange(std::span<std::uint32_t>) override {}
+    void arrange(std::span<std::uint32_t> moved) override { proxies_.arrange(moved); }
     void findPairs(const Proxies& proxies, std::span<const std::uint32_t> moved,
                    std::span<const std::uint8_t> isMoved, std::vector<PairKey>& pairs) const override;
     void query(const Proxies& proxies, const AABB& box, std::uint32_t mask,
