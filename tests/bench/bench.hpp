@@ -62,6 +62,7 @@ bool writeRows(const std::string& path, std::span<const Row> rows);
 
 // The programs of plumb-bench: one file each, one line in main.cpp each. They give back an exit code.
 
+int runBroadphase(const Options& options);
 int runEcs(const Options& options);
 int runPhysics(const Options& options);
 int runRender(const Options& options);

@@ -15,6 +15,7 @@ struct Program {
 
 /// Every benchmark: one file, one line.
 constexpr std::array kPrograms{
+    Program{"broadphase", &plumb::bench::runBroadphase},
     Program{"ecs", &plumb::bench::runEcs},
     Program{"physics", &plumb::bench::runPhysics},
     Program{"render", &plumb::bench::runRender},

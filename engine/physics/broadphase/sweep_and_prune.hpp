@@ -5,7 +5,7 @@
 
 namespace plumb::physics {
 
-/// Sorted along one axis. Best in small worlds, and in long narrow ones.
+/// Sorted along one axis. Best where all move fast along a line.
 using SweepAndPruneBroadPhase = RowBroadPhase<SortedRows>;
 
 }  // namespace plumb::physics

@@ -1,0 +1,251 @@
+// The broad phases against each other: who is fastest where, and how cost grows with the number of bodies.
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <numeric>
+
+#include "core/clock.hpp"
+#include "core/text.hpp"
+#include "tests/bench/bench.hpp"
+#include "tests/bench/physics/crowd.hpp"
+#include "tests/bench/physics/plumb_world.hpp"
+#include "tests/bench/physics/report.hpp"
+
+namespace plumb::bench {
+namespace {
+
+using physics::BroadPhase;
+using physics::BroadPhaseKind;
+using physics::PairKey;
+using scenes::Measurement;
+
+constexpr auto kKinds = static_cast<std::size_t>(BroadPhaseKind::Count);
+constexpr double kTarget = 1.15;  // exponent: cost ~ n^p
+constexpr double kMicroseconds = 1e6;
+constexpr double kNanoseconds = 1e9;
+constexpr std::uint32_t kCrowd = 10000;
+constexpr int kSteps = 60;
+
+using Costs = std::array<double, kKinds>;  // s per step, by kind
+
+std::string_view nameOf(std::size_t kind) { return physics::nameOf(static_cast<BroadPhaseKind>(kind)); }
+
+void announce(const std::string& what) {
+    std::fprintf(stderr, "\r\033[K%s", what.c_str());
+    std::fflush(stderr);
+}
+
+/// A broad phase and the best it did in each step.
+struct Runner {
+    std::unique_ptr<BroadPhase> phase;
+    std::vector<double> best;  ///< s
+    std::vector<std::uint32_t> moved;
+    std::vector<PairKey> pairs;
+
+    /// What a step of the simulation asks of it.
+    void run(const scenes::Crowd& crowd, std::size_t step) {
+        moved.assign(crowd.moved().begin(), crowd.moved().end());
+        pairs.clear();
+        const double start = wallSeconds();
+        phase->update(crowd.proxies(), crowd.changed());
+        phase->arrange(moved);
+        phase->findPairs(crowd.proxies(), moved, crowd.isMoved(), pairs);
+        const double seconds = wallSeconds() - start;
+        best[step] = std::min(best[step], seconds);
+    }
+};
+
+class Race {
+public:
+    Race(const scenes::CrowdKind& kind, std::uint32_t boxes, int rounds) {
+        for (Runner& runner : runners_) runner.best.assign(kSteps, 1.0);
+        for (int round = 0; round < rounds; ++round) {
+            announce(format("{}, {} boxes, round {} of {}", kind.name, boxes, round + 1, rounds));
+            runRound(kind.make(boxes));
+        }
+        announce("");
+    }
+    /// The mean over the steps of the best time that each took.
+    [[nodiscard]] Costs costs() const {
+        return ofEach(
+            [](const auto& best) { return std::accumulate(best.begin(), best.end(), 0.0) / kSteps; });
+    }
+    /// The longest of them: where a step now and then puts all in order, it is what a player feels.
+    [[nodiscard]] Costs longest() const {
+        return ofEach([](const auto& best) { return *std::max_element(best.begin(), best.end()); });
+    }
+    [[nodiscard]] bool agrees() const { return agrees_; }
+    [[nodiscard]] std::size_t pairs() const { return pairs_; }
+
+private:
+    template <class Of>
+    [[nodiscard]] Costs ofEach(const Of& of) const {
+        Costs costs{};
+        for (std::size_t i = 0; i < kKinds; ++i) costs[i] = of(runners_[i].best);
+        return costs;
+    }
+
+    void runRound(scenes::Crowd crowd) {
+        for (std::size_t i = 0; i < kKinds; ++i) {
+            runners_[i].phase = physics::makeBroadPhase(static_cast<BroadPhaseKind>(i));
+            runners_[i].phase->rebuild(crowd.proxies());
+        }
+        for (std::size_t step = 0; step < kSteps; ++step) {
+            crowd.step();
+            for (std::size_t i = 0; i < kKinds; ++i) runners_[(i + step) % kKinds].run(crowd, step);
+            for (Runner& runner : runners_) std::sort(runner.pairs.begin(), runner.pairs.end());
+            for (const Runner& runner : runners_) agrees_ = agrees_ && runner.pairs == runners_.front().pairs;
+            pairs_ += runners_.front().pairs.size();
+        }
+    }
+
+    std::array<Runner, kKinds> runners_;
+    bool agrees_ = true;
+    std::size_t pairs_ = 0;
+};
+
+void printKinds(const char* title) {
+    std::printf("%-26s", title);
+    for (std::size_t i = 0; i < kKinds; ++i)
+        std::printf(" %15.*s ", static_cast<int>(nameOf(i).size()), nameOf(i).data());
+    std::printf("\n");
+}
+
+/// Marks the smallest.
+void printCosts(const std::string& name, const Costs& costs) {
+    std::printf("%-26s", name.c_str());
+    const double least = *std::min_element(costs.begin(), costs.end());
+    for (const double cost : costs) {
+        const double us = cost * kMicroseconds;
+        std::printf(" %15s%c", fixedText(us, us < 100.0 ? 2 : 0).c_str(), cost == least ? '*' : ' ');
+    }
+    std::printf("\n");
+    std::fflush(stdout);
+}
+
+/// Everything that was measured, for the file.
+class Results {
+public:
+    void add(std::string_view line, std::uint32_t boxes, const Costs& costs) {
+        for (std::size_t i = 0; i < kKinds; ++i)
+            rows_.push_back({.name = format("{}: {}", line, nameOf(i)),
+                             .n = boxes,
+                             .ns = costs[i] * kNanoseconds / boxes});
+    }
+    void add(std::string_view line, const Measurement& row, double broadMs) {
+        const double perBody = 1e6 / row.size;
+        rows_.push_back({.name = format("{}: step", line),
+                         .n = static_cast<std::size_t>(row.size),
+                         .ns = row.quietMs * perBody});
+        rows_.push_back({.name = format("{}: broad phase", line),
+                         .n = static_cast<std::size_t>(row.size),
+                         .ns = broadMs * perBody});
+    }
+    void noteAgreement(const Race& race) { agrees_ = agrees_ && race.agrees() && race.pairs() > 0; }
+    void noteExponent(double exponent) { meets_ = meets_ && exponent <= kTarget; }
+
+    [[nodiscard]] int finish(const Options& options) const {
+        if (!agrees_) std::printf("BROKEN: not all found the same pairs, or any\n");
+        if (!meets_)
+            std::printf("MISSED: an exponent of the default above %s\n", fixedText(kTarget, 2).c_str());
+        if (!options.jsonPath.empty() && !writeRows(options.jsonPath, rows_)) return 1;
+        return agrees_ ? 0 : 1;
+    }
+
+private:
+    std::vector<Row> rows_;
+    bool agrees_ = true;
+    bool meets_ = true;
+};
+
+bool wants(const Options& options, std::string_view name) {
+    return options.rest.empty() ||
+           std::any_of(options.rest.begin(), options.rest.end(),
+                       [&](const auto& part) { return name.find(part) != std::string_view::npos; });
+}
+
+void raceCrowds(const Options& options, Results& results) {
+    const std::uint32_t boxes = options.quick ? kCrowd / 10 : kCrowd;
+    std::vector<std::pair<std::string, Costs>> longest;
+    for (const scenes::CrowdKind& kind : scenes::crowdKinds()) {
+        if (!wants(options, kind.name)) continue;
+        if (longest.empty()) printKinds(format("us a step, {} boxes", boxes).c_str());
+        const Race race{kind, boxes, options.quick ? 2 : 12};
+        printCosts(std::string{kind.name}, race.costs());
+        results.add(kind.name, boxes, race.costs());
+        results.noteAgreement(race);
+        longest.emplace_back(kind.name, race.longest());
+    }
+    if (!longest.empty()) std::printf("\n");
+    if (!longest.empty()) printKinds("us, the longest step");
+    for (const auto& [name, costs] : longest) printCosts(name, costs);
+}
+
+/// How the cost of a step of the broad phase alone grows.
+void raceSizes(const scenes::CrowdKind& kind, const Options& options, Results& results) {
+    if (!wants(options, kind.name)) return;
+    std::printf("\n");
+    printKinds(format("us a step, {}", kind.name).c_str());
+    std::array<std::vector<Measurement>, kKinds> lines;
+    for (const std::uint32_t boxes : {10u, 100u, 1000u, 10000u, 100000u}) {
+        if (options.quick && boxes > 1000) break;
+        const Race race{kind, boxes, options.quick ? 2 : boxes > 10000 ? 3 : boxes > 1000 ? 10 : 60};
+        const Costs costs = race.costs();
+        printCosts(format("{} boxes", boxes), costs);
+        results.add(format("{} by number", kind.name), boxes, costs);
+        results.noteAgreement(race);
+        for (std::size_t i = 0; i < kKinds; ++i)
+            lines[i].push_back({.size = static_cast<int>(boxes), .quietMs = costs[i] * 1e3});
+    }
+    std::printf("%-26s", "grows as n^");
+    for (const auto& line : lines) std::printf(" %15s ", fixedText(scenes::exponentOf(line), 2).c_str());
+    std::printf("\n");
+    results.noteExponent(scenes::exponentOf(lines.front()));
+}
+
+double broadPhaseMs(const Measurement& row) {
+    for (const Profile::Zone& zone : row.stages) {
+        if (zone.name == "broad phase") return zone.seconds;  // ms per step by now
+    }
+    return 0.0;
+}
+
+/// How whole steps of a world with the default broad phase grow, and its part in them.
+void measureFalls(const std::string& family, const Options& options, Results& results) {
+    if (!wants(options, family)) return;
+    const scenes::Engine engine = scenes::plumbEngine();
+    const scenes::Contender contender{&engine, 1};
+    std::printf("\n%-26s %15s %15s\n", family.c_str(), "us a step", "of it broad");
+    std::vector<Measurement> steps, broad;
+    for (const int size : {10, 100, 1000, 10000, 100000}) {
+        if (options.quick && size > 1000) break;
+        const scenes::Scene* scene = scenes::findScene(format("{}_{}", family, size));
+        const auto rows = scenes::measure(*scene, {&contender, 1}, {.runs = size > 10000 ? 1 : 4});
+        steps.push_back(rows.front());
+        broad.push_back(rows.front());
+        broad.back().quietMs = broadPhaseMs(rows.front());
+        std::printf("%-26s %15s %15s\n", format("{} bodies", size).c_str(),
+                    fixedText(steps.back().quietMs * 1e3, 1).c_str(),
+                    fixedText(broad.back().quietMs * 1e3, 2).c_str());
+        std::fflush(stdout);
+        results.add(family, steps.back(), broad.back().quietMs);
+    }
+    std::printf("%-26s %15s %15s\n", "grows as n^", fixedText(scenes::exponentOf(steps), 2).c_str(),
+                fixedText(scenes::exponentOf(broad), 2).c_str());
+    results.noteExponent(scenes::exponentOf(steps));
+    results.noteExponent(scenes::exponentOf(broad));
+}
+
+}  // namespace
+
+int runBroadphase(const Options& options) {
+    Results results;
+    raceCrowds(options, results);
+    for (const scenes::CrowdKind& kind : scenes::crowdKinds().first(2)) raceSizes(kind, options, results);
+    for (const char* family : {"boxes_uniform", "boxes_clustered", "circles_uniform", "circles_clustered"})
+        measureFalls(family, options, results);
+    return results.finish(options);
+}
+
+}  // namespace plumb::bench

@@ -1,0 +1,66 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "core/random.hpp"
+#include "physics/broadphase/broad_phase.hpp"
+
+namespace plumb::scenes {
+
+/// Boxes that move about, as a broad phase sees them: bounds with a margin, which change when a box leaves
+/// them. The same crowd does the same each time.
+class Crowd {
+public:
+    explicit Crowd(Vec2 size) : size_{size} {}
+
+    /// @param speed  m/s
+    void add(Vec2 place, Vec2 half, physics::ProxyMotion motion, float speed = 0.0f);
+    /// From now on so many of those that rest go in each step, and as many come elsewhere.
+    void streamIn(std::uint32_t count) { streaming_ = count; }
+    void step();
+
+    [[nodiscard]] physics::Proxies proxies() const { return {bounds_, filters_, motions_}; }
+    [[nodiscard]] std::uint32_t size() const { return static_cast<std::uint32_t>(boxes_.size()); }
+    /// What a broad phase has to be told of, and who has to look for partners.
+    [[nodiscard]] std::span<const std::uint32_t> changed() const { return changed_; }
+    [[nodiscard]] std::span<const std::uint32_t> moved() const { return moved_; }
+    [[nodiscard]] std::span<const std::uint8_t> isMoved() const { return isMoved_; }
+    [[nodiscard]] Random& random() { return random_; }
+    [[nodiscard]] Vec2 anywhere();
+
+private:
+    struct Box {
+        Vec2 place;
+        Vec2 half;
+        Vec2 way;  ///< m per step
+    };
+
+    void note(std::uint32_t box, bool looks);
+    void stream();
+
+    Vec2 size_;  ///< m
+    Random random_ = Random::seeded(1);
+    std::uint32_t streaming_ = 0;
+    std::vector<Box> boxes_;
+    std::vector<std::uint32_t> movers_;
+    std::vector<std::uint32_t> away_;
+    std::vector<AABB> bounds_;
+    std::vector<physics::Filter> filters_;
+    std::vector<physics::ProxyMotion> motions_;
+    std::vector<std::uint32_t> changed_;
+    std::vector<std::uint32_t> moved_;
+    std::vector<std::uint8_t> isMoved_;
+};
+
+struct CrowdKind {
+    std::string_view name;
+    Crowd (*make)(std::uint32_t boxes);
+};
+
+/// How boxes can be spread out and move.
+std::span<const CrowdKind> crowdKinds();
+
+}  // namespace plumb::scenes
