@@ -27,6 +27,7 @@ struct BoxRows {
     std::uint32_t layers = 0;  ///< of all that have been here; see overruledBy()
     std::uint32_t masks = 0;
 
+    BoxRows() { reset(0); }
     /// Makes free places; forgets what there was.
     void reset(std::uint32_t places);
     /// Makes a free place behind the others.

@@ -82,6 +82,11 @@ private:
         return search.others->mayMeet(search.own->filters[place]) && search.own->boxAt(place) != kNowhere;
     }
 
+    static bool mayJoin(const RowSearch& search, const Part& own, std::uint32_t looker) {
+        return search.count < RowSearch::kMostLookers && search.lookers[search.count - 1] < looker &&
+               own.areNear(search.lookers[0], looker);
+    }
+
     void findPairsAmong(RowSearch& search, const Part& own, const Part& others,
                         std::span<const std::uint32_t> moved, std::vector<PairKey>& pairs) const {
         const auto part = static_cast<std::uint32_t>(&own - proxies_.parts.data());
@@ -90,8 +95,7 @@ private:
             const ProxyPlace place = proxies_.placeOf(id);
             if (place == kNoPlace || partOfPlace(place) != part || !looks(search, inPart(place))) continue;
             const std::uint32_t looker = inPart(place);
-            if (search.count == RowSearch::kMostLookers ||
-                (search.count > 0 && !own.areNear(search.lookers[0], looker))) {
+            if (search.count > 0 && !mayJoin(search, own, looker)) {
                 findPairsNear(search, others, box, pairs);
                 search.count = 0;
                 box = kNowhere;
