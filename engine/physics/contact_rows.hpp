@@ -6,6 +6,7 @@ namespace plumb::physics {
 enum ContactRow {
     kSurfaceRow = 1,
     kNormalRow = 2,
+    kTurnRow = 3,
     kAnchorsRow = 4,
     kImpulseRow = 6,
     kRoundRow = 7,

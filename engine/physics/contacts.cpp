@@ -33,27 +33,41 @@ float separationOf(const Encounter& now, const ContactAnchors& anchors, Vec2 nor
 
 float longest(Vec2 a) { return std::max(std::fabs(a.x), std::fabs(a.y)); }
 
+/// rad, about: a body that has turned by more since the points were found has them found anew.
+constexpr float kMostTurn = 0.1f;
+
+/// Ratio to what is about half the size of the smaller body: it has moved far, seen from itself.
+constexpr float kMostOfSize = 0.1f;
+
 /// True when the bodies have hardly moved to each other since the points were found.
-bool hardlyMoved(const Contact& contact, const Encounter& now, float tolerance) {
+/// @param normal  the contact's, in A's frame as it is now
+bool hardlyMoved(const Contact& contact, const Encounter& now, Vec2 normal, float tolerance) {
+    if (std::fabs(cross(contact.normalInA, normal)) > kMostTurn) return false;
     const float turned = contact.turn.cos * now.turn.sin - contact.turn.sin * now.turn.cos;
     const float arm =
         longest(contact.anchors[0].b) + longest(contact.anchors[1].b) + longest(contact.anchors[0].a);
     if (std::fabs(turned) * arm > tolerance) return false;
     const Vec2 apart = now.between + rotate(now.turn, contact.anchors[0].b) - contact.anchors[0].a;
-    return std::fabs(cross(contact.normalInA, apart)) <= tolerance;
+    return std::fabs(cross(normal, apart)) <= tolerance;
 }
 
-/// Takes the points along. @return false when they have to be found anew
+/// Takes the points along: how far they are apart is new, while the normal and the arms stay as they were in
+/// the world (see prepare() of the kernels). So a load does not feel that its column leans a little, and high
+/// stacks do not buckle on contacts that are springs.
+/// @return false when they have to be found anew
 bool recycle(Contact& contact, const Encounter& now, const Settings& settings) {
     if ((contact.flags & (kTouching | kRound)) != kTouching) return false;
-    // One point says little of what comes next: a second one may be about to touch.
-    const float tolerance = contact.count == 2 ? settings.recycleDistance : 0.05f * settings.recycleDistance;
-    if (!hardlyMoved(contact, now, tolerance)) return false;
-    const float separation0 = separationOf(now, contact.anchors[0], contact.normalInA);
+    // Of small things, a small part; and one point says little of what comes next: a second may be about to
+    // touch.
+    const float size = std::min(longest(contact.anchors[0].a), longest(contact.anchors[0].b));
+    const float most = std::min(settings.recycleDistance, kMostOfSize * size);
+    const float tolerance = contact.count == 2 ? most : 0.05f * most;
+    const Vec2 normal = unrotate(now.turnA, contact.normal);
+    if (!hardlyMoved(contact, now, normal, tolerance)) return false;
+    const float separation0 = separationOf(now, contact.anchors[0], normal);
     if (separation0 > settings.slop) return false;
-    contact.normal = rotate(now.turnA, contact.normalInA);
     contact.separation0 = separation0;
-    if (contact.count == 2) contact.separation1 = separationOf(now, contact.anchors[1], contact.normalInA);
+    if (contact.count == 2) contact.separation1 = separationOf(now, contact.anchors[1], normal);
     return true;
 }
 

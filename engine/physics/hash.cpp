@@ -85,11 +85,11 @@ void addAll(LaneHasher& hash, const std::vector<T>&... arrays) {
 
 void add(LaneHasher& hash, const Settings& settings) {
     const auto& [gravity, solver, integrator, broadPhase, quality, iterations, automaticQuality,
-                 projectionIterations, contactStiffness, loadMemory, jointStiffness, contactDampingRatio,
+                 projectionIterations, contactStiffness, jointStiffness, contactDampingRatio,
                  jointDampingRatio, pushSpeed, slop, speculativeDistance, recycleDistance, boundsMargin,
                  bounceSpeed, sleepTime, maxSpeed, continuous, sleeping, stayEvents] = settings;
     Values{hash}(gravity, solver, integrator, broadPhase, quality, iterations, automaticQuality,
-                 projectionIterations, contactStiffness, loadMemory, jointStiffness, contactDampingRatio,
+                 projectionIterations, contactStiffness, jointStiffness, contactDampingRatio,
                  jointDampingRatio, pushSpeed, slop, speculativeDistance, recycleDistance, boundsMargin,
                  bounceSpeed, sleepTime, maxSpeed, continuous, sleeping, stayEvents);
 }

@@ -38,6 +38,7 @@ struct SolveGroup {
     std::int32_t bodies = 0;
     std::int32_t begin = 0;  ///< slots, in multiples of eight
     std::int32_t end = 0;
+    std::uint64_t contactColours = 0;    ///< bits of colours that have contacts
     std::uint64_t jointColours = 0;      ///< bits of colours that have joints
     ColourBlocks colours[kColours + 1];  ///< the last is kOverflow: one lane a block, in order
 };

@@ -39,7 +39,7 @@ TEST(OneWay, letsThroughWhatComesFromBelowAndCatchesItOnTheWayBack) {
                                       round ? circle(0.4f) : box({0.4f, 0.4f}), {}, body);
         double highest = -10.0;
         const double start = heightOf(world, thrown), rise = body.velocity.y * body.velocity.y / 20.0f;
-        for (int i = 0; i < 240; ++i) {
+        for (int i = 0; i < 300; ++i) {
             step(world, kStep);
             highest = std::max(highest, heightOf(world, thrown));
         }

@@ -206,7 +206,6 @@ std::vector<Change> everyField() {
         PLUMB_SET(settings.iterations),
         PLUMB_SET(settings.automaticQuality),
         PLUMB_SET(settings.projectionIterations),
-        PLUMB_SET(settings.loadMemory),
         PLUMB_SET(settings.contactStiffness),
         PLUMB_SET(settings.jointStiffness),
         PLUMB_SET(settings.contactDampingRatio),

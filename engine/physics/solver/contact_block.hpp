@@ -25,7 +25,6 @@ struct ContactBlockPoint {
     float gap[kLanes];         ///< m, now
     float mass[kLanes];        ///< kg that the point offers to a push along the normal
     float impulse[kLanes];     ///< N s
-    float load[kLanes];        ///< N s: what its spring carries without giving way
 };
 
 /// Eight contacts of one colour, between bodies that all can be pushed: no body appears twice.
@@ -56,7 +55,6 @@ struct FixedContactBlockPoint {
     float approach[kLanes];  ///< m/s along the normal: of the fixed body's surface here
     float mass[kLanes];
     float impulse[kLanes];
-    float load[kLanes];
 };
 
 /// Eight contacts of one colour, each of a body B that can be pushed with a body A that cannot.

@@ -10,11 +10,9 @@ namespace plumb::physics {
 /// What `prepare` reads: rows of four floats of contacts, and of bodies by body index.
 struct ContactSource {
     const Float4* contacts;     ///< kContactRows for each
-    const Float4* poses;        ///< two rows for each body: the second starts with cosine, sine
     const Float4* masses;       ///< inverse mass, inverse inertia
     const Float4* motions;      ///< velocity x, y, angular velocity
     const std::int32_t* slots;  ///< by body
-    float loadMemory;           ///< Settings::loadMemory
     std::int32_t idleSlot;      ///< the first of eight that belong to nobody
     bool surfaces;              ///< some contact has a surface speed
     bool kinematics;            ///< some body is kinematic

@@ -58,21 +58,18 @@ inline void slotsOf(const ContactSource& source, const BlockLanes& lanes, const 
 /// A body's part in eight contacts.
 struct Side8 {
     Float8 inverseMass, inverseInertia;
-    Float8 cosine, sine;
 };
 
 inline Side8 sideOf(const ContactSource& source, const std::int32_t* body) {
-    Float8 mass[4], pose[4];
-    std::int32_t second[kLanes];
-    for (int i = 0; i < kLanes; ++i) second[i] = 2 * body[i] + 1;
+    Float8 mass[4];
     gather(source.masses, body, mass);
-    gather(source.poses, second, pose);
-    return {mass[0], mass[1], pose[0], pose[1]};
+    return {mass[0], mass[1]};
 }
 
-/// The geometry of eight contacts.
+/// The geometry of eight contacts, turned as their bodies were when the points were found.
 struct Places8 {
     Two8 normal;
+    Two8 turnA, turnB;  // cosine and sine
     Float8 friction, slideImpulse;
     Float8 anchors[2][4];
     Float8 impulses[4];
@@ -81,13 +78,17 @@ struct Places8 {
 
 inline Places8 placesOf(const ContactSource& source, const Rows8& rows) {
     Places8 places;
-    Float8 first[4];
+    Float8 first[4], turn[4];
     gather(source.contacts + kNormalRow, rows.contact, first);
+    gather(source.contacts + kTurnRow, rows.contact, turn);
     gather(source.contacts + kAnchorsRow, rows.contact, places.anchors[0]);
     gather(source.contacts + kAnchorsRow + 1, rows.contact, places.anchors[1]);
     gather(source.contacts + kImpulseRow, rows.contact, places.impulses);
     gather(source.contacts + kRoundRow, rows.contact, places.rounds);
     places.normal = {first[0], first[1]};
+    const Two8 normalInA{places.rounds[2], places.rounds[3]};
+    places.turnA = {dot8(normalInA, places.normal), cross8(normalInA, places.normal)};
+    places.turnB = turned(places.turnA.x, places.turnA.y, turn[0], turn[1]);
     places.friction = first[2];
     places.slideImpulse = first[3] * rows.used;
     return places;
@@ -114,8 +115,8 @@ void prepare(const ContactSource& source, const BlockLanes* lanes, ContactBlock*
         Float8 slideA = all(0.0f), slideB = all(0.0f);
         for (int p = 0; p < 2; ++p) {
             const Float8(&anchors)[4] = places.anchors[p];
-            const Two8 armA = turned(a.cosine, a.sine, anchors[0], anchors[1]);
-            const Two8 armB = turned(b.cosine, b.sine, anchors[2], anchors[3]);
+            const Two8 armA = turned(places.turnA.x, places.turnA.y, anchors[0], anchors[1]);
+            const Two8 armB = turned(places.turnB.x, places.turnB.y, anchors[2], anchors[3]);
             const Float8 leverA = cross8(armA, normal);
             const Float8 leverB = cross8(armB, normal);
             slideA += all(0.5f) * dot8(armA, normal);
@@ -127,7 +128,6 @@ void prepare(const ContactSource& source, const BlockLanes* lanes, ContactBlock*
             store(point.gap, places.impulses[2 * p]);
             const Float8 impulse = places.impulses[2 * p + 1] * rows.used;
             store(point.impulse, impulse);
-            store(point.load, all(source.loadMemory) * impulse);
             store(point.mass, rows.used * inverseOrZero(masses + a.inverseInertia * leverA * leverA +
                                                         b.inverseInertia * leverB * leverB));
         }
@@ -167,7 +167,6 @@ void prepareFixed(const ContactSource& source, const BlockLanes* lanes, FixedCon
         FixedContactBlock& block = blocks[n];
         const Rows8 rows = rowsOf(source, lanes[n]);
         slotsOf(source, lanes[n], rows.b, block.b);
-        const Side8 a = sideOf(source, rows.a);
         const Side8 b = sideOf(source, rows.b);
         const Surface8 surface = surfaceOf(source, rows.a);
         const Places8 places = placesOf(source, rows);
@@ -176,8 +175,8 @@ void prepareFixed(const ContactSource& source, const BlockLanes* lanes, FixedCon
         Float8 slide = all(0.0f), slideA = all(0.0f);
         for (int p = 0; p < 2; ++p) {
             const Float8(&anchors)[4] = places.anchors[p];
-            const Two8 armA = turned(a.cosine, a.sine, anchors[0], anchors[1]);
-            const Two8 armB = turned(b.cosine, b.sine, anchors[2], anchors[3]);
+            const Two8 armA = turned(places.turnA.x, places.turnA.y, anchors[0], anchors[1]);
+            const Two8 armB = turned(places.turnB.x, places.turnB.y, anchors[2], anchors[3]);
             const Float8 lever = cross8(armB, normal);
             slide += all(0.5f) * dot8(armB, normal);
             slideA += all(0.5f) * dot8(armA, normal);
@@ -188,7 +187,6 @@ void prepareFixed(const ContactSource& source, const BlockLanes* lanes, FixedCon
             store(point.gap, places.impulses[2 * p]);
             const Float8 impulse = places.impulses[2 * p + 1] * rows.used;
             store(point.impulse, impulse);
-            store(point.load, all(source.loadMemory) * impulse);
             store(point.mass, rows.used * inverseOrZero(b.inverseMass + b.inverseInertia * lever * lever));
         }
         const Float8 surfaceAcross = normal.x * surface.velocity.y - normal.y * surface.velocity.x;
@@ -283,15 +281,14 @@ struct SoftPush8 {
           impulseScale{all(pass.softness.impulseScale)} {}
 
     /// The change of impulse that answers an approach at `speed`; `impulse` gets it too. Apart, the bodies
-    /// may come together within the substep; inside each other, a spring moves them out. A spring gives way under
-    /// a load by load / stiffness; what it carried in the last step is taken off first, so that it need not.
-    [[nodiscard]] Float8 answer(Float8 speed, Float8 gap, Float8 mass, Float8 carried, Float8& impulse) const {
+    /// may come together within the substep; inside each other, a spring moves them out.
+    [[nodiscard]] Float8 answer(Float8 speed, Float8 gap, Float8 mass, Float8& impulse) const {
         const Mask8 apart = gap > all(0.0f);
         const Float8 bias = select(apart, gap * substepRate, max(gap * biasRate, slowest));
         const Float8 scale = select(apart, all(1.0f), massScale);
         const Float8 give = select(apart, all(0.0f), impulseScale);
         const Float8 before = impulse;
-        impulse = max(before - (mass * scale * (speed + bias) + give * (before - carried)), all(0.0f));
+        impulse = max(before - (mass * scale * (speed + bias) + give * before), all(0.0f));
         return impulse - before;
     }
 };
@@ -346,22 +343,20 @@ void push(const SolverBodies& bodies, const ContactPass& pass, const BlockLanes*
         gather(bodies.shift, block.b, shiftB);
         const Two8 normal{load(block.normalX), load(block.normalY)};
         const Float8 turnA = load(block.turnA), turnB = load(block.turnB);
-        Float8 pressed = all(0.0f);
         for (ContactBlockPoint& point : block.points) {
             const Float8 leverA = load(point.leverA), leverB = load(point.leverB);
             const Float8 gap = load(point.separation) + (movedAlong(shiftB, normal, leverB, turnB) -
                                                          movedAlong(shiftA, normal, leverA, turnA));
             const Float8 speed = speedAlong(b, normal, leverB) - speedAlong(a, normal, leverA);
             Float8 impulse = load(point.impulse);
-            const Float8 change = soft.answer(speed, gap, load(point.mass), load(point.load), impulse);
+            const Float8 change = soft.answer(speed, gap, load(point.mass), impulse);
             store(point.gap, gap);
             store(point.impulse, impulse);
-            pressed += impulse;
             const Two8 pushed{change * normal.x, change * normal.y};
             a.push({-pushed.x, -pushed.y}, -(change * leverA));
             b.push(pushed, change * leverB);
         }
-        rub(block, normal, pressed, a, b);
+        rub(block, normal, load(block.points[0].impulse) + load(block.points[1].impulse), a, b);
         scatter(bodies.velocity, block.a, a.lane, lanes[n].count);
         scatter(bodies.velocity, block.b, b.lane, lanes[n].count);
     }
@@ -378,20 +373,18 @@ void pushFixed(const SolverBodies& bodies, const ContactPass& pass, const BlockL
         gather(bodies.shift, block.b, shift);
         const Two8 normal{load(block.normalX), load(block.normalY)};
         const Float8 turn = load(block.turn);
-        Float8 pressed = all(0.0f);
         for (FixedContactBlockPoint& point : block.points) {
             const Float8 lever = load(point.lever), approach = load(point.approach);
             const Float8 gap =
                 load(point.separation) + (movedAlong(shift, normal, lever, turn) - approach * elapsed);
             const Float8 speed = speedAlong(b, normal, lever) - approach;
             Float8 impulse = load(point.impulse);
-            const Float8 change = soft.answer(speed, gap, load(point.mass), load(point.load), impulse);
+            const Float8 change = soft.answer(speed, gap, load(point.mass), impulse);
             store(point.gap, gap);
             store(point.impulse, impulse);
-            pressed += impulse;
             b.push({change * normal.x, change * normal.y}, change * lever);
         }
-        rub(block, normal, pressed, b);
+        rub(block, normal, load(block.points[0].impulse) + load(block.points[1].impulse), b);
         scatter(bodies.velocity, block.b, b.lane, lanes[n].count);
     }
 }

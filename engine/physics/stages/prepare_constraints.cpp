@@ -20,6 +20,7 @@ std::int32_t blocksFor(std::int32_t contacts, int colour) {
 void layOut(Workspace& work, const std::vector<Cursor>& counts) {
     std::int32_t contacts = 0, fixed = 0;
     for (std::size_t g = 0; g < work.groups.size(); ++g) {
+        work.groups[g].contactColours = 0;
         for (int colour = 0; colour <= kColours; ++colour) {
             const Cursor& count = counts[g * (kColours + 1) + static_cast<std::size_t>(colour)];
             ColourBlocks& blocks = work.groups[g].colours[colour];
@@ -27,6 +28,7 @@ void layOut(Workspace& work, const std::vector<Cursor>& counts) {
             blocks.contactEnd = contacts += blocksFor(count.contacts, colour);
             blocks.fixedBegin = fixed;
             blocks.fixedEnd = fixed += blocksFor(count.fixed, colour);
+            if (count.contacts + count.fixed > 0) work.groups[g].contactColours |= std::uint64_t{1} << colour;
         }
     }
     work.contactBlocks.resize(static_cast<std::size_t>(contacts));
@@ -81,11 +83,9 @@ void fillLanes(World& world, Workspace& work) {
 ContactSource sourceOf(const World& world, const Workspace& work) {
     ContactSource source;
     source.contacts = reinterpret_cast<const Float4*>(world.contacts.data());
-    source.poses = reinterpret_cast<const Float4*>(world.bodies.pose.data());
     source.masses = reinterpret_cast<const Float4*>(world.bodies.mass.data());
     source.motions = reinterpret_cast<const Float4*>(world.bodies.motion.data());
     source.slots = work.slots.data();
-    source.loadMemory = world.settings.loadMemory;
     source.idleSlot = static_cast<std::int32_t>(work.bodyOf.size());
     source.surfaces = world.manifest.runs(Effect::Conveyor);
     source.kinematics = world.manifest.runs(Effect::Kinematics);

@@ -1,3 +1,5 @@
+#include <bit>
+
 #include "physics/solver/joint_lanes.hpp"
 #include "physics/solver/locks.hpp"
 #include "physics/solver/restitution.hpp"
@@ -59,8 +61,10 @@ void forConstraints(Solver& solver, JointAct act, Two&& two, Fixed&& fixed) {
             fixed(blocks.fixedBegin + first, blocks.fixedBegin + last);
         });
     };
-    colour(kOverflow, 1 << 30);  // they share bodies: one after the other
-    for (int i = 0; i < kColours; ++i) colour(i, kBlockGrain);
+    const std::uint64_t used = solver.group.contactColours | solver.group.jointColours;
+    if ((used >> kOverflow & 1) != 0) colour(kOverflow, 1 << 30);  // they share bodies: one after the other
+    for (std::uint64_t rest = used & ((std::uint64_t{1} << kColours) - 1); rest != 0; rest &= rest - 1)
+        colour(std::countr_zero(rest), kBlockGrain);
 }
 
 void warmStart(Solver& solver) {
