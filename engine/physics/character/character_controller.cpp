@@ -168,12 +168,9 @@ void CharacterController::stopAt(World& world, const CharacterTouch& touch, floa
 }
 
 void CharacterController::walk(CharacterMover& mover, float dx, CharacterMotion& motion) const {
-    const Place before = mover.position();
-    const CharacterMotion walked = mover.walk(dx, ground_.normal);
-    motion.slope = walked.slope;
-    motion.wall = walked.wall;
-    motion.ceiling = walked.ceiling;
-    motion.ground = mover.followGround(dx, rise(mover.position() - before), ground_.normal).ground;
+    const CharacterTouch squeezedBy = motion.squeezedBy;
+    motion = mover.walkOnGround(dx, ground_.normal);
+    motion.squeezedBy = squeezedBy;
     if (motion.ground) return;
     const Place place = mover.position();
     motion.ground = mover.fly(definition_.up * (-4.0f * definition_.gap)).ground;  // a pit between two slopes

@@ -19,6 +19,14 @@ constexpr float kRoundCorner = 0.5f;
 /// Part of the radius by which a round outline has to be over a corner for that.
 constexpr float kRoundReach = 0.14f;
 constexpr int kCornerTries = 16;
+constexpr float kMostPieces = 8.0f;  // of the way of one tick on the ground
+
+/// m: how far an outline reaches along a direction.
+float reachAlong(const Geometry& outline, Vec2 direction) {
+    const Convex convex = convexOf(outline, {});
+    const auto corner = static_cast<std::size_t>(farthest(convex.corners(), direction));
+    return dot(convex.corners()[corner].point, direction) + convex.radius;
+}
 
 /// The part of a way that leads into a surface is taken away.
 Vec2 alongSurface(Vec2 way, Vec2 normal) { return way - normal * std::min(dot(way, normal), 0.0f); }
@@ -30,9 +38,14 @@ CharacterMover::CharacterMover(World& world, const CharacterDefinition& definiti
       probe_{world, definition, dt},
       position_{position},
       right_{perpendicular(definition.up)},
-      steepest_{cosine(definition.steepest) - kSlack} {}
+      steepest_{cosine(definition.steepest) - kSlack},
+      feet_{reachAlong(definition.outline, -definition.up)} {}
 
 bool CharacterMover::isGround(Vec2 normal) const { return rise(normal) >= steepest_; }
+
+float CharacterMover::steepestSlope() const {
+    return std::sqrt(std::max(1.0f - steepest_ * steepest_, 0.0f)) / std::max(steepest_, 0.01f);
+}
 
 Vec2 CharacterMover::onGround(float dx, Vec2 normal) const {
     if (definition_.evenSpeed) return right_ * dx + definition_.up * (dx * slopeOf(normal));
@@ -142,6 +155,9 @@ bool CharacterMover::stepUp(float dx) {
     place = place + forward * (ahead ? ahead->fraction : 1.0f);
     const auto floor = probe_.cast(place, up * -raised);
     if (!floor || !groundNormalOf(*floor)) return false;
+    // A round outline may come over the corner of a higher one.
+    const float height = rise(floor->touch.point - position_) + feet_ + gap;
+    if (height > definition_.stepHeight + 0.5f * gap) return false;
     place = place + up * (-raised * floor->fraction);
     if (!(raised * (1.0f - floor->fraction) > 0.1f * gap)) return false;
     position_ = place;
@@ -228,8 +244,16 @@ bool CharacterMover::passCorner(Vec2 way) {
 
 CharacterMotion CharacterMover::snapDown(float reach) {
     CharacterMotion motion;
-    const auto hit = cast(definition_.up * -reach);
-    const auto normal = hit ? groundNormalOf(*hit) : std::nullopt;
+    auto hit = cast(definition_.up * -reach);
+    auto normal = hit ? groundNormalOf(*hit) : std::nullopt;
+    if (hit && !normal) {
+        // Its heel may hang on the corner that it has just left.
+        const Vec2 aside = right_ * (along(hit->touch.normal) < 0.0f ? -definition_.gap : definition_.gap);
+        const Place place = position_ + aside;
+        hit = cast(aside) ? std::nullopt : probe_.cast(place, definition_.up * -reach);
+        normal = hit ? groundNormalOf(*hit) : std::nullopt;
+        if (normal) position_ = place;
+    }
     if (!normal) return motion;
     const float drop = reach * hit->fraction;
     // What rests is left alone, or it would creep.
@@ -240,19 +264,30 @@ CharacterMotion CharacterMover::snapDown(float reach) {
     return motion;
 }
 
-CharacterMotion CharacterMover::followGround(float walked, float climbed, Vec2 groundNormal) {
-    const Place before = position_;
-    const float free = definition_.snap + std::max(climbed, 0.0f);
-    const float steepest = std::sqrt(std::max(1.0f - steepest_ * steepest_, 0.0f)) / steepest_;
-    const CharacterMotion motion = snapDown(free + std::fabs(walked) * steepest + 2.0f * definition_.gap);
-    if (!motion.ground) return motion;
-    // A slope may lead further down than a ledge.
-    const auto falls = [&](Vec2 normal) { return std::max(-slopeOf(normal) * walked, 0.0f); };
-    const float most =
-        free + std::max(falls(groundNormal), falls(motion.ground.normal)) + 2.0f * definition_.gap;
-    if (-rise(position_ - before) <= most) return motion;
-    position_ = before;
-    return {};
+/// Down to the ground that it has just walked over.
+CharacterMotion CharacterMover::followDown(float walked, float climbed) {
+    const float most = std::max(definition_.snap, std::fabs(walked) * steepestSlope());
+    return snapDown(most + std::max(climbed, 0.0f) + 2.0f * definition_.gap);
+}
+
+CharacterMotion CharacterMover::walkOnGround(float dx, Vec2 groundNormal) {
+    CharacterMotion motion;
+    const float pieces = std::ceil(std::fabs(dx) * steepestSlope() / std::max(definition_.snap, 1.0e-3f));
+    const int count = static_cast<int>(std::clamp(pieces, 1.0f, kMostPieces));
+    const float piece = dx / static_cast<float>(count);
+    Vec2 normal = groundNormal;
+    for (int i = 0; i < count; ++i) {
+        const Place before = position_;
+        motion = walk(piece, normal);
+        const bool stopped = motion.wall || motion.slope || motion.ceiling;
+        motion.ground = followDown(piece, rise(position_ - before)).ground;
+        if (!motion.ground && !stopped) {
+            return fly(right_ * (piece * static_cast<float>(count - 1 - i)));
+        }
+        if (!motion.ground || stopped) return motion;
+        normal = motion.ground.normal;
+    }
+    return motion;
 }
 
 bool CharacterMover::standsOn(float reach) const {

@@ -37,9 +37,9 @@ public:
     CharacterMotion fly(Vec2 way);
     /// Finds ground within `reach` (m) below and comes down to it.
     CharacterMotion snapDown(float reach);
-    /// The same, as far as it leads down a slope or by no more than `reach`.
-    /// @param walked  m: what it has just gone along the level, from ground with this normal
-    CharacterMotion followGround(float walked, float climbed, Vec2 groundNormal);
+    /// walk(), but it keeps to the ground: over crests, down slopes, and down steps no higher than its snap.
+    /// It goes in pieces that are short enough to tell a slope from a ledge.
+    CharacterMotion walkOnGround(float dx, Vec2 groundNormal);
     /// True when there is ground within `reach` (m) below; nothing is moved.
     [[nodiscard]] bool standsOn(float reach) const;
     /// Stands anew on ground that turns under it, without going sideways.
@@ -54,6 +54,8 @@ private:
     [[nodiscard]] Vec2 onGround(float dx, Vec2 normal) const;
     void note(CharacterMotion& motion, const CharacterTouch& touch) const;
     void shift(Vec2 way) { position_ = position_ + way; }
+    [[nodiscard]] float steepestSlope() const;
+    CharacterMotion followDown(float walked, float climbed);
     bool stepUp(float dx);
     bool passCorner(Vec2 way);
 
@@ -62,6 +64,7 @@ private:
     Place position_;
     Vec2 right_;
     float steepest_;  // cosine
+    float feet_;      // m: how far down it reaches
 };
 
 }  // namespace plumb::physics

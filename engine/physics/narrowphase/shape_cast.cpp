@@ -30,8 +30,7 @@ std::optional<ConvexHit> castShape(const Convex& a, const Convex& b, const Frame
         const float touch = touchOf(a, frame);
         if (!(apart.distance > touch)) {
             const bool slides = apart.distance >= -touch && speed <= kAlong * length(way);
-            if (iteration == 0 && slides) return std::nullopt;
-            return hit;
+            return slides ? std::nullopt : std::optional{hit};
         }
         if (!(speed > 0.0f)) return std::nullopt;
         const float next = hit.fraction + apart.distance / speed;

@@ -1,0 +1,92 @@
+#pragma once
+
+#include <cstdlib>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "core/random.hpp"
+#include "physics/character/character_controller.hpp"
+#include "physics/queries/shape_cast.hpp"
+#include "physics/simulation.hpp"
+
+namespace plumb::physics {
+
+inline constexpr float kTick = 1.0f / 60.0f;  // s
+inline constexpr float kGap = 0.001f;         // m: CharacterDefinition::gap
+
+enum class Figure { Box, RoundedBox, Circle, Capsule, Count };
+inline constexpr Figure kFigures[] = {Figure::Box, Figure::RoundedBox, Figure::Circle, Figure::Capsule};
+
+inline Geometry outlineOf(Figure figure, float size = 1.0f) {
+    switch (figure) {
+        case Figure::Box: return box({0.4f * size, 0.9f * size});
+        case Figure::RoundedBox: return box({0.3f * size, 0.8f * size}, {}, {}, 0.1f * size);
+        case Figure::Circle: return circle(0.5f * size);
+        default: return capsule({0.0f, -0.5f * size}, {0.0f, 0.5f * size}, 0.4f * size);
+    }
+}
+/// m: from its position to its feet.
+inline float feetOf(const Geometry& outline) {
+    return outline.kind == ShapeKind::Circle ? outline.radius : outline.b.y + outline.radius;
+}
+
+inline CharacterDefinition definitionOf(Figure figure) { return {.outline = outlineOf(figure)}; }
+
+inline bool walkOn(CharacterController& character, float speed) {
+    return character.setVelocity({speed, character.grounded() ? 0.0f : character.velocity().y}).ok();
+}
+
+/// A world with y down, and short ways to fill it and to move a character in it.
+struct Course {
+    World world;
+
+    BodyId body(BodyKind kind, Place position, float angle = 0.0f) {
+        return *createBody(world, {.kind = kind, .position = position, .angle = angle});
+    }
+    BodyId block(BodyKind kind, Place centre, Vec2 half, const ShapeDefinition& definition = {}) {
+        const BodyId made = body(kind, centre);
+        EXPECT_TRUE(createShape(world, made, box(half), definition).ok());
+        return made;
+    }
+    BodyId wall(Place centre, Vec2 half) { return block(BodyKind::Static, centre, half); }
+    /// A platform with its top at y, that only stops what comes from above.
+    BodyId shelf(BodyKind kind, Place top, float half = 2.0f) {
+        return block(kind, {top.x, top.y + 0.125}, {half, 0.125f}, {.oneWay = true});
+    }
+    CharacterController character(const CharacterDefinition& definition, Place position) {
+        return *CharacterController::create(definition, position);
+    }
+    CharacterMotion tick(CharacterController& character) {
+        const CharacterMotion motion = character.update(world, kTick);
+        step(world, kTick);
+        return motion;
+    }
+    CharacterMotion run(CharacterController& character, int ticks) {
+        CharacterMotion motion;
+        for (int i = 0; i < ticks; ++i) motion = tick(character);
+        return motion;
+    }
+    CharacterMotion walk(CharacterController& character, float speed, int ticks) {
+        CharacterMotion motion;
+        for (int i = 0; i < ticks; ++i) {
+            EXPECT_TRUE(walkOn(character, speed));
+            motion = tick(character);
+        }
+        return motion;
+    }
+    /// m: straight down from a character to what is under it; 1 when there is nothing so near.
+    float heightOver(const CharacterController& character) {
+        const QueryShape shape{character.definition().outline, character.position(), {}};
+        const auto hit = castShape(world, shape, {0.0f, 1.0f});
+        return hit ? hit->distance : 1.0f;
+    }
+};
+
+/// How many random runs a test makes: PLUMB_CHARACTER, or `usual`.
+inline int runsToTry(int usual) {
+    const char* wanted = std::getenv("PLUMB_CHARACTER");
+    return wanted != nullptr ? std::max(std::atoi(wanted), 1) : usual;
+}
+
+}  // namespace plumb::physics
