@@ -62,6 +62,19 @@ Vec2 velocityAt(const World& world, BodyId body, Place point) {
     return motion.velocity + cross(motion.angularVelocity, point - world.bodies.pose[body.index].centre);
 }
 
+/// The ground that has come up to a character in flight.
+CharacterTouch caughtBy(CharacterMover& mover, std::span<const CharacterProbe::Push> pushes) {
+    const CharacterDefinition& definition = mover.probe().definition();
+    const Place place = mover.position();
+    for (const CharacterProbe::Push& push : pushes) {
+        if (!(dot(push.way, definition.up) > 0.0f)) continue;
+        const CharacterTouch ground = mover.snapDown(4.0f * definition.gap).ground;
+        if (ground.body == push.body) return ground;
+        mover.setPosition(place);
+    }
+    return {};
+}
+
 /// m/s to the right hand of the ground's normal, of a conveyor.
 float conveyorSpeed(const World& world, const CharacterTouch& ground) {
     return world.shapes.info[ground.shape.index].surfaceSpeed;
@@ -202,13 +215,18 @@ CharacterMotion CharacterController::update(World& world, float dt) {
     const std::size_t pushes = mover.probe().pushesAt(position_, taken, own, ground_.body, room);
     const bool arrived = !stood || held == position_ || ride(mover, held);
     const Place rode = mover.position();
-    const Vec2 left = mover.giveWay({room.data(), pushes}, walks ? Vec2{} : own);
+    const std::span<const CharacterProbe::Push> pushed{room.data(), pushes};
+    const Vec2 left = mover.giveWay(pushed, walks ? Vec2{} : own);
     motion.squeezedBy = mover.pushOut();
     const Place start = mover.position();
 
     // What it does itself.
+    const CharacterTouch caught = walks || pushes == 0 ? CharacterTouch{} : caughtBy(mover, pushed);
     if (walks) {
         walk(mover, dx, motion);
+    } else if (caught) {
+        motion.wall = mover.walk(along(left), caught.normal).wall;
+        motion.ground = caught;
     } else {
         const CharacterMotion flown = mover.fly(left);
         motion.ground = flown.ground;

@@ -21,13 +21,6 @@ constexpr float kRoundReach = 0.14f;
 constexpr int kCornerTries = 16;
 constexpr float kMostPieces = 8.0f;  // of the way of one tick on the ground
 
-/// m: how far an outline reaches along a direction.
-float reachAlong(const Geometry& outline, Vec2 direction) {
-    const Convex convex = convexOf(outline, {});
-    const auto corner = static_cast<std::size_t>(farthest(convex.corners(), direction));
-    return dot(convex.corners()[corner].point, direction) + convex.radius;
-}
-
 /// The part of a way that leads into a surface is taken away.
 Vec2 alongSurface(Vec2 way, Vec2 normal) { return way - normal * std::min(dot(way, normal), 0.0f); }
 
@@ -39,7 +32,7 @@ CharacterMover::CharacterMover(World& world, const CharacterDefinition& definiti
       position_{position},
       right_{perpendicular(definition.up)},
       steepest_{cosine(definition.steepest) - kSlack},
-      feet_{reachAlong(definition.outline, -definition.up)} {}
+      feet_{reachAlong(convexOf(definition.outline, {}), -definition.up)} {}
 
 bool CharacterMover::isGround(Vec2 normal) const { return rise(normal) >= steepest_; }
 

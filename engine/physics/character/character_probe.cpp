@@ -15,10 +15,22 @@ namespace {
 
 /// Cosine of the angle between the open direction of a one-way shape and a normal that is its solid side.
 constexpr float kSolidSide = 0.7f;
+constexpr float kSameNormal = 0.9999f;  // cosine
 /// Ratio: a way that comes nearer by less than this of its length leads along a surface.
 constexpr float kAlong = 1.0e-3f;
 /// m/s: kinematic bodies up to this speed are seen where the next step takes them.
 constexpr float kFastestSeen = 60.0f;
+
+using Shapes8 = std::array<std::uint32_t, 8>;
+
+bool contains(const Shapes8& shapes, std::size_t count, std::uint32_t shape) {
+    const auto end = shapes.begin() + static_cast<std::ptrdiff_t>(count);
+    return std::find(shapes.begin(), end, shape) != end;
+}
+
+void note(Shapes8& shapes, std::size_t& count, std::uint32_t shape) {
+    if (count < shapes.size()) shapes[count++] = shape;
+}
 
 /// The box around a way (m), with room for rounding far from the origin.
 AABB boxAlong(const AABB& bounds, Place from, Vec2 way, float gap) {
@@ -29,6 +41,11 @@ AABB boxAlong(const AABB& bounds, Place from, Vec2 way, float gap) {
 }
 
 }  // namespace
+
+float reachAlong(const Convex& outline, Vec2 direction) {
+    const auto corner = static_cast<std::size_t>(farthest(outline.corners(), direction));
+    return dot(outline.corners()[corner].point, direction) + outline.radius;
+}
 
 CharacterProbe::CharacterProbe(World& world, const CharacterDefinition& definition, float dt)
     : filter{definition.filter}, world_{world}, definition_{definition}, dt_{dt} {}
@@ -57,21 +74,30 @@ std::span<const std::uint32_t> CharacterProbe::around(const AABB& bounds, Place 
                            filter);
 }
 
-bool CharacterProbe::hasPassed(std::uint32_t body) const {
-    return std::find(passed_.begin(), passed_.begin() + passedCount_, body) != passed_.begin() + passedCount_;
-}
+bool CharacterProbe::hasPassed(std::uint32_t shape) const { return contains(passed_, passedCount_, shape); }
 
 bool CharacterProbe::ignores(std::uint32_t shape) const {
     const ShapeInfo& info = world_.shapes.info[shape];
-    return (!oneWay && (info.flags & kOneWay) != 0) || (carrier && info.body == carrier.index);
+    return (!oneWay && (info.flags & kOneWay) != 0) || (carrier && info.body == carrier.index) ||
+           contains(behind_, behindCount_, shape);
 }
 
-bool CharacterProbe::stops(const CastHit& hit, const BodyPose& pose) const {
+/// A one-way shape stops who is before it and meets its open side, or a corner of it with the feet above.
+bool CharacterProbe::stops(const CastHit& hit, const BodyPose& pose, const MovingOutline& moving) const {
     const ShapeInfo& info = world_.shapes.info[hit.shape.index];
     if ((info.flags & kOneWay) == 0) return true;
-    // Whatever is inside at the start came in from behind.
-    return dot(hit.normal, rotate(pose.rotation, info.oneWayDirection)) > kSolidSide &&
-           (hit.separation >= 0.0f || hit.shape == floor);
+    const Vec2 open = rotate(pose.rotation, info.oneWayDirection);
+    if (!(dot(hit.normal, open) > kSolidSide)) return false;
+    if (hit.shape == floor) return true;
+    if (hit.separation < 0.0f) return false;
+    const Convex shape = convexOf(world_.shapes.geometry[hit.shape.index], world_.shapes.corners);
+    const Vec2 normal = unrotate(pose.rotation, hit.normal);
+    const auto corners = shape.corners();
+    const bool onFace = std::any_of(corners.begin(), corners.end(), [&](const Corner& corner) {
+        return dot(corner.normal, normal) > kSameNormal;
+    });
+    const float feet = dot(open, moving.position - hit.point) - reachAlong(moving.outline, -open);
+    return onFace || feet >= -definition_.gap;
 }
 
 std::optional<CharacterHit> CharacterProbe::first(const Geometry& outline, Place from, Vec2 way) const {
@@ -88,8 +114,8 @@ std::optional<CharacterHit> CharacterProbe::first(const Geometry& outline, Place
         const auto hit = meet(world_, shape, pose, moving);
         if (!hit || (first && hit->fraction >= first->fraction)) continue;
         const float nearer = -dot(way, hit->normal);
-        if ((hit->fraction == 0.0f && !(nearer > along)) || !stops(*hit, pose)) continue;
-        if (hit->separation < 0.0f && hasPassed(hit->body.index)) continue;
+        if ((hit->fraction == 0.0f && !(nearer > along)) || !stops(*hit, pose, moving)) continue;
+        if (hit->separation < 0.0f && hasPassed(shape)) continue;
         first = hit;
         closing = nearer;
     }
@@ -139,7 +165,7 @@ std::optional<CharacterHit> CharacterProbe::nearest(Place at, float within) cons
     std::optional<CharacterHit> best;
     for (const std::uint32_t shape : around(boundsOf(definition_.outline, {}, {}), at, {})) {
         const ShapeInfo& info = world_.shapes.info[shape];
-        if (ignores(shape) || hasPassed(info.body)) continue;
+        if (ignores(shape) || hasPassed(shape)) continue;
         if ((info.flags & kOneWay) != 0 && idOf(world_, shape) != floor) continue;
         const auto hit = apart(shape, at, within);
         if (hit && hit->separation < within && (!best || hit->separation < best->separation)) best = hit;
@@ -150,7 +176,7 @@ std::optional<CharacterHit> CharacterProbe::nearest(Place at, float within) cons
 std::size_t CharacterProbe::pushesAt(Place at, Vec2 ride, Vec2 own, BodyId except, std::span<Push> room) {
     MovingOutline moving{convexOf(definition_.outline, {}), at, {}, {}};
     std::size_t count = 0;
-    passedCount_ = 0;
+    passedCount_ = behindCount_ = 0;
     for (const std::uint32_t shape : around(boundsOf(definition_.outline, {}, {}), at, ride + own)) {
         const std::uint32_t body = world_.shapes.info[shape].body;
         if (ignores(shape) || !isCarried(body) || (except && except.index == body)) continue;
@@ -159,8 +185,11 @@ std::size_t CharacterProbe::pushesAt(Place at, Vec2 ride, Vec2 own, BodyId excep
         moving.way = ride + own - taken;
         const auto hit = meet(world_, shape, pose, moving);
         const bool meets = hit && -dot(moving.way, hit->normal) > kAlong * length(moving.way);
-        if (!meets && passedCount_ < passed_.size()) passed_[passedCount_++] = body;
-        if (!meets || !stops(*hit, pose) || count == room.size()) continue;
+        const bool stopped = meets && stops(*hit, pose, moving);
+        const bool fromBehind = (world_.shapes.info[shape].flags & kOneWay) != 0 && hit && !stopped;
+        if (!meets) note(passed_, passedCount_, shape);
+        if (fromBehind) note(behind_, behindCount_, shape);
+        if (!stopped || count == room.size()) continue;
         const float pressed = dot(taken - ride, hit->normal) * (1.0f - hit->fraction);
         if (!(pressed > 0.0f)) continue;
         room[count++] = {hit->body, hit->shape, hit->normal * (pressed + definition_.gap), hit->fraction};

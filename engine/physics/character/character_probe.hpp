@@ -16,6 +16,9 @@ struct CharacterHit {
     float separation = 0.0f;  ///< m at the start; negative: overlap
 };
 
+/// m: how far an outline reaches along a direction, from its own origin.
+[[nodiscard]] float reachAlong(const Convex& outline, Vec2 direction);
+
 /// The world as a character feels it: kinematic bodies are where the next step takes them, one-way shapes
 /// stop only who is before them.
 class CharacterProbe {
@@ -41,7 +44,7 @@ public:
         Vec2 way;               ///< m: by which the character has to give way
         float fraction = 0.0f;  ///< ratio of its own way, before they meet
     };
-    /// Bodies that move without meeting it are not felt inside of it either, until the next tick.
+    /// Shapes that move without meeting it are not felt inside of it either, until the next tick.
     /// @param ride    m: where its ground takes it
     /// @param own     m: what it goes by itself
     /// @param except  its ground
@@ -59,16 +62,19 @@ public:
 private:
     [[nodiscard]] std::span<const std::uint32_t> around(const AABB& bounds, Place from, Vec2 way) const;
     [[nodiscard]] std::optional<CharacterHit> first(const Geometry& outline, Place from, Vec2 way) const;
-    [[nodiscard]] bool hasPassed(std::uint32_t body) const;
+    [[nodiscard]] bool hasPassed(std::uint32_t shape) const;
     [[nodiscard]] bool ignores(std::uint32_t shape) const;
-    [[nodiscard]] bool stops(const CastHit& hit, const BodyPose& pose) const;
+    [[nodiscard]] bool stops(const CastHit& hit, const BodyPose& pose, const MovingOutline& moving) const;
     [[nodiscard]] std::optional<CharacterHit> apart(std::uint32_t shape, Place at, float within) const;
 
     World& world_;
     const CharacterDefinition& definition_;
     float dt_;
-    std::array<std::uint32_t, 8> passed_{};  // bodies
+    // Shapes that move past it in this tick, and one-way shapes that it is inside of or behind.
+    std::array<std::uint32_t, 8> passed_{};
     std::size_t passedCount_ = 0;
+    std::array<std::uint32_t, 8> behind_{};
+    std::size_t behindCount_ = 0;
 };
 
 }  // namespace plumb::physics
