@@ -97,7 +97,7 @@ bool CharacterProbe::stops(const CastHit& hit, const BodyPose& pose, const Movin
         return dot(corner.normal, normal) > kSameNormal;
     });
     const float feet = dot(open, moving.position - hit.point) - reachAlong(moving.outline, -open);
-    return onFace || feet >= -definition_.gap;
+    return onFace || feet >= 0.0f;
 }
 
 std::optional<CharacterHit> CharacterProbe::first(const Geometry& outline, Place from, Vec2 way) const {

@@ -74,8 +74,8 @@ void makeContacts(World& world, Workspace& work, const ContactHooks& hooks) {
 
 void findPairs(StepContext& step) {
     updateBroadPhase(step.world, step.work);
-    if (step.world.moved.empty()) return;
     dropGone(step.world);
+    if (step.world.moved.empty()) return;
     search(step);
     makeContacts(step.world, step.work, step.hooks);
 }
