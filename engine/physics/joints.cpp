@@ -58,6 +58,10 @@ Result<Done> check(const World& world, const JointDefinition& d) {
         return wrong("createJoint", "expected a body that can be pushed, found none of the two",
                      "make one of them dynamic");
     }
+    if (d.kind == JointKind::Mouse && world.bodies.info[d.b.index].kind != BodyKind::Dynamic) {
+        return wrong("createJoint", "expected b to be dynamic, as it is what a mouse joint pulls",
+                     "give the body that is pulled as b");
+    }
     if (d.kind == JointKind::Gear && (!alive(world, d.jointA) || !alive(world, d.jointB))) {
         return wrong("createJoint", "expected two living joints to gear together",
                      "create the two revolute or prismatic joints first");

@@ -217,7 +217,7 @@ void sweepFastBodies(StepContext& step) {
     World& world = step.world;
     Workspace& work = step.work;
     const auto count = work.fastBodies.size();
-    if (count == 0) return;
+    if (count == 0 || !world.manifest.runs(Effect::Contacts)) return;  // nothing can stop them
     const bool bullets = std::any_of(work.fastBodies.begin(), work.fastBodies.end(),
                                      [&](std::uint32_t body) { return isBullet(world, body); });
     if (bullets || world.manifest.runs(Effect::Kinematics)) updateBroadPhase(world, work);
