@@ -15,7 +15,8 @@ double now() {
 }  // namespace
 
 Trial::Trial(physics::Quality quality, Vec2 gravity) : scene_{{.gravity = gravity, .sleeping = false}} {
-    world().settings.quality = quality;
+    world().settings.automaticQuality = quality == physics::kQualityOfWorld;
+    if (quality != physics::kQualityOfWorld) world().settings.quality = quality;
 }
 
 BodyHandle Trial::floor(const Material& material) {

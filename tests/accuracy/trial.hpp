@@ -26,6 +26,7 @@ struct Finding {
 /// A world that an experiment is done in, at one quality, and what came out.
 class Trial {
 public:
+    /// @param quality  kQualityOfWorld: the default, and more where an island is found to need it
     explicit Trial(physics::Quality quality, Vec2 gravity = {0.0f, -static_cast<float>(kGravity)});
 
     [[nodiscard]] scenes::PlumbWorld& scene() { return scene_; }

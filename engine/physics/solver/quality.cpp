@@ -32,18 +32,20 @@ std::uint32_t rootOf(World& world, std::uint32_t body) {
     return world.bodies.info[body].kind == BodyKind::Dynamic ? islandOf(world, body) : body;
 }
 
-/// One more for a value above a limit, two for one that is `factor` times above it: each makes errors three
-/// to four times smaller.
+/// One more for a value above a limit, and for each `factor` that it is above it, up to three: each makes
+/// errors three to four times smaller.
 int stepsAbove(float value, float limit, float factor) {
-    return value <= limit ? 0 : value <= factor * limit ? 1 : 2;
+    int steps = 0;
+    for (; steps < 3 && value > limit; limit *= factor) ++steps;
+    return steps;
 }
 
 int extraQuality(const IslandHardness& island) {
     if (island.bodies == 0.0f) return 0;
     const float layers =
         (island.highest - island.lowest) * island.bodies / std::max(2.0f * island.size, 1e-6f);
-    return std::max({stepsAbove(island.heaviest, 10.0f * island.lightest, 10.0f),
-                     stepsAbove(layers, 20.0f, 3.0f), stepsAbove(island.joints, 8.0f, 4.0f)});
+    return std::max({stepsAbove(island.heaviest, 10.0f * island.lightest, 5.0f),
+                     stepsAbove(layers, 8.0f, 2.0f), stepsAbove(island.joints, 8.0f, 4.0f)});
 }
 
 void addTo(IslandHardness& island, const World& world, std::uint32_t body, std::uint32_t root, Vec2 down) {
