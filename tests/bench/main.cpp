@@ -17,6 +17,7 @@ struct Program {
 constexpr std::array kPrograms{
     Program{"broadphase", &plumb::bench::runBroadphase},
     Program{"ecs", &plumb::bench::runEcs},
+    Program{"integrators", &plumb::bench::runIntegrators},
     Program{"physics", &plumb::bench::runPhysics},
     Program{"render", &plumb::bench::runRender},
     Program{"scene", &plumb::bench::runScene},
