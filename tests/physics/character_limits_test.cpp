@@ -6,6 +6,7 @@
 #include "physics/bodies.hpp"
 #include "physics/shapes.hpp"
 #include "tests/physics/character_course.hpp"
+#include "tests/support/allocations.hpp"
 
 namespace plumb::physics {
 namespace {
@@ -153,6 +154,25 @@ TEST(CharacterLimits, aCopyWithItsWorldGoesOnAlike) {
             ASSERT_EQ(hashOf(course.world), hashOf(copy.world)) << i;
         }
         EXPECT_TRUE(std::isfinite(one.position().x) && std::isfinite(one.position().y));
+    }
+}
+
+TEST(CharacterLimits, aTickAllocatesNothing) {
+    Course course;
+    furnish(course);
+    CharacterController one = course.character({.stepHeight = 0.3f}, {-3.0, -2.0});
+    std::size_t before = 0;
+    for (int i = 0; i < 900; ++i) {
+        if (i % 60 == 0 && one.grounded()) {
+            EXPECT_TRUE(one.jump(6.0f).ok());
+        }
+        EXPECT_TRUE(walkOn(one, i / 200 % 2 == 0 ? 4.0f : -4.0f));
+        before = plumb::test::allocations().made;
+        one.update(course.world, kTick);
+        if (i > 450) {
+            ASSERT_EQ(plumb::test::allocations().made, before) << i;
+        }
+        step(course.world, kTick);
     }
 }
 

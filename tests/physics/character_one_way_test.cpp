@@ -107,7 +107,7 @@ void moveShelf(OneWayCourse& run, int way) {
     run.shelf.most = 20.0f;
 }
 
-constexpr int kUsual = 150;
+constexpr int kUsual = 80;
 
 TEST(CharacterOneWay, whoFallsOnAPlatformNeverFallsThroughHoweverItMoves) {
     for (int way = 0; way < 5; ++way) {

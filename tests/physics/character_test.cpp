@@ -54,7 +54,7 @@ TEST(Character, fallsByTheLawOfGravity) {
 }
 
 TEST(Character, staysOnTheGroundOverSlopesAndTheirJoints) {
-    for (int run = 0; run < runsToTry(60); ++run) {
+    for (int run = 0; run < runsToTry(50); ++run) {
         SCOPED_TRACE(run);
         Random random = Random::seeded(static_cast<std::uint64_t>(run));
         Course course;

@@ -19,8 +19,8 @@ struct CharacterHit {
 /// m: how far an outline reaches along a direction, from its own origin.
 [[nodiscard]] float reachAlong(const Convex& outline, Vec2 direction);
 
-/// The world as a character feels it: kinematic bodies are where the next step takes them, one-way shapes
-/// stop only who is before them.
+/// The world as a character feels it: kinematic bodies are where the next step takes them, if that is no
+/// further than 60 m/s lead, and one-way shapes stop only who is before them.
 class CharacterProbe {
 public:
     /// @param dt  s, of the step to come
