@@ -6,17 +6,22 @@
 #include "app/system_order.hpp"
 #include "core/text.hpp"
 #include "ecs/world.hpp"
-#include "box_physics/simulation.hpp"
-#include "box_physics/stage_names.hpp"
+#include "physics/simulation.hpp"
 #include "reflect/type_registry.hpp"
 #include "scene/physics_bridge.hpp"
+#include "scene/physics_state.hpp"
 #include "scene/systems/physics_system.hpp"
 
 namespace plumb {
 namespace {
 
 constexpr std::string_view kMoving = "RigidBody, KinematicBody";
-constexpr std::string_view kColliders = "BoxCollider, CircleCollider, TileCollider";
+constexpr std::string_view kColliders =
+    "BoxCollider, CircleCollider, CapsuleCollider, PolygonCollider, ChainCollider, TileCollider";
+constexpr std::string_view kJoints =
+    "RevoluteJoint, DistanceJoint, PrismaticJoint, WeldJoint, WheelJoint, MouseJoint, MotorJoint, "
+    "PulleyJoint, GearJoint";
+constexpr std::string_view kFields = "GravityField, WindField, BuoyancyField, Attractor";
 constexpr std::size_t kNameWidth = 20;  // "character animation" is the longest
 
 /// A device of the player that is opened only for who needs it.
@@ -83,26 +88,46 @@ private:
     std::string text_;
 };
 
-/// The components for which any of these effects runs.
-std::string_view callersOfPhysics(unsigned effects) {
-    if ((effects & box_physics::kAllEffects) == box_physics::kAllEffects) return kMoving;
-    return (effects & (box_physics::kContacts | box_physics::kTriggers)) != 0 ? kColliders : kMoving;
-}
+/// The components for which a stage runs, by one of its effects.
+struct Caller {
+    physics::Effect effect;
+    std::string_view components;
+};
+constexpr Caller kCallers[] = {
+    {physics::Effect::OneWay, kColliders},        {physics::Effect::Triggers, kColliders},
+    {physics::Effect::Contacts, kColliders},      {physics::Effect::Joints, kJoints},
+    {physics::Effect::Explosion, "Explosion"},    {physics::Effect::AreaGravity, kFields},
+    {physics::Effect::SoftBodies, "nothing yet"},
+};
 
-void listPhysics(EffectTable& table, unsigned called) {
-    table.heading("physics");
-    for (const box_physics::StageName& stage : box_physics::stageNames()) {
-        const bool moves = (stage.effects & box_physics::kMotion) != 0;
-        table.line(stage.name, (stage.effects & called) != 0,
-                   moves ? kMoving : callersOfPhysics(stage.effects));
+std::string_view callersOf(const physics::StageInfo& stage) {
+    for (const Caller& caller : kCallers) {
+        if ((stage.effects & physics::Manifest::bit(caller.effect)) != 0) return caller.components;
     }
+    return kMoving;
 }
 
-void listSystems(EffectTable& table, unsigned called) {
+bool works(const physics::StageInfo& stage, const physics::World& world) {
+    if (world.awake.empty()) return false;
+    if (stage.effects == 0) return true;
+    for (std::size_t i = 0; i < physics::kEffects; ++i) {
+        const auto effect = static_cast<physics::Effect>(i);
+        if ((stage.effects & physics::Manifest::bit(effect)) != 0 && world.manifest.runs(effect)) return true;
+    }
+    return false;
+}
+
+void listPhysics(EffectTable& table, const physics::World& world) {
+    table.heading("physics");
+    for (const physics::StageInfo& stage : physics::stages())
+        table.line(stage.name, works(stage, world), callersOf(stage));
+}
+
+void listSystems(EffectTable& table, bool physicsWorks) {
     table.heading("systems");
     for (const SystemRow& system : systemTable()) {
         const bool isPhysics = system.name == PhysicsSystem::kName;
-        table.line(system.name, isPhysics ? called != 0 : table.calledFor(system.calledFor),
+        table.line(system.name, isPhysics ? physicsWorks : table.calledFor(system.calledFor),
                    system.calledFor);
     }
 }
@@ -111,9 +136,10 @@ void listSystems(EffectTable& table, unsigned called) {
 
 std::string effectList(World& world, const TypeRegistry& types) {
     EffectTable table{world, types};
-    const unsigned called = effectsOf(world);
-    listPhysics(table, called);
-    listSystems(table, called);
+    syncBodies(world, 1.0f / 60.0f);
+    const physics::World& physics = world.resource<PhysicsState>().world;
+    listPhysics(table, physics);
+    listSystems(table, physics::bodyCount(physics) > 0 && !physics.awake.empty());
     table.heading("devices");
     for (const Device& device : kDevices) {
         table.line(device.name, table.calledFor(device.calledFor), device.calledFor);

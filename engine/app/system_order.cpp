@@ -20,7 +20,9 @@ constexpr std::array kSystems{
     row<MovingPlatformSystem>("MovingPlatform"),
     row<PatrolSystem>("Patrol"),
     row<PlayerControllerSystem>("PlayerController"),
-    row<PhysicsSystem>("RigidBody, KinematicBody, BoxCollider, CircleCollider, TileCollider"),
+    row<CharacterControllerSystem>("CharacterController"),
+    row<PhysicsSystem>("RigidBody, KinematicBody, BoxCollider, CircleCollider, CapsuleCollider, "
+                       "PolygonCollider, ChainCollider, TileCollider"),
     row<SpringSystem>("Spring"),
     row<CollectSystem>("Collectible"),
     row<CheckpointSystem>("Checkpoint"),

@@ -137,6 +137,15 @@ public:
     /// Whether any T may have been written since the mark.
     template <class T>
     [[nodiscard]] bool changedSince(std::uint64_t mark) const;
+    /// Calls `f(EntityId)` for every T that may have been written since the mark, paused ones too. `f` neither
+    /// adds nor removes a T.
+    template <class T, class F>
+    void eachChangedSince(std::uint64_t mark, F&& f) const;
+    /// Grows whenever an entity gets or loses one of these components.
+    template <class... T>
+    [[nodiscard]] std::uint64_t memberships() const {
+        return (storage_.knownPool(typeKey<T>()).changes() + ...);
+    }
 
     // one of a kind
 

@@ -2,6 +2,7 @@
 
 // The bodies of the templates of World, Entity and CommandBuffer. Include ecs/world.hpp.
 
+#include <algorithm>
 #include <cstddef>
 #include <cstring>
 #include <memory>
@@ -195,6 +196,18 @@ void World::eachOf(const TypeInfo& type, F&& f) const {
 template <class T>
 bool World::changedSince(std::uint64_t mark) const {
     return storage_.knownPool(typeKey<T>()).writtenSince(mark);
+}
+
+template <class T, class F>
+void World::eachChangedSince(std::uint64_t mark, F&& f) const {
+    const Pool& pool = storage_.knownPool(typeKey<T>());
+    for (std::uint32_t first = 0; first < pool.count; first += 1u << kStampShift) {
+        if (pool.stamps[first >> kStampShift] <= mark) continue;
+        const std::uint32_t end = std::min(pool.count, first + (1u << kStampShift));
+        for (std::uint32_t i = first; i < end; ++i) {
+            if (pool.dense[i] != 0) f(storage_.idAt(pool.dense[i]));
+        }
+    }
 }
 
 template <class T, class... Arguments>

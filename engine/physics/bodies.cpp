@@ -335,6 +335,15 @@ void setBullet(World& world, BodyId body, bool bullet) {
     flags = static_cast<std::uint8_t>(bullet ? flags | kBullet : flags & ~kBullet);
 }
 
+void setCanSleep(World& world, BodyId body, bool canSleep) {
+    if (!alive(world, body)) return;
+    change(world, body, [&] {
+        std::uint8_t& flags = world.bodies.info[body.index].flags;
+        flags = static_cast<std::uint8_t>(canSleep ? flags | kCanSleep : flags & ~kCanSleep);
+    });
+    if (!canSleep) wake(world, body.index);
+}
+
 void setLocks(World& world, BodyId body, bool lockX, bool lockY) {
     if (!alive(world, body)) return;
     change(world, body, [&] {

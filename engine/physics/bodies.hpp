@@ -60,6 +60,7 @@ Result<Done> moveTo(World& world, BodyId body, Place position, float angle, floa
 void setAwake(World& world, BodyId body, bool awake);
 void setFixedRotation(World& world, BodyId body, bool fixed);
 void setBullet(World& world, BodyId body, bool bullet);
+void setCanSleep(World& world, BodyId body, bool canSleep);
 void setLocks(World& world, BodyId body, bool lockX, bool lockY);  ///< its velocity along an axis stays 0
 /// While on, one-way shapes let it through, also those that it stands on.
 void setDropThrough(World& world, BodyId body, bool drops);

@@ -25,8 +25,11 @@ float marginOf(const AABB& tight, const Settings& settings) {
 
 }  // namespace
 
-ProxyMotion motionOf(const World& world, std::uint32_t body) {
-    const BodyInfo& info = world.bodies.info[body];
+ProxyMotion motionOf(const World& world, std::uint32_t shape) {
+    const ShapeInfo& outline = world.shapes.info[shape];
+    const BodyInfo& info = world.bodies.info[outline.body];
+    // A trigger notices what moves without being pushed, too: it pairs with all.
+    if (info.kind != BodyKind::Dynamic && (outline.flags & kTrigger) != 0) return ProxyMotion::Awake;
     if (info.kind == BodyKind::Static) return ProxyMotion::Static;
     if (info.kind == BodyKind::Kinematic) return ProxyMotion::Kinematic;
     return info.place == kNone ? ProxyMotion::Asleep : ProxyMotion::Awake;

@@ -7,7 +7,7 @@
 namespace plumb::physics {
 
 /// What a body's shapes are to the broad phase now.
-ProxyMotion motionOf(const World& world, std::uint32_t body);
+ProxyMotion motionOf(const World& world, std::uint32_t shape);
 
 /// The frame of a body's shapes, near enough to the origin to be float.
 Frame frameOf(const BodyPose& pose);

@@ -56,7 +56,8 @@ bool hardlyMoved(const Contact& contact, const Encounter& now, Vec2 normal, floa
 /// stacks do not buckle on contacts that are springs.
 /// @return false when they have to be found anew
 bool recycle(Contact& contact, const Encounter& now, const Settings& settings) {
-    if ((contact.flags & (kTouching | kRound)) != kTouching) return false;
+    // Nothing keeps a body from going through a trigger along the normal, and out on the other side.
+    if ((contact.flags & (kTouching | kRound | kTriggered)) != kTouching) return false;
     // Of small things, a small part; and one point says little of what comes next: a second may be about to
     // touch.
     const float size = std::min(longest(contact.anchors[0].a), longest(contact.anchors[0].b));
@@ -248,6 +249,14 @@ bool comesTo(const World& world, std::uint32_t shapeA, std::uint32_t shapeB) {
     const auto isStopped = [&](const ShapeInfo& border, const Filter& other) {
         return (border.frontLayers & other.mask) != 0 && (border.frontMask & other.layers) != 0;
     };
+    const BodyInfo& a = world.bodies.info[shapes.info[shapeA].body];
+    const BodyInfo& b = world.bodies.info[shapes.info[shapeB].body];
+    if (a.kind != BodyKind::Dynamic || b.kind != BodyKind::Dynamic) {
+        // Who cannot be pushed comes to triggers only, and somebody has to be up.
+        const bool trigger = ((shapes.info[shapeA].flags | shapes.info[shapeB].flags) & kTrigger) != 0;
+        const bool pushed = a.kind == BodyKind::Dynamic || b.kind == BodyKind::Dynamic;
+        if ((!pushed && !trigger) || (a.place == kNone && b.place == kNone)) return false;
+    }
     return !isStopped(shapes.info[shapeA], shapes.filter[shapeB]) &&
            !isStopped(shapes.info[shapeB], shapes.filter[shapeA]);
 }

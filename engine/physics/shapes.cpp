@@ -119,7 +119,7 @@ ShapeId add(World& world, BodyId body, const Geometry& geometry, const ShapeDefi
     shapes.info[index] = info;
     shapes.geometry[index] = geometry;
     shapes.filter[index] = {definition.layers, definition.mask, definition.group, body.index};
-    shapes.motion[index] = motionOf(world, body.index);
+    shapes.motion[index] = motionOf(world, index);
     callFor(world, index, 1);
     setBounds(world, index);
     return {index, info.generation};
@@ -259,6 +259,7 @@ Result<Done> setFriction(World& world, ShapeId shape, float friction) {
     callFor(world, shape.index, -1);
     world.shapes.info[shape.index].friction = friction;
     callFor(world, shape.index, 1);
+    wakeTouching(world, world.shapes.info[shape.index].body);
     refreshContacts(world, shape.index);
     return Done{};
 }
@@ -279,6 +280,7 @@ Result<Done> setSurfaceSpeed(World& world, ShapeId shape, float speed) {
     callFor(world, shape.index, -1);
     world.shapes.info[shape.index].surfaceSpeed = speed;
     callFor(world, shape.index, 1);
+    wakeTouching(world, world.shapes.info[shape.index].body);
     refreshContacts(world, shape.index);
     return Done{};
 }

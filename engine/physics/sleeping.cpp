@@ -26,9 +26,16 @@ void forJointsOf(World& world, std::uint32_t body, Act&& act) {
     }
 }
 
+/// Room for all to be free again, so that waking up allocates nothing.
+template <class T>
+void growFree(std::vector<std::uint32_t>& free, const std::vector<T>& all) {
+    if (free.capacity() < all.size()) free.reserve(all.capacity());
+}
+
 std::uint32_t takeIsland(Sleepers& sleepers) {
     if (sleepers.freeIslands.empty()) {
         sleepers.islands.emplace_back();
+        growFree(sleepers.freeIslands, sleepers.islands);
         return static_cast<std::uint32_t>(sleepers.islands.size() - 1);
     }
     const std::uint32_t island = sleepers.freeIslands.back();
@@ -55,6 +62,7 @@ void putInIsland(Sleepers& sleepers, std::uint32_t island, const Contact& contac
     if (sleepers.freeContacts.empty()) {
         sleepers.contacts.push_back(contact);
         sleepers.nextContact.push_back(kNone);
+        growFree(sleepers.freeContacts, sleepers.contacts);
     } else {
         place = sleepers.freeContacts.back();
         sleepers.freeContacts.pop_back();
@@ -69,12 +77,19 @@ bool isUp(const World& world, std::uint32_t body) {
     return info.kind == BodyKind::Dynamic && info.place != kNone;
 }
 
+/// A kinematic body of a contact may end it while the other one sleeps.
+bool canMove(const World& world, const Contact& contact) {
+    return world.bodies.info[contact.bodyA].kind == BodyKind::Kinematic ||
+           world.bodies.info[contact.bodyB].kind == BodyKind::Kinematic;
+}
+
 /// Contacts of islands that sleep go with them; those that do not touch are forgotten, and found again.
 void takeContactsAlong(World& world) {
     std::vector<Contact>& contacts = world.contacts;
     for (std::size_t i = contacts.size(); i-- > 0;) {
         const Contact& contact = contacts[i];
         if (isUp(world, contact.bodyA) || isUp(world, contact.bodyB)) continue;
+        if ((contact.flags & kTriggered) != 0 && canMove(world, contact)) continue;
         const std::uint32_t islandB = world.sleepers.islandOf[contact.bodyB];
         const std::uint32_t island = islandB != kNone ? islandB : world.sleepers.islandOf[contact.bodyA];
         if (island == kNone) continue;

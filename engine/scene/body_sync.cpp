@@ -1,330 +1,378 @@
 #include "scene/body_sync.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <memory>
 #include <utility>
 
 #include "core/log.hpp"
 #include "ecs/hierarchy.hpp"
-#include "scene/components/box_collider.hpp"
+#include "ecs/paused.hpp"
+#include "math/angle.hpp"
+#include "physics/bodies.hpp"
+#include "scene/collider_shapes.hpp"
 #include "scene/components/character_body.hpp"
-#include "scene/components/circle_collider.hpp"
 #include "scene/components/kinematic_body.hpp"
 #include "scene/components/rigid_body.hpp"
+#include "scene/components/scene_physics.hpp"
 #include "scene/components/static_body.hpp"
 #include "scene/components/tile_collider.hpp"
 #include "scene/components/tile_layer.hpp"
-#include "scene/physics_bridge.hpp"
-#include "scene/physics_state.hpp"
-#include "scene/physics_units.hpp"
+#include "scene/field_sync.hpp"
+#include "scene/joint_sync.hpp"
 #include "scene/tile_bodies.hpp"
-#include "scene/world_transform.hpp"
 
 namespace plumb {
 
 namespace {
 
-using box_physics::BodyDefinition;
-using box_physics::BodyId;
-using box_physics::BodyKind;
-using box_physics::Shape;
+using physics::BodyDefinition;
+using physics::BodyId;
+using physics::BodyKind;
 
-std::uint64_t userOf(EntityId entity) { return std::uint64_t{entity.index} << 32 | entity.generation; }
-
-Shape shapeOf(const BoxCollider& collider, Vec2 scale) {
-    const Vec2 size{collider.width * std::abs(scale.x), collider.height * std::abs(scale.y)};
-    return Shape::box(toMetres(size * 0.5f), toMetres(collider.offset + size * 0.5f));
+BodyKind kindOf(const World& world, EntityId entity) {
+    if (world.has<CharacterBody>(entity)) return BodyKind::Kinematic;
+    if (world.has<RigidBody>(entity)) return BodyKind::Dynamic;
+    return world.has<KinematicBody>(entity) ? BodyKind::Kinematic : BodyKind::Static;
 }
 
-Shape shapeOf(const CircleCollider& collider, Vec2 scale) {
-    const float size = std::max(std::abs(scale.x), std::abs(scale.y));
-    return Shape::circle(collider.radius * size * kMetresPerPixel, toMetres(collider.offset));
+bool hasFlag(const physics::World& bodies, BodyId body, physics::BodyFlag flag) {
+    return (bodies.bodies.info[body.index].flags & flag) != 0;
 }
 
-/// A body without collider meets nobody; it only moves.
-struct NoCollider {
-    std::uint32_t layers = 0;
-    std::uint32_t mask = 0;
-    bool isTrigger = false;
-    bool oneWay = false;
-};
-Shape shapeOf(const NoCollider&, Vec2) { return Shape::circle(0.01f); }
-
-template <class Collider>
-bool isOneWay(const Collider& collider) {
-    if constexpr (requires { collider.oneWay; }) {
-        return collider.oneWay;
-    } else {
-        return false;
-    }
+std::uint64_t membersOf(const World& world) {
+    return world.memberships<Transform, RigidBody, StaticBody, KinematicBody, CharacterBody, TileLayer,
+                             TileCollider, Parent, Paused>() +
+           colliderMembers(world) + jointMembers(world) + fieldMembers(world);
 }
 
 /// Brings the bodies of one world up to date with its components.
-class Sync {
+class BodySync {
 public:
-    Sync(World& world, float dt) : world_{world}, state_{world.resource<PhysicsState>()}, dt_{dt} {
+    BodySync(World& world, PhysicsState& state)
+        : world_{world},
+          reader_{world},
+          state_{state},
+          bodies_{state.world},
+          collidersChanged_{plumb::collidersChanged(world, state.mark)} {}
+
+    /// Looks at everybody: components came or went.
+    void followAll() {
         ++state_.syncs;
+        state_.carried.clear();
+        state_.driven.clear();
+        const auto visit = [](void* sync, EntityId entity) { static_cast<BodySync*>(sync)->follow(entity); };
+        forEachCollider(reader_, visit, this);
+        // Bodies without any collider still fall and move.
+        for (auto [entity, body] : reader_.query<const RigidBody>(with<Transform>)) follow(entity.id());
+        for (auto [entity, body] : reader_.query<const KinematicBody>(with<Transform>)) follow(entity.id());
+        removeUnseen();
+        for (std::uint32_t i = 0; i < state_.links.size(); ++i) {
+            if (!state_.links[i].entity) continue;
+            if (state_.links[i].hasParent) state_.carried.push_back(i);
+            if (bodies_.bodies.info[i].kind == BodyKind::Kinematic) state_.driven.push_back(i);
+        }
     }
 
-    void run() {
-        visit<BoxCollider>();
-        visit<CircleCollider>(without<BoxCollider>);
-        visitBare();
-        visitTiles();
-        removeUnseen();
+    void followChanged(std::uint64_t mark) {
+        world_.eachChangedSince<Transform>(mark, [this](EntityId entity) {
+            if (const BodyId body = bodyOf(state_, entity)) followPose(body);
+        });
+        for (const std::uint32_t body : state_.carried) followPose(idAt(body));
+        world_.eachChangedSince<RigidBody>(mark, [this](EntityId entity) {
+            if (const BodyId body = bodyOf(state_, entity)) followRigid(body);
+        });
+        const auto visit = [](void* sync, EntityId entity) {
+            auto* self = static_cast<BodySync*>(sync);
+            if (const BodyId body = bodyOf(self->state_, entity)) self->followColliders(body);
+        };
+        forEachChangedCollider(reader_, mark, visit, this);
     }
 
 private:
-    template <class Collider, class... Filters>
-    void visit(Filters... filters) {
-        const auto queried = [this](EntityId entity, const Transform& transform, const Collider& collider,
-                                    BodyKind kind, const RigidBody* body, const KinematicBody* kinematic) {
-            follow(entity, transform, collider, kind, body, kinematic);
-        };
-        const World& world = world_;
-        const auto asId = [](Entity entity) { return entity.id(); };
-        for (auto [entity, t, c, body] : world.query<const Transform, const Collider, const RigidBody>(
-                 without<CharacterBody>, filters...)) {
-            queried(asId(entity), t, c, BodyKind::Dynamic, &body, nullptr);
-        }
-        for (auto [entity, t, c] :
-             world.query<const Transform, const Collider>(with<CharacterBody>, filters...)) {
-            queried(asId(entity), t, c, BodyKind::Kinematic, world.find<RigidBody>(entity), nullptr);
-        }
-        for (auto [entity, t, c, body] : world.query<const Transform, const Collider, const KinematicBody>(
-                 without<RigidBody, CharacterBody>, filters...)) {
-            queried(asId(entity), t, c, BodyKind::Kinematic, nullptr, &body);
-        }
-        for (auto [entity, t, c] : world.query<const Transform, const Collider>(
-                 without<RigidBody, KinematicBody, CharacterBody>, filters...)) {
-            queried(asId(entity), t, c, BodyKind::Static, nullptr, nullptr);
-        }
+    [[nodiscard]] BodyId idAt(std::uint32_t body) const {
+        return {body, bodies_.bodies.info[body].generation};
     }
+    [[nodiscard]] BodyLink& linkOf(BodyId body) { return state_.links[body.index]; }
 
-    /// Bodies without any collider still fall and move.
-    void visitBare() {
-        const World& world = world_;
-        for (auto [entity, transform, body] : world.query<const Transform, const RigidBody>(
-                 without<BoxCollider, CircleCollider, CharacterBody>)) {
-            follow(entity, transform, NoCollider{}, BodyKind::Dynamic, &body, nullptr);
-        }
-        for (auto [entity, transform, body] : world.query<const Transform, const KinematicBody>(
-                 without<BoxCollider, CircleCollider, RigidBody, CharacterBody>)) {
-            follow(entity, transform, NoCollider{}, BodyKind::Kinematic, nullptr, &body);
-        }
-    }
-
-    void visitTiles() {
-        const World& world = world_;
-        for (auto [entity, transform, layer, collider] :
-             world.query<const Transform, const TileLayer, const TileCollider>(
-                 without<BoxCollider, CircleCollider, RigidBody, KinematicBody>)) {
-            followTiles(entity, transform, layer, collider);
-        }
-    }
-
-    template <class Collider>
-    void follow(EntityId entity, const Transform& transform, const Collider& collider, BodyKind kind,
-                const RigidBody* rigid, const KinematicBody* kinematic) {
-        Vec2 place = transform.position;
-        Vec2 scale = transform.scale;
-        if (const EntityId parent = parentOf(std::as_const(world_), entity)) {
-            const Pose pose = worldPose(world_, entity);
-            place = pose.position;
-            scale = pose.scale;
-        }
-        const Shape shape = shapeOf(collider, scale);
-        const Vec2 velocity = rigid != nullptr       ? rigid->velocity
-                              : kinematic != nullptr ? kinematic->velocity
-                                                     : Vec2{};
-        BodyId body = bodyOf(world_, entity);
-        if (body && state_.world.bodies.kind[body.index] != kind) {
-            box_physics::destroyBody(state_.world, body);
+    void follow(EntityId entity) {
+        const BodyKind kind = kindOf(reader_, entity);
+        BodyId body = bodyOf(state_, entity);
+        if (body && linkOf(body).seen == state_.syncs) return;
+        if (body && bodies_.bodies.info[body.index].kind != kind) {
+            forget(body);
             body = {};
         }
         if (!body) {
-            body = create(entity, kind, shape, place, velocity, rigid);
-            if (!body) return;
-        }
-        const std::uint32_t i = body.index;
-        BodyLink& link = state_.links[i];
-        link.seen = state_.syncs;
-        box_physics::Bodies& bodies = state_.world.bodies;
-        if (!(bodies.shape[i] == shape)) accept(box_physics::setShape(state_.world, body, shape), entity);
-        bodies.layers[i] = collider.layers;
-        bodies.mask[i] = collider.mask;
-        const bool flagsDiffer = ((bodies.flags[i] & box_physics::kTrigger) != 0) != collider.isTrigger ||
-                                 ((bodies.flags[i] & box_physics::kOneWay) != 0) != isOneWay(collider);
-        if (flagsDiffer) box_physics::setFlags(state_.world, body, collider.isTrigger, isOneWay(collider));
-        if (kind == BodyKind::Kinematic) {
-            steer(body, link, place, velocity, rigid);
-        } else {
-            if (place != link.place) jump(body, link, place);
-            if (rigid != nullptr) followRigid(body, link, *rigid);
-        }
-    }
-
-    /// Somebody put the entity elsewhere: the body goes there without a way.
-    void jump(BodyId body, BodyLink& link, Vec2 place) {
-        if (!accept(box_physics::setPosition(state_.world, body, toMetres(place)), link.entity)) {
-            world_.get<Transform>(link.entity).position = link.place;
+            create(entity, kind);
             return;
         }
-        link.place = place;
+        BodyLink& link = linkOf(body);
+        link.seen = state_.syncs;
+        link.hasParent = static_cast<bool>(parentOf(reader_, entity));
+        followPose(body);
+        if (collidersChanged_) followColliders(body);
+        followRigid(body);
     }
 
-    /// A kinematic body goes where its Transform was put, or else as its velocity says.
-    void steer(BodyId body, BodyLink& link, Vec2 place, Vec2 velocity, const RigidBody* driver) {
-        link.drivenByOwner = driver != nullptr || place != link.place;
-        const Vec2 target = link.drivenByOwner ? place : place + velocity * dt_;
-        if (!accept(box_physics::moveTo(state_.world, body, toMetres(target)), link.entity)) {
-            world_.get<Transform>(link.entity).position = link.place;
+    void create(EntityId entity, BodyKind kind) {
+        const Pose pose = worldPose(reader_, entity);
+        const RigidBody* rigid = reader_.find<RigidBody>(entity);
+        BodyDefinition definition;
+        definition.kind = kind;
+        definition.position = placeInMetres(pose.position, state_.scale);
+        definition.angle = wrapAngle(pose.rotation);
+        definition.user = userOf(entity);
+        if (kind == BodyKind::Dynamic) fill(definition, *rigid);
+        const auto made = physics::createBody(bodies_, definition);
+        if (!made) {
+            tellRefusal(state_, entity, made.error());
+            return;
+        }
+        adopt(*made, entity, pose);
+        if (kind == BodyKind::Dynamic) {
+            linkOf(*made).velocity = rigid->velocity;
+            linkOf(*made).angularVelocity = rigid->angularVelocity;
+            followMass(*made, *rigid);
+        }
+        followColliders(*made);
+    }
+
+    void fill(BodyDefinition& definition, const RigidBody& rigid) const {
+        definition.velocity = toMetres(rigid.velocity, state_.scale);
+        definition.angularVelocity = rigid.angularVelocity;
+        definition.acceleration = toMetres(rigid.acceleration, state_.scale);
+        definition.gravityScale = rigid.gravityScale;
+        definition.linearDrag = rigid.linearDrag;
+        definition.angularDrag = rigid.angularDrag;
+        definition.fixedRotation = rigid.fixedRotation;
+        definition.lockX = rigid.lockX;
+        definition.lockY = rigid.lockY;
+        definition.bullet = rigid.bullet;
+        definition.canSleep = rigid.canSleep;
+        definition.quality = static_cast<physics::Quality>(std::clamp(rigid.quality, -128, 127));
+    }
+
+    void adopt(BodyId body, EntityId entity, const Pose& pose) {
+        if (state_.links.size() <= body.index) state_.links.resize(bodies_.bodies.size());
+        if (state_.bodyOf.size() <= entity.index) state_.bodyOf.resize(entity.index + 1);
+        BodyLink& link = linkOf(body);
+        link = {};
+        link.entity = entity;
+        link.pose = pose;
+        link.rotation = rotationOf(bodies_, body);
+        link.seen = state_.syncs;
+        link.hasParent = static_cast<bool>(parentOf(reader_, entity));
+        state_.bodyOf[entity.index] = body.index + 1;
+    }
+
+    void forget(BodyId body) {
+        BodyLink& link = linkOf(body);
+        if (state_.bodyOf[link.entity.index] == body.index + 1) state_.bodyOf[link.entity.index] = 0;
+        physics::destroyBody(bodies_, body);
+        link = {};
+    }
+
+    void removeUnseen() {
+        for (std::uint32_t i = 0; i < state_.links.size(); ++i) {
+            const BodyLink& link = state_.links[i];
+            if (link.entity && link.seen != state_.syncs) forget(idAt(i));
         }
     }
 
-    void followRigid(BodyId body, BodyLink& link, const RigidBody& rigid) {
-        const std::uint32_t i = body.index;
-        box_physics::Bodies& bodies = state_.world.bodies;
+    /// Somebody put the entity elsewhere: the body goes there without a way. Kinematic ones are led (see
+    /// kinematics.hpp).
+    void followPose(BodyId body) {
+        BodyLink& link = linkOf(body);
+        const Pose pose = worldPose(reader_, link.entity);
+        if (!(pose.scale == link.pose.scale)) {
+            link.pose.scale = pose.scale;
+            followColliders(body);
+        }
+        if (bodies_.bodies.info[body.index].kind == BodyKind::Kinematic) return;
+        if (pose.position == link.pose.position && pose.rotation == link.pose.rotation) return;
+        const auto moved = physics::setPosition(bodies_, body, placeInMetres(pose.position, state_.scale),
+                                                wrapAngle(pose.rotation));
+        if (accept(moved, link.entity)) {
+            link.pose = pose;
+            link.rotation = rotationOf(bodies_, body);
+        } else {
+            placeEntity(world_, link.entity, link.pose);
+        }
+    }
+
+    void followColliders(BodyId body) {
+        BodyLink& link = linkOf(body);
+        const std::uint64_t outlines = outlinesOf(reader_, link.entity, link.pose.scale);
+        if (outlines != link.outlines) {
+            link.outlines = outlines;
+            const auto made = makeShapes(bodies_, body, reader_, link.entity, link.pose.scale, state_.scale);
+            accept(made, link.entity);
+            return;
+        }
+        updateSurface(body, reader_.find<RigidBody>(link.entity));
+    }
+
+    void updateSurface(BodyId body, const RigidBody* rigid) {
+        const EntityId entity = linkOf(body).entity;
+        accept(updateSurfaces(bodies_, body, reader_, entity, rigid, state_.scale), entity);
+    }
+
+    /// Each value that differs is handed on, or put back when it is refused.
+    void followRigid(BodyId body) {
+        if (bodies_.bodies.info[body.index].kind != BodyKind::Dynamic) return;
+        BodyLink& link = linkOf(body);
+        const RigidBody& rigid = *reader_.find<RigidBody>(link.entity);
+        followVelocity(body, link, rigid);
+        followDrive(body, rigid);
+        followMass(body, rigid);
+        const bool locked = hasFlag(bodies_, body, physics::kLockX) == rigid.lockX &&
+                            hasFlag(bodies_, body, physics::kLockY) == rigid.lockY;
+        if (!locked) setLocks(bodies_, body, rigid.lockX, rigid.lockY);
+        if (hasFlag(bodies_, body, physics::kFixedRotation) != rigid.fixedRotation)
+            setFixedRotation(bodies_, body, rigid.fixedRotation);
+        if (hasFlag(bodies_, body, physics::kBullet) != rigid.bullet) setBullet(bodies_, body, rigid.bullet);
+        if (hasFlag(bodies_, body, physics::kCanSleep) != rigid.canSleep)
+            setCanSleep(bodies_, body, rigid.canSleep);
+        updateSurface(body, &rigid);
+    }
+
+    void followVelocity(BodyId body, BodyLink& link, const RigidBody& rigid) {
         if (rigid.velocity != link.velocity) {
-            if (accept(box_physics::setVelocity(state_.world, body, toMetres(rigid.velocity)), link.entity)) {
+            if (accept(setVelocity(bodies_, body, toMetres(rigid.velocity, state_.scale)), link.entity)) {
                 link.velocity = rigid.velocity;
             } else {
                 world_.get<RigidBody>(link.entity).velocity = link.velocity;
             }
         }
-        const Vec2 acceleration = toMetres(rigid.acceleration);
-        if (bodies.acceleration[i] != acceleration) {
-            accept(box_physics::setAcceleration(state_.world, body, acceleration), link.entity);
-        }
-        if (bodies.friction[i] != rigid.friction || bodies.bounciness[i] != rigid.bounciness ||
-            bodies.gravityScale[i] != rigid.gravityScale) {
-            accept(
-                box_physics::setSurface(state_.world, body, rigid.friction, rigid.bounciness, rigid.gravityScale),
-                link.entity);
-        }
-        if (bodies.inverseMass[i] != 1.0f / rigid.mass) {
-            accept(box_physics::setMass(state_.world, body, rigid.mass), link.entity);
+        if (rigid.angularVelocity == link.angularVelocity) return;
+        if (accept(setAngularVelocity(bodies_, body, rigid.angularVelocity), link.entity)) {
+            link.angularVelocity = rigid.angularVelocity;
+        } else {
+            world_.get<RigidBody>(link.entity).angularVelocity = link.angularVelocity;
         }
     }
 
-    BodyId create(EntityId entity, BodyKind kind, const Shape& shape, Vec2 place, Vec2 velocity,
-                  const RigidBody* rigid) {
-        BodyDefinition d;
-        d.kind = kind;
-        d.shape = shape;
-        d.position = toMetres(place);
-        d.velocity = toMetres(velocity);
-        d.user = userOf(entity);
-        if (rigid != nullptr) {
-            d.mass = rigid->mass;
-            d.friction = rigid->friction;
-            d.bounciness = rigid->bounciness;
-            d.gravityScale = rigid->gravityScale;
-            d.acceleration = toMetres(rigid->acceleration);
+    void followDrive(BodyId body, const RigidBody& rigid) {
+        const physics::BodyDrive drive = bodies_.bodies.drive[body.index];
+        const EntityId entity = linkOf(body).entity;
+        const Vec2 acceleration = toMetres(rigid.acceleration, state_.scale);
+        if (drive.acceleration != acceleration &&
+            !accept(setAcceleration(bodies_, body, acceleration), entity))
+            world_.get<RigidBody>(entity).acceleration = toPixels(drive.acceleration, state_.scale);
+        if (drive.gravityScale != rigid.gravityScale &&
+            !accept(setGravityScale(bodies_, body, rigid.gravityScale), entity))
+            world_.get<RigidBody>(entity).gravityScale = drive.gravityScale;
+        if ((drive.linearDrag != rigid.linearDrag || drive.angularDrag != rigid.angularDrag) &&
+            !accept(setDrag(bodies_, body, rigid.linearDrag, rigid.angularDrag), entity)) {
+            world_.get<RigidBody>(entity).linearDrag = drive.linearDrag;
+            world_.get<RigidBody>(entity).angularDrag = drive.angularDrag;
         }
-        const auto body = box_physics::createBody(state_.world, d);
-        if (!body) {
-            tell(entity, body.error());
-            return {};
-        }
-        adopt(*body, entity, place, velocity);
-        return *body;
+        const physics::Quality quality = bodies_.bodies.info[body.index].quality;
+        const int wanted = std::clamp(rigid.quality, -128, 127);
+        if (quality != wanted &&
+            !accept(setQuality(bodies_, body, static_cast<physics::Quality>(wanted)), entity))
+            world_.get<RigidBody>(entity).quality = quality;
     }
 
-    void adopt(BodyId body, EntityId entity, Vec2 place, Vec2 velocity) {
-        if (state_.links.size() <= body.index) state_.links.resize(state_.world.bodies.size());
-        if (state_.bodyOf.size() <= entity.index) state_.bodyOf.resize(entity.index + 1);
-        state_.links[body.index] = {};
-        state_.links[body.index].entity = entity;
-        state_.links[body.index].place = place;
-        state_.links[body.index].velocity = velocity;
-        state_.links[body.index].seen = state_.syncs;
-        state_.bodyOf[entity.index] = body.index + 1;
-    }
-
-    void followTiles(EntityId entity, const Transform& transform, const TileLayer& layer,
-                     const TileCollider& collider) {
-        const TileGrid* grid = world_.tiles().find(layer.cells);
-        if (grid == nullptr || grid->width() == 0 || grid->height() == 0) return;
-        BodyId body = bodyOf(world_, entity);
-        if (!body) {
-            BodyDefinition d;
-            d.kind = BodyKind::Static;
-            d.position = toMetres(transform.position);
-            d.user = userOf(entity);
-            const auto made = box_physics::createBody(state_.world, d);
-            if (!made) return tell(entity, made.error());
-            body = *made;
-            adopt(body, entity, transform.position, {});
-            state_.world.bodies.shape[body.index].field =
-                box_physics::addField(state_.world, std::make_shared<const box_physics::TileField>());
-        }
-        BodyLink& link = state_.links[body.index];
-        link.seen = state_.syncs;
-        box_physics::Bodies& bodies = state_.world.bodies;
-        const Vec2 size = tileSizeOf(world_, layer);
-        if (link.tilesVersion != grid->version() || link.tiles != layer.cells ||
-            link.tileset != layer.tileset || link.tileSize != size) {
-            const std::uint32_t number = bodies.shape[body.index].field;
-            box_physics::replaceField(state_.world, number,
-                                  std::make_shared<const box_physics::TileField>(tileFieldOf(world_, layer)));
-            accept(box_physics::setShape(state_.world, body, box_physics::shapeOfField(state_.world, number)),
-                   entity);
-            link.tilesVersion = grid->version();
-            link.tiles = layer.cells;
-            link.tileset = layer.tileset;
-            link.tileSize = size;
-        }
-        box_physics::setFilter(state_.world, body, collider.layers, collider.mask);
-        bodies.friction[body.index] = collider.friction;
-        bodies.bounciness[body.index] = std::clamp(collider.bounciness, 0.0f, 1.0f);
-        if (transform.position != link.place) jump(body, link, transform.position);
-    }
-
-    void removeUnseen() {
-        for (std::uint32_t i = 0; i < state_.links.size(); ++i) {
-            BodyLink& link = state_.links[i];
-            if (!link.entity || link.seen == state_.syncs) continue;
-            if (state_.bodyOf[link.entity.index] == i + 1) state_.bodyOf[link.entity.index] = 0;
-            const Shape& shape = state_.world.bodies.shape[i];
-            if (shape.kind == box_physics::ShapeKind::Tiles)
-                box_physics::replaceField(state_.world, shape.field, nullptr);
-            box_physics::destroyBody(state_.world, {i, state_.world.bodies.generation[i]});
-            link = {};
-        }
+    void followMass(BodyId body, const RigidBody& rigid) {
+        const float known = bodies_.bodies.info[body.index].setMass;
+        if (rigid.mass == known) return;
+        const EntityId entity = linkOf(body).entity;
+        const Result<Done> set = rigid.mass > 0.0f
+                                     ? setMass(bodies_, body, rigid.mass)
+                                     : Result<Done>{Error{"RigidBody.mass", "expected a mass above 0",
+                                                          "use a StaticBody for what never moves"}};
+        if (accept(set, entity)) return;
+        if (!(known > 0.0f)) static_cast<void>(setMass(bodies_, body, RigidBody{}.mass));
+        world_.get<RigidBody>(entity).mass = bodies_.bodies.info[body.index].setMass;
     }
 
     bool accept(const Result<Done>& result, EntityId entity) {
-        if (!result) tell(entity, result.error());
+        if (!result) tellRefusal(state_, entity, result.error());
         return result.ok();
     }
 
-    /// Once per entity, or a broken one would fill the log.
-    void tell(EntityId entity, const Error& error) {
-        if (std::find(state_.refused.begin(), state_.refused.end(), entity) != state_.refused.end()) return;
-        state_.refused.push_back(entity);
-        logWarning("Physics", Error{format("entity {}", entity.index), error.what, error.remedy});
-    }
-
     World& world_;
+    const World& reader_;
     PhysicsState& state_;
-    float dt_;
+    physics::World& bodies_;
+    bool collidersChanged_;
 };
+
+void takeSettings(World& world, PhysicsState& state, const physics::Settings& settings) {
+    const auto& wanted = world.resource<PhysicsSettings>();
+    const PixelScale scale = pixelScale(wanted.pixelsPerMetre);
+    if (!(scale == state.scale)) {
+        state = {};
+        state.scale = scale;
+    }
+    const bool stirred = settings.gravity != state.world.settings.gravity && state.syncs > 0;
+    state.world.settings = settings;
+    if (!stirred) return;
+    for (std::uint32_t i = 0; i < state.world.bodies.size(); ++i)
+        physics::setAwake(state.world, {i, state.world.bodies.info[i].generation}, true);
+}
 
 }  // namespace
 
-bool hasColliders(const World& world) {
-    return world.count<BoxCollider>() > 0 || world.count<CircleCollider>() > 0 ||
-           world.count<TileCollider>() > 0;
+BodyId bodyOf(const PhysicsState& state, EntityId entity) {
+    if (entity.index >= state.bodyOf.size() || state.bodyOf[entity.index] == 0) return {};
+    const std::uint32_t index = state.bodyOf[entity.index] - 1;
+    if (state.links[index].entity != entity) return {};
+    return {index, state.world.bodies.info[index].generation};
 }
 
-box_physics::Settings physicsSettingsOf(World& world) {
-    box_physics::Settings settings;
-    settings.gravity = toMetres(world.resource<PhysicsSettings>().gravity);
+void placeEntity(World& world, EntityId entity, const Pose& pose) {
+    Transform* transform = world.find<Transform>(entity);
+    if (transform == nullptr) return;
+    const EntityId parent = parentOf(std::as_const(world), entity);
+    if (!parent) {
+        transform->position = pose.position;
+        transform->rotation = pose.rotation;
+        return;
+    }
+    const Pose local = relativeTo(worldPose(world, parent), {pose.position, pose.rotation, {1.0f, 1.0f}});
+    transform->position = local.position;
+    transform->rotation = local.rotation;
+}
+
+void tellRefusal(PhysicsState& state, EntityId entity, const Error& error) {
+    if (std::find(state.refused.begin(), state.refused.end(), entity) != state.refused.end()) return;
+    state.refused.push_back(entity);
+    logWarning("Physics",
+               Error{format("entity {}: {}", entity.index, error.where), error.what, error.remedy});
+}
+
+physics::Settings physicsSettingsOf(World& world) {
+    const auto& project = world.resource<PhysicsSettings>();
+    physics::Settings settings = project.tolerances;
+    settings.gravity = project.gravity / project.pixelsPerMetre;
+    settings.stayEvents = project.stayEvents;
+    for (auto [entity, scene] : std::as_const(world).query<const ScenePhysics>()) {
+        settings.gravity = scene.gravity / project.pixelsPerMetre;
+        settings.quality = static_cast<physics::Quality>(std::clamp(scene.quality, 0, 6));
+        settings.solver = scene.solver;
+        settings.integrator = scene.integrator;
+        settings.iterations = static_cast<std::uint8_t>(std::clamp(scene.iterations, 1, 100));
+        settings.automaticQuality = scene.automaticQuality;
+        settings.continuous = scene.continuous;
+        settings.sleeping = scene.sleeping;
+        break;
+    }
     return settings;
 }
 
-void syncBodies(World& world, float dt) { Sync{world, dt}.run(); }
+void followComponents(World& world, PhysicsState& state, const physics::Settings& settings) {
+    takeSettings(world, state, settings);
+    const std::uint64_t members = membersOf(world);
+    const std::uint64_t mark = state.mark;
+    const bool all = members != state.members || state.syncs == 0;
+    BodySync sync{world, state};
+    state.mark = world.markChanges();
+    all ? sync.followAll() : sync.followChanged(mark);
+    followTiles(world, state, all);
+    followJoints(world, state, all, mark);
+    followFields(world, state, all);
+    state.members = membersOf(world);
+}
 
 }  // namespace plumb

@@ -1,15 +1,44 @@
 #pragma once
 
 #include "ecs/world.hpp"
-#include "box_physics/settings.hpp"
+#include "scene/physics_state.hpp"
 
 namespace plumb {
 
-// What physics_bridge and physics_queries share.
+// What the files of the bridge share.
 
-[[nodiscard]] bool hasColliders(const World& world);
+/// Bodies, terrains, joints and fields follow their components. Looks only at what was written since the last
+/// time, unless somebody got or lost such a component.
+/// @param settings  of the world, in metres
+void followComponents(World& world, PhysicsState& state, const physics::Settings& settings);
 
-/// The tolerances and gravity of a world, in metres.
-[[nodiscard]] box_physics::Settings physicsSettingsOf(World& world);
+/// The tolerances and gravity of a world, in metres: those of its ScenePhysics, or else its PhysicsSettings.
+[[nodiscard]] physics::Settings physicsSettingsOf(World& world);
+
+/// Puts an entity at a pose in the world (px), through the pose of its parent if it has one. Its scale stays.
+void placeEntity(World& world, EntityId entity, const Pose& pose);
+
+/// Warns once per entity: a broken one would fill the log.
+void tellRefusal(PhysicsState& state, EntityId entity, const Error& error);
+
+[[nodiscard]] constexpr std::uint64_t userOf(EntityId entity) {
+    return std::uint64_t{entity.index} << 32 | entity.generation;
+}
+/// Whose body it is, also when it was destroyed in this tick.
+[[nodiscard]] inline EntityId ownerOf(const PhysicsState& state, physics::BodyId body) {
+    const std::uint64_t user = state.world.bodies.info[body.index].user;
+    return {static_cast<std::uint32_t>(user >> 32), static_cast<std::uint32_t>(user)};
+}
+/// The entity's own body, or nobody.
+[[nodiscard]] physics::BodyId bodyOf(const PhysicsState& state, EntityId entity);
+
+[[nodiscard]] inline physics::Place placeInMetres(Vec2 pixels, PixelScale scale) {
+    return {static_cast<double>(pixels.x) * static_cast<double>(scale.metres),
+            static_cast<double>(pixels.y) * static_cast<double>(scale.metres)};
+}
+[[nodiscard]] inline Vec2 placeInPixels(physics::Place metres, PixelScale scale) {
+    return {static_cast<float>(metres.x * static_cast<double>(scale.pixels)),
+            static_cast<float>(metres.y * static_cast<double>(scale.pixels))};
+}
 
 }  // namespace plumb

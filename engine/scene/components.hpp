@@ -10,6 +10,7 @@
 #include "scene/components/capsule_collider.hpp"
 #include "scene/components/chain_collider.hpp"
 #include "scene/components/character_body.hpp"
+#include "scene/components/character_controller.hpp"
 #include "scene/components/circle_collider.hpp"
 #include "scene/components/distance_joint.hpp"
 #include "scene/components/explosion.hpp"

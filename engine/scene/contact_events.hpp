@@ -5,7 +5,8 @@
 
 namespace plumb {
 
-/// Two solid colliders that touch. Emitted by the physics step, each pair once a tick.
+/// Two solid colliders that touch. Emitted by the physics step, each pair once a tick. While both rest asleep,
+/// nobody tells that they stay.
 struct Contact {
     EntityId a;
     EntityId b;
@@ -25,5 +26,11 @@ struct TriggerOverlap {
 struct TriggerEntered : TriggerOverlap {};
 struct TriggerStayed : TriggerOverlap {};
 struct TriggerLeft : TriggerOverlap {};
+
+/// A joint was pulled harder than its breakForce. Its component is gone.
+struct JointBroke {
+    EntityId entity;  ///< whose joint it was
+    EntityId other;
+};
 
 }  // namespace plumb

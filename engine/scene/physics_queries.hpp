@@ -27,7 +27,7 @@ struct QueryHit {
 };
 
 /// The first collider that a box meets on a straight way (px). What it only leaves or slides along does
-/// not count. Kinematic bodies are seen where this tick takes them.
+/// not count.
 std::optional<QueryHit> castBox(World& world, const AABB& box, Vec2 way, const QueryFilter& filter = {});
 
 /// The first collider on a line from `from` along `way` (px).
@@ -36,7 +36,7 @@ std::optional<QueryHit> castRay(World& world, Vec2 from, Vec2 way, const QueryFi
 /// How far the body of an entity goes in this tick (px), as far as it is known before the step.
 Vec2 tickMotionOf(World& world, EntityId entity, float dt);
 
-/// All entities whose colliders overlap the box, in a fixed order.
+/// All entities whose colliders overlap the box, each once, in a fixed order.
 void overlapBox(World& world, const AABB& box, const QueryFilter& filter, std::vector<EntityId>& found);
 
 }  // namespace plumb

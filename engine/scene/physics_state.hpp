@@ -1,50 +1,109 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <vector>
 
-#include "core/text_store.hpp"
-#include "box_physics/simulation.hpp"
+#include "physics/character/character_controller.hpp"
+#include "physics/queries/query.hpp"
+#include "physics/simulation.hpp"
+#include "physics/terrain/terrain_body.hpp"
 #include "reflect/entity_id.hpp"
 #include "reflect/field_types.hpp"
+#include "scene/physics_units.hpp"
+#include "scene/world_transform.hpp"
 
 namespace plumb {
 
-/// How the physics of a world is set up. A resource; scenes and games change it.
+/// How the physics of a world is set up. A resource; games change it. A ScenePhysics component goes before
+/// it.
 struct PhysicsSettings {
     static constexpr Vec2 kGravity{0.0f, 980.0f};
 
-    Vec2 gravity = kGravity;  ///< px/s^2
-    /// Bits of box_physics::Effect; 0 takes what the systems, or else the components, call for.
-    unsigned effects = 0;
+    Vec2 gravity = kGravity;       ///< px/s^2
+    float pixelsPerMetre = 64.0f;  ///< px
+    physics::Settings tolerances;  ///< all but gravity and stayEvents; metres
+    bool stayEvents = true;        ///< ContactStayed and TriggerStayed in each tick that a contact goes on
+    std::uint32_t effectsOff = 0;  ///< bits of physics::Manifest that do not run whoever calls for them
 
     void addTo(Hasher& hasher) const {
-        hasher.add(gravity.x), hasher.add(gravity.y), hasher.add(std::uint64_t{effects});
+        hasher.add(gravity.x), hasher.add(gravity.y), hasher.add(pixelsPerMetre);
+        hasher.add(std::uint64_t{effectsOff});
     }
 };
 
 /// What the bridge knows about the body of an entity.
 struct BodyLink {
     EntityId entity;
-    Vec2 place;              ///< px: where both sides last agreed the entity is
-    Vec2 velocity;           ///< px/s: the same for its velocity
-    std::uint64_t seen = 0;  ///< the last sync that found its components
-    TilesId tiles;           ///< of a tile collider: what its field was made from
-    std::uint32_t tilesVersion = 0;
-    TilesetId tileset;
-    Vec2 tileSize;               ///< px
-    bool drivenByOwner = false;  ///< its Transform moves it, not its velocity
+    Pose pose;                     ///< px, rad, in the world: where both sides last agreed that it is
+    Rot rotation;                  ///< of the body, the same
+    Vec2 velocity;                 ///< px/s: the same for its velocity
+    float angularVelocity = 0.0f;  ///< rad/s
+    std::uint64_t outlines = 0;    ///< what its shapes were made from
+    std::uint64_t seen = 0;        ///< the last full sync that found its components
+    bool hasParent = false;        ///< moves when another one does
+    bool driven = false;           ///< its Transform moves it in this tick, not its velocity
+};
+
+/// The bodies of a tile layer.
+struct TileTerrain {
+    EntityId entity;
+    std::shared_ptr<physics::TerrainOutlines> outlines;  ///< shared with snapshots, so copied before a change
+    physics::TerrainBody body;
+    std::uint64_t made = 0;     ///< what all of it was made from, but for the cells
+    std::uint32_t version = 0;  ///< of the grid
+    std::uint64_t seen = 0;
+};
+
+struct JointLinkage {
+    EntityId entity;
+    EntityId other;
+    std::uint8_t kind = 0;  ///< row of the table of joints
+    bool broken = false;
+    physics::JointId joint;
+    std::uint64_t made = 0;  ///< what it was made from
+    std::uint64_t seen = 0;
+};
+
+struct FieldLinkage {
+    EntityId entity;
+    std::uint8_t kind = 0;  ///< row of the table of fields
+    physics::FieldId field;
+    std::uint64_t made = 0;
+    std::uint64_t seen = 0;
+};
+
+/// A character that its controller moves.
+struct CharacterLinkage {
+    EntityId entity;
+    Vec2 middle;             ///< px: where both sides last agreed that it is
+    std::uint64_t made = 0;  ///< what it was made from
+    physics::CharacterController controller;
 };
 
 /// The simulated bodies of a world and whose they are. A resource: snapshots and the hash include it.
 struct PhysicsState {
-    box_physics::World world;
-    std::vector<BodyLink> links;        ///< by body index
-    std::vector<std::uint32_t> bodyOf;  ///< by entity index: body index + 1, 0 for none
-    std::vector<EntityId> refused;      ///< whose numbers were bad, so that each is told once
-    std::uint64_t syncs = 0;
+    physics::World world;
+    PixelScale scale;
+    std::vector<BodyLink> links;         ///< by body index; nobody for what is no entity's own
+    std::vector<std::uint32_t> bodyOf;   ///< by entity index: body index + 1, 0 for none
+    std::vector<std::uint32_t> carried;  ///< bodies of entities that have a parent
+    std::vector<std::uint32_t> driven;   ///< kinematic bodies
+    std::vector<std::uint32_t> stepped;  ///< bodies that were awake before the step
+    std::vector<std::uint8_t> grounded;  ///< by body, in the last step
+    std::vector<TileTerrain> terrains;
+    std::vector<JointLinkage> joints;
+    std::vector<FieldLinkage> fields;
+    std::vector<CharacterLinkage> characters;
+    std::vector<physics::CastHit> hits;  ///< of the query in hand
+    std::vector<physics::ShapeId> found;
+    physics::BodyId ground;         ///< what joints with nobody are tied to
+    std::vector<EntityId> refused;  ///< whose numbers were bad, so that each is told once
+    std::uint64_t syncs = 0;        ///< full ones
+    std::uint64_t members = 0;      ///< who has what, when it was last looked at
+    std::uint64_t mark = 0;         ///< what was written before it is known
 
-    void addTo(Hasher& hasher) const { box_physics::addTo(hasher, world); }
+    void addTo(Hasher& hasher) const { physics::addTo(hasher, world); }
 };
 
 }  // namespace plumb

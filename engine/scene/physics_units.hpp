@@ -4,12 +4,18 @@
 
 namespace plumb {
 
-/// The border between the game's pixels and the metres of physics. A power of two, so that going there and
-/// back changes no bit. Only physics_bridge, physics_queries and tile_bodies use it.
-inline constexpr float kPixelsPerMetre = 64.0f;
-inline constexpr float kMetresPerPixel = 1.0f / kPixelsPerMetre;
+/// The border between the game's pixels and the metres of physics. Only the files of the bridge cross it.
+/// With a power of two, going there and back changes no bit.
+struct PixelScale {
+    float pixels = 64.0f;         ///< in a metre
+    float metres = 1.0f / 64.0f;  ///< in a pixel
 
-constexpr Vec2 toMetres(Vec2 pixels) { return pixels * kMetresPerPixel; }
-constexpr Vec2 toPixels(Vec2 metres) { return metres * kPixelsPerMetre; }
+    friend bool operator==(PixelScale, PixelScale) = default;
+};
+
+constexpr PixelScale pixelScale(float pixelsPerMetre) { return {pixelsPerMetre, 1.0f / pixelsPerMetre}; }
+
+constexpr Vec2 toMetres(Vec2 pixels, PixelScale scale) { return pixels * scale.metres; }
+constexpr Vec2 toPixels(Vec2 metres, PixelScale scale) { return metres * scale.pixels; }
 
 }  // namespace plumb

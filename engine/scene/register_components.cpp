@@ -9,6 +9,7 @@
 #include "scene/components/capsule_collider.hpp"
 #include "scene/components/chain_collider.hpp"
 #include "scene/components/character_body.hpp"
+#include "scene/components/character_controller.hpp"
 #include "scene/components/circle_collider.hpp"
 #include "scene/components/distance_joint.hpp"
 #include "scene/components/explosion.hpp"
@@ -59,6 +60,7 @@ void registerSceneComponents(TypeRegistry& types) {
     types.add<StaticBody>();
     types.add<KinematicBody>();
     types.add<CharacterBody>();
+    types.add<CharacterController>();
     types.add<BoxCollider>();
     types.add<CircleCollider>();
     types.add<CapsuleCollider>();

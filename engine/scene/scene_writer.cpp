@@ -30,7 +30,8 @@ SceneWriter::SceneWriter(World& world, const SceneContext& context, const Loaded
 
 std::vector<SceneWriter::Item> SceneWriter::itemsInOrder() const {
     std::vector<Item> items;
-    for (auto [entity, source] : std::as_const(world_).query<const SceneEntity>(without<PrefabPart>, withPaused)) {
+    for (auto [entity, source] :
+         std::as_const(world_).query<const SceneEntity>(without<PrefabPart>, withPaused)) {
         if (source.scene == scene_.id) items.push_back({source.order, source.id, entity.id(), nullptr});
     }
     if (scene_.rest != nullptr) {

@@ -4,6 +4,7 @@
 
 #include "scene/systems/animation_system.hpp"
 #include "scene/systems/camera_system.hpp"
+#include "scene/systems/character_controller_system.hpp"
 #include "scene/systems/collision_system.hpp"
 #include "scene/systems/gravity_system.hpp"
 #include "scene/systems/movement_system.hpp"

@@ -5,58 +5,177 @@
 #include <vector>
 
 #include "assets/asset_store.hpp"
-#include "scene/physics_units.hpp"
+#include "scene/body_sync.hpp"
+#include "scene/components/transform.hpp"
 
 namespace plumb {
 
 namespace {
 
-static_assert(static_cast<int>(box_physics::TileShape::HalfBottom) == static_cast<int>(TileShape::HalfBottom),
-              "the tile shapes of assets and of physics have the same numbers");
+using physics::MaskCell;
+using physics::OneWay;
+using physics::TerrainOutlines;
+using physics::TileForm;
+using physics::TilePalette;
 
-Vec2 flipped(Vec2 point, TileCell flips) {
-    if ((flips & kTileFlipDiagonal) != 0) std::swap(point.x, point.y);
-    if ((flips & kTileFlipX) != 0) point.x = 1.0f - point.x;
-    if ((flips & kTileFlipY) != 0) point.y = 1.0f - point.y;
-    return point;
+template <class T>
+T valueOr(const Result<T>& result, T otherwise) {
+    return result ? *result : otherwise;
 }
 
-/// Turns cells into shape numbers of one field, and remembers the ones that need an outline of their own.
-class ShapeFinder {
-public:
-    ShapeFinder(const Tileset* tileset, box_physics::TileField& field) : tileset_{tileset}, field_{field} {}
+TileForm formOf(TileShape shape) {
+    constexpr TileForm kForms[] = {
+        TileForm::Empty,        TileForm::Full,       TileForm::OneWay,      TileForm::SlopeUp,
+        TileForm::SlopeDown,    TileForm::SlopeUpLow, TileForm::SlopeUpHigh, TileForm::SlopeDownHigh,
+        TileForm::SlopeDownLow, TileForm::HalfTop,    TileForm::HalfBottom,
+    };
+    return kForms[static_cast<std::size_t>(shape)];
+}
 
-    box_physics::TileShape of(TileCell cell) {
-        if (cell == 0) return box_physics::TileShape::Empty;
-        if (tileset_ == nullptr) return box_physics::TileShape::Full;
-        const Tile* tile = tileset_->find(tileOf(cell));
-        if (tile == nullptr || tile->shape == TileShape::None) return box_physics::TileShape::Empty;
-        const bool plain = (cell & kTileFlips) == 0 || tile->shape == TileShape::Full;
-        if (tile->shape == TileShape::OneWay) return box_physics::TileShape::OneWay;
-        if (plain && tile->oneWay && tile->shape == TileShape::Full) return box_physics::TileShape::OneWay;
-        if (plain && !tile->oneWay && tile->shape != TileShape::Polygon) {
-            return static_cast<box_physics::TileShape>(tile->shape);
-        }
-        return outlined(*tile, cell);
+/// Turns the cells of a grid into those of a terrain.
+class CellReader {
+public:
+    CellReader(const Tileset* tileset, const TileCollider& collider, TilePalette& palette)
+        : tileset_{tileset}, collider_{collider}, palette_{palette} {
+        layers_ = valueOr(palette.addLayers({collider.layers, collider.mask}), std::uint8_t{0});
+    }
+
+    MaskCell of(TileCell cell) {
+        if (cell == 0) return {};
+        if (cell == last_.first) return last_.second;
+        auto known =
+            std::lower_bound(known_.begin(), known_.end(), cell,
+                             [](const auto& entry, TileCell wanted) { return entry.first < wanted; });
+        if (known == known_.end() || known->first != cell) known = known_.emplace(known, cell, make(cell));
+        return (last_ = *known).second;
     }
 
 private:
-    box_physics::TileShape outlined(const Tile& tile, TileCell cell) {
-        for (const auto& [known, shape] : known_) {
-            if (known == cell) return shape;
+    MaskCell make(TileCell cell) {
+        const Tile* tile = tileset_ != nullptr ? tileset_->find(tileOf(cell)) : nullptr;
+        if (tileset_ != nullptr && tile == nullptr) return {};
+        const TileForm form = tile != nullptr ? formOf(*tile, cell & kTileFlips) : TileForm::Full;
+        if (form == TileForm::Empty) return {};
+        physics::TileMaterial material;
+        material.friction = tile != nullptr && tile->friction >= 0.0f ? tile->friction : collider_.friction;
+        material.bounciness =
+            std::clamp(tile != nullptr && tile->bounciness >= 0.0f ? tile->bounciness : collider_.bounciness,
+                       0.0f, 1.0f);
+        return {form, valueOr(palette_.addMaterial(material), std::uint8_t{0}), layers_};
+    }
+
+    TileForm formOf(const Tile& tile, TileCell flips) {
+        if (tile.shape == TileShape::None) return TileForm::Empty;
+        TileForm form = TileForm::Full;
+        if (tile.shape == TileShape::Polygon) {
+            const Vec2 size{static_cast<float>(tileset_->tileWidth),
+                            static_cast<float>(tileset_->tileHeight)};
+            std::vector<Vec2> points;
+            for (const Vec2 point : tile.polygon) points.push_back({point.x / size.x, point.y / size.y});
+            form = valueOr(palette_.addPolygon(points), TileForm::Full);
+        } else {
+            form = plumb::formOf(tile.shape);
         }
-        const Vec2 size{static_cast<float>(tileset_->tileWidth), static_cast<float>(tileset_->tileHeight)};
-        std::vector<Vec2> points = outlineOf(tile, size);
-        for (Vec2& point : points) point = flipped({point.x / size.x, point.y / size.y}, cell & kTileFlips);
-        const auto added = field_.addPolygon(points.data(), static_cast<int>(points.size()), tile.oneWay);
-        const auto shape = added.ok() ? *added : box_physics::TileShape::Full;
-        known_.emplace_back(cell, shape);
-        return shape;
+        if (flips != 0) form = valueOr(palette_.flipped(form, flips), form);
+        if (tile.oneWay && tile.shape != TileShape::OneWay)
+            form = valueOr(palette_.withOneWay(form, OneWay::Up), form);
+        return form;
     }
 
     const Tileset* tileset_;
-    box_physics::TileField& field_;
-    std::vector<std::pair<TileCell, box_physics::TileShape>> known_;
+    const TileCollider& collider_;
+    TilePalette& palette_;
+    std::uint8_t layers_ = 0;
+    std::vector<std::pair<TileCell, MaskCell>> known_;  // in order of the cells
+    std::pair<TileCell, MaskCell> last_;
+};
+
+std::uint64_t madeFrom(const TileLayer& layer, const TileCollider& collider, const TileGrid& grid, Vec2 place,
+                       Vec2 tileSize) {
+    Hasher hasher;
+    hasher.add(std::uint64_t{layer.cells.value});
+    hasher.add(layer.tileset.path.value);
+    hasher.add(static_cast<std::uint64_t>(grid.width()) << 32 | static_cast<std::uint64_t>(grid.height()));
+    for (const float value : {place.x, place.y, tileSize.x, tileSize.y}) hasher.add(value);
+    hasher.add(std::uint64_t{collider.layers} << 32 | collider.mask);
+    hasher.add(collider.friction), hasher.add(collider.bounciness);
+    return hasher.value() | 1;
+}
+
+/// One layer and its terrain.
+class TileSync {
+public:
+    TileSync(World& world, PhysicsState& state, EntityId entity, const TileLayer& layer,
+             const TileCollider& collider)
+        : reader_{world}, state_{state}, entity_{entity}, layer_{layer}, collider_{collider} {}
+
+    void follow(const TileGrid& grid) {
+        TileTerrain& terrain = find();
+        terrain.seen = state_.syncs;
+        const Vec2 place = worldPose(reader_, entity_).position;
+        const Vec2 size = tileSizeOf(reader_, layer_);
+        const std::uint64_t made = madeFrom(layer_, collider_, grid, place, size);
+        if (made != terrain.made) {
+            terrain.made = made;
+            makeAnew(terrain, grid, place, size);
+        } else if (grid.version() != terrain.version) {
+            change(terrain, grid);
+        }
+        terrain.version = grid.version();
+    }
+
+private:
+    TileTerrain& find() {
+        const auto known = std::find_if(state_.terrains.begin(), state_.terrains.end(),
+                                        [&](const TileTerrain& other) { return other.entity == entity_; });
+        if (known != state_.terrains.end()) return *known;
+        state_.terrains.emplace_back().entity = entity_;
+        return state_.terrains.back();
+    }
+
+    void makeAnew(TileTerrain& terrain, const TileGrid& grid, Vec2 place, Vec2 size) {
+        terrain.body.destroy(state_.world);
+        physics::TileMask mask{grid.width(), grid.height()};
+        CellReader cells{tileset(), collider_, mask.palette};
+        for (int y = 0; y < grid.height(); ++y) {
+            for (int x = 0; x < grid.width(); ++x) mask.set(x, y, cells.of(grid.at(x, y)));
+        }
+        terrain.outlines = std::make_shared<TerrainOutlines>(std::move(mask));
+        physics::TerrainDefinition definition;
+        definition.position = placeInMetres(place, state_.scale);
+        definition.cellSize = toMetres(size, state_.scale);
+        definition.user = userOf(entity_);
+        auto body = physics::TerrainBody::create(state_.world, *terrain.outlines, definition);
+        if (!body) return tellRefusal(state_, entity_, body.error());
+        terrain.body = std::move(*body);
+        update(terrain);
+    }
+
+    void change(TileTerrain& terrain, const TileGrid& grid) {
+        if (terrain.outlines.use_count() > 1)
+            terrain.outlines = std::make_shared<TerrainOutlines>(*terrain.outlines);
+        CellReader cells{tileset(), collider_, terrain.outlines->palette()};
+        for (int y = 0; y < grid.height(); ++y) {
+            for (int x = 0; x < grid.width(); ++x) terrain.outlines->set(x, y, cells.of(grid.at(x, y)));
+        }
+        update(terrain);
+    }
+
+    void update(TileTerrain& terrain) {
+        const auto updated = terrain.body.update(state_.world, *terrain.outlines, terrain.outlines->update());
+        if (!updated) tellRefusal(state_, entity_, updated.error());
+    }
+
+    [[nodiscard]] const Tileset* tileset() const {
+        const auto* assets = reader_.service<AssetStore>();
+        return assets != nullptr ? &assets->tileset(layer_.tileset) : nullptr;
+    }
+
+    const World& reader_;
+    PhysicsState& state_;
+    EntityId entity_;
+    const TileLayer& layer_;
+    const TileCollider& collider_;
 };
 
 }  // namespace
@@ -70,17 +189,19 @@ Vec2 tileSizeOf(const World& world, const TileLayer& layer) {
             static_cast<float>(std::max(tileset.tileHeight, 1))};
 }
 
-box_physics::TileField tileFieldOf(const World& world, const TileLayer& layer) {
-    const TileGrid* grid = world.tiles().find(layer.cells);
-    if (grid == nullptr) return {};
-    const auto* assets = world.service<AssetStore>();
-    box_physics::TileField field{grid->width(), grid->height(), toMetres(tileSizeOf(world, layer))};
-    ShapeFinder shapes{assets != nullptr ? &assets->tileset(layer.tileset) : nullptr, field};
-    for (int y = 0; y < grid->height(); ++y) {
-        for (int x = 0; x < grid->width(); ++x) field.set(x, y, shapes.of(grid->at(x, y)));
+void followTiles(World& world, PhysicsState& state, bool all) {
+    for (auto [entity, layer, collider] :
+         std::as_const(world).query<const TileLayer, const TileCollider>(with<Transform>)) {
+        const TileGrid* grid = world.tiles().find(layer.cells);
+        if (grid == nullptr || grid->width() == 0 || grid->height() == 0) continue;
+        TileSync{world, state, entity.id(), layer, collider}.follow(*grid);
     }
-    field.finish();
-    return field;
+    if (!all) return;
+    std::erase_if(state.terrains, [&state](TileTerrain& terrain) {
+        if (terrain.seen == state.syncs) return false;
+        terrain.body.destroy(state.world);
+        return true;
+    });
 }
 
 }  // namespace plumb

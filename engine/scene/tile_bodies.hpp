@@ -1,16 +1,17 @@
 #pragma once
 
 #include "ecs/world.hpp"
-#include "box_physics/tile_field.hpp"
+#include "scene/components/tile_collider.hpp"
 #include "scene/components/tile_layer.hpp"
+#include "scene/physics_state.hpp"
 
 namespace plumb {
 
 /// The size of one tile of a layer (px): its own, or its tileset's.
 Vec2 tileSizeOf(const World& world, const TileLayer& layer);
 
-/// The solid cells of a tile layer in metres, each with the shape that its tileset gives it.
-/// Without an AssetStore every tile is full.
-box_physics::TileField tileFieldOf(const World& world, const TileLayer& layer);
+/// Terrains follow their tile layers; of a changed grid only the parts around changed cells are made anew.
+/// @param all  somebody got or lost one
+void followTiles(World& world, PhysicsState& state, bool all);
 
 }  // namespace plumb

@@ -1,6 +1,7 @@
 #include "scene/world_transform.hpp"
 
 #include "ecs/hierarchy.hpp"
+#include "ecs/paused.hpp"
 #include "math/angle.hpp"
 #include "scene/components/camera.hpp"
 
@@ -39,12 +40,40 @@ Pose worldPose(const World& world, EntityId entity, float alpha) {
     return parent ? composed(worldPose(world, parent, alpha), own) : own;
 }
 
+namespace {
+
+/// What was stored last, so that whatever stands still costs nothing. A resource that is no state.
+struct StoredTransforms {
+    std::uint64_t mark = 0;
+    std::uint64_t members = 0;
+};
+
+void store(Transform& transform) {
+    transform.previousPosition = transform.position;
+    transform.previousRotation = transform.rotation;
+    transform.previousScale = transform.scale;
+}
+
+bool isStored(const Transform& transform) {
+    return transform.previousPosition == transform.position &&
+           transform.previousRotation == transform.rotation && transform.previousScale == transform.scale;
+}
+
+}  // namespace
+
 void storePreviousTransforms(World& world) {
-    world.each<Transform>([](Transform& transform) {
-        transform.previousPosition = transform.position;
-        transform.previousRotation = transform.rotation;
-        transform.previousScale = transform.scale;
-    });
+    StoredTransforms& stored = world.resource<StoredTransforms>();
+    const std::uint64_t members = world.memberships<Transform, Paused>();
+    if (members != stored.members) {
+        world.each<Transform>(store);  // but for the paused ones
+    } else {
+        world.eachChangedSince<Transform>(stored.mark, [&world](EntityId entity) {
+            const World& reader = world;
+            if (!isStored(*reader.find<Transform>(entity)) && !reader.has<Paused>(entity))
+                store(world.get<Transform>(entity));
+        });
+    }
+    stored = {world.markChanges(), members};
     world.each<Camera>([](Camera& camera) { camera.previousZoom = camera.zoom; });
 }
 

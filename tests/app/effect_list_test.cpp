@@ -36,11 +36,11 @@ TEST(EffectList, saysWhatWorksAndForWhom) {
     wall.addComponent<Sprite>();
 
     const std::string still = effectList(world, types);
-    for (const char* stage : {"forces", "broad phase", "narrow phase", "solver", "motion", "contact events"})
+    for (const char* stage : {"broad phase", "narrow phase", "solve", "finish bodies", "events"})
         EXPECT_FALSE(works(still, stage)) << stage;
     EXPECT_EQ(lineOf(still, "broad phase"),
               "  broad phase         no     BoxCollider (1), but nothing of it moves");
-    EXPECT_EQ(lineOf(still, "motion"), "  motion              no     nobody has RigidBody, KinematicBody");
+    EXPECT_EQ(lineOf(still, "solve"), "  solve               no     nobody has RigidBody, KinematicBody");
     EXPECT_TRUE(works(still, "picture"));
     EXPECT_FALSE(works(still, "sound"));
     EXPECT_FALSE(works(still, "spring"));
@@ -48,8 +48,8 @@ TEST(EffectList, saysWhatWorksAndForWhom) {
     wall.addComponent<RigidBody>();
     world.createEntity().addComponent<Music>();
     const std::string moving = effectList(world, types);
-    EXPECT_EQ(lineOf(moving, "solver"), "  solver              yes    BoxCollider (1)");
-    EXPECT_EQ(lineOf(moving, "motion"), "  motion              yes    RigidBody (1)");
+    EXPECT_EQ(lineOf(moving, "narrow phase"), "  narrow phase        yes    BoxCollider (1)");
+    EXPECT_EQ(lineOf(moving, "solve"), "  solve               yes    RigidBody (1)");
     EXPECT_TRUE(works(moving, "physics"));
     EXPECT_EQ(lineOf(moving, "sound"), "  sound               yes    Music (1)");
 }

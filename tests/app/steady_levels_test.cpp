@@ -11,8 +11,9 @@
 namespace plumb {
 namespace {
 
-/// A restored world has its arrays at their smallest: each may grow once more. 600 ticks may cost no more.
-constexpr std::size_t kGrowing = 10;
+/// A restored world has its arrays at their smallest: each may grow once more, and those that the physics works
+/// with are many. 600 ticks may cost no more.
+constexpr std::size_t kGrowing = 60;
 
 /// The platformer with its picture going to a device that only keeps what a graphics card would keep.
 class PlayedGame {

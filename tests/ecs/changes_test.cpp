@@ -1,3 +1,5 @@
+#include <algorithm>
+#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -83,6 +85,45 @@ TEST(ClusterTest, smallWorldsTidyThemselves) {
     world.chunks<const Position, const Velocity>(
         [&](std::size_t, const Position*, const Velocity*) { ++runs; });
     EXPECT_EQ(runs, 1);
+}
+
+TEST(ChangesTest, onlyBlocksThatWereWrittenAreVisited) {
+    World world;
+    fillWithMovers(world, 1000);
+    const EntityId last{1000, 1};
+    const std::uint64_t mark = world.markChanges();
+    std::vector<EntityId> visited;
+    const auto look = [&] {
+        visited.clear();
+        world.eachChangedSince<Position>(mark, [&](EntityId id) { visited.push_back(id); });
+    };
+    look();
+    EXPECT_TRUE(visited.empty());
+    world.get<Position>(last).x = 1.0f;
+    look();
+    EXPECT_NE(std::find(visited.begin(), visited.end(), last), visited.end());
+    EXPECT_LT(visited.size(), 500u);
+    for (auto [entity, position] : world.query<Position>()) position.x = 2.0f;
+    look();
+    EXPECT_EQ(visited.size(), 1000u);
+}
+
+TEST(ChangesTest, membershipsGrowWithEveryGainAndLoss) {
+    World world;
+    fillWithMovers(world, 10);
+    std::uint64_t before = world.memberships<Position, Velocity>();
+    const auto grew = [&] {
+        const std::uint64_t now = world.memberships<Position, Velocity>();
+        return now > std::exchange(before, now);
+    };
+    world.get<Position>(EntityId{1, 1}).x = 3.0f;
+    EXPECT_FALSE(grew()) << "a write is no change of members";
+    world.remove<Velocity>(EntityId{1, 1});
+    EXPECT_TRUE(grew());
+    world.add<Velocity>(EntityId{1, 1});
+    EXPECT_TRUE(grew());
+    world.destroy(EntityId{10, 1});
+    EXPECT_TRUE(grew());
 }
 
 }  // namespace

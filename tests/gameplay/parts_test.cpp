@@ -330,6 +330,19 @@ TEST(Menu, pauseAndCancelCloseIt) {
     }
 }
 
+TEST(Door, aCrateThatSleepsOnAButtonKeepsItPressed) {
+    Level level{kFlat};
+    Entity button = level.addBox({150, kFloor - 4}, {16, 4}, true);
+    button.addComponent<Button>();
+    Entity crate = level.addBox({150, kFloor - 20}, {16, 16});
+    crate.addComponent<RigidBody>();
+    level.run(240);
+    EXPECT_TRUE(button.get<Button>().pressed);
+    crate.destroy();
+    level.run(20);
+    EXPECT_FALSE(button.get<Button>().pressed);
+}
+
 TEST(Door, opensForAKeyAndWhileItsButtonIsPressed) {
     Level level{kFlat};
     level.addPlayer({40, kFloor});

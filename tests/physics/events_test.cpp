@@ -67,6 +67,62 @@ TEST(Events, twoTriggersSeeEachOther) {
     EXPECT_EQ(velocityOf(scene.world, a), Vec2{});
 }
 
+TEST(Events, aTriggerTellsOfBoxesThatGoThroughAlongItsNormal) {
+    Playground scene;
+    scene.world.settings.gravity = {};
+    const BodyId zone = scene.body(BodyKind::Static, {0.0, 0.0});
+    scene.shape(zone, box({0.5f, 5.0f}), {.isTrigger = true});
+    const BodyId crate = scene.crate({-4.0, 0.0});
+    ASSERT_TRUE(setVelocity(scene.world, crate, {4.0f, 0.0f}).ok());
+    Counted events;
+    for (int i = 0; i < 120; ++i) scene.run(1), events.add(scene.world);
+    EXPECT_EQ(events.began, 1);
+    EXPECT_EQ(events.ended, 1) << "it left on the other side";
+}
+
+TEST(Events, aTriggerTellsOfWhatCannotBePushed) {
+    for (const BodyKind kind : {BodyKind::Static, BodyKind::Kinematic}) {
+        for (const bool solid : {true, false}) {
+            Playground scene;
+            const BodyId zone = scene.body(kind, {0.0, 0.0});
+            scene.shape(zone, box({0.5f, 5.0f}), {.isTrigger = true});
+            const BodyId platform = scene.body(BodyKind::Kinematic, {-4.0, 0.0});
+            scene.shape(platform, box({0.5f, 0.5f}), {.isTrigger = !solid});
+            ASSERT_TRUE(setVelocity(scene.world, platform, {4.0f, 0.0f}).ok());
+            Counted events;
+            for (int i = 0; i < 120; ++i) scene.run(1), events.add(scene.world);
+            EXPECT_EQ(events.began, 1);
+            EXPECT_EQ(events.ended, 1);
+        }
+    }
+}
+
+TEST(Events, whatStandsStillMeetsNoTrigger) {
+    Playground scene;
+    scene.floor();
+    const BodyId zone = scene.body(BodyKind::Static, {0.0, 0.0});
+    scene.shape(zone, box({5.0f, 5.0f}), {.isTrigger = true});
+    scene.run(10);
+    EXPECT_TRUE(scene.world.contacts.empty());
+}
+
+TEST(Events, aMovingTriggerLeavesWhatSleeps) {
+    Playground scene;
+    scene.world.settings.sleeping = true;
+    scene.floor();
+    scene.crate({0.0, 0.5});
+    scene.run(120);
+    ASSERT_EQ(scene.world.awake.size(), 0u);
+    const BodyId zone = scene.body(BodyKind::Kinematic, {-4.0, 0.5});
+    scene.shape(zone, box({0.5f, 0.25f}), {.isTrigger = true});
+    ASSERT_TRUE(setVelocity(scene.world, zone, {4.0f, 0.0f}).ok());
+    Counted events;
+    for (int i = 0; i < 120; ++i) scene.run(1), events.add(scene.world);
+    EXPECT_EQ(events.began, 1);
+    EXPECT_EQ(events.ended, 1);
+    EXPECT_EQ(scene.world.awake.size(), 1u) << "nobody was woken";
+}
+
 TEST(Events, destroyingABodyEndsItsContacts) {
     Playground scene;
     scene.floor();

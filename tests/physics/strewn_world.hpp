@@ -32,7 +32,7 @@ inline World strew(std::uint64_t seed, double origin) {
 }
 
 inline bool wanted(const World& world, std::uint32_t shape, const QueryFilter& filter) {
-    const bool fixed = world.shapes.motion[shape] == ProxyMotion::Static;
+    const bool fixed = world.bodies.info[world.shapes.info[shape].body].kind == BodyKind::Static;
     const bool trigger = (world.shapes.info[shape].flags & kTrigger) != 0;
     return (world.shapes.filter[shape].layers & filter.mask) != 0 && (filter.triggers || !trigger) &&
            (fixed ? filter.fixed : filter.movers) && world.shapes.info[shape].body != filter.except.index;

@@ -1,5 +1,5 @@
 // What the layer physics may not do: see the scene.
-#include "box_physics/world.hpp"
+#include "physics/world.hpp"
 #include "scene/components/transform.hpp"
 
 int main() { return 0; }

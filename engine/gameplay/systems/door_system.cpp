@@ -1,6 +1,8 @@
 #include "gameplay/systems/door_system.hpp"
 
 #include <algorithm>
+#include <utility>
+#include <vector>
 
 #include "ecs/world.hpp"
 #include "gameplay/components/button.hpp"
@@ -12,6 +14,7 @@
 #include "scene/components/box_collider.hpp"
 #include "scene/components/rigid_body.hpp"
 #include "scene/components/sprite.hpp"
+#include "scene/physics_queries.hpp"
 
 namespace plumb {
 
@@ -30,9 +33,22 @@ void press(World& world, EntityId id) {
     playCue(world, id, &SoundCues::activate);
 }
 
+/// What sleeps on a button tells nobody that it stays.
+bool isLoaded(World& world, EntityId button) {
+    if (!std::as_const(world).has<BoxCollider>(button)) return false;
+    std::vector<EntityId> found;
+    overlapBox(world, boxOf(world, button), {}, found);
+    return std::any_of(found.begin(), found.end(),
+                       [&world](EntityId other) { return std::as_const(world).has<RigidBody>(other); });
+}
+
 void release(World& world) {
     for (auto [entity, button] : world.query<Button>()) {
         if (!button.pressed || button.stays || --button.held > 0) continue;
+        if (isLoaded(world, entity)) {
+            button.held = kButtonTicks;
+            continue;
+        }
         button.pressed = false;
         setParameter(world, entity, "pressed", 0.0f);
     }

@@ -1,21 +1,23 @@
 #include "gameplay/systems/player_controller_system.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
 #include "ecs/world.hpp"
-#include "gameplay/character_motion.hpp"
 #include "gameplay/components/player_controller.hpp"
 #include "gameplay/components/respawn.hpp"
 #include "gameplay/sound_cue.hpp"
 #include "input/input.hpp"
-#include "math/portable.hpp"
+#include "physics/character/character_mover.hpp"
+#include "scene/body_sync.hpp"
 #include "scene/components/box_collider.hpp"
 #include "scene/components/character_body.hpp"
 #include "scene/components/rigid_body.hpp"
 #include "scene/components/transform.hpp"
 #include "scene/physics_bridge.hpp"
+#include "scene/physics_queries.hpp"
 #include "scene/scene_stack.hpp"
 
 namespace plumb {
@@ -45,46 +47,61 @@ Wishes wishesOf(const Input& input) {
             input.isPressed(Action::Jump), input.isHeld(Action::Jump)};
 }
 
-/// One character in one tick: the chapters in order are in `run`.
+/// One character in one tick: the chapters in order are in `run`. Speeds are px/s as in its components; the
+/// way through the world is metres, as physics has it.
 class Character {
 public:
     Character(World& world, EntityId entity, const Wishes& wishes, float dt)
         : world_{world},
+          physics_{world.resource<PhysicsState>()},
           entity_{entity},
           wishes_{wishes},
           dt_{dt},
           player_{world.get<PlayerController>(entity)},
           body_{world.get<RigidBody>(entity)},
           transform_{world.get<Transform>(entity)},
-          mover_{world, boxOf(world.get<BoxCollider>(entity), transform_), filterOf(world, entity),
-                 cosine(player_.steepest)} {}
+          definition_{definitionOf()},
+          mover_{physics_.world, definition_, place(), dt} {}
 
     void run() {
-        const Vec2 start = mover_.box().min;
+        const physics::Place start = mover_.position();
         countDown();
-        ride();
+        findGround();
         runAndBrake();
         fall();
         jump();
         move();
-        transform_.position += mover_.box().min - start;
+        if (!(mover_.position() == start))
+            transform_.position += toPixels(mover_.position() - start, physics_.scale);
         body_.grounded = grounded_;
     }
 
 private:
-    static AABB boxOf(const BoxCollider& collider, const Transform& transform) {
-        const Vec2 corner = transform.position + collider.offset;
-        const Vec2 size{collider.width * std::abs(transform.scale.x),
-                        collider.height * std::abs(transform.scale.y)};
-        return {corner, corner + size};
+    using Touch = physics::CharacterTouch;
+    using Motion = physics::CharacterMotion;
+
+    [[nodiscard]] float metres(float pixels) const { return pixels * physics_.scale.metres; }
+    [[nodiscard]] Vec2 metres(Vec2 pixels) const { return toMetres(pixels, physics_.scale); }
+
+    [[nodiscard]] Vec2 sizeOf(const BoxCollider& collider) const {
+        return {collider.width * std::abs(transform_.scale.x),
+                collider.height * std::abs(transform_.scale.y)};
     }
-    static QueryFilter filterOf(World& world, EntityId entity) {
-        const auto& collider = std::as_const(world).get<BoxCollider>(entity);
-        QueryFilter filter;
-        filter.layers = collider.layers;
-        filter.mask = collider.mask;
-        filter.except = entity;
-        return filter;
+    [[nodiscard]] physics::Place place() const {
+        const auto& collider = std::as_const(world_).get<BoxCollider>(entity_);
+        return placeInMetres(transform_.position + collider.offset + sizeOf(collider) * 0.5f, physics_.scale);
+    }
+    [[nodiscard]] physics::CharacterDefinition definitionOf() const {
+        const auto& collider = std::as_const(world_).get<BoxCollider>(entity_);
+        physics::CharacterDefinition definition;
+        definition.outline = physics::box(metres(sizeOf(collider) * 0.5f));
+        definition.steepest = player_.steepest;
+        definition.snap = metres(kSnap);
+        definition.cornerCorrection = metres(player_.cornerCorrection) + 2.0f * definition.gap;
+        definition.filter.layers = collider.layers;
+        definition.filter.mask = collider.mask;
+        definition.filter.except = bodyOf(std::as_const(physics_), entity_);
+        return definition;
     }
 
     void countDown() {
@@ -95,18 +112,37 @@ private:
         if (wishes_.jumpPressed) player_.buffer = player_.bufferTicks + 1;
         grounded_ = body_.grounded && body_.velocity.y >= 0.0f;
         if (grounded_) player_.coyote = player_.coyoteTicks + 1;
-        mover_.filter().oneWay = player_.dropping == 0 && body_.velocity.y >= 0.0f;
+        mover_.probe().oneWay = player_.dropping == 0 && body_.velocity.y >= 0.0f;
     }
 
-    /// Goes along with what it stands on, and out of what was moved into it.
-    void ride() {
+    /// What it stands on, and where that goes in this tick.
+    void findGround() {
         player_.carry = {};
-        if (grounded_ && world_.alive(player_.ground)) {
-            const Vec2 way = tickMotionOf(world_, player_.ground, dt_);
-            mover_.carry(way);
-            player_.carry = way / dt_;
+        if (!grounded_ || !world_.alive(player_.ground)) return;
+        const Vec2 way = tickMotionOf(world_, player_.ground, dt_);
+        player_.carry = way / dt_;
+        ride_ = metres(way);
+        ground_ = bodyOf(std::as_const(physics_), player_.ground);
+        if (!ground_) return;
+        for (std::uint32_t s = physics_.world.bodies.info[ground_.index].firstShape; s != physics::kNone;
+             s = physics_.world.shapes.info[s].next) {
+            const physics::ShapeInfo& shape = physics_.world.shapes.info[s];
+            if ((shape.flags & physics::kOneWay) != 0) mover_.probe().floor = {s, shape.generation};
         }
+    }
+
+    /// Goes along with what it stands on, and out of the way of what moves.
+    /// @param own  m: its own way in this tick
+    /// @return     what is left of it
+    Vec2 ride(Vec2 own) {
+        std::array<physics::CharacterProbe::Push, 16> room;
+        const std::size_t pushes = mover_.probe().pushesAt(mover_.position(), ride_, own, ground_, room);
+        mover_.probe().carrier = ground_;
+        mover_.carry(ride_);
+        mover_.probe().carrier = {};
+        const Vec2 left = mover_.giveWay({room.data(), pushes}, grounded_ ? Vec2{} : own);
         mover_.pushOut();
+        return left;
     }
 
     void runAndBrake() {
@@ -147,9 +183,9 @@ private:
 
     /// Down and jump on one-way ground falls through it.
     bool dropThrough() {
-        mover_.filter().oneWay = false;
-        if (mover_.standsOn(kSnap)) {
-            mover_.filter().oneWay = true;
+        mover_.probe().oneWay = false;
+        if (mover_.standsOn(metres(kSnap))) {
+            mover_.probe().oneWay = true;
             return false;
         }
         player_.buffer = player_.coyote = 0;
@@ -162,30 +198,19 @@ private:
         grounded_ = false;
         player_.ground = {};
         player_.groundNormal = {0.0f, -1.0f};
-        if (body_.velocity.y < 0.0f) mover_.filter().oneWay = false;
+        if (body_.velocity.y < 0.0f) mover_.probe().oneWay = false;
     }
 
     void move() {
         const bool walked = grounded_;
-        const Vec2 way = body_.velocity * dt_;
-        CharacterMotion motion;
-        if (grounded_) {
-            motion = mover_.walk(way.x, player_.groundNormal);
-            const CharacterMotion ground = mover_.snapDown(std::abs(way.x) * 1.2f + kSnap);
-            motion.landed = ground.landed;
-            motion.ground = ground.ground;
-            motion.groundNormal = ground.groundNormal;
-        } else {
-            motion = mover_.fly(way, player_.cornerCorrection);
-            if (!motion.landed && body_.velocity.y >= 0.0f) {
-                const CharacterMotion ground = mover_.snapDown(kAirGround);
-                if (ground.landed) motion = ground;
-            }
-        }
-        if (motion.hitWall) meetWall(motion.wall);
-        if (motion.hitCeiling && body_.velocity.y < 0.0f) body_.velocity.y = 0.0f, player_.hold = 0;
-        if (motion.landed) {
-            land(motion, walked);
+        const Vec2 way = metres(body_.velocity * dt_);
+        const Vec2 left = ride(way);
+        const Motion motion = grounded_ ? walk(way.x) : fly(left);
+        if (motion.wall) meetWall(motion.wall);
+        if (motion.slope) meetWall(motion.slope);
+        if (motion.ceiling && body_.velocity.y < 0.0f) body_.velocity.y = 0.0f, player_.hold = 0;
+        if (motion.ground) {
+            land(motion.ground, walked);
         } else if (walked) {
             body_.velocity += player_.carry;  // walked off: what it stood on gives its speed along
             body_.velocity.y = std::max(body_.velocity.y, 0.0f);
@@ -193,19 +218,34 @@ private:
         }
     }
 
-    void land(const CharacterMotion& motion, bool walked) {
+    Motion walk(float dx) {
+        Motion motion = mover_.walk(dx, player_.groundNormal);
+        motion.ground = mover_.snapDown(std::abs(dx) * 1.2f + metres(kSnap)).ground;
+        return motion;
+    }
+
+    Motion fly(Vec2 way) {
+        Motion motion = mover_.fly(way);
+        if (!motion.ground && body_.velocity.y >= 0.0f)
+            motion.ground = mover_.snapDown(metres(kAirGround)).ground;
+        return motion;
+    }
+
+    void land(const Touch& ground, bool walked) {
         grounded_ = true;
-        player_.ground = motion.ground;
-        player_.groundNormal = motion.groundNormal;
+        player_.ground = ownerOf(physics_, ground.body);
+        player_.groundNormal = ground.normal;
         player_.hold = 0;
         body_.velocity.y = 0.0f;
         if (walked) return;
-        body_.velocity.x -= tickMotionOf(world_, motion.ground, dt_).x / dt_;
+        body_.velocity.x -= tickMotionOf(world_, player_.ground, dt_).x / dt_;
         playCue(world_, entity_, &SoundCues::land);
     }
 
     /// Walls stop it; loose boxes give way.
-    void meetWall(EntityId wall) {
+    void meetWall(const Touch& touch) {
+        if (body_.velocity.x * touch.normal.x >= 0.0f) return;
+        const EntityId wall = ownerOf(physics_, touch.body);
         const bool loose =
             world_.alive(wall) && world_.has<RigidBody>(wall) && !world_.has<CharacterBody>(wall);
         if (!loose || !grounded_) {
@@ -218,13 +258,17 @@ private:
     }
 
     World& world_;
+    PhysicsState& physics_;
     EntityId entity_;
     Wishes wishes_;
     float dt_;
     PlayerController& player_;
     RigidBody& body_;
     Transform& transform_;
-    CharacterMover mover_;
+    physics::CharacterDefinition definition_;
+    physics::CharacterMover mover_;
+    physics::BodyId ground_;  // of what it stood on, when that may move
+    Vec2 ride_;               // m: where that takes it
     bool grounded_ = false;
 };
 

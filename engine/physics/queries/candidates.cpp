@@ -19,7 +19,7 @@ bool passes(const World& world, std::uint32_t shape, const QueryFilter& filter) 
     const std::uint32_t body = shapes.info[shape].body;
     if ((filter.layers & shapes.filter[shape].mask) == 0) return false;
     if (!filter.triggers && (shapes.info[shape].flags & kTrigger) != 0) return false;
-    if (!(shapes.motion[shape] == ProxyMotion::Static ? filter.fixed : filter.movers)) return false;
+    if (!(world.bodies.info[body].kind == BodyKind::Static ? filter.fixed : filter.movers)) return false;
     return !filter.except || filter.except.index != body ||
            filter.except.generation != world.bodies.info[body].generation;
 }

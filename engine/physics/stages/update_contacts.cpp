@@ -70,6 +70,7 @@ void end(World& world, Workspace& work, Contact& contact) {
     uncolour(work, contact);
     world.islandsStale = true;
     report(world, work, contact, ContactPhase::Ended);
+    if ((contact.flags & kTriggered) != 0) return;
     // Who sleeps against something that goes away has to notice.
     const auto notice = [&](std::uint32_t body) {
         if (world.sleepers.islandOf[body] != kNone) wake(world, body);

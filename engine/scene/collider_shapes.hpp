@@ -1,0 +1,45 @@
+#pragma once
+
+#include <cstdint>
+
+#include "core/result.hpp"
+#include "ecs/world.hpp"
+#include "physics/shapes.hpp"
+#include "scene/physics_units.hpp"
+
+namespace plumb {
+
+struct RigidBody;
+
+// From collider components to shapes. All colliders of an entity are parts of its body.
+
+inline constexpr float kDefaultFriction = 0.6f;  ///< of colliders without a RigidBody
+
+/// A number for the outlines of an entity's colliders: while it stays, so do their shapes. 0 without
+/// collider.
+[[nodiscard]] std::uint64_t outlinesOf(const World& world, EntityId entity, Vec2 scale);
+
+/// Gives a body the shapes of an entity's colliders in place of those that it had.
+/// @param scale  ratio: the entity's size in the world
+/// @error what is wrong with a collider; the body has no shapes of it then
+Result<Done> makeShapes(physics::World& bodies, physics::BodyId body, const World& world, EntityId entity,
+                        Vec2 scale, PixelScale units);
+
+/// Brings friction and the like of the shapes of a body up to date, which costs no contact.
+/// @param rigid  may be null
+Result<Done> updateSurfaces(physics::World& bodies, physics::BodyId body, const World& world, EntityId entity,
+                            const RigidBody* rigid, PixelScale units);
+
+/// Grows whenever some entity gets or loses a collider.
+[[nodiscard]] std::uint64_t colliderMembers(const World& world);
+[[nodiscard]] bool collidersChanged(const World& world, std::uint64_t mark);
+[[nodiscard]] bool hasColliders(const World& world);
+
+/// Calls `visit(EntityId)` for every entity with a Transform and a collider that is not paused, those with
+/// several several times.
+void forEachCollider(const World& world, void (*visit)(void* context, EntityId entity), void* context);
+/// The same for those whose colliders may have been written since the mark, paused ones too.
+void forEachChangedCollider(const World& world, std::uint64_t mark,
+                            void (*visit)(void* context, EntityId entity), void* context);
+
+}  // namespace plumb
