@@ -1,5 +1,6 @@
 #include "render/gl/gl_device.hpp"
 
+#include <array>
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -196,6 +197,25 @@ TEST_F(GlDeviceTest, opacityTintAndAddedLightMixAsTheyShould) {
     expectNear(at(image, 40, 8), {110, 120, 130, 255});
     expectNear(at(image, 24, 36), {0, 0, 255, 255});
     expectNear(at(image, 33, 36), {10, 20, 30, 255});
+}
+
+TEST_F(GlDeviceTest, aFaintAreaIsOfOneColourHoweverLargeItIs) {
+    constexpr int kWide = 320;
+    const TargetHandle target = device->createTarget(kWide, kWide);
+    const Viewport viewport{.target = target, .width = kWide, .height = kWide};
+    const Vec2 size{static_cast<float>(kWide), static_cast<float>(kWide)};
+    list.begin({size * 0.5f, size});
+    list.filledPolygon(std::array{Vec2{0.0f, 0.0f}, Vec2{size.x, 0.0f}, size, Vec2{0.0f, size.y}},
+                       {96, 196, 118, 26});
+    Renderer renderer{*device};
+    device->setViewport(viewport);
+    device->clear({52, 58, 92, 255});
+    renderer.draw(list, viewport);
+    const Image image = device->readPixels(target);
+    for (int y = 2; y < kWide; y += 7) {
+        for (int x = 2; x < kWide; x += 7) expectNear(at(image, x, y), {56, 72, 95, 255});
+    }
+    device->destroyTarget(target);
 }
 
 TEST_F(GlDeviceTest, aTargetIsShownEnlargedInWindowsAndInTargetsAndReplacesWhatWasThere) {

@@ -77,14 +77,16 @@ uniform vec2 viewOffset;
 out vec4 color;
 void main() {
     gl_Position = vec4(dot(viewX, position) + viewOffset.x, dot(viewY, position) + viewOffset.y, 0.0, 1.0);
-    color = tint;
+    color = vec4(tint.rgb * tint.a, tint.a);
 }
 )";
 
+// Multiplied by the opacity in the vertex shader: Mesa's software drawing (22.3) has wrong colours in squares
+// of 64 px that are all covered when the pixel's shader does it.
 constexpr const char* kGeometryFragment = R"(
 in vec4 color;
 out vec4 pixel;
-void main() { pixel = vec4(color.rgb * color.a, color.a); }
+void main() { pixel = color; }
 )";
 
 // The picture's first row is the top one; `up` says which way is up in what is drawn into.
