@@ -1,6 +1,7 @@
 #include "physics/objects.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "physics/checks.hpp"
 
@@ -25,6 +26,8 @@ ShapeDefinition definitionOf(const ColliderSettings& settings) {
 
 }  // namespace
 
+Result<Done> RigidBody::setPosition(Place position) { return setPosition(position, angleOf(rotation())); }
+
 Result<Done> RigidBody::setPosition(Place position, float angle) {
     return physics::setPosition(world_, id_, position, angle);
 }
@@ -41,6 +44,8 @@ Result<RigidBody*> Physics::createBody(Place position, float angle) {
 
 Result<Done> Physics::add(std::unique_ptr<Collider> collider, RigidBody* body) {
     const ColliderSettings& settings = collider->settings_;
+    if (body != nullptr && &body->world_ != &world_)
+        return Error{"Physics::create", "the body belongs to another Physics", "make both by the same one"};
     if (body == nullptr) {
         const Result<BodyId> ground = physics::createBody(
             world_, {.kind = BodyKind::Static, .position = settings.position, .angle = settings.angle});
@@ -120,6 +125,7 @@ void Physics::call(const Call& now) {
 }
 
 void Physics::update(float dt) {
+    if (!(std::isfinite(dt) && dt > 0.0f)) return;
     gone_.swap(leaving_);
     goneBodies_.clear();
     step(world_, dt);

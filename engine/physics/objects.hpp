@@ -1,5 +1,6 @@
 #pragma once
 
+#include <concepts>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -37,7 +38,8 @@ public:
     }
 
     // All refuse what is not finite, and change nothing then.
-    Result<Done> setPosition(Place position, float angle = 0.0f);  ///< m, rad
+    Result<Done> setPosition(Place position);               ///< m; a jump that keeps its angle
+    Result<Done> setPosition(Place position, float angle);  ///< m, rad
     Result<Done> setVelocity(Vec2 velocity) { return physics::setVelocity(world_, id_, velocity); }
     Result<Done> setAngularVelocity(float velocity) {
         return physics::setAngularVelocity(world_, id_, velocity);
@@ -60,12 +62,12 @@ private:
 };
 
 struct ColliderSettings {
-    Vec2 centre;  ///< m, in the frame of its body, or from `position` of a static object
+    Vec2 centre{};  ///< m, in the frame of its body, or from `position` of a static object
     float bounciness = 0.0f;
     float friction = 0.6f;
     float density = 1.0f;    ///< kg/m2
     bool isTrigger = false;  ///< overlaps instead of repelling
-    Place position;          ///< m: where a collider without a body is
+    Place position{};        ///< m: where a collider without a body is
     float angle = 0.0f;      ///< rad: of one without a body
 };
 
@@ -78,7 +80,8 @@ public:
     Collider& operator=(const Collider&) = delete;
 
     // Called after the step, with triggers too. They may create and destroy whatever they like, themselves
-    // too: what is destroyed hears nothing more, and stays in memory to the end of the next update.
+    // too: what is destroyed hears nothing more, and stays in memory to the end of the next update. Nobody is
+    // told to stay while both sleep.
     virtual void onCollisionEnter(Collider* other) { static_cast<void>(other); }
     virtual void onCollisionStay(Collider* other) { static_cast<void>(other); }
     virtual void onCollisionExit(Collider* other) { static_cast<void>(other); }
@@ -131,9 +134,10 @@ public:
 
     /// Makes a collider of a class of one's own or of the library's, from its constructor's arguments.
     /// @param body  that it moves with; none for a static object
-    /// @error a size that is not positive, a number that is not finite
-    template <class Kind, class... Arguments>
-    Result<Kind*> create(RigidBody* body, Arguments&&... arguments) {
+    /// @error a size that is not positive, a number that is not finite, a body of another Physics
+    template <std::derived_from<Collider> Kind, class... Arguments>
+    requires std::constructible_from<Kind, Arguments...> Result<Kind*> create(RigidBody* body,
+                                                                              Arguments&&... arguments) {
         auto made = std::make_unique<Kind>(std::forward<Arguments>(arguments)...);
         Kind* const kind = made.get();
         const Result<Done> added = add(std::move(made), body);
@@ -145,12 +149,16 @@ public:
     void destroy(RigidBody& body);
     void destroy(Collider& collider);
 
-    /// Moves everything on by dt (s), then calls the colliders.
+    /// Moves everything on by dt (s), then calls the colliders. Time that is not finite or not above 0 does
+    /// not pass: nobody moves and nobody is called.
     void update(float dt);
 
     /// True while both touch, as of the last update. Takes the same time however many touch.
     [[nodiscard]] bool isTouching(const Collider& a, const Collider& b) const;
 
+    /// Whose a shape is, e.g. of what a query hit; null for one that is gone.
+    [[nodiscard]] Collider* colliderOf(ShapeId shape) const { return find(shape); }
+    /// For everything that has no object here: joints, queries, fields, …
     [[nodiscard]] World& world() { return world_; }
 
 private:

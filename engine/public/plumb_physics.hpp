@@ -2,4 +2,12 @@
 
 // The physics library, for programs that use nothing else of the engine.
 
+#include "physics/character/character_controller.hpp"
+#include "physics/debug_draw.hpp"
+#include "physics/fields.hpp"
 #include "physics/objects.hpp"
+#include "physics/queries/overlap.hpp"
+#include "physics/queries/ray_cast.hpp"
+#include "physics/queries/shape_cast.hpp"
+#include "physics/simulation.hpp"
+#include "physics/softbody.hpp"

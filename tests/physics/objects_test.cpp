@@ -1,6 +1,10 @@
 #include "physics/objects.hpp"
 
+#include <limits>
+
 #include <gtest/gtest.h>
+
+#include "physics/queries/ray_cast.hpp"
 
 namespace plumb::physics {
 namespace {
@@ -90,6 +94,72 @@ TEST(Objects, whatMakesNoSenseIsRefusedAndLeavesNothingBehind) {
     EXPECT_FALSE(physics.create<CircleCollider>(nullptr, -1.0f).ok());
     EXPECT_FALSE(physics.create<BoxCollider>(nullptr, Vec2{}).ok());
     EXPECT_EQ(bodyCount(physics.world()), 0u);
+}
+
+TEST(Objects, aJumpKeepsTheAngleUnlessOneIsGiven) {
+    Physics physics;
+    RigidBody* const body = *physics.createBody({0.0, 0.0}, 0.5f);
+    ASSERT_TRUE(body->setPosition({3.0, 4.0}).ok());
+    EXPECT_NEAR(angleOf(body->rotation()), 0.5f, 1e-6f);
+    EXPECT_EQ(body->position(), (Place{3.0, 4.0}));
+    ASSERT_TRUE(body->setPosition({3.0, 4.0}, 0.0f).ok());
+    EXPECT_EQ(angleOf(body->rotation()), 0.0f);
+}
+
+TEST(Objects, timeThatIsNoTimeMovesNobodyAndCallsNobody) {
+    Physics physics;
+    Counter* const floor = *physics.create<Counter>(nullptr, Vec2{10.0f, 1.0f});
+    RigidBody* const body = *physics.createBody({0.0, -1.5});
+    ASSERT_TRUE(physics.create<BoxCollider>(body, Vec2{0.5f, 0.5f}).ok());
+    for (int i = 0; i < 5; ++i) physics.update(kTick);
+    const std::uint64_t before = hashOf(physics.world());
+    const int stayed = floor->stayed;
+    for (const float dt : {0.0f, -1.0f, std::numeric_limits<float>::quiet_NaN(),
+                           std::numeric_limits<float>::infinity(), -std::numeric_limits<float>::infinity()})
+        physics.update(dt);
+    EXPECT_EQ(hashOf(physics.world()), before);
+    EXPECT_EQ(floor->stayed, stayed);
+    physics.update(kTick);
+    EXPECT_EQ(floor->stayed, stayed + 1);
+}
+
+TEST(Objects, aRayFindsTheColliderThatItHits) {
+    Physics physics;
+    Counter* const floor = *physics.create<Counter>(nullptr, Vec2{10.0f, 1.0f});
+    const auto hit = castRay(physics.world(), {0.0, -5.0}, {0.0f, 10.0f});
+    ASSERT_TRUE(hit.has_value());
+    EXPECT_NEAR(hit->point.y, -1.0, 1e-6);
+    EXPECT_EQ(physics.colliderOf(hit->shape), floor);
+    physics.destroy(*floor);
+    EXPECT_EQ(physics.colliderOf(hit->shape), nullptr);
+}
+
+TEST(Objects, aBodyOfAnotherWorldIsRefused) {
+    Physics physics, other;
+    RigidBody* const stranger = *other.createBody({0.0, 0.0});
+    const auto made = physics.create<CircleCollider>(stranger, 1.0f);
+    ASSERT_FALSE(made.ok());
+    EXPECT_FALSE(made.error().remedy.empty());
+    physics.update(kTick);
+    EXPECT_EQ(other.world().shapes.size(), 0u);
+}
+
+template <class Kind, class... Arguments>
+concept CanBeMade = requires(Physics& physics, Arguments... arguments) {
+    physics.create<Kind>(nullptr, arguments...);
+};
+// What cannot be made is said in one line where it is asked for, not deep inside of the library.
+static_assert(CanBeMade<BoxCollider, Vec2> && CanBeMade<CircleCollider, float, ColliderSettings>);
+static_assert(!CanBeMade<BoxCollider, float> && !CanBeMade<Collider> && !CanBeMade<World>);
+
+TEST(Objects, theFirstExampleOfTheReadmeEndsOnTheGround) {
+    World world;
+    const BodyId ground = *createBody(world, {.kind = BodyKind::Static, .position = {0.0, 1.0}});
+    ASSERT_TRUE(createShape(world, ground, box({50.0f, 1.0f})).ok());
+    const BodyId crate = *createBody(world, {.position = {0.0, -5.0}});
+    ASSERT_TRUE(createShape(world, crate, box({0.5f, 0.5f}), {.friction = 0.6f}).ok());
+    for (int tick = 0; tick < 120; ++tick) step(world, kTick);
+    EXPECT_NEAR(positionOf(world, crate).y, -0.5, 0.01);
 }
 
 }  // namespace
