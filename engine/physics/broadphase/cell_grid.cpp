@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "physics/broadphase/overlap.hpp"
+#include "physics/broadphase/regions.hpp"
 #include "physics/broadphase/spread.hpp"
 
 namespace plumb::physics {
@@ -52,6 +53,18 @@ Vec2 CellGrid::alongRow(const LineSweep& sweep, double top, double bottom) {
     const double to = double{sweep.from.x} + double{sweep.way.x} * last;
     return {static_cast<float>(std::min(from, to)) - sweep.half.x,
             static_cast<float>(std::max(from, to)) + sweep.half.x};
+}
+
+void CellGrid::visitRegions(RegionVisitor& visitor) const {
+    const Cell* last = nullptr;  // who shares a cell is side by side
+    for (std::uint32_t place = 0; place < sorted_; ++place) {
+        const Cell& cell = cells_[place];
+        const float perMetre = levels_[cell.level].perMetre;
+        if (rows_.isFree(place) || perMetre == 0.0f || (last != nullptr && *last == cell)) continue;
+        last = &cell;
+        const Vec2 corner{static_cast<float>(cell.x) / perMetre, static_cast<float>(cell.y) / perMetre};
+        visitor.region({corner, corner + Vec2{1.0f, 1.0f} / perMetre});
+    }
 }
 
 void CellGrid::clear() {

@@ -9,6 +9,8 @@
 
 namespace plumb::physics {
 
+class RegionVisitor;
+
 /// Boxes in the cells of a few grids, each four times as coarse as the one before; a box is in the finest one
 /// of which it needs no more than two cells each way, in the cell of its left top corner. Cells repeat: a
 /// grid is rolled up to a torus of about as many cells as it has boxes, so no world is too large, and
@@ -29,6 +31,7 @@ public:
     [[nodiscard]] std::uint32_t size() const { return rows_.size(); }
     [[nodiscard]] std::uint32_t idAt(std::uint32_t place) const { return rows_.ids[place]; }
     void clear();
+    void visitRegions(RegionVisitor& visitor) const;
 
     [[nodiscard]] const BoxRows& rows() const { return rows_; }
     [[nodiscard]] bool areNear(std::uint32_t a, std::uint32_t b) const {

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "physics/broadphase/overlap.hpp"
+#include "physics/broadphase/regions.hpp"
 
 namespace plumb::physics {
 
@@ -21,6 +22,14 @@ float powerAbove(float x) {
 }
 
 }  // namespace
+
+void LooseQuadtree::visitRegions(RegionVisitor& visitor) const {
+    for (std::size_t i = kOutside + 1; i < nodes_.size(); ++i) {
+        const Node& node = nodes_[i];
+        const Vec2 half{node.half, node.half};
+        if (node.count > 0) visitor.region({node.middle - half, node.middle + half});
+    }
+}
 
 void LooseQuadtree::clear() {
     nodes_.clear();

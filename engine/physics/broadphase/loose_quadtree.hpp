@@ -12,6 +12,8 @@
 
 namespace plumb::physics {
 
+class RegionVisitor;
+
 /// Squares in squares, half as wide from level to level; one with many boxes sends those that are small
 /// enough on to its quarters. A box is in a square that its middle is in and that is no smaller than the box,
 /// so it may stick out by half a square: coming, going and moving on cost the same in any world, and hardly
@@ -40,6 +42,7 @@ public:
     [[nodiscard]] std::uint32_t size() const { return size_; }
     [[nodiscard]] std::uint32_t idAt(std::uint32_t place) const { return items_[place].id; }
     void clear();
+    void visitRegions(RegionVisitor& visitor) const;
 
     [[nodiscard]] const Item& itemAt(std::uint32_t place) const { return items_[place]; }
     /// Whether somebody here may meet one with this filter.

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "physics/broadphase/overlap.hpp"
+#include "physics/broadphase/regions.hpp"
 
 namespace plumb::physics {
 
@@ -81,6 +82,19 @@ void PackedTree::makeRoom(std::uint32_t lanes) {
         if (levels_[height_].empty()) setBit(stale_[height_], 0);  // what was the top has a parent now
         levels_[height_].resize(nodes, kEmptyNode);
         stale_[++height_].resize((nodes + 63) / 64);
+    }
+}
+
+void PackedTree::visitRegions(RegionVisitor& visitor) const {
+    std::size_t lanes = (std::size_t{used_} + kBranch - 1) / kBranch;
+    for (std::uint32_t level = 0; level < height_; ++level) {
+        for (std::size_t i = 0; i < lanes; ++i) {
+            const auto& low = levels_[level][i / kBranch].boxes.low;
+            const std::size_t lane = i % kBranch;
+            const AABB box{{low[0][lane], low[1][lane]}, {-low[2][lane], -low[3][lane]}};
+            if (box.min.x <= box.max.x) visitor.region(box);
+        }
+        lanes = (lanes + kBranch - 1) / kBranch;
     }
 }
 

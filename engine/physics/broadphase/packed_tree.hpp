@@ -10,6 +10,8 @@
 
 namespace plumb::physics {
 
+class RegionVisitor;
+
 inline constexpr std::uint32_t kBranch = 8;  // children of a node, proxies of a leaf
 
 /// Eight boxes. The far sides are negated, so that all four are compared and merged alike: boxes overlap
@@ -54,6 +56,7 @@ public:
         return leaves_[lane / kBranch].ids[lane % kBranch];
     }
     void clear();
+    void visitRegions(RegionVisitor& visitor) const;
 
     [[nodiscard]] std::uint32_t height() const { return height_; }  ///< levels of nodes; 0 without lanes
     /// @param i  below height(); the children of level 0 are the leaves

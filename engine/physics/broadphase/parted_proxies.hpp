@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "physics/broadphase/broad_phase.hpp"
+#include "physics/broadphase/regions.hpp"
 
 namespace plumb::physics {
 
@@ -40,6 +41,7 @@ constexpr std::uint32_t inPart(ProxyPlace place) { return place & ((1u << kPlace
 ///   uint32 idAt(place)
 ///   uint32 size()                 how many it has
 ///   void clear()
+///   void visitRegions(visitor)    see regions.hpp
 template <class Part>
 class PartedProxies {
 public:
@@ -52,6 +54,10 @@ public:
 
     [[nodiscard]] ProxyPlace placeOf(std::uint32_t id) const {
         return id < places_.size() ? places_[id] : kNoPlace;
+    }
+
+    void visitRegions(RegionVisitor& visitor) const {
+        for (const Part& part : parts) part.visitRegions(visitor);
     }
 
     void rebuild(const Proxies& proxies) {

@@ -26,6 +26,7 @@ public:
                std::vector<std::uint32_t>& found) const override;
     void cast(const Proxies& proxies, Vec2 from, Vec2 way, Vec2 half, std::uint32_t mask,
               std::vector<std::uint32_t>& found) const override;
+    void visitRegions(RegionVisitor& visitor) const { proxies_.visitRegions(visitor); }
 
 private:
     PartedProxies<LooseQuadtree> proxies_;

@@ -72,6 +72,8 @@ public:
         }
     }
 
+    void visitRegions(RegionVisitor& visitor) const { proxies_.visitRegions(visitor); }
+
 private:
     /// Whether somebody who moved looks at all.
     static bool looks(const RowSearch& search, std::uint32_t place) {

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "physics/broadphase/overlap.hpp"
+#include "physics/broadphase/regions.hpp"
 #include "physics/broadphase/spread.hpp"
 
 namespace plumb::physics {
@@ -52,6 +53,16 @@ void sortByByte(std::vector<std::uint64_t>& keys, std::vector<std::uint64_t>& sp
 }
 
 }  // namespace
+
+void SortedRows::visitRegions(RegionVisitor& visitor) const {
+    for (const Segment& segment : segments_) {
+        AABB all = kNowhere;
+        for (std::uint32_t place = segment.begin; place < segment.end; ++place) {
+            if (!rows_.isFree(place)) all = merged(all, rows_.boxAt(place));
+        }
+        if (all.min.x <= all.max.x) visitor.region(all);
+    }
+}
 
 void SortedRows::clear() {
     rows_.reset(0);

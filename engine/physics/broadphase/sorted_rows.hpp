@@ -8,6 +8,8 @@
 
 namespace plumb::physics {
 
+class RegionVisitor;
+
 /// Boxes sorted by where they begin along one axis, that along which they are spread out further. Who is much
 /// longer than most is in another segment, so that each segment knows how far before a box those begin that
 /// reach it. A box may stray a little from where it was sorted to; who strays further goes behind all
@@ -27,6 +29,7 @@ public:
     [[nodiscard]] std::uint32_t size() const { return rows_.size(); }
     [[nodiscard]] std::uint32_t idAt(std::uint32_t place) const { return rows_.ids[place]; }
     void clear();
+    void visitRegions(RegionVisitor& visitor) const;
 
     // What RowBroadPhase asks of it.
     [[nodiscard]] const BoxRows& rows() const { return rows_; }

@@ -1,0 +1,95 @@
+#include <algorithm>
+
+#include "physics/debug/picture.hpp"
+
+namespace plumb::physics {
+
+namespace {
+
+constexpr float kFlowLength = 0.2f;   // s: metres drawn for 1 m/s of wind or current
+constexpr float kLevelWidth = 4.0f;   // m: of the surface of a fluid without borders, to either side
+constexpr float kPullRadius = 0.25f;  // m: of the sign of an attractor
+constexpr float kSpringEnd = 0.06f;   // m
+
+bool isTied(const FieldDefinition& field) { return field.kind == FieldKind::Spring; }
+
+bool exists(const Picture& picture, BodyId body) {
+    return body.index < picture.world.bodies.size() &&
+           picture.world.bodies.info[body.index].generation == body.generation &&
+           picture.world.bodies.info[body.index].kind != BodyKind::None;
+}
+
+/// Where a spring is tied to a body, or the place itself.
+Vec2 endOf(const Picture& picture, BodyId body, Vec2 anchor, Place place) {
+    return exists(picture, body) ? apply(picture.frame(body.index), anchor) : picture.seen(place);
+}
+
+void drawSpring(const Picture& picture, const FieldDefinition& field) {
+    const Vec2 a = endOf(picture, field.a, field.anchorA, field.place),
+               b = endOf(picture, field.b, field.anchorB, field.place);
+    picture.canvas.line(a, b, DebugRole::Field);
+    for (const Vec2 end : {a, b}) picture.canvas.circle(end, kSpringEnd, DebugRole::Field);
+}
+
+void drawRegion(const Picture& picture, const FieldDefinition& field) {
+    const Vec2 middle = picture.seen(field.place);
+    switch (field.region) {
+        case RegionKind::Box:
+            drawBox(picture.canvas, {middle - field.half, middle + field.half}, DebugRole::Field);
+            break;
+        case RegionKind::Circle: picture.canvas.circle(middle, field.radius, DebugRole::Field); break;
+        case RegionKind::Everywhere:
+            if (field.kind == FieldKind::Buoyancy) {
+                const Vec2 side{kLevelWidth, 0.0f};
+                picture.canvas.line(middle - side, middle + side, DebugRole::Field);
+            }
+            break;
+        case RegionKind::Count: break;
+    }
+}
+
+/// m: the arrow of what flows or pulls along a direction.
+Vec2 arrowOf(const FieldDefinition& field) {
+    const Vec2 way = field.kind == FieldKind::AreaGravity ? kArrowPerAcceleration * field.acceleration
+                                                          : kFlowLength * field.velocity;
+    const float size = length(way);
+    return size > kLongestArrow ? (kLongestArrow / size) * way : way;
+}
+
+/// Four arrows towards the centre of a pull, or away from it.
+void drawPull(const Picture& picture, Vec2 centre, bool inwards) {
+    for (const Vec2 side : {Vec2{1.0f, 0.0f}, Vec2{0.0f, 1.0f}, Vec2{-1.0f, 0.0f}, Vec2{0.0f, -1.0f}}) {
+        const Vec2 far = centre + 2.0f * kPullRadius * side, near = centre + kPullRadius * side;
+        picture.canvas.arrow(inwards ? far : near, inwards ? near : far, DebugRole::Field);
+    }
+}
+
+void drawField(const Picture& picture, const FieldDefinition& field) {
+    if (isTied(field)) return drawSpring(picture, field);
+    drawRegion(picture, field);
+    const Vec2 centre = field.kind == FieldKind::Attractor && exists(picture, field.a)
+                            ? picture.centre(field.a.index)
+                            : picture.seen(field.place);
+    if (const Vec2 way = arrowOf(field); way != Vec2{})
+        picture.canvas.arrow(centre - 0.5f * way, centre + 0.5f * way, DebugRole::Field);
+    if (field.strength != 0.0f) drawPull(picture, centre, field.strength > 0.0f);
+}
+
+bool isShown(const Picture& picture, std::size_t field) {
+    const DebugChoice& choice = picture.choice;
+    if (!choice.chosenOnly || (field < choice.fields.size() && choice.fields[field] != 0)) return true;
+    const FieldDefinition& definition = picture.world.fields.all[field].definition;
+    const auto isChosen = [&](BodyId body) { return exists(picture, body) && picture.shows(body.index); };
+    return isTied(definition) && (isChosen(definition.a) || isChosen(definition.b));
+}
+
+}  // namespace
+
+void drawFields(const Picture& picture) {
+    const auto& all = picture.world.fields.all;
+    for (std::size_t f = 0; f < all.size(); ++f) {
+        if (all[f].isAlive && isShown(picture, f)) drawField(picture, all[f].definition);
+    }
+}
+
+}  // namespace plumb::physics

@@ -1,0 +1,142 @@
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "physics/debug/picture.hpp"
+
+namespace plumb::physics {
+
+namespace {
+
+constexpr float kFanPart = 0.6f;      // of the arm: radius of the sector of a hinge's limits
+constexpr float kLeastFan = 0.08f;    // m
+constexpr float kLargestFan = 0.35f;  // m
+constexpr float kTick = 0.1f;         // m: half of the strokes at the ends of a way
+constexpr float kFreeWay = 0.5f;      // m: of a slider without limits, to either side
+
+/// A joint, where it is.
+struct JointPlace {
+    const Joint& joint;
+    const JointDefinition& definition;
+    Vec2 a;
+    Vec2 b;
+};
+
+void drawTick(const Picture& picture, Vec2 at, Vec2 along) {
+    const Vec2 side = kTick * perpendicular(along);
+    picture.canvas.line(at - side, at + side, DebugRole::JointLimit);
+}
+
+/// The angles that B's centre may have about the hinge.
+void drawFan(const Picture& picture, const JointPlace& at) {
+    const JointLimit& limit = at.definition.limit;
+    const bool hasArm = at.joint.anchorB != Vec2{};
+    const Vec2 arm = hasArm ? normalized(-at.joint.anchorB) : Vec2{1.0f, 0.0f};
+    const Rot zero = picture.pose(at.joint.bodyA).rotation * rotFromAngle(at.definition.referenceAngle) *
+                     Rot{arm.x, arm.y};
+    const float radius = std::clamp(kFanPart * length(at.joint.anchorB), kLeastFan, kLargestFan);
+    const Rot from = zero * rotFromAngle(limit.lower), to = zero * rotFromAngle(limit.upper);
+    const float angle = std::min(limit.upper - limit.lower, 2.0f * std::numbers::pi_v<float>);
+    drawArc(picture.canvas, at.b, radius, from, angle, DebugRole::JointLimit);
+    for (const Rot side : {from, to})
+        picture.canvas.line(at.b, at.b + radius * Vec2{side.cos, side.sin}, DebugRole::JointLimit);
+}
+
+/// The line that B's anchor moves along.
+void drawWay(const Picture& picture, const JointPlace& at) {
+    const JointLimit& limit = at.definition.limit;
+    const Vec2 axis = rotate(picture.pose(at.joint.bodyA).rotation, at.definition.axis);
+    const Vec2 from = at.a + (limit.on ? limit.lower : -kFreeWay) * axis;
+    const Vec2 to = at.a + (limit.on ? limit.upper : kFreeWay) * axis;
+    picture.canvas.line(from, to, DebugRole::JointLimit);
+    if (!limit.on) return;
+    drawTick(picture, from, axis);
+    drawTick(picture, to, axis);
+}
+
+/// How short and how long a rod may be.
+void drawReach(const Picture& picture, const JointPlace& at) {
+    const Vec2 way = at.b - at.a;
+    if (way == Vec2{}) return;
+    const Vec2 along = normalized(way);
+    const JointLimit& limit = at.definition.limit;
+    if (limit.lower > 0.0f) drawTick(picture, at.a + limit.lower * along, along);
+    drawTick(picture, at.a + limit.upper * along, along);
+}
+
+void drawLimits(const Picture& picture, const JointPlace& at) {
+    switch (at.joint.kind) {
+        case JointKind::Revolute:
+            if (at.definition.limit.on) drawFan(picture, at);
+            break;
+        case JointKind::Prismatic:
+        case JointKind::Wheel: drawWay(picture, at); break;
+        case JointKind::Distance:
+            if (at.definition.limit.on) drawReach(picture, at);
+            break;
+        default: break;
+    }
+}
+
+/// From a body to where the joint holds it. What never moves needs none: it may be far away.
+void drawArm(const Picture& picture, std::uint32_t body, Vec2 to) {
+    if (!picture.isStatic(body)) picture.canvas.line(picture.centre(body), to, DebugRole::Joint);
+}
+
+void drawTies(const Picture& picture, const JointPlace& at) {
+    DebugCanvas& canvas = picture.canvas;
+    const std::uint32_t bodyA = at.joint.bodyA, bodyB = at.joint.bodyB;
+    switch (at.joint.kind) {
+        case JointKind::Mouse: canvas.line(picture.seen(at.definition.target), at.b, DebugRole::Joint); break;
+        case JointKind::Gear:
+            canvas.line(picture.centre(bodyA), picture.centre(bodyB), DebugRole::Joint);
+            break;
+        case JointKind::Pulley: {
+            const Vec2 groundA = picture.seen(at.definition.groundA),
+                       groundB = picture.seen(at.definition.groundB);
+            canvas.line(at.a, groundA, DebugRole::Joint);
+            canvas.line(groundA, groundB, DebugRole::Joint);
+            canvas.line(groundB, at.b, DebugRole::Joint);
+            break;
+        }
+        default:
+            drawArm(picture, bodyA, at.a);
+            drawArm(picture, bodyB, at.b);
+            canvas.line(at.a, at.b, DebugRole::Joint);
+    }
+}
+
+template <class Draw>
+void forJoints(const Picture& picture, Draw&& draw) {
+    const Joints& joints = picture.world.joints;
+    for (std::size_t j = 0; j < joints.size(); ++j) {
+        const Joint& joint = joints.hot[j];
+        if (joint.bodyA == kNone || !(picture.shows(joint.bodyA) || picture.shows(joint.bodyB))) continue;
+        draw(JointPlace{joint, joints.definition[j], picture.place(joint.bodyA, joint.anchorA),
+                        picture.place(joint.bodyB, joint.anchorB)});
+    }
+}
+
+}  // namespace
+
+void drawJoints(const Picture& picture) {
+    forJoints(picture, [&](const JointPlace& at) {
+        drawLimits(picture, at);
+        drawTies(picture, at);
+        picture.canvas.circle(at.b, kPointRadius, DebugRole::Joint);
+    });
+}
+
+void drawJointForces(const Picture& picture) {
+    forJoints(picture, [&](const JointPlace& at) {
+        const auto& masses = picture.world.bodies.mass;
+        const float lightest =
+            std::max(masses[at.joint.bodyA].inverseMass, masses[at.joint.bodyB].inverseMass);
+        const Vec2 way = (kArrowPerAcceleration * lightest) * at.joint.force;
+        const float size = length(way);
+        if (!(size > 0.0f)) return;
+        picture.canvas.arrow(at.b, at.b + std::min(1.0f, kLongestArrow / size) * way, DebugRole::JointForce);
+    });
+}
+
+}  // namespace plumb::physics

@@ -1,0 +1,44 @@
+#include "physics/debug/picture.hpp"
+#include "physics/workspace.hpp"
+
+namespace plumb::physics {
+
+namespace {
+
+constexpr float kVelocityLength = 0.1f;  // s: metres drawn for 1 m/s
+
+}  // namespace
+
+void drawVelocities(const Picture& picture) {
+    picture.forBodies([&](std::uint32_t body) {
+        const Vec2 velocity = picture.world.bodies.motion[body].velocity;
+        if (velocity == Vec2{}) return;
+        const Vec2 from = picture.centre(body);
+        picture.canvas.arrow(from, from + kVelocityLength * velocity, DebugRole::Velocity);
+    });
+}
+
+void drawCentres(const Picture& picture) {
+    picture.forBodies([&](std::uint32_t body) {
+        if (picture.isDynamic(body))
+            picture.canvas.circle(picture.centre(body), kPointRadius, DebugRole::Centre);
+    });
+}
+
+void drawSweeps(const Picture& picture) {
+    const World& world = picture.world;
+    const Workspace* work = picture.choice.lastStep;
+    if (work == nullptr || world.awake.empty() || work->sweeps.size() != work->fastBodies.size()) return;
+    for (std::size_t i = 0; i < work->sweeps.size(); ++i) {
+        const std::uint32_t body = work->fastBodies[i];
+        const Sweep& sweep = work->sweeps[i];
+        if (!picture.isDynamic(body) || !picture.shows(body)) continue;
+        for (std::uint32_t s = world.bodies.info[body].firstShape; s != kNone; s = world.shapes.info[s].next)
+            drawOutline(picture.canvas, picture.outline(s), picture.frame(sweep.at(0.0f)), DebugRole::Sweep);
+        const Vec2 stop = picture.seen(sweep.at(sweep.end).centre);
+        picture.canvas.line(picture.seen(sweep.start), stop, DebugRole::Sweep);
+        if (sweep.end < 1.0f) picture.canvas.circle(stop, kPointRadius, DebugRole::Impact);
+    }
+}
+
+}  // namespace plumb::physics

@@ -1,0 +1,104 @@
+#pragma once
+
+#include "physics/debug_draw.hpp"
+#include "physics/shapes/convex.hpp"
+
+namespace plumb::physics {
+
+// What the files of the debug view share.
+
+/// m on the canvas for each m/s2 that a force gives the lighter body: its weight on Earth is a hand's length.
+inline constexpr float kArrowPerAcceleration = 0.02f;
+inline constexpr float kLongestArrow = 1.0f;  ///< m: a hard landing shall not cross the screen
+inline constexpr float kPointRadius = 0.02f;  ///< m
+
+/// A world, and what to draw it on.
+struct Picture {
+    const World& world;
+    DebugCanvas& canvas;
+    const DebugChoice& choice;
+
+    [[nodiscard]] const BodyPose& pose(std::uint32_t body) const { return world.bodies.pose[body]; }
+    [[nodiscard]] Vec2 seen(Place place) const { return place - choice.origin; }
+    [[nodiscard]] Vec2 centre(std::uint32_t body) const { return seen(pose(body).centre); }
+    /// From a body's centre of mass, in its frame.
+    [[nodiscard]] Vec2 place(std::uint32_t body, Vec2 arm) const {
+        return centre(body) + rotate(pose(body).rotation, arm);
+    }
+    /// The frame of a body's shapes in that pose.
+    [[nodiscard]] Frame frame(const BodyPose& pose) const {
+        return {seen(pose.centre) - rotate(pose.rotation, pose.localCentre), pose.rotation};
+    }
+    [[nodiscard]] Frame frame(std::uint32_t body) const { return frame(pose(body)); }
+    [[nodiscard]] Convex outline(std::uint32_t shape) const {
+        return convexOf(world.shapes.geometry[shape], world.shapes.corners);
+    }
+    [[nodiscard]] bool isDynamic(std::uint32_t body) const {
+        return world.bodies.info[body].kind == BodyKind::Dynamic;
+    }
+    [[nodiscard]] bool isStatic(std::uint32_t body) const {
+        return world.bodies.info[body].kind == BodyKind::Static;
+    }
+    [[nodiscard]] bool shows(std::uint32_t body) const {
+        return !choice.chosenOnly || (body < choice.bodies.size() && choice.bodies[body] != 0);
+    }
+
+    /// Calls draw(body) for all that are shown.
+    template <class Draw>
+    void forBodies(Draw&& draw) const {
+        for (std::uint32_t body = 0; body < world.bodies.size(); ++body) {
+            if (world.bodies.info[body].kind != BodyKind::None && shows(body)) draw(body);
+        }
+    }
+    /// Calls draw(shape, body) for all that are shown.
+    template <class Draw>
+    void forShapes(Draw&& draw) const {
+        for (std::uint32_t s = 0; s < world.shapes.size(); ++s) {
+            const std::uint32_t body = world.shapes.info[s].body;
+            if (world.shapes.motion[s] != ProxyMotion::Gone && shows(body)) draw(s, body);
+        }
+    }
+    /// Calls draw(contact) for all that touch and are shown, awake ones first: those with a trigger, or those
+    /// that push.
+    template <class Draw>
+    void forContacts(bool triggered, Draw&& draw) const {
+        const std::uint16_t wanted = triggered ? kTouching | kTriggered : kTouching;
+        const auto visit = [&](const Contact& contact) {
+            if ((contact.flags & (kTouching | kTriggered)) == wanted &&
+                (shows(contact.bodyA) || shows(contact.bodyB)))
+                draw(contact);
+        };
+        const Sleepers& sleepers = world.sleepers;
+        for (const Contact& contact : world.contacts) visit(contact);
+        for (const SleepingIsland& island : sleepers.islands) {
+            for (std::uint32_t c = island.firstContact; c != kNone; c = sleepers.nextContact[c])
+                visit(sleepers.contacts[c]);
+        }
+    }
+};
+
+/// An outline as one polygon, a circle with a spoke, or a line.
+void drawOutline(DebugCanvas& canvas, const Convex& convex, const Frame& frame, DebugInk ink);
+void drawBox(DebugCanvas& canvas, const AABB& box, DebugInk ink);
+/// Part of a circle, from one direction to another less than half a turn away, as lines.
+void drawArc(DebugCanvas& canvas, Vec2 centre, float radius, Rot from, float angle, DebugInk ink);
+
+// One for each DebugPart.
+void drawShapes(const Picture& picture);
+void drawTriggers(const Picture& picture);
+void drawContacts(const Picture& picture);
+void drawNormals(const Picture& picture);
+void drawImpulses(const Picture& picture);
+void drawFriction(const Picture& picture);
+void drawJoints(const Picture& picture);
+void drawJointForces(const Picture& picture);
+void drawVelocities(const Picture& picture);
+void drawCentres(const Picture& picture);
+void drawIslands(const Picture& picture);
+void drawRest(const Picture& picture);
+void drawSweeps(const Picture& picture);
+void drawFields(const Picture& picture);
+void drawBounds(const Picture& picture);
+void drawBroadPhase(const Picture& picture);
+
+}  // namespace plumb::physics

@@ -1,0 +1,158 @@
+#include <algorithm>
+#include <array>
+
+#include "physics/broadphase/regions.hpp"
+#include "physics/debug/picture.hpp"
+#include "physics/shapes/shape_types.hpp"
+#include "physics/workspace.hpp"
+
+namespace plumb::physics {
+
+namespace {
+
+constexpr float kOneWayArrow = 0.25f;  // m
+
+bool isTrigger(const World& world, std::uint32_t shape) {
+    return (world.shapes.info[shape].flags & kTrigger) != 0;
+}
+
+DebugRole roleOf(ProxyMotion motion) {
+    switch (motion) {
+        case ProxyMotion::Kinematic: return DebugRole::Driven;
+        case ProxyMotion::Awake: return DebugRole::Awake;
+        case ProxyMotion::Asleep: return DebugRole::Asleep;
+        case ProxyMotion::Static:
+        case ProxyMotion::Gone: break;
+    }
+    return DebugRole::Fixed;
+}
+
+void drawSoftBodies(const Picture& picture) {
+    for (const SoftBody& soft : picture.world.softBodies.all) {
+        if (!soft.isAlive || picture.choice.chosenOnly) continue;
+        for (const SoftLink& link : soft.links) {
+            picture.canvas.line(picture.seen(soft.particles[link.a].place),
+                                picture.seen(soft.particles[link.b].place), DebugRole::Soft);
+        }
+    }
+}
+
+/// Who stands for the island of a body: the root of its tree, or the first of those that rest together.
+std::uint32_t headOfIsland(const World& world, std::uint32_t body) {
+    const std::uint32_t asleep = world.sleepers.islandOf[body];
+    if (asleep != kNone) return world.sleepers.islands[asleep].firstBody;
+    while (world.bodies.info[body].island != body) body = world.bodies.info[body].island;
+    return body;
+}
+
+/// Draws on another canvas, drawn together towards a point.
+class Shrunk final : public DebugCanvas {
+public:
+    Shrunk(DebugCanvas& canvas, Vec2 about, float part) : canvas_{canvas}, about_{about}, part_{part} {}
+
+    void line(Vec2 from, Vec2 to, DebugInk ink) override { canvas_.line(at(from), at(to), ink); }
+    void arrow(Vec2 from, Vec2 to, DebugInk ink) override { canvas_.arrow(at(from), at(to), ink); }
+    void circle(Vec2 centre, float radius, DebugInk ink) override {
+        canvas_.circle(at(centre), part_ * radius, ink);
+    }
+    void polygon(std::span<const Vec2> corners, DebugInk ink) override {
+        std::array<Vec2, 16> some;  // an outline of more corners is drawn in every n-th of them
+        const std::size_t stride = (corners.size() + some.size() - 1) / some.size();
+        std::size_t count = 0;
+        for (std::size_t i = 0; i < corners.size(); i += stride) some[count++] = at(corners[i]);
+        canvas_.polygon({some.data(), count}, ink);
+    }
+
+private:
+    [[nodiscard]] Vec2 at(Vec2 point) const { return about_ + part_ * (point - about_); }
+
+    DebugCanvas& canvas_;
+    Vec2 about_;
+    float part_;
+};
+
+class RegionDrawing final : public RegionVisitor {
+public:
+    explicit RegionDrawing(const Picture& picture) : picture_{picture} {}
+    void region(const AABB& bounds) override {
+        drawBox(picture_.canvas, {picture_.seen(bounds.min), picture_.seen(bounds.max)}, DebugRole::Region);
+    }
+
+private:
+    const Picture& picture_;
+};
+
+}  // namespace
+
+void drawShapes(const Picture& picture) {
+    const Shapes& shapes = picture.world.shapes;
+    picture.forShapes([&](std::uint32_t s, std::uint32_t body) {
+        if (isTrigger(picture.world, s)) return;
+        const Frame frame = picture.frame(body);
+        const Convex outline = picture.outline(s);
+        const DebugRole role = roleOf(shapes.motion[s]);
+        drawOutline(picture.canvas, outline, frame, role);
+        if ((shapes.info[s].flags & kOneWay) == 0) return;
+        const Vec2 from = apply(frame, outline.centre);
+        picture.canvas.arrow(
+            from, from + kOneWayArrow * rotate(frame.rotation, shapes.info[s].oneWayDirection), role);
+    });
+    drawSoftBodies(picture);
+}
+
+void drawTriggers(const Picture& picture) {
+    picture.forShapes([&](std::uint32_t s, std::uint32_t body) {
+        if (isTrigger(picture.world, s))
+            drawOutline(picture.canvas, picture.outline(s), picture.frame(body), DebugRole::Trigger);
+    });
+    const auto middle = [&](std::uint32_t shape, std::uint32_t body) {
+        return apply(picture.frame(body), picture.outline(shape).centre);
+    };
+    picture.forContacts(true, [&](const Contact& contact) {
+        picture.canvas.line(middle(contact.shapeA, contact.bodyA), middle(contact.shapeB, contact.bodyB),
+                            DebugRole::Visitor);
+    });
+}
+
+void drawBounds(const Picture& picture) {
+    const Shapes& shapes = picture.world.shapes;
+    picture.forShapes([&](std::uint32_t s, std::uint32_t body) {
+        drawBox(picture.canvas, boundsOf(shapes.geometry[s], shapes.corners, picture.frame(body)),
+                DebugRole::Bounds);
+    });
+}
+
+void drawBroadPhase(const Picture& picture) {
+    const Workspace* work = picture.choice.lastStep;
+    if (work != nullptr && work->broadPhase != nullptr && !picture.choice.chosenOnly) {
+        RegionDrawing regions{picture};
+        visitRegions(*work->broadPhase, work->broadPhaseKind, regions);
+    }
+    picture.forShapes([&](std::uint32_t s, std::uint32_t) {
+        const AABB& box = picture.world.shapes.bounds[s];
+        drawBox(picture.canvas, {picture.seen(box.min), picture.seen(box.max)}, DebugRole::BroadPhase);
+    });
+}
+
+void drawIslands(const Picture& picture) {
+    picture.forShapes([&](std::uint32_t s, std::uint32_t body) {
+        if (!picture.isDynamic(body)) return;
+        drawOutline(picture.canvas, picture.outline(s), picture.frame(body),
+                    {DebugRole::Island, headOfIsland(picture.world, body)});
+    });
+}
+
+void drawRest(const Picture& picture) {
+    const Settings& settings = picture.world.settings;
+    picture.forShapes([&](std::uint32_t s, std::uint32_t body) {
+        if (!picture.isDynamic(body)) return;
+        const bool asleep = picture.world.shapes.motion[s] == ProxyMotion::Asleep;
+        const float restTime = picture.world.bodies.motion[body].restTime;
+        const float part = asleep ? 1.0f : std::min(restTime / std::max(settings.sleepTime, 1e-6f), 1.0f);
+        if (part == 0.0f) return;
+        Shrunk canvas{picture.canvas, picture.centre(body), part};
+        drawOutline(canvas, picture.outline(s), picture.frame(body), DebugRole::Rest);
+    });
+}
+
+}  // namespace plumb::physics

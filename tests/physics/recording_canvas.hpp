@@ -1,0 +1,84 @@
+#pragma once
+
+#include <map>
+#include <span>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "physics/debug_draw.hpp"
+
+namespace plumb::physics {
+
+struct Stroke {
+    DebugRole role;
+    char kind;  // l, c, p or a
+    std::vector<Vec2> points;
+};
+
+/// Counts what is drawn, by role and kind, and whether all of it can be drawn.
+class Recording final : public DebugCanvas {
+public:
+    void line(Vec2 from, Vec2 to, DebugInk ink) override { note(ink.role, 'l', {from, to}); }
+    void circle(Vec2 centre, float radius, DebugInk ink) override {
+        note(ink.role, 'c', {centre, {radius, 0.0f}});
+    }
+    void polygon(std::span<const Vec2> corners, DebugInk ink) override {
+        note(ink.role, 'p', {corners.begin(), corners.end()});
+        if (ink.role == DebugRole::Island) islands.push_back(ink.island);
+    }
+    void arrow(Vec2 from, Vec2 to, DebugInk ink) override {
+        note(ink.role, 'a', {from, to});
+        arrows.push_back(length(to - from));
+    }
+
+    [[nodiscard]] std::size_t count(DebugRole role, char kind) const {
+        const auto found = counts_.find({role, kind});
+        return found != counts_.end() ? found->second : 0;
+    }
+    [[nodiscard]] std::size_t count() const {
+        std::size_t all = 0;
+        for (const auto& [key, number] : counts_) all += number;
+        return all;
+    }
+    std::vector<Vec2> last;
+    std::vector<float> arrows;           // m: how long they are
+    std::vector<Stroke> strokes;         // all of them
+    std::vector<std::uint32_t> islands;  // of each polygon of one
+
+private:
+    void note(DebugRole role, char kind, std::vector<Vec2> points) {
+        for (const Vec2 point : points) EXPECT_TRUE(isFinite(point));
+        strokes.push_back({role, kind, points});
+        last = std::move(points);
+        ++counts_[{role, kind}];
+    }
+
+    std::map<std::pair<DebugRole, char>, std::size_t> counts_;
+};
+
+inline Recording drawn(World& world, std::uint32_t parts, Place origin = {}) {
+    Recording recording;
+    debugDraw(world, recording, {.parts = parts, .origin = origin, .lastStep = lastStepOf(world)});
+    return recording;
+}
+
+/// Only of some bodies.
+inline Recording drawnOf(World& world, std::uint32_t parts, std::span<const BodyId> bodies) {
+    std::vector<std::uint8_t> chosen(world.bodies.size());
+    for (const BodyId body : bodies) chosen[body.index] = 1;
+    Recording recording;
+    debugDraw(world, recording,
+              {.parts = parts, .lastStep = lastStepOf(world), .chosenOnly = true, .bodies = chosen});
+    return recording;
+}
+
+inline std::vector<Stroke> strokesOf(const Recording& picture, DebugRole role) {
+    std::vector<Stroke> found;
+    for (const Stroke& stroke : picture.strokes) {
+        if (stroke.role == role) found.push_back(stroke);
+    }
+    return found;
+}
+
+}  // namespace plumb::physics
