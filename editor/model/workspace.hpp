@@ -12,6 +12,8 @@
 #include "editor/model/tools/tool.hpp"
 #include "editor/model/undo_stack.hpp"
 #include "editor/model/view_camera.hpp"
+#include "scene/physics_times.hpp"
+#include "scene/physics_view.hpp"
 #include "scene/scene_file.hpp"
 
 namespace plumb::editor {
@@ -51,11 +53,13 @@ public:
     Document document;
     UndoStack undo;
     ViewCamera view;
+    PhysicsTimes physicsTimes;  ///< of the game that plays
     PlayMode play;
     bool followsGame =
         true;  ///< the view goes with the camera of the game that plays, until it is moved by hand
     GridSettings grid;
     TilePaint tiles;
+    PhysicsView physics;                                  ///< what of it is shown over the scene
     std::vector<std::string> overlays{"grid", "camera"};  ///< those that are shown, by name
     std::string clipboard;
     std::string notice;  ///< what was done last, for the status bar

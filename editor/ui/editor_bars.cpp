@@ -89,6 +89,7 @@ void EditorWindow::drawToolbar(float height) {
     for (const OverlayRow& row : overlayTable()) {
         width += ImGui::CalcTextSize(std::string{row.label}.c_str()).x + ui_.px(21.0f);
     }
+    width += ImGui::CalcTextSize("Physics").x + ui_.px(21.0f + 22.0f);
     ImGui::SameLine(display.x - width - ui_.px(6.0f));
     for (const OverlayRow& row : overlayTable()) {
         const bool on = workspace_.shows(row.name);
@@ -101,7 +102,60 @@ void EditorWindow::drawToolbar(float height) {
         tooltip(format("{} the overlay \"{}\" over the scene", on ? "Hide" : "Show", row.label));
         ImGui::SameLine(0.0f, ui_.px(4.0f));
     }
+    drawPhysicsButton();
     ImGui::End();
+}
+
+void EditorWindow::drawPhysicsButton() {
+    PhysicsView& view = workspace_.physics;
+    ImGui::PushStyleColor(ImGuiCol_Button, view.on ? palette::kAccentSoft : IM_COL32(0, 0, 0, 0));
+    ImGui::PushStyleColor(ImGuiCol_Text, view.on ? palette::kText : palette::kTextDim);
+    if (ImGui::Button("Physics", {0.0f, ui_.px(26.0f)})) runAction(workspace_, "view.physics");
+    widgets_.mark("Overlay/physics", view.on ? "on" : "off");
+    tooltip(format("{} the physics over the scene, edited or playing (F3)", view.on ? "Hide" : "Show"));
+    ImGui::SameLine(0.0f, ui_.px(1.0f));
+    if (ImGui::ArrowButton("physics layers", ImGuiDir_Down)) ImGui::OpenPopup("physics layers list");
+    ImGui::PopStyleColor(2);
+    widgets_.mark("Overlay/physics layers");
+    tooltip("What of the physics is shown");
+    if (!ImGui::BeginPopup("physics layers list")) return;
+    physicsLayerItems("Overlay/physics/");
+    ImGui::EndPopup();
+}
+
+void EditorWindow::physicsLayerItems(const std::string& path) {
+    struct Choice {
+        PhysicsReach reach;
+        const char* label;
+        const char* name;
+        const char* hidden;
+    };
+    static constexpr Choice kChoices[] = {{PhysicsReach::Off, "Off", "off", "##off"},
+                                          {PhysicsReach::Selected, "Selected", "selected", "##selected"},
+                                          {PhysicsReach::All, "All", "all", "##all"}};
+    PhysicsView& view = workspace_.physics;
+    if (!ImGui::BeginTable("layers", 4, ImGuiTableFlags_SizingFixedFit)) return;
+    ImGui::TableSetupColumn("");
+    for (const Choice& choice : kChoices) ImGui::TableSetupColumn(choice.label);
+    ImGui::TableHeadersRow();
+    for (const PhysicsLayer& layer : physicsLayers()) {
+        ImGui::TableNextRow();
+        ImGui::TableNextColumn();
+        ImGui::AlignTextToFramePadding();
+        ImGui::TextUnformatted(layer.label.data(), layer.label.data() + layer.label.size());
+        tooltip(layer.doc);
+        ImGui::PushID(layer.name.data());
+        for (const Choice& choice : kChoices) {
+            ImGui::TableNextColumn();
+            if (choice.reach == PhysicsReach::Selected && !layer.ofBodies) continue;
+            const bool chosen = view.reachOf(layer) == choice.reach;
+            if (ImGui::RadioButton(choice.hidden, chosen)) view.setReach(layer, choice.reach);
+            widgets_.mark(format("{}{}/{}", path, layer.name, choice.name), chosen ? "on" : "off");
+            tooltip(layer.doc);
+        }
+        ImGui::PopID();
+    }
+    ImGui::EndTable();
 }
 
 void EditorWindow::drawStatus(float height) {

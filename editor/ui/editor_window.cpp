@@ -179,6 +179,11 @@ void EditorWindow::drawOverlayMenu() {
             workspace_.toggleOverlay(row.name);
         widgets_.mark("Menu/View/" + label);
     }
+    const bool open = ImGui::BeginMenu("Physics layers");
+    widgets_.mark("Menu/View/Physics layers");
+    if (!open) return;
+    physicsLayerItems("Menu/View/Physics layers/");
+    ImGui::EndMenu();
 }
 
 void EditorWindow::showTilesWhilePainting() {

@@ -49,6 +49,9 @@ private:
     void drawMenus();
     void drawOverlayMenu();
     void drawToolbar(float height);
+    void drawPhysicsButton();
+    /// For each layer of the physics: of nobody, of the selected, of all. @param path  how tests call them
+    void physicsLayerItems(const std::string& path);
     void toolButton(std::string_view action, bool on, ImU32 color);
     void drawPanes(ImVec2 from, ImVec2 size);
     /// The palette comes with the first tile tool, and goes with the last.

@@ -10,7 +10,7 @@ constexpr Color kBackground{23, 24, 28, 255};
 }  // namespace
 
 std::uintptr_t ScenePicture::draw(World& world, AssetStore* assets, const View& view, PixelSize size,
-                                  float alpha, bool asGame) {
+                                  float alpha, bool asGame, const PhysicsShown& physics) {
     if (size != size_) {
         device_.destroyTarget(target_);
         target_ = device_.createTarget(size.width, size.height);
@@ -32,6 +32,7 @@ std::uintptr_t ScenePicture::draw(World& world, AssetStore* assets, const View& 
     device_.setViewport(viewport);
     device_.clear(kBackground);
     renderer.renderer().draw(list_, viewport);
+    renderer.drawPhysics(world, physics, how.view, viewport);
     return device_.nativeTexture(device_.targetTexture(target_));
 }
 

@@ -30,9 +30,10 @@ public:
     /// @param asGame  backdrops and texts on the screen keep to the picture, as the player draws it; else
     /// they
     ///                are where the scene has them
+    /// @param physics  what of it is drawn over the scene
     /// @return the graphics card's name of the texture
     std::uintptr_t draw(World& world, AssetStore* assets, const View& view, PixelSize size, float alpha,
-                        bool asGame);
+                        bool asGame, const PhysicsShown& physics = {});
 
     /// Where a part of one of the editor's pictures is on the card. @param source  px; empty: all of it
     TexturePart part(TextureId id, const Rect& source);

@@ -103,6 +103,9 @@ void GameLoop::handleEvents() {
     }
     for (const Event& event : pending_) {
         if (event.kind == EventKind::Quit) quit();
+        if (options_.physicsView.handle(event) && options_.physicsView.on)
+            logNote("Engine",
+                    "Physics shown: Ctrl and Ctrl+Shift with digits choose what of it, F3 hides it");
         if (isFullscreenKey(event)) screen_->window().setFullscreen(!screen_->window().fullscreen());
         if (event.kind == EventKind::FocusLost) {
             pacer_.pause();
@@ -161,8 +164,15 @@ void GameLoop::tick() {
     if (!options_.record.empty() && ticks_ % 600 == 0) recorder_.check(game_.world.hash());
 }
 
+PhysicsShown GameLoop::shownPhysics() {
+    PhysicsShown shown = options_.physicsView.shown();
+    shown.times = &physicsTimes_;
+    physicsTimes_.watch(game_.world, (shown.any() & kPhysicsTimes) != 0);
+    return shown;
+}
+
 void GameLoop::drawFrame(float alpha) {
-    screen_->draw(game_.world, game_.assets, alpha);
+    screen_->draw(game_.world, game_.assets, alpha, shownPhysics());
     if (!options_.capture.empty()) {
         std::string number = format("{}", framesDrawn_);
         number.insert(0, number.size() < 6 ? 6 - number.size() : 0, '0');

@@ -13,6 +13,7 @@
 #include "app/sound_output.hpp"
 #include "input/device_state.hpp"
 #include "input/recorder.hpp"
+#include "scene/physics_times.hpp"
 
 namespace plumb {
 
@@ -38,6 +39,7 @@ private:
     void tick();
     bool nextInput(InputFrame& frame);
     void drawFrame(float alpha);
+    PhysicsShown shownPhysics();
     void reportRate();
     int finish();
 
@@ -49,6 +51,7 @@ private:
     DeviceState devices_;
     EventLog events_;
     std::optional<SoundOutput> sounds_;  ///< none headless
+    PhysicsTimes physicsTimes_;
     std::vector<Event> pending_;
     std::optional<Replay> replay_;
     std::optional<ReplayPlayer> replayPlayer_;

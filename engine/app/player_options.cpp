@@ -62,6 +62,14 @@ bool setWindow(PlayerOptions& options, std::string_view text) {
     return true;
 }
 
+bool setPhysicsView(PlayerOptions& options, std::string_view text) {
+    const Result<unsigned> layers = physicsLayersNamed(text);
+    if (!layers || *layers == 0) return false;
+    options.physicsView.on = true;
+    options.physicsView.layers = *layers;
+    return true;
+}
+
 constexpr std::array kOptions{
     Option{"--scene", "NAME", "start with this scene",
            [](PlayerOptions& o, std::string_view v) { return setText(v, o.scene); }},
@@ -91,6 +99,12 @@ constexpr std::array kOptions{
     Option{"--window", "WxH", "window size in px, e.g. 1280x720", &setWindow},
     Option{"--fullscreen", "", "fill the screen",
            [](PlayerOptions& o, std::string_view) { return o.fullscreen = true; }},
+    Option{"--physics-view", "LIST",
+           "show the physics (F3; Ctrl+digit and Ctrl+Shift+digit choose): all, or of\n"
+           "                          shapes,contacts,normals,impulses,friction,joints,jointForces,\n"
+           "                          velocities,centres,islands,triggers,fields,sleep,sweeps,bounds,\n"
+           "                          broadPhase,times,counts",
+           &setPhysicsView},
     Option{"--help", "", "this text", [](PlayerOptions& o, std::string_view) { return o.help = true; }},
 };
 

@@ -6,6 +6,7 @@
 
 #include "core/result.hpp"
 #include "platform/window.hpp"
+#include "scene/physics_view.hpp"
 
 namespace plumb {
 
@@ -28,6 +29,7 @@ struct PlayerOptions {
     int scale = 0;     ///< window size in multiples of the game's resolution; 0: the project's window
     PixelSize window;  ///< px; nothing: the project's window
     bool fullscreen = false;
+    PhysicsView physicsView;  ///< what of the physics is shown over the game
     bool help = false;
 };
 

@@ -26,7 +26,7 @@ Result<std::unique_ptr<Screen>> Screen::open(const ScreenSettings& settings) {
 Screen::Screen(ScreenSettings settings, std::unique_ptr<Window> window, std::unique_ptr<GlDevice> device)
     : settings_{std::move(settings)}, window_{std::move(window)}, device_{std::move(device)} {}
 
-void Screen::draw(World& world, AssetStore& assets, float alpha) {
+void Screen::draw(World& world, AssetStore& assets, float alpha, const PhysicsShown& physics) {
     if (drawnAssets_ != &assets) {
         renderer_ = std::make_unique<SceneRenderer>(*device_, assets);
         drawnAssets_ = &assets;
@@ -37,6 +37,7 @@ void Screen::draw(World& world, AssetStore& assets, float alpha) {
     device_->clear(Color{0, 0, 0, 255});
     renderer_->renderer().resetCounts();
     renderer_->draw(world, settings_.picture, alpha, viewport(), &fillPlaceholders);
+    renderer_->drawPhysics(world, physics, renderer_->sceneView(), viewport());
     drawCalls_ = renderer_->renderer().counts().drawCalls;
 }
 

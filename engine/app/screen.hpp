@@ -28,7 +28,8 @@ public:
     static Result<std::unique_ptr<Screen>> open(const ScreenSettings& settings);
 
     /// Draws the world into the window; `swap` shows it.
-    void draw(World& world, AssetStore& assets, float alpha);
+    /// @param physics  what of it is drawn over the scene
+    void draw(World& world, AssetStore& assets, float alpha, const PhysicsShown& physics = {});
     void swap() { window_->swap(); }
     /// What was drawn, before the swap.
     [[nodiscard]] Image picture();

@@ -21,6 +21,7 @@ namespace plumb {
 namespace {
 
 constexpr double kSecondsPerTick = 1.0 / 60.0;
+constexpr float kLinesOfThinStrokes = 1080.0f;  // px: on twice that height they are twice as wide
 
 Rect sourceOf(const Sprite& sprite) {
     if (!sprite.source.empty()) return sprite.source;
@@ -149,6 +150,7 @@ void SceneRenderer::draw(World& world, Vec2 picture, float alpha, const Viewport
     for (int place = 0; place < std::max(scenes, 1); ++place) {
         how.place = scenes > 1 ? place : kEveryScene;
         drawInto(world, picture, how, canvas);
+        if (place == 0) sceneView_ = how.view;
     }
     if (shrink > 1) device.show(canvas.target, viewport);
 }
@@ -169,6 +171,20 @@ void SceneRenderer::drawInto(World& world, Vec2 picture, SceneView& how, const V
     } else {
         renderer_.draw(list_, viewport);
     }
+}
+
+void SceneRenderer::drawPhysics(World& world, const PhysicsShown& shown, const View& view,
+                                const Viewport& viewport) {
+    if (shown.any() == 0) return;
+    const float lines = static_cast<float>(viewport.height);
+    const float enlarged = std::max(1.0f, std::floor(lines / kLinesOfThinStrokes));
+    list_.begin(view);
+    physics_.draw(world, shown, enlarged * view.size.x / static_cast<float>(viewport.width), list_);
+    renderer_.draw(list_, viewport);
+    const Vec2 screen{static_cast<float>(viewport.width), lines};
+    list_.begin({screen * 0.5f, screen});
+    drawPhysicsPanel(world, shown, labels_, list_);
+    renderer_.draw(list_, viewport);
 }
 
 void SceneRenderer::collect(World& world, const SceneView& how, DrawList& list) {

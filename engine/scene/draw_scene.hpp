@@ -9,6 +9,7 @@
 #include "render/sized_target.hpp"
 #include "render/texture_library.hpp"
 #include "scene/label_drawing.hpp"
+#include "scene/physics_drawing.hpp"
 #include "scene/scene_layer.hpp"
 #include "scene/tile_drawing.hpp"
 
@@ -51,6 +52,12 @@ public:
     void draw(World& world, Vec2 picture, float alpha, const Viewport& viewport,
               LabelText labelText = nullptr);
 
+    /// Draws the physics over what is there already, with a legend.
+    /// @param view  how the scene was looked at
+    void drawPhysics(World& world, const PhysicsShown& shown, const View& view, const Viewport& viewport);
+    /// How the last draw looked at the lowest scene.
+    [[nodiscard]] const View& sceneView() const { return sceneView_; }
+
     [[nodiscard]] TextureLibrary& textures() { return textures_; }
     [[nodiscard]] Renderer& renderer() { return renderer_; }
 
@@ -74,11 +81,13 @@ private:
     TextureLibrary textures_;
     TileDrawing tiles_;
     LabelDrawing labels_;
+    PhysicsDrawing physics_;
     DrawList list_;
     std::vector<SceneLayer> layers_;  ///< of the scenes, by order
     int nearLayer_ = 0;               ///< the lowest layer of the last collect that is no plain backdrop
     SizedTarget far_;                 ///< the backdrops, one px for each px of the picture
     SizedTarget canvas_;              ///< everything, before it is enlarged to a large window
+    View sceneView_;
     bool anyPaused_ = false;
 };
 

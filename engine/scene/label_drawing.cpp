@@ -8,6 +8,7 @@
 namespace plumb {
 namespace {
 
+constexpr std::string_view kPlainFont = "engine:fonts/b612_mono.otf";
 constexpr std::string_view kDefaultFont = "engine:fonts/press_start_2p.ttf";
 
 TextShape shapeOf(const Label& label, float scale) {
@@ -33,6 +34,11 @@ void LabelDrawing::draw(const World& world, const Label& label, const Pose& pose
     painter_.draw(list, *font, text_, pose.position, style);
 }
 
+Vec2 LabelDrawing::write(std::string_view text, Vec2 position, const TextStyle& style, DrawList& list) {
+    const Font* font = fontOf(ownFont(kPlainFont, holdsPlain_));
+    return font != nullptr ? painter_.draw(list, *font, text, position, style) : Vec2{};
+}
+
 Vec2 LabelDrawing::measure(const World& world, const Label& label, LabelText labelText) {
     const Font* font = fontOf(label.font);
     if (font == nullptr) return {};
@@ -40,15 +46,18 @@ Vec2 LabelDrawing::measure(const World& world, const Label& label, LabelText lab
     return painter_.measure(*font, text_, shapeOf(label, 1.0f));
 }
 
-const Font* LabelDrawing::fontOf(FontId id) {
-    if (id.empty()) {
-        id = FontId{textId(kDefaultFont)};
-        if (!holdsDefault_) {  // no entity names it, so nobody else keeps it loaded
-            assets_.loadFont(kDefaultFont);
-            assets_.acquire(AssetKind::Font, id.path);
-            holdsDefault_ = true;
-        }
+FontId LabelDrawing::ownFont(std::string_view path, bool& held) {
+    const FontId id{textId(path)};
+    if (!held) {  // no entity names it, so nobody else keeps it loaded
+        assets_.loadFont(path);
+        assets_.acquire(AssetKind::Font, id.path);
+        held = true;
     }
+    return id;
+}
+
+const Font* LabelDrawing::fontOf(FontId id) {
+    if (id.empty()) id = ownFont(kDefaultFont, holdsDefault_);
     for (const Face& face : faces_) {
         if (face.id == id && face.revision == assets_.revisionOf(AssetKind::Font, id.path))
             return face.font.get();

@@ -23,6 +23,8 @@ public:
     /// @param pixelScale  window px for each px of the picture
     void setPixelScale(float pixelScale) { painter_.setPixelScale(pixelScale); }
     void draw(const World& world, const Label& label, const Pose& pose, LabelText labelText, DrawList& list);
+    /// A text of the engine itself, with digits of one width. @return  px: its size
+    Vec2 write(std::string_view text, Vec2 position, const TextStyle& style, DrawList& list);
     /// The size that draw would give (px), e.g. for selecting it.
     Vec2 measure(const World& world, const Label& label, LabelText labelText);
 
@@ -34,6 +36,7 @@ private:
         std::unique_ptr<Font> font;  ///< null when the file is no font
     };
 
+    FontId ownFont(std::string_view path, bool& held);
     const Font* fontOf(FontId id);
     void fill(const World& world, const Label& label, LabelText labelText);
 
@@ -41,6 +44,7 @@ private:
     TextPainter painter_;
     std::vector<Face> faces_;
     bool holdsDefault_ = false;
+    bool holdsPlain_ = false;
     std::string text_;  // reused, so that a steady frame allocates nothing
 };
 

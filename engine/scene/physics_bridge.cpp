@@ -13,6 +13,7 @@
 #include "scene/field_sync.hpp"
 #include "scene/joint_sync.hpp"
 #include "scene/kinematics.hpp"
+#include "scene/physics_times.hpp"
 #include "scene/publish_bodies.hpp"
 #include "scene/systems/physics_system.hpp"
 
@@ -97,10 +98,12 @@ void syncBodies(World& world, float dt) {
 
 void stepPhysics(World& world, float dt) {
     PhysicsState& state = world.resource<PhysicsState>();
+    PhysicsTimes* times = world.service<PhysicsTimes>();
     Profile* profile = world.service<Profile>();
+    if (profile == nullptr && times != nullptr) profile = times->profile();
     const Calls calls = callsOf(world);
     {
-        const ProfileScope scope{profile, "physics sync"};
+        const ProfileScope scope{profile, kPhysicsSync};
         followComponents(world, state, physicsSettingsOf(world));
         driveKinematics(world, state, dt);
         state.world.manifest.pinnedOff = calls.off;
@@ -111,11 +114,14 @@ void stepPhysics(World& world, float dt) {
         return;
     }
     physics::step(state.world, dt, {world.service<TaskPool>(), profile, {}});
-    const ProfileScope scope{profile, "physics sync"};
-    publishBodies(world, state);
-    publishContacts(world, state);
-    publishBroken(world, state);
-    removeExploded(world, state);
+    {
+        const ProfileScope scope{profile, kPhysicsSync};
+        publishBodies(world, state);
+        publishContacts(world, state);
+        publishBroken(world, state);
+        removeExploded(world, state);
+    }
+    if (times != nullptr) times->endStep();
 }
 
 physics::BodyId bodyOf(World& world, EntityId entity) {

@@ -46,6 +46,8 @@ TEST(PlayerOptions, wrongAndMissingValuesAreErrorsWithARemedy) {
                                                                    {"--hash-every", "0"},
                                                                    {"--seed", "-3"},
                                                                    {"--screenshot", ""},
+                                                                   {"--physics-view", "shape"},
+                                                                   {"--physics-view"},
                                                                    {"a", "b"}}) {
         const auto options = parsed(wrong);
         ASSERT_FALSE(options.ok()) << wrong.front();
@@ -53,10 +55,19 @@ TEST(PlayerOptions, wrongAndMissingValuesAreErrorsWithARemedy) {
     }
 }
 
+TEST(PlayerOptions, theHelpNamesEveryLayerOfThePhysics) {
+    for (const PhysicsLayer& layer : physicsLayers()) {
+        EXPECT_NE(playerUsage().find(layer.name), std::string::npos) << layer.name;
+    }
+    const auto options = parsed({"--physics-view", "joints,islands"});
+    ASSERT_TRUE(options.ok());
+    EXPECT_EQ(options->physicsView.shown().layers, *physicsLayersNamed("islands,joints"));
+}
+
 TEST(PlayerOptions, theUsageListsEveryOption) {
     for (const char* name : {"--scene", "--headless", "--frames", "--hash", "--hash-every", "--screenshot",
                              "--capture", "--record", "--replay", "--effects", "--benchmark", "--seed",
-                             "--scale", "--fullscreen", "--entities", "--window"}) {
+                             "--scale", "--fullscreen", "--entities", "--window", "--physics-view"}) {
         EXPECT_NE(playerUsage().find(name), std::string::npos) << name;
     }
 }

@@ -5,14 +5,15 @@
 #include "gameplay/game_progress.hpp"
 #include "render/recording_device.hpp"
 #include "scene/draw_scene.hpp"
+#include "scene/physics_times.hpp"
 #include "tests/app/platformer.hpp"
 #include "tests/support/allocations.hpp"
 
 namespace plumb {
 namespace {
 
-/// A restored world has its arrays at their smallest: each may grow once more, and those that the physics works
-/// with are many. 600 ticks may cost no more.
+/// A restored world has its arrays at their smallest: each may grow once more, and those that the physics
+/// works with are many. 600 ticks may cost no more.
 constexpr std::size_t kGrowing = 60;
 
 /// The platformer with its picture going to a device that only keeps what a graphics card would keep.
@@ -34,12 +35,23 @@ public:
             frame.set(Key::Space, i % 40 < 15);
             tickGame(game_, frame);
             moved_ += movedEntities(game_.world);
-            renderer_.draw(game_.world, {320.0f, 180.0f}, 0.5f, {{}, 0, 0, 320, 180}, &fillPlaceholders);
+            const Viewport viewport{{}, 0, 0, 320, 180};
+            renderer_.draw(game_.world, {320.0f, 180.0f}, 0.5f, viewport, &fillPlaceholders);
+            renderer_.drawPhysics(game_.world, shown, renderer_.sceneView(), viewport);
         }
     }
     void open(const std::string& scene) { ASSERT_TRUE(game_.openScene(scene).ok()); }
 
     void restore(const Snapshot& snapshot) { game_.world.restore(snapshot); }
+
+    /// From now on all of the physics is drawn, with times and counts.
+    void showPhysics() {
+        for (const PhysicsLayer& layer : physicsLayers()) shown.layers |= layer.bit;
+        shown.times = &times_;
+        times_.watch(game_.world, true);
+    }
+
+    PhysicsShown shown;
 
     [[nodiscard]] const World& world() const { return game_.world; }
     [[nodiscard]] std::size_t moved() const { return moved_; }
@@ -50,6 +62,7 @@ private:
     RecordingDevice device_;
     SceneGame game_;
     SceneRenderer renderer_;
+    PhysicsTimes times_;
     std::size_t moved_ = 0;
 };
 
@@ -77,6 +90,21 @@ TEST(SteadyLevels, aDrawnTickOfEveryLevelAllocatesNothing) {
         ++levels;
     }
     EXPECT_GE(levels, 6);
+}
+
+TEST(SteadyLevels, theViewOfThePhysicsAllocatesNothingWhileItIsShownAndChangesNothing) {
+    PlayedGame watched{"level1"}, alone{"level1"};
+    watched.showPhysics();
+    watched.play(600);
+    const Snapshot start = watched.world().save();
+    watched.play(600);
+    watched.restore(start);
+    const std::size_t before = test::allocations().made;
+    watched.play(600);
+    EXPECT_LT(test::allocations().made - before, kGrowing);
+    EXPECT_GT(watched.drawCalls(), 2u);
+    alone.play(1200);
+    EXPECT_EQ(watched.world().hash(), alone.world().hash());
 }
 
 TEST(SteadyLevels, aHundredSwitchesThroughAllScenesLeaveNothingInMemory) {

@@ -4,6 +4,7 @@
 #include "core/random.hpp"
 #include "editor/model/game_session.hpp"
 #include "editor/ui/overlays/overlay_list.hpp"
+#include "scene/physics_state.hpp"
 #include "tests/editor/support/editor_fixture.hpp"
 #include "tests/editor/support/hands.hpp"
 
@@ -122,6 +123,42 @@ TEST_F(EditorWindowTest, everyPanelAndOverlayDrawsAnEmptyAndAFullScene) {
     EXPECT_EQ(workspace.document.objectCount(), 0u);
     hands.rest(2);
     EXPECT_GT(ImGui::GetDrawData()->TotalVtxCount, 100);
+}
+
+TEST_F(EditorWindowTest, layersOfThePhysicsAreTickedWhileEditingAndStayWhilePlaying) {
+    const std::string text = workspace.text();
+    hands.click("Overlay/physics");
+    hands.rest(2);
+    EXPECT_EQ(window.widgets().find("Overlay/physics")->value, "on");
+    const auto* preview = workspace.document.world.findResource<PhysicsState>();
+    ASSERT_NE(preview, nullptr);
+    EXPECT_GT(preview->world.shapes.size(), 0u) << "bodies to draw, though nobody plays";
+    hands.click("Overlay/physics layers");
+    hands.rest(2);
+    for (const PhysicsLayer& layer : physicsLayers()) {
+        SCOPED_TRACE(layer.name);
+        const std::string row = format("Overlay/physics/{}/", layer.name);
+        const PhysicsReach first = layer.atFirst ? PhysicsReach::All : PhysicsReach::Off;
+        EXPECT_EQ(workspace.physics.reachOf(layer), first);
+        if (layer.ofBodies) {
+            hands.click(row + "selected");
+            EXPECT_EQ(workspace.physics.reachOf(layer), PhysicsReach::Selected);
+            EXPECT_EQ(window.widgets().find(row + "selected")->value, "on");
+        }
+        hands.click(row + (layer.atFirst ? "off" : "all"));
+        EXPECT_EQ(workspace.physics.reachOf(layer), layer.atFirst ? PhysicsReach::Off : PhysicsReach::All);
+    }
+    hands.key(Key::Escape);
+    const unsigned chosen = workspace.physics.shown().any();
+    EXPECT_NE(chosen, 0u);
+    hands.key(Key::F5);
+    hands.rest(10);
+    ASSERT_TRUE(workspace.play.running());
+    EXPECT_EQ(workspace.physics.shown().any(), chosen);
+    hands.key(Key::F5);
+    hands.key(Key::F3);
+    EXPECT_EQ(workspace.physics.shown().any(), 0u);
+    EXPECT_EQ(workspace.text(), text) << "looking changed the scene";
 }
 
 TEST_F(EditorWindowTest, aNewSceneIsNamedAndUnsavedChangesAreAskedFor) {

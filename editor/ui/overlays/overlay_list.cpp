@@ -5,26 +5,17 @@
 
 #include "editor/model/bounds.hpp"
 #include "render/view.hpp"
-#include "scene/components/box_collider.hpp"
 #include "scene/components/camera.hpp"
-#include "scene/components/circle_collider.hpp"
-#include "scene/components/kinematic_body.hpp"
-#include "scene/components/rigid_body.hpp"
 #include "scene/components/transform.hpp"
-#include "scene/world_transform.hpp"
 
 namespace plumb::editor::ui {
 namespace {
 
 constexpr Color kGridLine{255, 255, 255, 16};
 constexpr Color kGridStrong{255, 255, 255, 34};
-constexpr Color kSolid{88, 201, 130, 220};
-constexpr Color kTrigger{240, 185, 74, 220};
-constexpr Color kVelocity{240, 104, 160, 230};
 constexpr Color kCamera{190, 150, 240, 220};
 constexpr Color kName{221, 224, 229, 220};
-constexpr float kClosestLines = 6.0f;     // px on screen; a finer grid is only its tenth lines
-constexpr float kVelocitySeconds = 0.2f;  // s of way that an arrow shows
+constexpr float kClosestLines = 6.0f;  // px on screen; a finer grid is only its tenth lines
 
 /// Whether one looks at a running game as its player would.
 bool showsGamePicture(const Workspace& workspace) {
@@ -45,32 +36,6 @@ void drawGrid(const Workspace& workspace, const World&, Overlay& overlay) {
     for (float i = std::floor(seen.min.y / step.y); i * step.y <= seen.max.y; ++i) {
         overlay.line({seen.min.x, i * step.y}, {seen.max.x, i * step.y}, strong(i) ? kGridStrong : kGridLine);
     }
-}
-
-void drawColliders(const Workspace&, const World& world, Overlay& overlay) {
-    world.each<const BoxCollider>([&](EntityId entity, const BoxCollider& collider) {
-        const Pose pose = worldPose(world, entity);
-        const Vec2 from = pose.position + collider.offset;
-        overlay.box({from, from + scaled({collider.width, collider.height}, pose.scale)},
-                    collider.isTrigger ? kTrigger : kSolid, 1.5f);
-    });
-    world.each<const CircleCollider>([&](EntityId entity, const CircleCollider& collider) {
-        const Pose pose = worldPose(world, entity);
-        overlay.circle(pose.position + collider.offset, collider.radius * std::abs(pose.scale.x),
-                       collider.isTrigger ? kTrigger : kSolid, 1.5f);
-    });
-}
-
-void drawVelocities(const Workspace&, const World& world, Overlay& overlay) {
-    const auto arrow = [&](EntityId entity, Vec2 velocity) {
-        if (velocity == Vec2{}) return;
-        const Vec2 from = boundsOf(world, entity).center();
-        overlay.arrow(from, from + velocity * kVelocitySeconds, kVelocity, 1.5f);
-    };
-    world.each<const RigidBody>(
-        [&](EntityId entity, const RigidBody& body) { arrow(entity, body.velocity); });
-    world.each<const KinematicBody>(
-        [&](EntityId entity, const KinematicBody& body) { arrow(entity, body.velocity); });
 }
 
 void drawNames(const Workspace& workspace, const World& world, Overlay& overlay) {
@@ -98,8 +63,6 @@ void drawCameras(const Workspace& workspace, const World& world, Overlay& overla
 std::span<const OverlayRow> overlayTable() {
     static constexpr std::array kOverlays{
         OverlayRow{"grid", "Grid", &drawGrid},
-        OverlayRow{"colliders", "Colliders", &drawColliders},
-        OverlayRow{"velocities", "Velocities", &drawVelocities},
         OverlayRow{"names", "Names", &drawNames},
         OverlayRow{"camera", "Camera", &drawCameras},
     };

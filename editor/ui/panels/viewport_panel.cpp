@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "assets/asset_store.hpp"
 #include "editor/model/actions.hpp"
@@ -156,6 +157,7 @@ private:
             return;
         }
         World& world = workspace.shownWorld();
+        previewBodies(workspace);
         if (ui.picture != nullptr) drawPicture(ui, list, world, from, size);
         overlay_.clear();
         for (const OverlayRow& row : overlayTable()) {
@@ -170,10 +172,17 @@ private:
         list.PopClipRect();
     }
 
+    /// Nobody steps the document's world: its bodies are made anew after each change that may be seen.
+    void previewBodies(Workspace& workspace) {
+        if (workspace.play.running() || workspace.physics.shown().any() == 0) return;
+        if (std::exchange(previewed_, workspace.document.sceneRevision) != workspace.document.sceneRevision)
+            previewPhysics(workspace.document.world);
+    }
+
     /// All of the panel shows the scene; a game that is looked at through its camera has its own picture in
     /// the middle, with nothing around it that the player would not see.
-    static void drawPicture(const Ui& ui, ImDrawList& list, World& world, ImVec2 from, ImVec2 size) {
-        const Workspace& workspace = ui.workspace;
+    void drawPicture(const Ui& ui, ImDrawList& list, World& world, ImVec2 from, ImVec2 size) {
+        Workspace& workspace = ui.workspace;
         View view = workspace.view.view();
         const bool asGame = workspace.play.running() && workspace.followsGame;
         if (asGame) {
@@ -183,11 +192,25 @@ private:
             from.y += std::floor((size.y - view.size.y) * 0.5f);
         }
         const PixelSize pixels{static_cast<int>(view.size.x), static_cast<int>(view.size.y)};
-        const std::uintptr_t texture =
-            ui.picture->draw(world, workspace.play.assets(), view, pixels, ui.playAlpha, asGame);
+        const std::uintptr_t texture = ui.picture->draw(world, workspace.play.assets(), view, pixels,
+                                                        ui.playAlpha, asGame, shownPhysics(workspace));
         imageOfPixels(
             list, textureId(texture), from,
             {from.x + static_cast<float>(pixels.width), from.y + static_cast<float>(pixels.height)});
+    }
+
+    PhysicsShown shownPhysics(Workspace& workspace) {
+        PhysicsShown shown = workspace.physics.shown();
+        selected_.clear();
+        if (shown.ofSelected != 0) {
+            for (const ObjectId id : workspace.document.selection.all())
+                selected_.push_back(workspace.shownEntity(id));
+        }
+        shown.selected = selected_;
+        shown.times = &workspace.physicsTimes;
+        if (workspace.play.running())
+            workspace.physicsTimes.watch(workspace.play.world(), (shown.any() & kPhysicsTimes) != 0);
+        return shown;
     }
 
     /// How many px of the screen each px of the game's picture takes.
@@ -272,11 +295,13 @@ private:
     Vec2 from_;
     Vec2 moved_;
     Pointer pointer_;
-    View before_;  ///< where one looked before the game was played
+    View before_;                      ///< where one looked before the game was played
+    std::uint64_t previewed_ = ~0ull;  ///< the revision of the document that its bodies are of
     bool panning_ = false;
     bool pressed_ = false;
     bool playing_ = false;
     Overlay overlay_;
+    std::vector<EntityId> selected_;
 };
 
 }  // namespace

@@ -1,5 +1,5 @@
 #!/bin/bash
-# Plays in a real window under Xvfb: resized by hand, left and come back to.
+# Plays in a real window under Xvfb: resized by hand, the physics shown, left and come back to.
 # (Full screen needs a window manager, which Xvfb has not.)
 #   window.sh PLAYER PROJECT WORK-FOLDER
 set -eu
@@ -21,6 +21,8 @@ becomes 640x360
 xdotool windowfocus "$window"; sleep 0.3
 xdotool windowsize "$window" 700 500
 becomes 700x500
+xdotool key F3; sleep 0.3; xdotool key --clearmodifiers ctrl+4; sleep 0.3
+grep -q "Physics shown" "$work/log" || fail "F3 did not show the physics"
 # Left alone it waits: 600 ticks are 10 s, and it is still there long after.
 other=$(xdotool search --maxdepth 0 --name '' 2> /dev/null | head -1)
 xdotool windowfocus "${other:-1}" 2> /dev/null || true
@@ -33,4 +35,4 @@ wait "$program" || fail "it ended with an error"
 program=
 # The last picture is the window's: 700x500, in the bytes 16..23 of the PNG.
 [ "$(od -An -tu1 -j16 -N8 "$work/last.png" | tr -s ' ')" = " 0 0 2 188 0 0 1 244" ] || fail "the picture is not 700x500"
-echo "resized, paused without the focus"
+echo "resized, showed the physics, paused without the focus"

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "ecs/world.hpp"
+#include "render/draw_list.hpp"
+#include "scene/label_drawing.hpp"
+#include "scene/physics_view.hpp"
+
+namespace plumb {
+
+/// What the colours stand for, in the order of the legend.
+std::span<const PhysicsColor> physicsColors();
+
+/// Draws the physics of a world over everything else, as its last tick left it. Changes nothing; keeps its
+/// memory, so a steady frame allocates nothing.
+class PhysicsDrawing {
+public:
+    /// @param pixel  px of the list's picture that a px of the screen is: lines are equally thin everywhere
+    void draw(World& world, const PhysicsShown& shown, float pixel, DrawList& list);
+
+private:
+    void choose(World& world, std::span<const EntityId> selected);
+
+    std::vector<Vec2> corners_;
+    std::vector<std::uint64_t> users_;        ///< of the selected ones, rising
+    std::vector<std::uint8_t> chosenBodies_;  ///< by body
+    std::vector<std::uint8_t> chosenFields_;  ///< by field
+};
+
+/// Says what the colours of those layers stand for, and the times and counts that are among them.
+/// @param list  looks at the screen: its picture is as large as what it is drawn to
+void drawPhysicsPanel(World& world, const PhysicsShown& shown, LabelDrawing& labels, DrawList& list);
+
+/// Gives a world that nobody steps the bodies of its components, so that they can be drawn.
+void previewPhysics(World& world);
+
+}  // namespace plumb

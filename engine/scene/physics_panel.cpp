@@ -1,0 +1,189 @@
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+
+#include "physics/debug_draw.hpp"
+#include "physics/workspace.hpp"
+#include "scene/physics_drawing.hpp"
+#include "scene/physics_state.hpp"
+#include "scene/physics_times.hpp"
+
+namespace plumb {
+namespace {
+
+constexpr float kLinesOfPicture = 1080.0f;  // px: of twice that height all is twice as large
+constexpr float kTextSize = 13.0f;          // px
+constexpr float kRow = 17.0f;               // px
+constexpr float kSwatch = 9.0f;             // px
+constexpr float kGap = 8.0f;                // px
+constexpr float kLegendWidth = 136.0f;      // px
+constexpr float kNumbersWidth = 236.0f;     // px
+constexpr Color kBack{16, 18, 22, 205};
+constexpr Color kText{232, 234, 238, 255};
+constexpr Color kDim{150, 156, 168, 255};
+constexpr int kBackLayer = 0;
+constexpr int kTextLayer = 1;
+
+/// Rows of text, in as many columns as they need.
+class Panel {
+public:
+    void color(std::string_view label, Color color) { add({Kind::Color, label, color}); }
+    void heading(std::string_view words) {
+        if (count_ > 0) add({});
+        add({Kind::Heading, words});
+    }
+    void number(std::string_view label, std::size_t value) {
+        Row row{Kind::Number, label};
+        row.end = std::to_chars(row.value.data(), row.value.data() + row.value.size(), value).ptr -
+                  row.value.data();
+        add(row);
+    }
+    /// @param value  ms
+    void time(std::string_view label, float value) {
+        Row row{Kind::Number, label};
+        row.end = std::to_chars(row.value.data(), row.value.data() + row.value.size(), value,
+                                std::chars_format::fixed, 3)
+                      .ptr -
+                  row.value.data();
+        add(row);
+    }
+
+    /// Games write at the top, so it stands at the bottom.
+    /// @param right  at the right side of the screen
+    void draw(LabelDrawing& labels, DrawList& list, float width, bool right) const;
+
+private:
+    enum class Kind : std::uint8_t { Color, Heading, Number };
+    struct Row {
+        Kind kind = Kind::Heading;
+        std::string_view label;
+        Color swatch;
+        std::array<char, 24> value{};
+        std::ptrdiff_t end = 0;
+    };
+
+    void add(const Row& row) {
+        if (count_ < rows_.size()) rows_[count_++] = row;
+    }
+
+    std::array<Row, 64> rows_;
+    std::size_t count_ = 0;
+};
+
+void Panel::draw(LabelDrawing& labels, DrawList& list, float width, bool right) const {
+    if (count_ == 0) return;
+    const Vec2 screen = list.view().size;
+    const float unit = std::max(1.0f, std::floor(screen.y / kLinesOfPicture));
+    const auto most = static_cast<std::size_t>(std::max(1.0f, (screen.y / unit - 4.0f * kGap) / kRow));
+    const std::size_t columns = (count_ + most - 1) / most;
+    const std::size_t high = (count_ + columns - 1) / columns;
+    const Vec2 size =
+        Vec2{width * static_cast<float>(columns), kRow * static_cast<float>(high) + 2.0f * kGap} * unit;
+    const float margin = kGap * unit;
+    const Vec2 corner{right ? screen.x - size.x - margin : margin, screen.y - size.y - margin};
+    list.filledRect({corner, corner + size}, kBack, kBackLayer);
+    labels.setPixelScale(1.0f);
+    TextStyle style;
+    style.shape.size = kTextSize * unit;
+    style.layer = kTextLayer;
+    for (std::size_t i = 0; i < count_; ++i) {
+        const Row& row = rows_[i];
+        const Vec2 at =
+            corner +
+            Vec2{width * static_cast<float>(i / high), kGap + kRow * static_cast<float>(i % high)} * unit;
+        const auto write = [&](std::string_view words, float x, TextAlign align) {
+            style.shape.align = align;
+            style.color = row.kind == Kind::Heading ? kDim : kText;
+            labels.write(words, at + Vec2{x * unit, 0.0f}, style, list);
+        };
+        float left = kGap;
+        if (row.kind == Kind::Color) {
+            const Vec2 swatch = at + Vec2{kGap, (kRow - kSwatch) * 0.5f} * unit;
+            list.filledRect({swatch, swatch + Vec2{kSwatch, kSwatch} * unit}, row.swatch, kTextLayer);
+            left += kSwatch + kGap;
+        }
+        write(row.label, left, TextAlign::Left);
+        if (row.end > 0)
+            write({row.value.data(), static_cast<std::size_t>(row.end)}, width - kGap, TextAlign::Right);
+    }
+}
+
+void writeTimes(const PhysicsTimes* times, Panel& panel) {
+    const bool known = times != nullptr && !times->rows().empty();
+    panel.heading(known ? "ms a tick" : "times: while playing");
+    if (!known) return;
+    float all = 0.0f;
+    for (const PhysicsTimes::Row& row : times->rows()) {
+        all += row.milliseconds;
+        panel.time(row.stage, row.milliseconds);
+    }
+    panel.time("all", all);
+}
+
+struct BodyCounts {
+    std::size_t awake = 0;
+    std::size_t asleep = 0;
+    std::size_t driven = 0;
+    std::size_t fixed = 0;
+    std::size_t islands = 0;  // awake
+};
+
+BodyCounts countBodies(const physics::World& world) {
+    BodyCounts counts;
+    for (std::uint32_t body = 0; body < world.bodies.size(); ++body) {
+        const physics::BodyInfo& info = world.bodies.info[body];
+        if (info.kind == physics::BodyKind::Static) ++counts.fixed;
+        if (info.kind == physics::BodyKind::Kinematic) ++counts.driven;
+        if (info.kind != physics::BodyKind::Dynamic) continue;
+        const bool asleep = world.sleepers.islandOf[body] != physics::kNone;
+        ++(asleep ? counts.asleep : counts.awake);
+        if (!asleep && info.island == body) ++counts.islands;
+    }
+    return counts;
+}
+
+void writePairs(const physics::DetectionCounts& counts, Panel& panel) {
+    panel.heading("pairs of a tick");
+    panel.number("bounds overlap", counts.pairs);
+    panel.number("apart by circles", counts.apartByCircles);
+    panel.number("apart by boxes", counts.apartByBounds);
+    panel.number("apart by axes", counts.apartByAxes);
+    panel.number("kept as they were", counts.recycled);
+    panel.number("touching", counts.touching);
+}
+
+void writeCounts(physics::World& world, Panel& panel) {
+    const BodyCounts bodies = countBodies(world);
+    panel.heading("bodies");
+    panel.number("awake", bodies.awake);
+    panel.number("asleep", bodies.asleep);
+    panel.number("kinematic", bodies.driven);
+    panel.number("static", bodies.fixed);
+    panel.number("shapes", world.shapes.size() - world.shapes.free.size());
+    panel.number("contacts", world.contacts.size());
+    panel.number("joints", world.joints.size() - world.joints.free.size());
+    panel.number("islands awake", bodies.islands);
+    panel.number("islands asleep", world.sleepers.islands.size() - world.sleepers.freeIslands.size());
+    if (const physics::Workspace* work = physics::lastStepOf(world)) writePairs(work->counts, panel);
+}
+
+}  // namespace
+
+void drawPhysicsPanel(World& world, const PhysicsShown& shown, LabelDrawing& labels, DrawList& list) {
+    if (shown.any() == 0) return;
+    Panel legend, numbers;
+    for (const PhysicsColor& row : physicsColors()) {
+        if ((row.layer & shown.any()) != 0) legend.color(row.label, row.color);
+    }
+    if ((shown.any() & kPhysicsTimes) != 0) writeTimes(shown.times, numbers);
+    auto* state = world.findResource<PhysicsState>();
+    if ((shown.any() & kPhysicsCounts) != 0 && state != nullptr) writeCounts(state->world, numbers);
+    legend.draw(labels, list, kLegendWidth, false);
+    numbers.draw(labels, list, kNumbersWidth, true);
+}
+
+}  // namespace plumb

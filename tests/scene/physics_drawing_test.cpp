@@ -1,0 +1,318 @@
+#include "scene/physics_drawing.hpp"
+
+#include <algorithm>
+
+#include <gtest/gtest.h>
+
+#include "physics/simulation.hpp"
+#include "render/recording_device.hpp"
+#include "scene/components.hpp"
+#include "scene/draw_scene.hpp"
+#include "scene/physics_state.hpp"
+#include "scene/physics_times.hpp"
+#include "scene/systems/physics_system.hpp"
+
+namespace plumb {
+namespace {
+
+constexpr float kTick = 1.0f / 60.0f;  // s
+constexpr Vec2 kPicture{640.0f, 360.0f};
+
+void run(World& world, int ticks) {
+    for (int i = 0; i < ticks; ++i) {
+        world.beginTick();
+        world.update(kTick);
+    }
+}
+
+/// Of everything something: boxes that fall on a floor, a lift, a trigger, a pendulum.
+void fill(World& world) {
+    world.addSystem<PhysicsSystem>();
+    Entity floor = world.createEntity();
+    floor.addComponent<Transform>(100.0f, 300.0f);
+    floor.addComponent<BoxCollider>(400.0f, 20.0f);
+    Entity lift = world.createEntity();
+    lift.addComponent<Transform>(520.0f, 300.0f);
+    lift.addComponent<KinematicBody>().velocity = {0.0f, -20.0f};
+    lift.addComponent<BoxCollider>(40.0f, 8.0f);
+    Entity trigger = world.createEntity();
+    trigger.addComponent<Transform>(560.0f, 20.0f);
+    trigger.addComponent<BoxCollider>(30.0f, 30.0f).isTrigger = true;
+    for (int i = 0; i < 4; ++i) {
+        Entity box = world.createEntity();
+        box.addComponent<Transform>(200.0f + static_cast<float>(i % 2) * 100.0f,
+                                    280.0f - 30.0f * static_cast<float>(i));
+        box.addComponent<RigidBody>();
+        box.addComponent<BoxCollider>(20.0f, 20.0f);
+    }
+    Entity ball = world.createEntity();
+    ball.addComponent<Transform>(480.0f, 100.0f);
+    ball.addComponent<RigidBody>();
+    ball.addComponent<CircleCollider>(10.0f);
+    ball.addComponent<RevoluteJoint>().anchor = {-40.0f, -20.0f};
+    Entity wind = world.createEntity();
+    wind.addComponent<Transform>(400.0f, 40.0f);
+    wind.addComponent<WindField>().velocity = {100.0f, 0.0f};
+}
+
+/// Something so fast that it is swept.
+void shoot(World& world) {
+    Entity shot = world.createEntity();
+    shot.addComponent<Transform>(150.0f, 290.0f);
+    shot.addComponent<RigidBody>().velocity = {0.0f, 9000.0f};
+    shot.addComponent<CircleCollider>(2.0f);
+}
+
+bool hasColor(const DrawList& list, Color color) {
+    const auto sprites = list.instances();
+    const auto vertices = list.vertices();
+    return std::any_of(sprites.begin(), sprites.end(), [&](const auto& one) { return one.tint == color; }) ||
+           std::any_of(vertices.begin(), vertices.end(), [&](const auto& one) { return one.color == color; });
+}
+
+DrawList drawn(World& world, const PhysicsShown& shown, Vec2 center = kPicture * 0.5f) {
+    DrawList list;
+    list.begin({center, kPicture});
+    PhysicsDrawing drawing;
+    drawing.draw(world, shown, 1.0f, list);
+    return list;
+}
+
+const PhysicsLayer& layerNamed(std::string_view name) {
+    const auto layers = physicsLayers();
+    return *std::find_if(layers.begin(), layers.end(), [&](const auto& layer) { return layer.name == name; });
+}
+
+/// px: around all that was drawn.
+AABB boundsOf(const DrawList& list) {
+    AABB box{{1e9f, 1e9f}, {-1e9f, -1e9f}};
+    for (const GeometryVertex& vertex : list.vertices())
+        box = merged(box, {vertex.position, vertex.position});
+    return box;
+}
+
+TEST(PhysicsDrawing, eachLayerDrawsWhatItIsForAndNothingIsDrawnWhenAllAreOff) {
+    World world;
+    fill(world);
+    run(world, 40);
+    shoot(world);
+    run(world, 1);
+    EXPECT_EQ(drawn(world, {}).items().size(), 0u);
+    for (const PhysicsLayer& layer : physicsLayers()) {
+        SCOPED_TRACE(layer.name);
+        const DrawList list = drawn(world, {layer.bit});
+        EXPECT_EQ(list.items().size() > 0, layer.ofBodies);  // the others are written in a panel
+        for (const PhysicsColor& row : physicsColors()) {
+            const bool comesLater = row.label == "asleep" || row.label == "island" || row.label == "near sleep";
+            if ((row.layer & layer.bit) != 0 && !comesLater) {
+                EXPECT_TRUE(hasColor(list, row.color)) << row.label;
+            }
+        }
+    }
+}
+
+TEST(PhysicsDrawing, everyLayerOfBodiesHasARowInTheLegend) {
+    unsigned explained = 0;
+    for (const PhysicsColor& row : physicsColors()) explained |= row.layer;
+    for (const PhysicsLayer& layer : physicsLayers()) EXPECT_EQ((explained & layer.bit) != 0, layer.ofBodies);
+}
+
+TEST(PhysicsDrawing, whatComesToRestChangesItsColour) {
+    World world;
+    fill(world);
+    const PhysicsLayer& shapes = physicsLayers().front();
+    const auto asleep = std::find_if(physicsColors().begin(), physicsColors().end(),
+                                     [](const PhysicsColor& row) { return row.label == "asleep"; });
+    run(world, 5);
+    EXPECT_FALSE(hasColor(drawn(world, {shapes.bit}), asleep->color));
+    run(world, 240);
+    EXPECT_TRUE(hasColor(drawn(world, {shapes.bit}), asleep->color));
+}
+
+TEST(PhysicsDrawing, shapesAreDrawnWhereTheCollidersAreThroughAnyView) {
+    World world;
+    Entity floor = world.createEntity();
+    floor.addComponent<Transform>(100.0f, 300.0f);
+    floor.addComponent<BoxCollider>(400.0f, 20.0f);
+    previewPhysics(world);
+    for (const Vec2 center : {Vec2{300.0f, 310.0f}, Vec2{200.0f, 250.0f}}) {
+        const DrawList list = drawn(world, {physicsLayers().front().bit}, center);
+        const AABB box = boundsOf(list);
+        EXPECT_NEAR(box.min.x, 100.0f, 1e-3f);
+        EXPECT_NEAR(box.min.y, 300.0f, 1e-3f);
+        EXPECT_NEAR(box.max.x, 500.0f, 1e-3f);
+        EXPECT_NEAR(box.max.y, 320.0f, 1e-3f);
+    }
+}
+
+TEST(PhysicsDrawing, thePreviewFollowsWhatWasEdited) {
+    World world;
+    Entity crate = world.createEntity();
+    crate.addComponent<Transform>(100.0f, 100.0f);
+    crate.addComponent<RigidBody>();
+    crate.addComponent<BoxCollider>(20.0f, 20.0f);
+    const auto left = [&] {
+        previewPhysics(world);
+        return boundsOf(drawn(world, {physicsLayers().front().bit})).min.x;
+    };
+    EXPECT_NEAR(left(), 100.0f, 1e-3f);
+    crate.get<Transform>().position.x = 140.0f;
+    EXPECT_NEAR(left(), 140.0f, 1e-3f);
+    crate.get<BoxCollider>().offset.x = 7.0f;
+    EXPECT_NEAR(left(), 147.0f, 1e-3f);
+    EXPECT_EQ(crate.get<Transform>().position, (Vec2{140.0f, 100.0f}));
+    crate.destroy();
+    EXPECT_EQ(left(), 1e9f);
+}
+
+TEST(PhysicsDrawing, whoIsWatchedDoesTheSame) {
+    World watched, alone;
+    fill(watched), fill(alone);
+    AssetStore assets{{}, Path{PLUMB_SOURCE_DIR} / "assets"};
+    RecordingDevice device;
+    SceneRenderer renderer{device, assets};
+    unsigned all = 0;
+    for (const PhysicsLayer& layer : physicsLayers()) all |= layer.bit;
+    for (int i = 0; i < 200; ++i) {
+        run(watched, 1), run(alone, 1);
+        renderer.drawPhysics(watched, {all}, {kPicture * 0.5f, kPicture}, {.width = 640, .height = 360});
+        ASSERT_EQ(watched.hash(), alone.hash()) << i;
+    }
+    EXPECT_GT(device.spriteDraws.size(), 0u);
+    device.forgetDraws();
+    renderer.drawPhysics(watched, {}, {kPicture * 0.5f, kPicture}, {.width = 640, .height = 360});
+    EXPECT_EQ(device.spriteDraws.size(), 0u);
+}
+
+TEST(PhysicsDrawing, layersAreNamedInLists) {
+    EXPECT_EQ(*physicsLayersNamed("shapes,contacts"), physicsLayers()[0].bit | physicsLayers()[1].bit);
+    unsigned all = 0;
+    for (const PhysicsLayer& layer : physicsLayers()) {
+        EXPECT_EQ(*physicsLayersNamed(layer.name), layer.bit);
+        EXPECT_EQ(all & layer.bit, 0u) << "each has a bit of its own";
+        all |= layer.bit;
+    }
+    EXPECT_EQ(*physicsLayersNamed("all"), all);
+    const auto wrong = physicsLayersNamed("shapes,joint");
+    ASSERT_FALSE(wrong);
+    EXPECT_EQ(wrong.error().remedy, "did you mean \"joints\"?");
+}
+
+TEST(PhysicsDrawing, aLayerThatIsChosenIsShownAtOnce) {
+    PhysicsView view;
+    EXPECT_EQ(view.shown().any(), 0u);
+    const PhysicsLayer& shapes = physicsLayers().front();
+    view.toggle(shapes);
+    EXPECT_EQ(view.reachOf(shapes), PhysicsReach::All);
+    view.toggle(shapes);
+    EXPECT_EQ(view.reachOf(shapes), PhysicsReach::Off);
+    view.on = false;
+    view.layers = 0;
+    view.toggle(physicsLayers().back());
+    EXPECT_EQ(view.shown().any(), physicsLayers().back().bit);
+}
+
+TEST(PhysicsDrawing, aLayerIsOfAllOrOfTheSelectedOrOff) {
+    PhysicsView view;
+    for (const PhysicsLayer& layer : physicsLayers()) {
+        for (const PhysicsReach reach : {PhysicsReach::Selected, PhysicsReach::All, PhysicsReach::Off}) {
+            view.setReach(layer, reach);
+            EXPECT_EQ(view.reachOf(layer), reach);
+            EXPECT_EQ((view.shown().layers & layer.bit) != 0, reach == PhysicsReach::All);
+            EXPECT_EQ((view.shown().ofSelected & layer.bit) != 0, reach == PhysicsReach::Selected);
+        }
+    }
+}
+
+TEST(PhysicsDrawing, keysToggleTheViewAndEveryLayerOfItButNoneWhileItIsHidden) {
+    PhysicsView view;
+    const unsigned first = view.layers;
+    const auto press = [&](Key key, bool control, bool shift) {
+        Event event{.kind = EventKind::KeyDown};
+        event.key = key;
+        event.modifiers = {shift, control, false};
+        view.handle(event);
+    };
+    for (const PhysicsLayer& layer : physicsLayers()) press(layer.key, true, layer.withShift);
+    EXPECT_FALSE(view.on);
+    EXPECT_EQ(view.layers, first);
+    press(Key::F3, false, false);
+    EXPECT_EQ(view.shown().layers, first);
+    for (const PhysicsLayer& layer : physicsLayers()) {
+        const unsigned before = view.shown().layers;
+        press(layer.key, false, layer.withShift);
+        EXPECT_EQ(view.shown().layers, before) << "without Ctrl it is the game's";
+        press(layer.key, true, layer.withShift);
+        EXPECT_EQ(view.shown().layers, before ^ layer.bit) << layer.name;
+    }
+    press(Key::F3, false, false);
+    EXPECT_EQ(view.shown().any(), 0u);
+}
+
+TEST(PhysicsDrawing, ofWhoIsSelectedOnlyTheirsIsDrawn) {
+    World world;
+    fill(world);
+    Entity crate = world.createEntity();
+    crate.addComponent<Transform>(300.0f, 100.0f);
+    crate.addComponent<RigidBody>().gravityScale = 0.0f;
+    crate.addComponent<BoxCollider>(20.0f, 30.0f);
+    run(world, 1);
+    const unsigned shapes = layerNamed("shapes").bit;
+    const std::vector<EntityId> selected{crate.id()};
+    const AABB box = boundsOf(drawn(world, {0, shapes, selected}));
+    EXPECT_NEAR(box.min.x, 300.0f, 0.1f);
+    EXPECT_NEAR(box.min.y, 100.0f, 0.1f);
+    EXPECT_NEAR(box.max.x, 320.0f, 0.1f);
+    EXPECT_NEAR(box.max.y, 130.0f, 0.1f);
+    EXPECT_EQ(drawn(world, {0, shapes, {}}).items().size(), 0u);
+}
+
+TEST(PhysicsDrawing, linesAreAsWideOnTheScreenAtAnyZoom) {
+    World world;
+    fill(world);
+    run(world, 1);
+    for (const float zoom : {0.25f, 1.0f, 4.0f}) {
+        DrawList list;
+        list.begin({.center = {300.0f, 310.0f}, .size = kPicture, .zoom = zoom});
+        PhysicsDrawing drawing;
+        drawing.draw(world, {layerNamed("shapes").bit}, 1.0f, list);
+        float thinnest = 1e9f;
+        for (const SpriteInstance& line : list.instances())
+            thinnest = std::min({thinnest, line.half.x * 2.0f * zoom, line.half.y * 2.0f * zoom});
+        EXPECT_NEAR(thinnest, 1.5f, 1e-3f) << zoom;
+    }
+}
+
+TEST(PhysicsDrawing, theTimesAreOfAllStagesThatRanWhileSomebodyWatched) {
+    World world;
+    PhysicsTimes times;
+    fill(world);
+    run(world, 60);
+    EXPECT_TRUE(times.rows().empty());
+    times.watch(world, true);
+    run(world, 29);
+    EXPECT_TRUE(times.rows().empty());
+    run(world, 1);
+    ASSERT_FALSE(times.rows().empty());
+    EXPECT_EQ(times.rows().front().stage, kPhysicsSync);
+    std::size_t found = 0;
+    for (const physics::StageInfo& stage : physics::stages()) {
+        const auto row = std::find_if(times.rows().begin(), times.rows().end(),
+                                      [&](const PhysicsTimes::Row& one) { return one.stage == stage.name; });
+        if (row == times.rows().end()) continue;
+        ++found;
+        EXPECT_GE(row->milliseconds, 0.0f);
+        EXPECT_LT(row->milliseconds, 100.0f);
+        EXPECT_GT(physics::runsOf(world.resource<PhysicsState>().world, stage.name), 0u) << stage.name;
+    }
+    EXPECT_EQ(found + 1, times.rows().size());
+    EXPECT_GE(found, 5u);
+    const float before = times.rows().front().milliseconds;
+    times.watch(world, false);
+    run(world, 60);
+    EXPECT_EQ(times.profile(), nullptr);
+    EXPECT_EQ(times.rows().front().milliseconds, before) << "nothing is measured when nobody watches";
+}
+
+}  // namespace
+}  // namespace plumb
