@@ -36,7 +36,11 @@ Physics::Physics() { world_.settings.stayEvents = true; }
 Physics::~Physics() = default;
 
 Result<RigidBody*> Physics::createBody(Place position, float angle) {
-    const Result<BodyId> made = physics::createBody(world_, {.position = position, .angle = angle});
+    return createBody(BodyDefinition{.position = position, .angle = angle});
+}
+
+Result<RigidBody*> Physics::createBody(const BodyDefinition& definition) {
+    const Result<BodyId> made = physics::createBody(world_, definition);
     if (!made) return made.error();
     put(bodies_, made->index, std::unique_ptr<RigidBody>{new RigidBody{world_, *made}});
     return bodies_[made->index].get();
@@ -124,14 +128,16 @@ void Physics::call(const Call& now) {
     tell(*now.b, *now.a, now.phase);
 }
 
-void Physics::update(float dt) {
-    if (!(std::isfinite(dt) && dt > 0.0f)) return;
+void Physics::update(float dt, const StepOptions& options) {
+    if (isUpdating_ || !(std::isfinite(dt) && dt > 0.0f)) return;
+    isUpdating_ = true;
     gone_.swap(leaving_);
     goneBodies_.clear();
-    step(world_, dt);
+    step(world_, dt, options);
     collectCalls();
     for (const Call& now : calls_) call(now);
     gone_.clear();
+    isUpdating_ = false;
 }
 
 bool Physics::isTouching(const Collider& a, const Collider& b) const {

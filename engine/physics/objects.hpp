@@ -131,13 +131,15 @@ public:
 
     /// @error a number that is not finite
     Result<RigidBody*> createBody(Place position, float angle = 0.0f);
+    /// One of any kind, e.g. a kinematic one that moves by its velocity and is pushed by nobody.
+    Result<RigidBody*> createBody(const BodyDefinition& definition);
 
     /// Makes a collider of a class of one's own or of the library's, from its constructor's arguments.
     /// @param body  that it moves with; none for a static object
     /// @error a size that is not positive, a number that is not finite, a body of another Physics
     template <std::derived_from<Collider> Kind, class... Arguments>
-    requires std::constructible_from<Kind, Arguments...> Result<Kind*> create(RigidBody* body,
-                                                                              Arguments&&... arguments) {
+    Result<Kind*> create(RigidBody* body,
+                         Arguments&&... arguments) requires std::constructible_from<Kind, Arguments...> {
         auto made = std::make_unique<Kind>(std::forward<Arguments>(arguments)...);
         Kind* const kind = made.get();
         const Result<Done> added = add(std::move(made), body);
@@ -145,13 +147,21 @@ public:
         return kind;
     }
 
+    /// The same of a class that is made from its size and its settings, which may then be written in braces.
+    template <std::derived_from<Collider> Kind, class Size>
+    Result<Kind*> create(RigidBody* body, Size&& size, const ColliderSettings& settings) requires
+        std::constructible_from<Kind, Size, const ColliderSettings&> {
+        return create<Kind, Size, const ColliderSettings&>(body, std::forward<Size>(size), settings);
+    }
+
     /// Removes a body with its colliders. Those who touched it hear of it in the next update.
     void destroy(RigidBody& body);
     void destroy(Collider& collider);
 
     /// Moves everything on by dt (s), then calls the colliders. Time that is not finite or not above 0 does
-    /// not pass: nobody moves and nobody is called.
-    void update(float dt);
+    /// not pass: nobody moves and nobody is called. Nor does any when a collider that is called asks for it.
+    /// @param options  threads to share the work with, where to measure, who may touch whom
+    void update(float dt, const StepOptions& options = {});
 
     /// True while both touch, as of the last update. Takes the same time however many touch.
     [[nodiscard]] bool isTouching(const Collider& a, const Collider& b) const;
@@ -183,6 +193,7 @@ private:
     std::vector<std::unique_ptr<RigidBody>> goneBodies_;  // destroyed since the last update
     std::vector<Call> calls_;
     PairSet touching_;
+    bool isUpdating_ = false;
 };
 
 }  // namespace plumb::physics

@@ -134,6 +134,59 @@ TEST(Objects, aRayFindsTheColliderThatItHits) {
     EXPECT_EQ(physics.colliderOf(hit->shape), nullptr);
 }
 
+TEST(Objects, aPlatformCarriesWhatStandsOnIt) {
+    Physics physics;
+    RigidBody* const platform =
+        *physics.createBody({.kind = BodyKind::Kinematic, .position = {0.0, 1.0}, .velocity = {1.0f, 0.0f}});
+    ASSERT_TRUE(physics.create<BoxCollider>(platform, Vec2{3.0f, 0.5f}, {.friction = 1.0f}).ok());
+    RigidBody* const crate = *physics.createBody({0.0, 0.0});
+    ASSERT_TRUE(physics.create<BoxCollider>(crate, Vec2{0.5f, 0.5f}, {.friction = 1.0f}).ok());
+    for (int i = 0; i < 120; ++i) physics.update(kTick);
+    EXPECT_NEAR(platform->position().x, 2.0, 1e-3);
+    EXPECT_NEAR(crate->velocity().x, 1.0f, 1e-3f);
+    EXPECT_FALSE(physics.createBody({.kind = BodyKind::None}).ok());
+}
+
+TEST(Objects, whatSleepsIsStillTouchedAndItsEndIsHeardOf) {
+    Physics physics;
+    Counter* const floor = *physics.create<Counter>(nullptr, Vec2{10.0f, 1.0f});
+    RigidBody* const body = *physics.createBody({0.0, -1.5});
+    Counter* const box = *physics.create<Counter>(body, Vec2{0.5f, 0.5f});
+    for (int i = 0; i < 120; ++i) physics.update(kTick);
+    ASSERT_FALSE(isAwake(physics.world(), body->id()));
+    const int stayed = floor->stayed;
+    physics.update(kTick);
+    EXPECT_EQ(floor->stayed, stayed);
+    EXPECT_TRUE(physics.isTouching(*floor, *box));
+    physics.destroy(*body);
+    EXPECT_FALSE(physics.isTouching(*floor, *box));
+    physics.update(kTick);
+    EXPECT_EQ(floor->left, 1);
+    EXPECT_EQ(box->left, 0) << "what is destroyed hears nothing more";
+}
+
+/// Wants time to go on while it is told of a collision.
+struct Hasty : BoxCollider {
+    Physics& physics;
+    int entered = 0;
+    Hasty(Physics& owner, Vec2 size, const ColliderSettings& settings)
+        : BoxCollider{size, settings}, physics{owner} {}
+    void onCollisionEnter(Collider*) override {
+        ++entered;
+        for (int i = 0; i < 10; ++i) physics.update(kTick);
+    }
+};
+
+TEST(Objects, timeDoesNotPassInsideOfACall) {
+    Physics physics;
+    Hasty* const floor = *physics.create<Hasty>(nullptr, physics, Vec2{10.0f, 1.0f}, ColliderSettings{});
+    RigidBody* const body = *physics.createBody({0.0, -1.49});
+    ASSERT_TRUE(physics.create<BoxCollider>(body, Vec2{0.5f, 0.5f}).ok());
+    for (int i = 0; i < 5; ++i) physics.update(kTick);
+    EXPECT_EQ(floor->entered, 1);
+    EXPECT_EQ(physics.world().steps, 5u);
+}
+
 TEST(Objects, aBodyOfAnotherWorldIsRefused) {
     Physics physics, other;
     RigidBody* const stranger = *other.createBody({0.0, 0.0});
