@@ -9,11 +9,20 @@ namespace plumb::physics {
 
 Error wrong(const char* where, const std::string& what, const char* remedy) { return {where, what, remedy}; }
 
+namespace {
+
+/// Most come from floats, and are written as those.
+std::string textOf(double value) {
+    const auto near = static_cast<float>(value);
+    return double{near} == value ? shortestText(near) : shortestText(value);
+}
+
+}  // namespace
+
 Result<Done> checkNumber(const char* where, double value, double low, double high) {
     if (value >= low && value <= high) return Done{};
     return wrong(where,
-                 "expected a number from " + shortestText(low) + " to " + shortestText(high) + ", found " +
-                     shortestText(value),
+                 "expected a number from " + textOf(low) + " to " + textOf(high) + ", found " + textOf(value),
                  "check the calculation that it comes from");
 }
 

@@ -24,7 +24,8 @@ constexpr std::uint32_t any(Effects... effects) {
     return (Manifest::bit(effects) | ...);
 }
 
-constexpr std::uint32_t kMeeting = any(Effect::Contacts, Effect::Triggers, Effect::SoftBodies);
+constexpr std::uint32_t kContacts = any(Effect::Contacts, Effect::Triggers);
+constexpr std::uint32_t kMeeting = kContacts | any(Effect::SoftBodies);
 constexpr std::uint32_t kSmooth =
     any(Effect::AreaGravity, Effect::Wind, Effect::Buoyancy, Effect::Attractor, Effect::Springs);
 
@@ -57,7 +58,7 @@ bool hasRemains(const World& world) {
 bool isCalledFor(const Stage& stage, const World& world, const ContactHooks& hooks) {
     if (stage.effects == 0) return true;
     if (stage.run == filterContacts && hooks.preSolve != nullptr) return true;
-    if ((stage.effects & kMeeting) != 0 && hasRemains(world)) return true;
+    if ((stage.effects & kContacts) != 0 && hasRemains(world)) return true;
     const Manifest& manifest = world.manifest;
     for (std::size_t i = 0; i < kEffects; ++i) {
         const auto effect = static_cast<Effect>(i);

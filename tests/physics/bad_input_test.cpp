@@ -248,6 +248,13 @@ TEST(BadInput, sizesAndRatesBelowZeroAreRefused) {
     for (const Named& one : attempts) EXPECT_TRUE(one.attempt(patient, -1.0).has_value()) << one.name;
 }
 
+TEST(BadInput, messagesHaveNumbersAsTheyWereWritten) {
+    Patient patient;
+    const auto made = createShape(patient.world, patient.body, circle(0.00003f));
+    ASSERT_FALSE(made.ok());
+    EXPECT_EQ(made.error().what, "expected a number from 1e-04 to 1e+06, found 3e-05");
+}
+
 TEST(BadInput, numbersNextToNothingDoNotBlowUp) {
     for (const float tiny : {1.0e-45f, 1.0e-38f, 1.0e-30f, 1.0e-20f}) {
         SCOPED_TRACE(tiny);
