@@ -103,7 +103,7 @@ constexpr std::array kOptions{
            "show the physics (F3; Ctrl+digit and Ctrl+Shift+digit choose): all, or of\n"
            "                          shapes,contacts,normals,impulses,friction,joints,jointForces,\n"
            "                          velocities,centres,islands,triggers,fields,sleep,sweeps,bounds,\n"
-           "                          broadPhase,times,counts",
+           "                          broadPhase,paths,times,counts",
            &setPhysicsView},
     Option{"--help", "", "this text", [](PlayerOptions& o, std::string_view) { return o.help = true; }},
 };

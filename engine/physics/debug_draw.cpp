@@ -13,11 +13,14 @@ struct Part {
 
 /// What is large first, so that what is small lies over it.
 constexpr Part kParts[] = {
-    {kDrawFields, drawFields},     {kDrawBroadPhase, drawBroadPhase}, {kDrawBounds, drawBounds},
-    {kDrawIslands, drawIslands},   {kDrawShapes, drawShapes},         {kDrawTriggers, drawTriggers},
-    {kDrawRest, drawRest},         {kDrawSweeps, drawSweeps},         {kDrawJoints, drawJoints},
-    {kDrawCentres, drawCentres},   {kDrawVelocities, drawVelocities}, {kDrawNormals, drawNormals},
-    {kDrawImpulses, drawImpulses}, {kDrawFriction, drawFriction},     {kDrawJointForces, drawJointForces},
+    {kDrawFields, drawFields},     {kDrawBroadPhase, drawBroadPhase},
+    {kDrawBounds, drawBounds},     {kDrawIslands, drawIslands},
+    {kDrawShapes, drawShapes},     {kDrawTriggers, drawTriggers},
+    {kDrawRest, drawRest},         {kDrawSweeps, drawSweeps},
+    {kDrawJoints, drawJoints},     {kDrawCentres, drawCentres},
+    {kDrawPaths, drawPaths},       {kDrawVelocities, drawVelocities},
+    {kDrawNormals, drawNormals},   {kDrawImpulses, drawImpulses},
+    {kDrawFriction, drawFriction}, {kDrawJointForces, drawJointForces},
     {kDrawContacts, drawContacts},
 };
 

@@ -27,6 +27,7 @@ enum class DebugRole : std::uint8_t {
     JointLimit,
     JointForce,
     Velocity,
+    Path,    ///< where a body would go if nothing got in its way
     Centre,  ///< a centre of mass
     Island,  ///< who rests or moves together
     Rest,    ///< how near to sleep
@@ -73,7 +74,8 @@ enum DebugPart : std::uint32_t {
     kDrawFields = 1 << 13,   ///< their regions and directions
     kDrawBounds = 1 << 14,
     kDrawBroadPhase = 1 << 15,  ///< enlarged bounds, and the tree or grid they are in
-    kDrawAll = (1 << 16) - 1
+    kDrawPaths = 1 << 16,       ///< the next second of what moves, if nothing got in its way
+    kDrawAll = (1 << 17) - 1
 };
 
 /// What is drawn of a world.

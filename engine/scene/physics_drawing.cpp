@@ -42,6 +42,7 @@ constexpr Look lookOf(DebugRole role) {
         case DebugRole::JointLimit: return {{255, 104, 190, 160}};
         case DebugRole::JointForce: return {{255, 190, 225, 255}, 2.0f};
         case DebugRole::Velocity: return {{64, 224, 240, 255}, 2.0f};
+        case DebugRole::Path: return {{120, 200, 255, 200}, 1.0f};
         case DebugRole::Centre: return {{255, 255, 255, 255}, 1.5f, 2.0f, 255};
         case DebugRole::Island: return {{255, 255, 255, 255}, 0.0f, 0.0f, 150};
         case DebugRole::Rest: return {{96, 112, 255, 255}, 1.0f, 0.0f, 90};
@@ -80,6 +81,7 @@ constexpr std::array kColors{
     row("joint", DebugRole::Joint, physics::kDrawJoints),
     row("joint force", DebugRole::JointForce, physics::kDrawJointForces),
     row("velocity", DebugRole::Velocity, physics::kDrawVelocities),
+    row("path", DebugRole::Path, physics::kDrawPaths),
     row("centre", DebugRole::Centre, physics::kDrawCentres),
     PhysicsColor{"island", kIslandColors[1], physics::kDrawIslands},
     row("field", DebugRole::Field, physics::kDrawFields),

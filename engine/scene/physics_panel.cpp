@@ -164,11 +164,13 @@ void writeCounts(physics::World& world, Panel& panel) {
     panel.number("kinematic", bodies.driven);
     panel.number("static", bodies.fixed);
     panel.number("shapes", world.shapes.size() - world.shapes.free.size());
-    panel.number("contacts", world.contacts.size());
+    panel.number("contacts awake", world.contacts.size());
     panel.number("joints", world.joints.size() - world.joints.free.size());
     panel.number("islands awake", bodies.islands);
     panel.number("islands asleep", world.sleepers.islands.size() - world.sleepers.freeIslands.size());
-    if (const physics::Workspace* work = physics::lastStepOf(world)) writePairs(work->counts, panel);
+    // A world at rest is not stepped: what is left is of the last tick in which something moved.
+    const physics::Workspace* work = world.awake.empty() ? nullptr : physics::lastStepOf(world);
+    writePairs(work != nullptr ? work->counts : physics::DetectionCounts{}, panel);
 }
 
 }  // namespace

@@ -47,6 +47,8 @@ constexpr std::array kLayers{
                  Key::Digit5, true, false, true},
     PhysicsLayer{"broadPhase", "Broad phase", "The boxes in which pairs are looked for, in their tree or grid",
                  kDrawBroadPhase, Key::Digit6, true, false, true},
+    PhysicsLayer{"paths", "Paths", "The next second of what moves, if nothing got in its way", kDrawPaths,
+                 Key::Digit9, true, false, true},
     PhysicsLayer{"times", "Times", "How long each stage of a tick takes", kPhysicsTimes,
                  Key::Digit7, true, false, false},
     PhysicsLayer{"counts", "Counts", "How many bodies, contacts and islands there are", kPhysicsCounts,

@@ -38,7 +38,7 @@ void fill(World& world) {
 
 /// The scene has none of what the others show.
 bool drawsHere(const PhysicsLayer& layer) {
-    constexpr std::string_view kAbsent[] = {"triggers", "fields", "sleep", "sweeps", "friction"};
+    constexpr std::string_view kAbsent[] = {"triggers", "fields", "sleep", "sweeps", "friction", "paths"};
     return layer.ofBodies &&
            std::find(std::begin(kAbsent), std::end(kAbsent), layer.name) == std::end(kAbsent);
 }

@@ -209,6 +209,23 @@ TEST(DebugDraw, whatLiesOnASlopeIsHeldByFrictionAlongIt) {
     EXPECT_NEAR(pushed, 0.2f * std::cos(slope), 0.01f);  // as long as a load that hangs
 }
 
+TEST(DebugDraw, aPathEndsWhereAThrownBodyIsASecondLater) {
+    World world;
+    const BodyId body = addBody(world, BodyKind::Dynamic, {500000.0, 3.0});
+    static_cast<void>(createShape(world, body, circle(0.2f)));
+    ASSERT_TRUE(setVelocity(world, body, {4.0f, -6.0f}));
+    const Recording picture = drawn(world, kDrawPaths, {500000.0, 0.0});
+    const auto path = strokesOf(picture, DebugRole::Path);
+    ASSERT_GE(path.size(), 10u);
+    EXPECT_EQ(path.front().points[0], (Vec2{0.0f, 3.0f}));
+    // A parabola: x = 4 t, y = 3 - 6 t + 5 t2.
+    EXPECT_NEAR(path.back().points[1].x, 4.0f, 1e-4f);
+    EXPECT_NEAR(path.back().points[1].y, 2.0f, 1e-4f);
+    for (int i = 0; i < 60; ++i) step(world, 1.0f / 60.0f);
+    EXPECT_NEAR(positionOf(world, body).x, 500004.0, 1e-3);
+    EXPECT_NEAR(positionOf(world, body).y, 2.0, 1e-2);
+}
+
 TEST(DebugDraw, aTriggerIsTiedToWhoIsInside) {
     World world;
     world.settings.gravity = {};

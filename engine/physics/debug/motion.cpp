@@ -6,6 +6,8 @@ namespace plumb::physics {
 namespace {
 
 constexpr float kVelocityLength = 0.1f;  // s: metres drawn for 1 m/s
+constexpr float kPathTime = 1.0f;        // s
+constexpr int kPathLines = 20;
 
 }  // namespace
 
@@ -15,6 +17,26 @@ void drawVelocities(const Picture& picture) {
         if (velocity == Vec2{}) return;
         const Vec2 from = picture.centre(body);
         picture.canvas.arrow(from, from + kVelocityLength * velocity, DebugRole::Velocity);
+    });
+}
+
+// As predictTransform(), but seen from the view, so that it is exact far from the world's origin too.
+void drawPaths(const Picture& picture) {
+    const World& world = picture.world;
+    picture.forBodies([&](std::uint32_t body) {
+        const Vec2 velocity = world.bodies.motion[body].velocity;
+        if (!picture.isDynamic(body) || length(velocity) < world.bodies.info[body].sleepSpeed) return;
+        const BodyDrive& drive = world.bodies.drive[body];
+        const Vec2 pull = drive.acceleration + drive.gravityScale * world.settings.gravity +
+                          world.bodies.mass[body].inverseMass * drive.force;
+        const Vec2 start = picture.centre(body);
+        Vec2 from = start;
+        for (int i = 1; i <= kPathLines; ++i) {
+            const float time = kPathTime * static_cast<float>(i) / static_cast<float>(kPathLines);
+            const Vec2 to = start + time * velocity + (0.5f * time * time) * pull;
+            picture.canvas.line(from, to, DebugRole::Path);
+            from = to;
+        }
     });
 }
 

@@ -93,6 +93,7 @@ void drawFriction(const Picture& picture);
 void drawJoints(const Picture& picture);
 void drawJointForces(const Picture& picture);
 void drawVelocities(const Picture& picture);
+void drawPaths(const Picture& picture);
 void drawCentres(const Picture& picture);
 void drawIslands(const Picture& picture);
 void drawRest(const Picture& picture);
