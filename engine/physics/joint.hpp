@@ -8,18 +8,25 @@
 
 namespace plumb::physics {
 
-/// The kinds of joints. Each has one file in joints/ and a row in joints/joint_types.cpp.
+// clang-format off
+/// The table of joints. Each is a file joints/<name>_joint.cpp with a JointType named k<Name>Joint.
+#define PLUMB_JOINTS(JOINT)                                                                                \
+    JOINT(Distance)  /* keeps two points at a length, as a rod, a rope (upper limit alone) or a spring */ \
+    JOINT(Revolute)  /* a hinge: two points are one; angle with spring, limit and motor */                \
+    JOINT(Prismatic) /* a slider: B moves along A's axis and does not turn; spring, limit and motor */    \
+    JOINT(Weld)      /* keeps both as one piece, rigid or springy */                                      \
+    JOINT(Wheel)     /* B turns freely and moves along A's axis by a spring; motor turns it */            \
+    JOINT(Mouse)     /* pulls a point of B to `target` by a spring of limited force */                    \
+    JOINT(Motor)     /* drives B to an offset from A with limited force and torque */                     \
+    JOINT(Gear)      /* angle of jointA + ratio * angle of jointB stays as it is */                       \
+    JOINT(Pulley)    /* lengthA + ratio * lengthB stays as it is */
+// clang-format on
+
 enum class JointKind : std::uint8_t {
-    Distance,   ///< keeps two points at a length, as a rod, a rope (upper limit alone) or a spring
-    Revolute,   ///< a hinge: two points are one; angle with spring, limit and motor
-    Prismatic,  ///< a slider: B moves along A's axis and does not turn; spring, limit and motor along it
-    Weld,       ///< keeps both as one piece, rigid or springy
-    Wheel,      ///< B turns freely and moves along A's axis by a spring; motor turns it
-    Mouse,      ///< pulls a point of B to `target` by a spring of limited force
-    Motor,      ///< drives B to an offset from A with limited force and torque
-    Gear,       ///< ties the turns of B's two joints: angle of jointA + ratio * angle of jointB is constant
-    Pulley,     ///< lengthA + ratio * lengthB is constant
-    Count
+#define PLUMB_NAME(name) name,
+    PLUMB_JOINTS(PLUMB_NAME)
+#undef PLUMB_NAME
+        Count
 };
 
 struct JointLimit {

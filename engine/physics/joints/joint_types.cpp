@@ -8,17 +8,12 @@
 
 namespace plumb::physics {
 
-// Each in a file of its own: <kind>_joint.cpp. In the order of JointKind.
-#define PLUMB_JOINTS(JOINT) \
-    JOINT(Distance)         \
-    JOINT(Revolute)         \
-    JOINT(Prismatic) JOINT(Weld) JOINT(Wheel) JOINT(Mouse) JOINT(Motor) JOINT(Gear) JOINT(Pulley)
-#define PLUMB_DECLARE(kind) extern const JointType k##kind##Joint;
+#define PLUMB_DECLARE(name) extern const JointType k##name##Joint;
 PLUMB_JOINTS(PLUMB_DECLARE)
 
 namespace {
 
-#define PLUMB_ROW(kind) &k##kind##Joint,
+#define PLUMB_ROW(name) &k##name##Joint,
 constexpr std::array<const JointType*, static_cast<std::size_t>(JointKind::Count)> kJointTypes{
     PLUMB_JOINTS(PLUMB_ROW)};
 
