@@ -8,6 +8,7 @@
 #include "physics/mass.hpp"
 #include "physics/shapes.hpp"
 #include "physics/sleeping.hpp"
+#include "physics/workspace.hpp"
 
 namespace plumb::physics {
 
@@ -351,6 +352,7 @@ void setLocks(World& world, BodyId body, bool lockX, bool lockY) {
         flags = static_cast<std::uint8_t>((flags & ~(kLockX | kLockY)) | (lockX ? kLockX : 0) |
                                           (lockY ? kLockY : 0));
     });
+    world.work.get().joints.trees.stale = true;
     wake(world, body.index);
 }
 

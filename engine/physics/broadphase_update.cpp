@@ -32,7 +32,10 @@ void updateBroadPhase(World& world, Workspace& work) {
     const bool stale = world.work.takeStale();
     work.isChanged.resize(world.shapes.size());
     work.isMoved.resize(world.shapes.size());
-    if (stale) refill(world, work);
+    if (stale) {
+        refill(world, work);
+        work.joints.trees.stale = true;
+    }
     if (stale || work.broadPhaseKind != world.settings.broadPhase) {
         work.broadPhaseKind = world.settings.broadPhase;
         work.broadPhase = makeBroadPhase(work.broadPhaseKind);

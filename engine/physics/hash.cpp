@@ -84,14 +84,14 @@ void addAll(LaneHasher& hash, const std::vector<T>&... arrays) {
 // A member that comes to one of these types has to be named here, or it does not compile.
 
 void add(LaneHasher& hash, const Settings& settings) {
-    const auto& [gravity, solver, integrator, broadPhase, quality, iterations, automaticQuality,
-                 projectionIterations, contactStiffness, jointStiffness, contactDampingRatio,
-                 jointDampingRatio, pushSpeed, slop, speculativeDistance, recycleDistance, boundsMargin,
-                 bounceSpeed, sleepTime, maxSpeed, continuous, sleeping, stayEvents] = settings;
-    Values{hash}(gravity, solver, integrator, broadPhase, quality, iterations, automaticQuality,
-                 projectionIterations, contactStiffness, jointStiffness, contactDampingRatio,
-                 jointDampingRatio, pushSpeed, slop, speculativeDistance, recycleDistance, boundsMargin,
-                 bounceSpeed, sleepTime, maxSpeed, continuous, sleeping, stayEvents);
+    const auto& [gravity, integrator, broadPhase, quality, iterations, automaticQuality, directJoints,
+                 contactStiffness, jointStiffness, contactDampingRatio, jointDampingRatio, pushSpeed, slop,
+                 speculativeDistance, recycleDistance, boundsMargin, bounceSpeed, sleepTime, maxSpeed,
+                 continuous, sleeping, stayEvents] = settings;
+    Values{hash}(gravity, integrator, broadPhase, quality, iterations, automaticQuality, directJoints,
+                 contactStiffness, jointStiffness, contactDampingRatio, jointDampingRatio, pushSpeed, slop,
+                 speculativeDistance, recycleDistance, boundsMargin, bounceSpeed, sleepTime, maxSpeed,
+                 continuous, sleeping, stayEvents);
 }
 
 void add(LaneHasher& hash, const JointDefinition& definition) {

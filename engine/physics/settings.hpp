@@ -8,36 +8,31 @@
 namespace plumb::physics {
 
 /// How velocities and positions are made from each other and from forces.
-enum class SolverKind : std::uint8_t {
-    SoftStep,       ///< substeps, soft constraints, a relax pass: the best all-round
-    Pgs,            ///< one step, many iterations, errors fed back into velocities (Baumgarte)
-    PgsProjection,  ///< one step, many iterations, errors taken out of positions afterwards
-    Count
-};
-
 enum class IntegratorKind : std::uint8_t { ExplicitEuler, SemiImplicitEuler, Verlet, Rk4, Count };
 
 /// Every tolerance of the simulation. Part of the world and its snapshot.
 struct Settings {
     Vec2 gravity{0.0f, 10.0f};  ///< m/s2
 
-    SolverKind solver = SolverKind::SoftStep;
     IntegratorKind integrator = IntegratorKind::SemiImplicitEuler;
     /// Who finds which bounds overlap. Nothing but time depends on it, and it may change between any two
     /// steps; README.md says which is fastest where. A value that is none of them is Tree.
     BroadPhaseKind broadPhase = BroadPhaseKind::Tree;
     /// 2^quality substeps: each more costs 1.3 to 2 times the time and makes errors 3 to 4 times smaller.
     Quality quality = 2;
-    /// Velocity iterations of a substep. More makes chains and high stacks converge where substeps are few.
+    /// Velocity iterations of a substep, 1 to 64. Quality is nearly always the better buy: README.md.
     std::uint8_t iterations = 1;
     /// Islands in hard positions (mass ratios, high stacks, long chains) get more substeps by themselves.
     bool automaticQuality = false;
-    std::uint8_t projectionIterations = 3;  ///< of PgsProjection
+    /// Chains, pendulums, bridges: joints that make up trees are solved all at once. They hold whatever the
+    /// mass ratio, and neither gain nor lose energy.
+    bool directJoints = true;
 
     /// Contacts are springs of this part of the substep rate. Above 0.2 pyramids and card houses may fall.
     float contactStiffness = 0.18f;
     float jointStiffness = 0.25f;  ///< the same of joints
-    /// Much above 1: overlaps go away without a bounce. Above 5 pyramids sway, below 4 mass ratios of 1000 fall.
+    /// Much above 1: overlaps go away without a bounce. Above 5 pyramids sway, below 4 mass ratios of 1000
+    /// fall.
     float contactDampingRatio = 4.0f;
     float jointDampingRatio = 2.0f;
     /// m/s: how fast overlapping bodies are pushed apart at most. Larger explodes deep overlaps.

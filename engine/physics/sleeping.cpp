@@ -149,6 +149,7 @@ void removeAwakeJoint(World& world, std::uint32_t joint) {
     std::vector<std::uint32_t>& awake = world.joints.awake;
     const std::uint32_t place = world.joints.hot[joint].place;
     if (place == kNone) return;
+    world.work.get().joints.trees.stale = true;
     awake[place] = awake.back();
     world.joints.hot[awake[place]].place = place;
     world.joints.hot[joint].place = kNone;  // after the other: it may be the last itself
@@ -157,6 +158,7 @@ void removeAwakeJoint(World& world, std::uint32_t joint) {
 
 void addAwakeJoint(World& world, std::uint32_t joint) {
     if (world.joints.hot[joint].place != kNone) return;
+    world.work.get().joints.trees.stale = true;
     world.joints.hot[joint].place = static_cast<std::uint32_t>(world.joints.awake.size());
     world.joints.awake.push_back(joint);
 }

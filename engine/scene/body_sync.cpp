@@ -350,9 +350,8 @@ physics::Settings physicsSettingsOf(World& world) {
     for (auto [entity, scene] : std::as_const(world).query<const ScenePhysics>()) {
         settings.gravity = scene.gravity / project.pixelsPerMetre;
         settings.quality = static_cast<physics::Quality>(std::clamp(scene.quality, 0, 6));
-        settings.solver = scene.solver;
         settings.integrator = scene.integrator;
-        settings.iterations = static_cast<std::uint8_t>(std::clamp(scene.iterations, 1, 100));
+        settings.iterations = static_cast<std::uint8_t>(std::clamp(scene.iterations, 1, 64));
         settings.automaticQuality = scene.automaticQuality;
         settings.continuous = scene.continuous;
         settings.sleeping = scene.sleeping;

@@ -13,6 +13,10 @@ struct Promise {
 
 constexpr Promise kPromises[] = {
     {"freefall", 2},
+    {"pendulum", 2},
+    {"chain100", 2},
+    {"chain1000", 2},
+    {"ballandchain", 3},
 };
 
 TEST(Accuracy, whatWasReachedStaysReached) {

@@ -51,6 +51,7 @@ struct JointParts {
     Grip grip;   ///< of the point
     bool springs = false;
     float most = kNoLimit;  ///< N s
+    bool isDirect = false;  ///< the point is held in a tree: solve_trees.hpp
     float angle = 0.0f;     ///< rad: of B seen from A, less the reference angle
     ValueParts value;       ///< of the angle (hinges) or the length (rods, sliders)
     Vec2 axis;              ///< world: of sliders

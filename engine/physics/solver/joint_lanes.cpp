@@ -8,12 +8,14 @@
 #include "physics/solver/joint_kernels.hpp"
 #include "physics/solver/joint_ties.hpp"
 #include "physics/solver/softness.hpp"
+#include "physics/solver/solve_trees.hpp"
 
 namespace plumb::physics {
 
 namespace {
 
-constexpr int kGrain = 24;  // blocks
+constexpr int kGrain = 24;                              // blocks
+constexpr std::int32_t kInTree = kJointBlockKinds + 1;  // BreakableJoint::kind of what no block has
 constexpr std::size_t kKeysOfGroup = (kColours + 1) * kJointBlockKinds;
 
 template <class Act>
@@ -29,8 +31,9 @@ bool isOneSided(int colour) { return colour >= kFirstFixedColour && colour < kCo
 // Laying out.
 
 /// Group, colour and kind of block of a joint; -1 for one that is not solved; -2 - group for a tie.
-std::int32_t keyOf(const World& world, const Workspace& work, const Joint& joint) {
-    if (joint.colour > kOverflow) return -1;
+std::int32_t keyOf(const World& world, const Workspace& work, std::uint32_t index) {
+    const Joint& joint = world.joints.hot[index];
+    if (joint.colour > kOverflow || work.joints.trees.isDirect[index] == kWhollyDirect) return -1;
     std::size_t group = 0;
     if (work.groups.size() > 1) {
         const PushedBodies bodies = pushedBodies(world, joint);
@@ -49,7 +52,7 @@ void count(const World& world, Workspace& work) {
     joints.counts.assign(work.groups.size() * kKeysOfGroup, 0);
     joints.keys.resize(world.joints.awake.size());
     for (std::size_t i = 0; i < joints.keys.size(); ++i) {
-        const std::int32_t key = keyOf(world, work, world.joints.hot[world.joints.awake[i]]);
+        const std::int32_t key = keyOf(world, work, world.joints.awake[i]);
         joints.keys[i] = key;
         if (key >= 0) ++joints.counts[static_cast<std::size_t>(key)];
     }
@@ -98,6 +101,20 @@ void fill(const World& world, Workspace& work) {
         if ((world.joints.hot[joint].flags & kBreakable) != 0)
             joints.breakables.push_back({joint, kind, block, lane});
     }
+}
+
+/// Joints of trees that can break: `block` says where, holds after links.
+void noteBreakables(const World& world, JointWork& joints) {
+    const auto note = [&](const std::vector<Link>& links, std::size_t first) {
+        for (std::size_t i = 0; i < links.size(); ++i) {
+            if (links[i].joint != kNone && joints.trees.isDirect[links[i].joint] != kNotDirect &&
+                (world.joints.hot[links[i].joint].flags & kBreakable) != 0)
+                joints.breakables.push_back(
+                    {links[i].joint, kInTree, static_cast<std::int32_t>(first + i), 0});
+        }
+    };
+    note(joints.trees.links, 0);
+    note(joints.trees.holds, joints.trees.links.size());
 }
 
 void collectTies(StepContext& step) {
@@ -193,6 +210,7 @@ void setRows(const Preparation& all, const Joint& joint, const ValueParts& value
 void setPoint(const Preparation& all, const Joint& joint, const JointParts& parts, PointBlock& block,
               int lane) {
     setAnchors(parts, block.anchors, lane);
+    if (parts.isDirect) return;
     block.impulseX[lane] = joint.force.x * all.timing.h;
     block.impulseY[lane] = joint.force.y * all.timing.h;
 }
@@ -206,7 +224,9 @@ void setLane(const Preparation& all, const Joint& joint, const JointParts& parts
 void setLane(const Preparation& all, const Joint& joint, const JointParts& parts, HingeBlock& block,
              int lane) {
     setLane(all, joint, parts, block.point, lane);
-    setGrip(parts.grip, parts.springs, parts.most, block.grip, lane);
+    // A point that is held in a tree is a spring without a force here.
+    setGrip(parts.isDirect ? Grip{0.0f, 0.0f, 0.0f} : parts.grip, parts.springs || parts.isDirect, parts.most,
+            block.grip, lane);
     block.angle[lane] = parts.angle;
     setRows(all, joint, parts.value, block.turning, lane);
 }
@@ -244,7 +264,10 @@ void prepareBlock(const Preparation& all, const JointLanes& lanes, Block& block)
     block = {};
     for (int i = 0; i < lanes.count; ++i) {
         const JointView view = viewOf(all, static_cast<std::uint32_t>(lanes.joint[i]));
-        setLane(all, view.joint, jointType(view.joint.kind).parts(view), block, i);
+        JointParts parts = jointType(view.joint.kind).parts(view);
+        parts.isDirect =
+            all.work.joints.trees.isDirect[static_cast<std::size_t>(lanes.joint[i])] != kNotDirect;
+        setLane(all, view.joint, parts, block, i);
     }
     for (int i = lanes.count; i < kLanes; ++i) clearBodies(all, bodiesOf(block), i);
 }
@@ -310,10 +333,23 @@ void note(const Workspace& work, const JointStore<Block>& store, float rate, Bre
     breakable.torque = std::max(breakable.torque, std::fabs(given.torque));
 }
 
+void noteInTree(StepContext& step, const SolveGroup& group, BreakableJoint& breakable) {
+    const JointTrees& trees = step.work.joints.trees;
+    const auto place = static_cast<std::size_t>(breakable.block);
+    const Link& link =
+        place < trees.links.size() ? trees.links[place] : trees.holds[place - trees.links.size()];
+    const std::int32_t slot = trees.limbs[static_cast<std::size_t>(link.limb)].slot;
+    if (slot < group.begin || slot >= group.end) return;
+    const LinkForce given = forceOf(link);
+    breakable.force = std::max(breakable.force, length(given.force));
+    breakable.torque = std::max(breakable.torque, std::fabs(given.torque));
+}
+
 void breakJoints(World& world, JointWork& joints) {
     for (const BreakableJoint& breakable : joints.breakables) {
         const JointDefinition& definition = world.joints.definition[breakable.joint];
         if (breakable.force <= definition.breakForce && breakable.torque <= definition.breakTorque) continue;
+        if (world.joints.hot[breakable.joint].bodyA == kNone) continue;  // it just did
         const JointId id{breakable.joint, world.joints.hot[breakable.joint].generation};
         world.brokenJoints.push_back(id);
         destroyJoint(world, id);
@@ -353,6 +389,8 @@ void prepareJoints(StepContext& step) {
     forKinds(work.joints, [&](auto& store, JointBlockKind kind) { layOut(work, store, kind); });
     fill(world, work);
     collectTies(step);
+    noteBreakables(world, work.joints);
+    prepareTrees(step);
     forKinds(work.joints, [&](auto& store, JointBlockKind) {
         forPieces(step, static_cast<int>(store.blocks.size()), kGrain, [&](int begin, int end, int) {
             for (auto n = static_cast<std::size_t>(begin); n < static_cast<std::size_t>(end); ++n) {
@@ -400,6 +438,7 @@ void solveJoints(const StepContext& step, const SolverBodies& bodies, const Join
 void noteJointForces(StepContext& step, const SolveGroup& group, float substepRate) {
     JointWork& joints = step.work.joints;
     for (BreakableJoint& breakable : joints.breakables) {
+        if (breakable.kind == kInTree) noteInTree(step, group, breakable);
         forKinds(joints, [&](auto& store, JointBlockKind kind) {
             if (breakable.kind != kind) return;
             if (&step.work.groups[store.groups[static_cast<std::size_t>(breakable.block)]] != &group) return;
@@ -424,6 +463,7 @@ void storeJoints(StepContext& step) {
         });
     });
     storeTies(step);
+    storeTrees(step);
     breakJoints(step.world, step.work.joints);
 }
 

@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "physics/solver/joint_trees.hpp"
 #include "physics/solver/tie.hpp"
 
 namespace plumb::physics {
@@ -31,6 +32,7 @@ struct JointWork {
     JointStore<RodBlock> rods;
     JointStore<SliderBlock> sliders;
     std::vector<Tie> ties;
+    JointTrees trees;
     std::vector<std::int32_t> counts;  ///< by group, colour and kind
     std::vector<std::int32_t> keys;    ///< by place in Joints::awake
     std::vector<BreakableJoint> breakables;

@@ -4,6 +4,7 @@
 #include <array>
 
 #include "physics/sleeping.hpp"
+#include "physics/solver/grow_trees.hpp"
 #include "physics/workspace.hpp"
 
 namespace plumb::physics {
@@ -21,10 +22,10 @@ Quality wishOf(const World& world, std::uint32_t body) {
     return wish;
 }
 
-void addGroup(const World& world, Workspace& work, int quality, int bodies) {
+void addGroup(Workspace& work, int quality, int bodies) {
     SolveGroup& group = work.groups.emplace_back();
     group.quality = static_cast<Quality>(quality);
-    group.substeps = world.settings.solver == SolverKind::SoftStep ? substepsOf(group.quality) : 1;
+    group.substeps = substepsOf(group.quality);
     group.bodies = bodies;
 }
 
@@ -48,9 +49,11 @@ int extraQuality(const IslandHardness& island) {
                      stepsAbove(layers, 8.0f, 2.0f), stepsAbove(island.joints, 8.0f, 4.0f)});
 }
 
-void addTo(IslandHardness& island, const World& world, std::uint32_t body, std::uint32_t root, Vec2 down) {
+void addTo(IslandHardness& island, const World& world, const Workspace& work, std::uint32_t body,
+           std::uint32_t root, Vec2 down) {
     const BodyMass& mass = world.bodies.mass[body];
-    if (mass.inverseMass == 0.0f) return;
+    // What only hangs in a tree is never hard.
+    if (mass.inverseMass == 0.0f || isInTree(world, work, body)) return;
     const float depth = dot(world.bodies.pose[body].centre - world.bodies.pose[root].centre, down);
     island.lightest = std::min(island.lightest, mass.mass);
     island.heaviest = std::max(island.heaviest, mass.mass);
@@ -78,7 +81,7 @@ void judgeIslands(World& world, Workspace& work) {
         const std::uint32_t root = rootOf(world, body);
         std::uint32_t& best = qualities[root];
         best = std::max(best, static_cast<std::uint32_t>(wishOf(world, body)));
-        if (automatic) addTo(islands[root], world, body, root, down);
+        if (automatic) addTo(islands[root], world, work, body, root, down);
     }
     if (!automatic) return;
     for (const std::uint32_t body : world.awake) {
@@ -103,7 +106,7 @@ void sortByIsland(World& world, Workspace& work) {
         begins[q] = total;
         total += counts[q];
         groups[q] = static_cast<std::uint8_t>(work.groups.size());
-        if (counts[q] > 0) addGroup(world, work, static_cast<int>(q), counts[q]);
+        if (counts[q] > 0) addGroup(work, static_cast<int>(q), counts[q]);
     }
     if (work.groups.size() == 1) return;
     work.solveOrder.resize(world.awake.size());
@@ -121,7 +124,7 @@ void sortByQuality(World& world, Workspace& work) {
     work.groups.clear();
     work.solveOrder.clear();
     if (world.qualityCallers == 0 && !world.settings.automaticQuality) {
-        addGroup(world, work, world.settings.quality, static_cast<int>(world.awake.size()));
+        addGroup(work, world.settings.quality, static_cast<int>(world.awake.size()));
     } else {
         sortByIsland(world, work);
     }

@@ -1,3 +1,4 @@
+#include "physics/solver/grow_trees.hpp"
 #include "physics/solver/joint_lanes.hpp"
 
 namespace plumb::physics {
@@ -5,6 +6,7 @@ namespace plumb::physics {
 void colourJoints(StepContext& step) {
     refreshColours(step.world, step.work);
     colourNewJoints(step.world, step.work);
+    growTrees(step.world, step.work);
 }
 
 }  // namespace plumb::physics

@@ -2,6 +2,7 @@
 
 #include "math/portable.hpp"
 #include "physics/sleeping.hpp"
+#include "physics/solver/grow_trees.hpp"
 #include "physics/solver/quality.hpp"
 #include "physics/stages.hpp"
 
@@ -34,6 +35,12 @@ Float4 flightOf(const Float4& drive, const Decay& decay, float drag, float h) {
     return {rest * drive.x, rest * drive.y, along, 0.0f};
 }
 
+/// Exact flight is for what touches nothing, and hangs on nothing or on joints that know of it: what rests
+/// would be lifted by it.
+bool isFree(const World& world, const Workspace& work, std::uint32_t body) {
+    return work.colourMasks[body] == 0 || isInTree(world, work, body);
+}
+
 void gatherBody(World& world, Workspace& work, std::uint32_t body, std::size_t slot, float h) {
     const BodyMotion& motion = world.bodies.motion[body];
     const BodyMass& mass = world.bodies.mass[body];
@@ -51,9 +58,7 @@ void gatherBody(World& world, Workspace& work, std::uint32_t body, std::size_t s
     work.drive[slot] = {pull.x, pull.y, mass.inverseInertia * drive.torque, 0.0f};
     drive.force = {};
     drive.torque = 0.0f;
-    // Exact flight is for what nothing holds: a resting body would be lifted by it.
-    const bool free = work.colourMasks[body] == 0;
-    if (free) work.flight[slot] = flightOf(work.drive[slot], {1.0f, h}, 0.0f, h);
+    if (isFree(world, work, body)) work.flight[slot] = flightOf(work.drive[slot], {1.0f, h}, 0.0f, h);
 }
 
 void applyDrag(const World& world, Workspace& work, std::uint32_t body, std::size_t slot, float h) {
@@ -61,7 +66,7 @@ void applyDrag(const World& world, Workspace& work, std::uint32_t body, std::siz
     work.keep[slot] = {1.0f, 1.0f, 1.0f, 1.0f};
     if (drive.linearDrag <= 0.0f && drive.angularDrag <= 0.0f) return;
     const Decay linear = decayOf(drive.linearDrag, h), angular = decayOf(drive.angularDrag, h);
-    if (work.colourMasks[body] == 0)
+    if (isFree(world, work, body))
         work.flight[slot] = flightOf(work.drive[slot], linear, drive.linearDrag, h);
     work.keep[slot] = {linear.keep, linear.keep, angular.keep, 1.0f};
     work.drive[slot].x *= linear.drive / h;

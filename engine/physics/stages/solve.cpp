@@ -1,10 +1,13 @@
+#include <algorithm>
 #include <bit>
 
+#include "physics/solver/grow_trees.hpp"
 #include "physics/solver/joint_lanes.hpp"
 #include "physics/solver/locks.hpp"
 #include "physics/solver/restitution.hpp"
 #include "physics/solver/rolling.hpp"
 #include "physics/solver/softness.hpp"
+#include "physics/solver/solve_trees.hpp"
 #include "physics/stages.hpp"
 
 namespace plumb::physics {
@@ -13,6 +16,7 @@ namespace {
 
 constexpr int kBlockGrain = 24;
 constexpr int kBodyGrain = 1024;
+constexpr int kMostIterations = 64;
 
 /// One group, while its substeps are done.
 struct Solver {
@@ -24,7 +28,9 @@ struct Solver {
     ContactPass contacts;       // between bodies that can be pushed
     ContactPass fixedContacts;  // stiffer: the ground does not give way
     JointPass joints;
-    float h;  // s
+    float h;         // s
+    int iterations;  // of each substep
+    bool hasTrees;
 };
 
 SolverBodies bodiesOf(Workspace& work) {
@@ -120,6 +126,25 @@ void storeImpulses(StepContext& step, const SolverKernels& kernels) {
     });
 }
 
+/// Velocities that keep constraints, and close what is open of them.
+void pushOften(Solver& solver, int substep) {
+    for (int turn = 0; turn < solver.iterations; ++turn) {
+        if (solver.hasTrees) pushTrees(solver.step, solver.group, solver.h, substep, turn > 0);
+        push(solver);
+        lockAxes(solver.step, solver.group);
+    }
+}
+
+/// The same without what only closed.
+void relaxOften(Solver& solver, int substep) {
+    for (int turn = 0; turn < solver.iterations; ++turn) {
+        if (solver.hasTrees) relaxTrees(solver.step, solver.group, solver.h, substep, turn > 0);
+        relax(solver);
+        relaxRolling(solver.step, solver.group);
+        lockAxes(solver.step, solver.group);
+    }
+}
+
 /// Sub-stepped soft constraints: many small steps beat many iterations, and the relax pass takes back the
 /// velocity that only served to push bodies apart. Directions and arms are those of the start of the step, so
 /// what all impulses of a substep did to a body's velocity is the same in the next one: from the second
@@ -136,13 +161,10 @@ void solveGroup(Solver& solver) {
         }
         lockAxes(solver.step, solver.group);
         solver.fixedContacts.elapsed = solver.h * static_cast<float>(i);
-        push(solver);
-        lockAxes(solver.step, solver.group);
+        pushOften(solver, i);
         forBodies(solver,
                   [&](int begin, int end) { solver.kernels.move(solver.bodies, solver.h, begin, end); });
-        relax(solver);
-        relaxRolling(solver.step, solver.group);
-        lockAxes(solver.step, solver.group);
+        relaxOften(solver, i);
         noteLargestImpulses(solver.step, solver.group);
         noteJointForces(solver.step, solver.group, 1.0f / solver.h);
     }
@@ -167,7 +189,9 @@ void solve(StepContext& step) {
                       passOf(step.world.settings, h, 1.0f),
                       passOf(step.world.settings, h, 2.0f),
                       jointPass(step.world.settings, h),
-                      h};
+                      h,
+                      std::clamp<int>(step.world.settings.iterations, 1, kMostIterations),
+                      solvesTrees(step.world, step.work)};
         solveGroup(solver);
     }
     storeImpulses(step, kernels);

@@ -10,7 +10,6 @@ namespace plumb {
 struct ScenePhysics {
     Vec2 gravity{0.0f, 980.0f};  ///< px/s^2
     int quality = 2;             ///< 2^quality substeps in a tick
-    physics::SolverKind solver = physics::SolverKind::SoftStep;
     physics::IntegratorKind integrator = physics::IntegratorKind::SemiImplicitEuler;
     int iterations = 1;             ///< of each substep
     bool automaticQuality = false;  ///< hard cases get more substeps by themselves
@@ -23,13 +22,10 @@ struct ScenePhysics {
         type.field<&ScenePhysics::quality>("quality")
             .range(0.0f, 6.0f)
             .doc("2^quality substeps in a tick: each step more is slower and several times as exact.");
-        type.field<&ScenePhysics::solver>("solver")
-            .names({{"SoftStep", 0}, {"Pgs", 1}, {"PgsProjection", 2}})
-            .doc("How contacts and joints are held.");
         type.field<&ScenePhysics::integrator>("integrator")
             .names({{"ExplicitEuler", 0}, {"SemiImplicitEuler", 1}, {"Verlet", 2}, {"Rk4", 3}})
             .doc("How bodies move in fields and on springs.");
-        type.field<&ScenePhysics::iterations>("iterations").range(1.0f, 100.0f).doc("Of each substep.");
+        type.field<&ScenePhysics::iterations>("iterations").range(1.0f, 64.0f).doc("Of each substep.");
         type.field<&ScenePhysics::automaticQuality>("automaticQuality")
             .doc("Hard cases get more substeps by themselves.");
         type.field<&ScenePhysics::continuous>("continuous")

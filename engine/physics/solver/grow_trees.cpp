@@ -1,0 +1,203 @@
+#include "physics/solver/grow_trees.hpp"
+
+#include <algorithm>
+#include <optional>
+#include <span>
+
+#include "physics/solver/tree_rows.hpp"
+
+namespace plumb::physics {
+
+namespace {
+
+bool isBusy(const Joint& joint) { return (joint.flags & (kLimited | kDriven | kSprung)) != 0; }
+
+/// What a joint holds without giving way; nothing for joints that spring, and for bodies that move on rails.
+std::optional<LinkKind> kindOf(const World& world, const Joint& joint) {
+    if (joint.place == kNone || (joint.flags & kSoft) != 0) return {};
+    for (const std::uint32_t body : {joint.bodyA, joint.bodyB}) {
+        const BodyInfo& info = world.bodies.info[body];
+        if (info.kind == BodyKind::Dynamic && (info.flags & (kLockX | kLockY)) != 0) return {};
+    }
+    const bool plain = !isBusy(joint);
+    switch (joint.kind) {
+        case JointKind::Revolute: return LinkKind::Point;
+        case JointKind::Weld: return LinkKind::Weld;
+        case JointKind::Distance: return plain ? std::optional{LinkKind::Rod} : std::nullopt;
+        case JointKind::Prismatic: return plain ? std::optional{LinkKind::Slider} : std::nullopt;
+        default: return {};
+    }
+}
+
+class Grower {
+public:
+    Grower(const World& world, JointTrees& trees)
+        : world_{world}, trees_{trees}, reached_{trees.reachedBodies}, held_{trees.heldJoints} {}
+
+    void run() {
+        std::vector<std::uint32_t>& joints = trees_.candidates;
+        joints = world_.joints.awake;
+        std::sort(joints.begin(), joints.end());
+        trees_.reached.assign(world_.bodies.size(), 0);
+        // What hangs on something has its root there; the rest flies, and any body will do.
+        for (const bool hanging : {true, false}) {
+            for (const std::uint32_t index : joints) {
+                const Joint& joint = world_.joints.hot[index];
+                const auto kind = kindOf(world_, joint);
+                if (!kind) continue;
+                const bool a = isPushed(joint.bodyA), b = isPushed(joint.bodyB);
+                if (hanging == (a && b)) continue;
+                const std::uint32_t root = a ? joint.bodyA : joint.bodyB;
+                if (trees_.reached[root] == 0) grow({root, -1, hanging ? index : kNone, *kind});
+            }
+        }
+    }
+
+private:
+    [[nodiscard]] bool isPushed(std::uint32_t body) const {
+        return world_.bodies.info[body].kind == BodyKind::Dynamic;
+    }
+
+    void grow(const ReachedBody& root) {
+        reached_.assign(1, root);
+        held_.clear();
+        trees_.reached[root.body] = 1;
+        int loops = 0;
+        for (std::size_t i = 0; i < reached_.size(); ++i) loops += reachFrom(static_cast<std::int32_t>(i));
+        // Where most joints have limits, motors or springs, as in ragdolls, the lanes solve these and all
+        // else with them: half the time, and no worse where ragdolls lie in heaps (measured: rain).
+        const auto busy = std::count_if(reached_.begin(), reached_.end(), [&](const ReachedBody& limb) {
+            return limb.joint != kNone && isBusy(world_.joints.hot[limb.joint]);
+        });
+        if (loops == 0 && 2 * busy <= std::ssize(reached_) - (reached_[0].joint == kNone ? 1 : 0)) keep();
+    }
+
+    /// @return ends of joints that lead to a body that was reached before
+    int reachFrom(std::int32_t place) {
+        const ReachedBody from = reached_[static_cast<std::size_t>(place)];
+        int loops = 0;
+        for (std::uint32_t j = world_.bodies.info[from.body].firstJoint; j != kNone;) {
+            const Joint& joint = world_.joints.hot[j];
+            const std::uint32_t index = j;
+            const std::uint32_t other = joint.bodyA == from.body ? joint.bodyB : joint.bodyA;
+            j = joint.bodyA == from.body ? joint.nextA : joint.nextB;
+            const auto kind = kindOf(world_, joint);
+            if (!kind || index == from.joint) continue;
+            if (!isPushed(other)) {
+                held_.push_back({place, index, *kind});
+            } else if (trees_.reached[other] != 0) {
+                ++loops;
+            } else {
+                trees_.reached[other] = 1;
+                reached_.push_back({other, place, index, *kind});
+            }
+        }
+        return loops;
+    }
+
+    Link linkOf(std::uint32_t index, LinkKind kind, std::uint32_t body) {
+        const Joint& joint = world_.joints.hot[index];
+        Link link;
+        link.joint = index;
+        link.kind = kind;
+        link.limbIsB = joint.bodyB == body;
+        link.ground = link.limbIsB ? joint.bodyA : joint.bodyB;
+        link.shared = kind == LinkKind::Point && isBusy(joint);
+        link.byArms = kind == LinkKind::Point;
+        trees_.isDirect[index] = link.shared ? kPartlyDirect : kWhollyDirect;
+        return link;
+    }
+
+    void keep() {
+        JointTree tree;
+        tree.begin = static_cast<std::int32_t>(trees_.limbs.size());
+        tree.end = tree.begin + static_cast<std::int32_t>(reached_.size());
+        tree.rooted = reached_[0].joint != kNone;
+        int freedom = 0;
+        for (auto it = reached_.rbegin(); it != reached_.rend(); ++it) {
+            trees_.limbs.push_back({.body = it->body});
+            Link& link = trees_.links.emplace_back();
+            link.joint = kNone;
+            freedom += 3;
+            if (it->joint == kNone) continue;
+            link = linkOf(it->joint, it->kind, it->body);
+            link.limb = static_cast<std::int32_t>(trees_.limbs.size()) - 1;
+            link.parent = it->parent < 0 ? -1 : tree.end - 1 - it->parent;
+            freedom -= rowsOf(it->kind);
+        }
+        tree.holdBegin = static_cast<std::int32_t>(trees_.holds.size());
+        for (const HeldJoint& held : held_) {
+            // More than it takes to hold it would say nothing of the forces.
+            if (held.limb == 0 || freedom <= rowsOf(held.kind)) continue;
+            freedom -= rowsOf(held.kind);
+            trees_.holds.push_back(
+                linkOf(held.joint, held.kind, reached_[static_cast<std::size_t>(held.limb)].body));
+            trees_.holds.back().limb = tree.end - 1 - held.limb;
+            trees_.holds.back().byArms = false;
+        }
+        tree.holdEnd = static_cast<std::int32_t>(trees_.holds.size());
+        trees_.trees.push_back(tree);
+    }
+
+    const World& world_;
+    JointTrees& trees_;
+    std::vector<ReachedBody>& reached_;
+    std::vector<HeldJoint>& held_;
+};
+
+/// The colours of each body's joints, where all of them are solved directly: kNone where not.
+void noteColours(const World& world, JointTrees& trees) {
+    for (Limb& limb : trees.limbs) {
+        limb.colours = 0;
+        for (std::uint32_t j = world.bodies.info[limb.body].firstJoint; j != kNone;) {
+            const Joint& joint = world.joints.hot[j];
+            if (trees.isDirect[j] == kNotDirect) limb.colours = kNone;
+            if (joint.colour < kColours && limb.colours != kNone) limb.colours |= 1u << joint.colour;
+            j = joint.bodyA == limb.body ? joint.nextA : joint.nextB;
+        }
+    }
+}
+
+/// Which trees are solved directly in this step. A tree that touches something is left to the lanes, which
+/// solve contacts and joints by turns: against a tree that is rigid at once contacts settle too slowly, and
+/// heaps of chains tremble (measured).
+void choose(const World& world, Workspace& work) {
+    JointTrees& trees = work.joints.trees;
+    trees.some = false;
+    trees.freeMasks.resize(trees.trees.empty() ? 0 : world.bodies.size());
+    for (JointTree& tree : trees.trees) {
+        const auto limbs = std::span{trees.limbs}.subspan(static_cast<std::size_t>(tree.begin),
+                                                          static_cast<std::size_t>(tree.end - tree.begin));
+        tree.direct = std::none_of(limbs.begin(), limbs.end(), [&](const Limb& limb) {
+            return limb.colours != kNone && limb.colours != work.colourMasks[limb.body];
+        });
+        trees.some = trees.some || tree.direct;
+        for (const Limb& limb : limbs) trees.freeMasks[limb.body] = tree.direct ? limb.colours : 0;
+        forLinks(trees, tree, [&](const Link& link) {
+            trees.isDirect[link.joint] = !tree.direct  ? kNotDirect
+                                         : link.shared ? kPartlyDirect
+                                                       : kWhollyDirect;
+        });
+    }
+}
+
+}  // namespace
+
+void growTrees(World& world, Workspace& work) {
+    JointTrees& trees = work.joints.trees;
+    const bool wanted = world.settings.directJoints;
+    if (!trees.stale && !world.work.stale() && trees.wanted == wanted) return choose(world, work);
+    trees.stale = false;
+    trees.wanted = wanted;
+    trees.trees.clear();
+    trees.limbs.clear();
+    trees.links.clear();
+    trees.holds.clear();
+    trees.isDirect.assign(world.joints.size(), 0);
+    if (wanted) Grower{world, trees}.run();
+    noteColours(world, trees);
+    trees.freeMasks.assign(trees.trees.empty() ? 0 : world.bodies.size(), 0);
+    choose(world, work);
+}
+
+}  // namespace plumb::physics

@@ -1,0 +1,351 @@
+#include "physics/solver/solve_trees.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+
+#include "physics/joints/joint_types.hpp"
+#include "physics/solver/tree_links.hpp"
+#include "physics/solver/tree_rows.hpp"
+
+namespace plumb::physics {
+
+namespace {
+
+constexpr int kGrain = 8;  // trees
+
+/// A joint gives way by this part of what its bodies would, so that joints that cannot all hold share the
+/// load.
+constexpr double kSoftness = 1.0e-6;
+/// A tensioned limb turns to and fro faster than substeps can follow if it is light: its inertia counts as at
+/// least this part of straining * h2. Below 1/4 it would be shaken ever more (the Stoermer-Verlet bound).
+constexpr double kCalm = 0.5;
+/// Of gaps beyond Link::reach, which no smooth motion makes, this part is closed in a substep.
+constexpr double kSoftRate = 0.28;
+
+struct Trees {
+    Workspace& work;
+    JointTrees& all;
+    double h;        // s
+    double rate;     // 1/h
+    double elapsed;  // s since the start of the step: of the poses that rows are taken at
+
+    [[nodiscard]] Limb& limb(std::int32_t i) const { return all.limbs[static_cast<std::size_t>(i)]; }
+    [[nodiscard]] Link& link(std::int32_t i) const { return all.links[static_cast<std::size_t>(i)]; }
+    [[nodiscard]] Limb* parentOf(const Link& link) const {
+        return link.parent >= 0 ? &limb(link.parent) : nullptr;
+    }
+    [[nodiscard]] std::span<Link> holdsOf(const JointTree& tree) const {
+        return std::span{all.holds}.subspan(static_cast<std::size_t>(tree.holdBegin),
+                                            static_cast<std::size_t>(tree.holdEnd - tree.holdBegin));
+    }
+};
+
+Triple wide(const Float4& v) {
+    return {static_cast<double>(v.x), static_cast<double>(v.y), static_cast<double>(v.z)};
+}
+
+TreePose groundPose(const Link& link, double elapsed) {
+    const Triple& v = link.groundVelocity;
+    const TreePose moved{v.x * elapsed, v.y * elapsed, 0.0, 0.0};
+    return v.turn == 0.0 ? moved : turnedBy(moved, v.turn * elapsed);
+}
+
+TreePose parentPose(const Link& link, const Limb* parent, double elapsed) {
+    return parent != nullptr ? parent->pose : groundPose(link, elapsed);
+}
+
+// The system.
+
+double offered(const Limb& limb, const Triple& row) {
+    return (row.x * row.x + row.y * row.y) / limb.mass + row.turn * row.turn / limb.inertia;
+}
+
+/// About the same in all substeps.
+void soften(const Limb& limb, Link& link, const Limb* parent) {
+    const auto softness = [&](int r, Triple onLimb, Triple onParent) {
+        // Rows that a joint does not have answer nothing.
+        if (r >= rowsOf(link.kind)) return 1.0;
+        return kSoftness * (offered(limb, onLimb) + (parent != nullptr ? offered(*parent, onParent) : 0.0));
+    };
+    if (link.byArms) {
+        link.softness = {softness(0, {1.0, 0.0, link.limbY}, {1.0, 0.0, link.parentY}),
+                         softness(1, {0.0, 1.0, link.limbX}, {0.0, 1.0, link.parentX}), 1.0};
+    } else {
+        link.softness = {softness(0, link.onLimb[0], link.onParent[0]),
+                         softness(1, link.onLimb[1], link.onParent[1]),
+                         softness(2, link.onLimb[2], link.onParent[2])};
+    }
+}
+
+void strain(Limb& limb, const Link& link, Limb* parent) {
+    // The arms' levers are those of a point; others hold no more than these.
+    if (link.kind != LinkKind::Point && link.kind != LinkKind::Weld) return;
+    limb.straining += link.force.x * link.limbX + link.force.y * link.limbY;
+    if (parent != nullptr) parent->straining -= link.force.x * link.parentX + link.force.y * link.parentY;
+}
+
+void setLink(const Trees& trees, Link& link) {
+    Limb* const parent = trees.parentOf(link);
+    Limb& limb = trees.limb(link.limb);
+    link.gap = setRows(link, limb.pose, parentPose(link, parent, trees.elapsed));
+    if (trees.elapsed == 0.0) soften(limb, link, parent);
+    strain(limb, link, parent);
+}
+
+/// What has happened to a limb so far.
+void takeMotion(const Trees& trees, Limb& limb) {
+    const auto slot = static_cast<std::size_t>(limb.slot);
+    const Float4& shift = trees.work.shift[slot];
+    limb.pose = {static_cast<double>(shift.x), static_cast<double>(shift.y), static_cast<double>(shift.z),
+                 static_cast<double>(shift.w)};
+    limb.velocity = wide(trees.work.velocity[slot]);
+    limb.impulse = {};
+}
+
+/// Motions, rows and gaps of now.
+void setTree(const Trees& trees, const JointTree& tree) {
+    for (std::int32_t i = tree.begin; i < tree.end; ++i) {
+        Limb& limb = trees.limb(i);
+        takeMotion(trees, limb);
+        limb.straining = 0.0;
+    }
+    forLinks(trees.all, tree, [&](Link& link) { setLink(trees, link); });
+    for (std::int32_t i = tree.begin; i < tree.end; ++i) {
+        Limb& limb = trees.limb(i);
+        const double inertia = std::max(limb.inertia, kCalm * trees.h * trees.h * limb.straining);
+        limb.own = {limb.mass, 0.0, limb.mass, 0.0, 0.0, inertia};
+    }
+    for (Link& hold : trees.holdsOf(tree)) {
+        hold.stiffness = {1.0 / hold.softness.x,   0.0, 1.0 / hold.softness.y, 0.0, 0.0,
+                          1.0 / hold.softness.turn};
+        addRows(hold.onLimb, hold.stiffness, trees.limb(hold.limb).own);
+    }
+}
+
+/// From the twigs to the root.
+void factorLimb(const Trees& trees, const JointTree& tree, std::int32_t i) {
+    Limb& limb = trees.limb(i);
+    limb.own = inverse(limb.own);
+    if (hasLink(tree, i)) stiffen(limb, trees.link(i), trees.parentOf(trees.link(i)));
+}
+
+// What is wrong.
+
+/// Where a limb will be if nothing holds it.
+void lookAhead(const Trees& trees, Limb& limb) {
+    const Float4& flight = trees.work.flight[static_cast<std::size_t>(limb.slot)];
+    const auto time = static_cast<double>(flight.z);
+    limb.pose = turnedBy(limb.pose, limb.velocity.turn * trees.h);
+    limb.pose.x += limb.velocity.x * time + static_cast<double>(flight.x);
+    limb.pose.y += limb.velocity.y * time + static_cast<double>(flight.y);
+}
+
+/// What has to be answered so that gaps are closed where the limbs will be.
+void aimAtGaps(const Trees& trees, Link& link) {
+    const TreePose parent = parentPose(link, trees.parentOf(link), trees.elapsed + trees.h);
+    const Triple ahead = gapsOf(link, trees.limb(link.limb).pose, parent);
+    const auto reach = static_cast<double>(link.reach);
+    const auto aim = [&](double gap, double then) {
+        const double size = std::fabs(gap), closed = std::max(kSoftRate * size, std::min(size, reach));
+        return ((then - gap) + (gap < 0.0 ? -closed : closed)) * trees.rate;
+    };
+    link.error = {aim(link.gap.x, ahead.x), aim(link.gap.y, ahead.y), aim(link.gap.turn, ahead.turn)};
+}
+
+void findSpeeds(const Trees& trees, Link& link) {
+    const Limb* const parent = trees.parentOf(link);
+    link.error = seenFromLimb(link, trees.limb(link.limb).velocity);
+    link.error += seenFromParent(link, parent != nullptr ? parent->velocity : link.groundVelocity);
+}
+
+// The answer.
+
+void answerHold(const Trees& trees, Link& hold) {
+    hold.answer = -1.0 * (hold.stiffness * hold.error);
+    trees.limb(hold.limb).impulse += onLimb(hold, hold.answer);
+}
+
+void giveHold(const Trees& trees, Link& hold) {
+    hold.given += hold.answer;
+    hold.given += -1.0 * (hold.stiffness * seenFromLimb(hold, trees.limb(hold.limb).impulse));
+}
+
+void addChange(Float4& velocity, const Triple& change) {
+    velocity.x = static_cast<float>(static_cast<double>(velocity.x) + change.x);
+    velocity.y = static_cast<float>(static_cast<double>(velocity.y) + change.y);
+    velocity.z = static_cast<float>(static_cast<double>(velocity.z) + change.turn);
+}
+
+/// From the root to the twigs: how velocities change, and what the links give for it.
+void giveTree(const Trees& trees, const JointTree& tree) {
+    for (std::int32_t i = tree.end; i-- > tree.begin;) {
+        Limb& limb = trees.limb(i);
+        if (hasLink(tree, i)) {
+            give(limb, trees.link(i), trees.parentOf(trees.link(i)));
+        } else {
+            limb.impulse = limb.own * limb.impulse;
+        }
+        // What trees give is not given again in the next substep: they find it anew, along the arms of then.
+        addChange(trees.work.velocity[static_cast<std::size_t>(limb.slot)], limb.impulse);
+        addChange(trees.work.undisturbed[static_cast<std::size_t>(limb.slot)], limb.impulse);
+    }
+    for (Link& hold : trees.holdsOf(tree)) giveHold(trees, hold);
+}
+
+void pushTree(const Trees& trees, const JointTree& tree, bool again) {
+    if (trees.elapsed == 0.0 && !again) {  // later: as it was when it was relaxed
+        setTree(trees, tree);
+        for (std::int32_t i = tree.begin; i < tree.end; ++i) factorLimb(trees, tree, i);
+    }
+    if (!again) forLinks(trees.all, tree, [](Link& link) { link.given = {}; });
+    for (std::int32_t i = tree.begin; i < tree.end; ++i) {
+        takeMotion(trees, trees.limb(i));
+        lookAhead(trees, trees.limb(i));
+    }
+    for (Link& hold : trees.holdsOf(tree)) {
+        aimAtGaps(trees, hold);
+        answerHold(trees, hold);
+    }
+    for (std::int32_t i = tree.begin; i < tree.end; ++i) {
+        if (!hasLink(tree, i)) continue;
+        Link& link = trees.link(i);
+        aimAtGaps(trees, link);
+        answer(trees.limb(i), link, trees.parentOf(link));
+    }
+    giveTree(trees, tree);
+}
+
+void relaxTree(const Trees& trees, const JointTree& tree, bool again) {
+    if (again) {
+        for (std::int32_t i = tree.begin; i < tree.end; ++i) takeMotion(trees, trees.limb(i));
+    } else {
+        setTree(trees, tree);
+    }
+    for (Link& hold : trees.holdsOf(tree)) {
+        findSpeeds(trees, hold);
+        answerHold(trees, hold);
+    }
+    for (std::int32_t i = tree.begin; i < tree.end; ++i) {
+        if (!again) factorLimb(trees, tree, i);
+        if (!hasLink(tree, i)) continue;
+        Link& link = trees.link(i);
+        findSpeeds(trees, link);
+        answer(trees.limb(i), link, trees.parentOf(link));
+    }
+    giveTree(trees, tree);
+    forLinks(trees.all, tree, [&](Link& link) {
+        link.force = trees.rate * onLimb(link, link.given);
+        if (link.kind != LinkKind::Weld && link.kind != LinkKind::Slider) link.force.turn = 0.0;
+        if (link.kind == LinkKind::Weld) link.force.turn = trees.rate * link.given.turn;
+        if (link.kind == LinkKind::Slider) link.force.turn = trees.rate * link.given.y;
+    });
+}
+
+template <class Act>
+void forTrees(StepContext& step, const SolveGroup& group, Act&& act) {
+    JointTrees& all = step.work.joints.trees;
+    forPieces(step, static_cast<int>(all.trees.size()), kGrain, [&](int begin, int end, int) {
+        for (auto t = static_cast<std::size_t>(begin); t < static_cast<std::size_t>(end); ++t) {
+            if (all.trees[t].direct && &step.work.groups[all.trees[t].group] == &group) act(all.trees[t]);
+        }
+    });
+}
+
+// Before and after.
+
+void prepareArms(const World& world, Link& link) {
+    const Joint& joint = world.joints.hot[link.joint];
+    const JointDefinition& definition = world.joints.definition[link.joint];
+    const BodyPose& a = world.bodies.pose[joint.bodyA];
+    const BodyPose& b = world.bodies.pose[joint.bodyB];
+    const JointTiming timing{};
+    const JointView view{joint, definition, timing, a.rotation, b.rotation, b.centre - a.centre, {}};
+    const JointParts parts = anchorsOf(view);
+    const float sign = link.limbIsB ? 1.0f : -1.0f;
+    link.limbArm = link.limbIsB ? parts.armB : parts.armA;
+    link.parentArm = link.limbIsB ? parts.armA : parts.armB;
+    link.apart = sign * parts.apart;
+    link.reach = 0.25f * (length(parts.armA) + length(parts.armB));
+    if (link.kind == LinkKind::Rod) {
+        link.rest = definition.length;
+        link.reach += 0.25f * definition.length;
+    }
+    if (link.kind == LinkKind::Weld || link.kind == LinkKind::Slider) link.angle = sign * angleOf(view);
+    if (link.kind == LinkKind::Slider) link.axis = rotate(a.rotation, definition.axis);
+    const Vec2 force = sign * joint.force;
+    link.force = {static_cast<double>(force.x), static_cast<double>(force.y), 0.0};
+}
+
+void prepareLink(const World& world, const Workspace& work, Link& link) {
+    prepareArms(world, link);
+    if (link.parent >= 0) return;
+    const std::int32_t slot = work.slots[link.ground];
+    link.groundVelocity = slot >= 0 ? wide(work.velocity[static_cast<std::size_t>(slot)]) : Triple{};
+}
+
+void prepareLimb(const World& world, const Workspace& work, Limb& limb) {
+    const BodyMass& mass = world.bodies.mass[limb.body];
+    limb.slot = work.slots[limb.body];
+    limb.mass = 1.0 / std::max(static_cast<double>(mass.inverseMass), 1.0e-30);
+    // What cannot be turned is very hard to.
+    limb.inertia =
+        mass.inverseInertia > 0.0f ? 1.0 / static_cast<double>(mass.inverseInertia) : 1.0e10 * limb.mass;
+}
+
+}  // namespace
+
+void prepareTrees(StepContext& step) {
+    const World& world = step.world;
+    JointTrees& all = step.work.joints.trees;
+    for (JointTree& tree : all.trees) {
+        if (!tree.direct) continue;
+        for (std::int32_t i = tree.begin; i < tree.end; ++i)
+            prepareLimb(world, step.work, all.limbs[static_cast<std::size_t>(i)]);
+        forLinks(all, tree, [&](Link& link) { prepareLink(world, step.work, link); });
+        const std::int32_t slot = all.limbs[static_cast<std::size_t>(tree.begin)].slot;
+        tree.group = 0;
+        while (slot >= step.work.groups[tree.group].end) ++tree.group;
+    }
+}
+
+void pushTrees(StepContext& step, const SolveGroup& group, float h, int substep, bool again) {
+    const auto dt = static_cast<double>(h);
+    const Trees trees{step.work, step.work.joints.trees, dt, 1.0 / dt, dt * substep};
+    forTrees(step, group, [&](const JointTree& tree) { pushTree(trees, tree, again); });
+}
+
+void relaxTrees(StepContext& step, const SolveGroup& group, float h, int substep, bool again) {
+    const auto dt = static_cast<double>(h);
+    const Trees trees{step.work, step.work.joints.trees, dt, 1.0 / dt, dt * (substep + 1)};
+    forTrees(step, group, [&](const JointTree& tree) { relaxTree(trees, tree, again); });
+}
+
+LinkForce forceOf(const Link& link) {
+    const double sign = link.limbIsB ? 1.0 : -1.0;
+    return {{static_cast<float>(sign * link.force.x), static_cast<float>(sign * link.force.y)},
+            static_cast<float>(sign * link.force.turn)};
+}
+
+void storeTrees(StepContext& step) {
+    JointTrees& all = step.work.joints.trees;
+    for (const JointTree& tree : all.trees) {
+        if (!tree.direct) continue;
+        const float rate = static_cast<float>(step.work.groups[tree.group].substeps) / step.dt;
+        forLinks(all, tree, [&](const Link& link) {
+            Joint& joint = step.world.joints.hot[link.joint];
+            const LinkForce force = forceOf(link);
+            joint.force = force.force;
+            joint.torque = link.shared ? joint.torque : force.torque;
+            // What the lanes start with, should they solve it in the next step.
+            const float sign = link.limbIsB ? rate : -rate;
+            const auto row = [&](double given) { return static_cast<float>(given) * sign; };
+            if (link.kind == LinkKind::Weld) joint.rows[0] = row(link.given.turn);
+            if (link.kind == LinkKind::Rod) joint.rows[0] = rate * static_cast<float>(link.given.x);
+            if (link.kind == LinkKind::Slider)
+                joint.rows[4] = row(link.given.x), joint.rows[5] = row(link.given.y);
+        });
+    }
+}
+
+}  // namespace plumb::physics

@@ -1,0 +1,133 @@
+#pragma once
+
+#include "physics/solver/joint_trees.hpp"
+
+namespace plumb::physics {
+
+// What a link does to its limb and the parent of that, between all that hangs on it and all that it hangs on.
+// Points, of which nearly all trees are made, are worked out from their arms; others, from three rows, of
+// which those that a joint does not have are 0.
+
+/// How much the limb, and all that hangs on it, give way to impulses: Limb::own is inverse already.
+inline void stiffenPoint(const Limb& limb, Link& link) {
+    const Symmetric& own = limb.own;
+    const double x = link.limbX, y = link.limbY;
+    link.across[0] = {own.xx - y * own.xt, own.xy - y * own.yt, own.xt - y * own.tt};
+    link.across[1] = {own.xy + x * own.xt, own.yy + x * own.yt, own.yt + x * own.tt};
+    const double xx = (link.across[0].x - y * link.across[0].turn) + link.softness.x;
+    const double xy = link.across[0].y + x * link.across[0].turn;
+    const double yy = (link.across[1].y + x * link.across[1].turn) + link.softness.y;
+    const double scale = 1.0 / (xx * yy - xy * xy);
+    link.stiffness.xx = yy * scale;
+    link.stiffness.xy = -xy * scale;
+    link.stiffness.yy = xx * scale;
+}
+
+inline void stiffenRows(const Limb& limb, Link& link) {
+    for (int r = 0; r < 3; ++r) link.across[r] = limb.own * link.onLimb[r];
+    const auto give = [&](int r, int q) { return dot(link.across[r], link.onLimb[q]); };
+    link.stiffness = inverse({give(0, 0) + link.softness.x, give(0, 1), give(1, 1) + link.softness.y,
+                              give(0, 2), give(1, 2), give(2, 2) + link.softness.turn});
+}
+
+/// Adds J^T K J.
+inline void addPoint(const Link& link, Symmetric& own) {
+    const Symmetric& k = link.stiffness;
+    const double x = link.parentX, y = link.parentY;
+    const double xt = x * k.xy - y * k.xx, yt = x * k.yy - y * k.xy;
+    own.xx += k.xx;
+    own.xy += k.xy;
+    own.yy += k.yy;
+    own.xt += xt;
+    own.yt += yt;
+    own.tt += x * yt - y * xt;
+}
+
+inline void addRows(const Triple (&rows)[3], const Symmetric& k, Symmetric& own) {
+    const Triple x = k * Triple{rows[0].x, rows[1].x, rows[2].x};
+    const Triple y = k * Triple{rows[0].y, rows[1].y, rows[2].y};
+    const Triple turn = k * Triple{rows[0].turn, rows[1].turn, rows[2].turn};
+    const auto with = [](const Triple& a, double b0, double b1, double b2) {
+        return a.x * b0 + a.y * b1 + a.turn * b2;
+    };
+    own.xx += with(x, rows[0].x, rows[1].x, rows[2].x);
+    own.xy += with(y, rows[0].x, rows[1].x, rows[2].x);
+    own.yy += with(y, rows[0].y, rows[1].y, rows[2].y);
+    own.xt += with(turn, rows[0].x, rows[1].x, rows[2].x);
+    own.yt += with(turn, rows[0].y, rows[1].y, rows[2].y);
+    own.tt += with(turn, rows[0].turn, rows[1].turn, rows[2].turn);
+}
+
+/// What a link is to the limb's parent: as if that had this much more mass.
+inline void stiffen(const Limb& limb, Link& link, Limb* parent) {
+    if (link.byArms) {
+        stiffenPoint(limb, link);
+        if (parent != nullptr) addPoint(link, parent->own);
+    } else {
+        stiffenRows(limb, link);
+        if (parent != nullptr) addRows(link.onParent, link.stiffness, parent->own);
+    }
+}
+
+/// How the rows of a link see velocities of the limb, or of its parent.
+inline Triple seenFromLimb(const Link& link, const Triple& v) {
+    if (link.byArms) return {v.x - link.limbY * v.turn, v.y + link.limbX * v.turn, 0.0};
+    return {dot(link.onLimb[0], v), dot(link.onLimb[1], v), dot(link.onLimb[2], v)};
+}
+inline Triple seenFromParent(const Link& link, const Triple& v) {
+    if (link.byArms) return {link.parentY * v.turn - v.x, -(v.y + link.parentX * v.turn), 0.0};
+    return {dot(link.onParent[0], v), dot(link.onParent[1], v), dot(link.onParent[2], v)};
+}
+
+/// The impulse along x and y and its torque on the parent, of impulses of the rows.
+inline Triple onParent(const Link& link, const Triple& impulse) {
+    if (link.byArms) return {-impulse.x, -impulse.y, link.parentY * impulse.x - link.parentX * impulse.y};
+    Triple sum = impulse.x * link.onParent[0];
+    sum += impulse.y * link.onParent[1];
+    sum += impulse.turn * link.onParent[2];
+    return sum;
+}
+inline Triple onLimb(const Link& link, const Triple& impulse) {
+    if (link.byArms) return {impulse.x, impulse.y, link.limbX * impulse.y - link.limbY * impulse.x};
+    Triple sum = impulse.x * link.onLimb[0];
+    sum += impulse.y * link.onLimb[1];
+    sum += impulse.turn * link.onLimb[2];
+    return sum;
+}
+
+/// What takes away Link::error if the parent keeps still, and what the parent gets of it.
+inline void answer(const Limb& limb, Link& link, Limb* parent) {
+    Triple wanted{-link.error.x - dot(link.across[0], limb.impulse),
+                  -link.error.y - dot(link.across[1], limb.impulse), 0.0};
+    if (link.byArms) {
+        const Symmetric& k = link.stiffness;
+        link.answer = {k.xx * wanted.x + k.xy * wanted.y, k.xy * wanted.x + k.yy * wanted.y, 0.0};
+    } else {
+        wanted.turn = -link.error.turn - dot(link.across[2], limb.impulse);
+        link.answer = link.stiffness * wanted;
+    }
+    if (parent != nullptr) parent->impulse += onParent(link, link.answer);
+}
+
+/// What the link gives in the end, when the parent's velocity has changed. Turns Limb::impulse into the
+/// change of its own.
+inline void give(Limb& limb, Link& link, const Limb* parent) {
+    Triple impulse = link.answer;
+    if (parent != nullptr) {
+        const Triple seen = seenFromParent(link, parent->impulse);
+        const Symmetric& k = link.stiffness;
+        if (link.byArms) {
+            impulse.x -= k.xx * seen.x + k.xy * seen.y;
+            impulse.y -= k.xy * seen.x + k.yy * seen.y;
+        } else {
+            impulse += -1.0 * (k * seen);
+        }
+    }
+    link.given += impulse;
+    limb.impulse = limb.own * limb.impulse;
+    limb.impulse += impulse.x * link.across[0];
+    limb.impulse += impulse.y * link.across[1];
+    if (!link.byArms) limb.impulse += impulse.turn * link.across[2];
+}
+
+}  // namespace plumb::physics

@@ -1,0 +1,30 @@
+#pragma once
+
+#include "physics/solver/joint_trees.hpp"
+
+namespace plumb::physics {
+
+constexpr int rowsOf(LinkKind kind) { return kind == LinkKind::Rod ? 1 : kind == LinkKind::Weld ? 3 : 2; }
+
+/// True when a limb has a link: all but the root of a tree that flies.
+inline bool hasLink(const JointTree& tree, std::int32_t limb) { return tree.rooted || limb + 1 < tree.end; }
+
+/// Calls act(link) for all joints of a tree.
+template <class Act>
+void forLinks(JointTrees& trees, const JointTree& tree, Act&& act) {
+    for (std::int32_t i = tree.begin; i < tree.end; ++i) {
+        if (hasLink(tree, i)) act(trees.links[static_cast<std::size_t>(i)]);
+    }
+    for (std::int32_t n = tree.holdBegin; n < tree.holdEnd; ++n)
+        act(trees.holds[static_cast<std::size_t>(n)]);
+}
+
+/// The turn by an angle (rad) after a pose.
+TreePose turnedBy(const TreePose& pose, double angle);
+
+/// Arms or rows of a link at two poses.
+/// @return how far its rows are from where they are held: m or rad
+Triple setRows(Link& link, const TreePose& limb, const TreePose& parent);
+Triple gapsOf(const Link& link, const TreePose& limb, const TreePose& parent);
+
+}  // namespace plumb::physics

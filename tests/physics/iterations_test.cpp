@@ -1,0 +1,57 @@
+#include <gtest/gtest.h>
+
+#include "joint_world.hpp"
+
+namespace plumb::physics {
+namespace {
+
+/// m: by how much a chain of 20 is stretched by a ball of 100 times a link's mass.
+float stretchAfter(std::uint8_t iterations, float seconds = 5.0f) {
+    JointWorld scene;
+    scene.world.settings.directJoints = false;
+    scene.world.settings.iterations = iterations;
+    BodyId above = scene.ground;
+    for (int i = 0; i <= 20; ++i) {
+        const BodyId link = scene.disc({0.0, -0.5 - i}, i < 20 ? 0.1f : 10.0f);
+        (void)scene.join(scene.define(JointKind::Revolute, above, link, {0.0, -1.0 * i}));
+        above = link;
+    }
+    scene.run(seconds);
+    return -20.5f - scene.place(above).y;
+}
+
+TEST(Iterations, leaveOfAnErrorWhatIsCompliance) {
+    const float once = stretchAfter(1);
+    EXPECT_GT(once, 0.35f);
+    EXPECT_LT(stretchAfter(8), 0.85f * once);
+    EXPECT_GT(stretchAfter(64), 0.3f);
+}
+
+TEST(Iterations, areOneAtLeastAndSixtyFourAtMost) {
+    EXPECT_EQ(stretchAfter(0, 0.5f), stretchAfter(1, 0.5f));
+    EXPECT_EQ(stretchAfter(255, 0.5f), stretchAfter(64, 0.5f));
+    EXPECT_NE(stretchAfter(2, 0.5f), stretchAfter(1, 0.5f));
+}
+
+TEST(Iterations, solveNothingTwiceInTrees) {
+    for (const int iterations : {1, 2, 8}) {
+        SCOPED_TRACE(iterations);
+        JointWorld scene;
+        scene.world.settings.iterations = static_cast<std::uint8_t>(iterations);
+        const BodyId bob = scene.disc({1.0, 0.0}, 2.0f);
+        const JointId joint = scene.join(scene.define(JointKind::Revolute, scene.ground, bob, {}));
+        const double before = scene.energyOf(bob);
+        float most = 0.0f;
+        for (int i = 0; i < 600; ++i) {
+            scene.run(JointWorld::kDt);
+            ASSERT_NEAR(scene.energyOf(bob), before, 0.01) << i;
+            most = std::fmax(most, length(jointForce(scene.world, joint)));
+        }
+        // At the bottom: m g + m v2 / r, with v2 = 2 g r / (1 + 1/8).
+        const float load = 2.0f * JointWorld::kGravity * (1.0f + 2.0f / 1.125f);
+        EXPECT_NEAR(most, load, 0.01f * load);
+    }
+}
+
+}  // namespace
+}  // namespace plumb::physics

@@ -1,0 +1,250 @@
+#include <gtest/gtest.h>
+
+#include "core/random.hpp"
+#include "core/task_pool.hpp"
+#include "joint_world.hpp"
+#include "physics/workspace.hpp"
+
+namespace plumb::physics {
+namespace {
+
+/// A random tree of discs, held by whatever can be solved directly, that hangs from the ground or flies.
+std::vector<JointId> growTree(JointWorld& scene, Random& random, Place root, bool hangs) {
+    constexpr JointKind kKinds[] = {JointKind::Revolute, JointKind::Weld, JointKind::Prismatic,
+                                    JointKind::Distance};
+    std::vector<BodyId> bodies;
+    std::vector<JointId> joints;
+    for (int i = 0; i < 12; ++i) {
+        const bool first = bodies.empty();
+        const BodyId above =
+            first ? scene.ground : bodies[random.below(static_cast<std::uint32_t>(bodies.size()))];
+        const Place at = first ? root : positionOf(scene.world, above) + Vec2{random.unit() - 0.5f, -1.0f};
+        const BodyId body = scene.disc(at, i % 4 == 3 ? 50.0f : 0.5f);
+        if (!first || hangs) {
+            const JointKind kind = first ? JointKind::Revolute : kKinds[random.below(4)];
+            JointDefinition definition = scene.define(kind, above, body, at + Vec2{0.0f, 0.5f});
+            definition.length = 0.5f;
+            definition.axis = {1.0f, 0.0f};
+            if (kind == JointKind::Distance) definition.anchorB = {};
+            joints.push_back(scene.join(definition));
+        }
+        bodies.push_back(body);
+    }
+    return joints;
+}
+
+bool solvesTrees(JointWorld& scene) { return scene.world.work.get().joints.trees.some; }
+
+/// The largest error of joints that hold two points together.
+float worstGap(const JointWorld& scene, const std::vector<JointId>& joints) {
+    float worst = 0.0f;
+    for (const JointId id : joints) {
+        const JointDefinition& definition = scene.world.joints.definition[id.index];
+        const float gap = length(scene.gapOf(id));
+        if (definition.kind == JointKind::Distance)
+            worst = std::max(worst, std::fabs(gap - definition.length));
+        if (definition.kind == JointKind::Revolute || definition.kind == JointKind::Weld)
+            worst = std::max(worst, gap);
+    }
+    return worst;
+}
+
+TEST(JointTrees, holdWhateverTheyCarry) {
+    for (const float ratio : {1.0f, 100.0f, 10000.0f}) {
+        SCOPED_TRACE(ratio);
+        JointWorld scene;
+        BodyId above = scene.ground;
+        std::vector<JointId> joints;
+        for (int i = 0; i <= 20; ++i) {
+            const BodyId link = scene.disc({0.0, -0.5 - i}, i < 20 ? 0.1f : 0.1f * ratio);
+            joints.push_back(scene.join(scene.define(JointKind::Revolute, above, link, {0.0, -1.0 * i})));
+            above = link;
+        }
+        scene.run(10.0f);
+        EXPECT_NEAR(scene.place(above).y, -20.5f, 1.0e-4f);
+        EXPECT_LT(worstGap(scene, joints), 1.0e-4f);
+        const float load = JointWorld::kGravity * (2.0f + 0.1f * ratio);
+        EXPECT_NEAR(jointForce(scene.world, joints[0]).y, load, 0.001f * load);
+    }
+}
+
+TEST(JointTrees, ofAnyShapeAndKindKeepTheirGapsClosed) {
+    for (std::uint64_t seed = 1; seed <= 50; ++seed) {
+        SCOPED_TRACE(seed);
+        Random random = Random::seeded(seed);
+        JointWorld scene;
+        const std::vector<JointId> joints = growTree(scene, random, {0.0, 0.0}, true);
+        scene.run(3.0f);
+        EXPECT_TRUE(solvesTrees(scene));
+        EXPECT_LT(worstGap(scene, joints), 0.005f);
+    }
+}
+
+TEST(JointTrees, swingForTenSecondsWithTheirEnergy) {
+    JointWorld scene;
+    std::vector<BodyId> bodies;
+    BodyId above = scene.ground;
+    for (int i = 0; i < 5; ++i) {
+        bodies.push_back(scene.disc({0.5 + i, 0.0}));
+        (void)scene.join(scene.define(JointKind::Revolute, above, bodies.back(), {1.0 * i, 0.0}));
+        above = bodies.back();
+    }
+    const auto energy = [&] {
+        double sum = 0.0;
+        for (const BodyId body : bodies) sum += scene.energyOf(body);
+        return sum;
+    };
+    const double before = energy(), height = 12.5 * static_cast<double>(JointWorld::kGravity);
+    for (int i = 0; i < 600; ++i) {
+        scene.run(JointWorld::kDt);
+        ASSERT_NEAR(energy(), before, 0.02 * height) << i;  // its end whips
+    }
+}
+
+TEST(JointTrees, thatFlyKeepTheirMomentumAndFallAsTheyShould) {
+    for (std::uint64_t seed = 1; seed <= 50; ++seed) {
+        SCOPED_TRACE(seed);
+        Random random = Random::seeded(seed);
+        JointWorld scene;
+        (void)growTree(scene, random, {0.0, 0.0}, false);
+        const auto middle = [&] {
+            Vec2 sum;
+            float mass = 0.0f;
+            for (std::uint32_t i = 1; i < scene.world.bodies.size(); ++i) {
+                sum += scene.world.bodies.mass[i].mass * toVec2(scene.world.bodies.pose[i].centre);
+                mass += scene.world.bodies.mass[i].mass;
+            }
+            return sum / mass;
+        };
+        scene.run(JointWorld::kDt);  // what was apart at the start is closed
+        const Vec2 before = middle();
+        const float v = 0.5f * JointWorld::kGravity;
+        scene.run(1.0f);
+        EXPECT_NEAR(middle().x, before.x, 1.0e-3f);
+        EXPECT_NEAR(middle().y, before.y - v * (1.0f + 2.0f * JointWorld::kDt), 2.0e-3f);
+    }
+}
+
+TEST(JointTrees, giveTheSameBitsForAnyNumberOfThreadsAndFromASnapshot) {
+    std::uint64_t hashes[2];
+    for (const bool threads : {false, true}) {
+        Random random = Random::seeded(3);
+        JointWorld scene;
+        for (int i = 0; i < 40; ++i) (void)growTree(scene, random, {20.0 * i, 0.0}, i % 3 != 0);
+        TaskPool pool{3};
+        if (threads) scene.options.pool = &pool;
+        scene.run(0.5f);
+        const World saved = scene.world;
+        scene.run(0.5f);
+        hashes[threads ? 1 : 0] = hashOf(scene.world);
+        scene.world = saved;
+        scene.run(0.5f);
+        EXPECT_EQ(hashOf(scene.world), hashes[threads ? 1 : 0]);
+    }
+    EXPECT_EQ(hashes[0], hashes[1]);
+}
+
+TEST(JointTrees, leaveNothingBehindWhenTheyAreCutDown) {
+    JointWorld scene;
+    Random random = Random::seeded(9);
+    for (const JointId joint : growTree(scene, random, {0.0, 0.0}, true)) {
+        scene.run(0.1f);
+        destroyJoint(scene.world, joint);
+    }
+    std::vector<BodyId> discs;
+    for (int i = 0; i < 100; ++i) discs.push_back(scene.disc({100.0 + i, 0.0}));
+    scene.run(1.0f);
+    for (const BodyId disc : discs) EXPECT_NEAR(scene.place(disc).y, -0.5f * JointWorld::kGravity, 1.0e-4f);
+}
+
+TEST(JointTrees, areNoReasonForMoreSubsteps) {
+    JointWorld scene;
+    scene.world.settings.automaticQuality = true;
+    BodyId above = scene.ground;
+    for (int i = 0; i < 40; ++i) {
+        const BodyId link = scene.disc({0.5 + i, 0.0}, i < 39 ? 0.1f : 100.0f);
+        (void)scene.join(scene.define(JointKind::Revolute, above, link, {1.0 * i, 0.0}));
+        above = link;
+    }
+    scene.run(0.1f);
+    EXPECT_TRUE(solvesTrees(scene));
+    EXPECT_EQ(scene.world.work.get().groups.front().quality, scene.world.settings.quality);
+}
+
+TEST(JointTrees, hangFromWhatMoves) {
+    JointWorld scene;
+    BodyDefinition definition;
+    definition.kind = BodyKind::Kinematic;
+    definition.velocity = {2.0f, 1.0f};
+    definition.angularVelocity = 3.0f;
+    const BodyId crane = *createBody(scene.world, definition);
+    BodyId above = crane;
+    std::vector<JointId> joints;
+    for (int i = 0; i < 6; ++i) {
+        const BodyId link = scene.disc({0.5 + i, 0.0});
+        joints.push_back(scene.join(scene.define(JointKind::Revolute, above, link, {0.3 + i, 0.0})));
+        above = link;
+    }
+    scene.run(5.0f);
+    EXPECT_TRUE(solvesTrees(scene));
+    EXPECT_NEAR(scene.place(crane).x, 10.0f, 0.01f);
+    EXPECT_LT(worstGap(scene, joints), 0.002f);
+}
+
+TEST(JointTrees, areNotWhereJointsMakeLoopsOrHaveLimitsOrMotors) {
+    for (const bool loop : {false, true}) {
+        JointWorld scene;
+        const BodyId a = scene.disc({0.5, 0.0}), b = scene.disc({0.5, -1.0}), c = scene.disc({1.5, -1.0});
+        const auto tie = [&](BodyId one, BodyId other, Place at) {
+            JointDefinition definition = scene.define(JointKind::Revolute, one, other, at);
+            definition.limit = {!loop, -2.0f, 2.0f};
+            (void)scene.join(definition);
+        };
+        tie(scene.ground, a, {0.0, 0.0});
+        tie(a, b, {0.5, -0.5});
+        tie(b, c, {1.0, -1.0});
+        if (loop) tie(c, a, {1.0, -0.5});
+        scene.run(0.1f);
+        EXPECT_FALSE(solvesTrees(scene));
+    }
+}
+
+TEST(JointTrees, areLeftToTheLanesWhileTheyTouchSomething) {
+    JointWorld scene;
+    BodyId above = scene.ground;
+    std::vector<BodyId> discs;
+    for (int i = 0; i < 4; ++i) {
+        BodyDefinition definition;
+        definition.position = {0.5 + i, 0.0};
+        discs.push_back(*createBody(scene.world, definition));
+        (void)createShape(scene.world, discs.back(), circle(0.4f));
+        (void)scene.join(scene.define(JointKind::Revolute, above, discs.back(), {1.0 * i, 0.0}));
+        above = discs.back();
+    }
+    scene.run(0.1f);
+    EXPECT_TRUE(solvesTrees(scene));
+    BodyDefinition floor;
+    floor.kind = BodyKind::Static;
+    floor.position = {0.0, -3.0};
+    (void)createShape(scene.world, *createBody(scene.world, floor), box({20.0f, 1.0f}));
+    scene.run(5.0f);
+    EXPECT_FALSE(solvesTrees(scene));
+    for (const BodyId disc : discs) EXPECT_GT(scene.place(disc).y, -1.7f);
+}
+
+TEST(JointTrees, breakWhereTheyArePulledTooHard) {
+    for (const float strength : {0.98f, 1.02f}) {
+        SCOPED_TRACE(strength);
+        JointWorld scene;
+        const BodyId top = scene.disc({0.0, -1.0}), low = scene.disc({0.0, -2.0}, 9.0f);
+        (void)scene.join(scene.define(JointKind::Revolute, scene.ground, top, {0.0, -0.5}));
+        JointDefinition definition = scene.define(JointKind::Revolute, top, low, {0.0, -1.5});
+        definition.breakForce = strength * 9.0f * JointWorld::kGravity;
+        const JointId joint = scene.join(definition);
+        scene.run(1.0f);
+        EXPECT_EQ(alive(scene.world, joint), strength > 1.0f);
+    }
+}
+
+}  // namespace
+}  // namespace plumb::physics
