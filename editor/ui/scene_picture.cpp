@@ -32,7 +32,7 @@ std::uintptr_t ScenePicture::draw(World& world, AssetStore* assets, const View& 
     device_.setViewport(viewport);
     device_.clear(kBackground);
     renderer.renderer().draw(list_, viewport);
-    renderer.drawPhysics(world, physics, how.view, viewport);
+    renderer.drawPhysics(world, physics, how, viewport);
     return device_.nativeTexture(device_.targetTexture(target_));
 }
 

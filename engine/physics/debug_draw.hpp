@@ -82,6 +82,7 @@ enum DebugPart : std::uint32_t {
 struct DebugChoice {
     std::uint32_t parts = kDrawAll;  ///< bits of DebugPart
     Place origin;  ///< m: drawn places are seen from here, so that they stay exact far from the world's
+    float behind = 0.0f;  ///< s: bodies that move are drawn as they were so long ago, between two steps
     const Workspace* lastStep = nullptr;  ///< see lastStepOf(); without it no ways and regions are drawn
     bool chosenOnly = false;  ///< what follows says who is drawn; what ties two bodies is drawn with either
     std::span<const std::uint8_t> bodies = {};  ///< by BodyId::index: nonzero for those; may be short

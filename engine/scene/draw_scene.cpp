@@ -150,7 +150,7 @@ void SceneRenderer::draw(World& world, Vec2 picture, float alpha, const Viewport
     for (int place = 0; place < std::max(scenes, 1); ++place) {
         how.place = scenes > 1 ? place : kEveryScene;
         drawInto(world, picture, how, canvas);
-        if (place == 0) sceneView_ = how.view;
+        if (place == 0) sceneView_ = how;
     }
     if (shrink > 1) device.show(canvas.target, viewport);
 }
@@ -173,13 +173,15 @@ void SceneRenderer::drawInto(World& world, Vec2 picture, SceneView& how, const V
     }
 }
 
-void SceneRenderer::drawPhysics(World& world, const PhysicsShown& shown, const View& view,
+void SceneRenderer::drawPhysics(World& world, const PhysicsShown& shown, const SceneView& how,
                                 const Viewport& viewport) {
     if (shown.any() == 0) return;
     const float lines = static_cast<float>(viewport.height);
     const float enlarged = std::max(1.0f, std::floor(lines / kLinesOfThinStrokes));
-    list_.begin(view);
-    physics_.draw(world, shown, enlarged * view.size.x / static_cast<float>(viewport.width), list_);
+    const float pixel = enlarged * how.view.size.x / static_cast<float>(viewport.width);
+    const float behind = anyPaused_ ? 0.0f : (1.0f - how.alpha) * static_cast<float>(kSecondsPerTick);
+    list_.begin(how.view);
+    physics_.draw(world, shown, behind, pixel, list_);
     renderer_.draw(list_, viewport);
     const Vec2 screen{static_cast<float>(viewport.width), lines};
     list_.begin({screen * 0.5f, screen});

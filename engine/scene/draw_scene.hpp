@@ -53,10 +53,10 @@ public:
               LabelText labelText = nullptr);
 
     /// Draws the physics over what is there already, with a legend.
-    /// @param view  how the scene was looked at
-    void drawPhysics(World& world, const PhysicsShown& shown, const View& view, const Viewport& viewport);
+    /// @param how  as the scene was looked at
+    void drawPhysics(World& world, const PhysicsShown& shown, const SceneView& how, const Viewport& viewport);
     /// How the last draw looked at the lowest scene.
-    [[nodiscard]] const View& sceneView() const { return sceneView_; }
+    [[nodiscard]] const SceneView& sceneView() const { return sceneView_; }
 
     [[nodiscard]] TextureLibrary& textures() { return textures_; }
     [[nodiscard]] Renderer& renderer() { return renderer_; }
@@ -87,7 +87,7 @@ private:
     int nearLayer_ = 0;               ///< the lowest layer of the last collect that is no plain backdrop
     SizedTarget far_;                 ///< the backdrops, one px for each px of the picture
     SizedTarget canvas_;              ///< everything, before it is enlarged to a large window
-    View sceneView_;
+    SceneView sceneView_;
     bool anyPaused_ = false;
 };
 

@@ -185,12 +185,14 @@ void PhysicsDrawing::choose(World& world, std::span<const EntityId> selected) {
     }
 }
 
-void PhysicsDrawing::draw(World& world, const PhysicsShown& shown, float pixel, DrawList& list) {
+void PhysicsDrawing::draw(World& world, const PhysicsShown& shown, float behind, float pixel,
+                          DrawList& list) {
     auto* state = world.findResource<PhysicsState>();
     if (state == nullptr || shown.any() == 0) return;
     ListCanvas canvas{list, state->scale, pixel, corners_};
     physics::DebugChoice choice;
     choice.origin = placeInMetres(list.view().center, state->scale);
+    choice.behind = behind;
     choice.lastStep = physics::lastStepOf(state->world);
     choice.parts = shown.layers & physics::kDrawAll;
     debugDraw(state->world, canvas, choice);

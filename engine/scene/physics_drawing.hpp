@@ -18,8 +18,9 @@ std::span<const PhysicsColor> physicsColors();
 /// memory, so a steady frame allocates nothing.
 class PhysicsDrawing {
 public:
-    /// @param pixel  px of the list's picture that a px of the screen is: lines are equally thin everywhere
-    void draw(World& world, const PhysicsShown& shown, float pixel, DrawList& list);
+    /// @param behind  s: how long before the end of the last tick
+    /// @param pixel   px of the list's picture that a px of the screen is: lines are equally thin everywhere
+    void draw(World& world, const PhysicsShown& shown, float behind, float pixel, DrawList& list);
 
 private:
     void choose(World& world, std::span<const EntityId> selected);

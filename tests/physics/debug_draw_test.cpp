@@ -209,6 +209,31 @@ TEST(DebugDraw, whatLiesOnASlopeIsHeldByFrictionAlongIt) {
     EXPECT_NEAR(pushed, 0.2f * std::cos(slope), 0.01f);  // as long as a load that hangs
 }
 
+TEST(DebugDraw, betweenTwoStepsBodiesAreDrawnOnTheWayFromOneToTheOther) {
+    World world;
+    world.settings.gravity = {};
+    const BodyId body = addBody(world, BodyKind::Dynamic, {2.0, 3.0}),
+                 fixed = addBody(world, BodyKind::Static, {0.0, 9.0});
+    for (const BodyId one : {body, fixed}) static_cast<void>(createShape(world, one, box({0.5f, 0.5f})));
+    ASSERT_TRUE(setVelocity(world, body, {6.0f, -3.0f}));
+    ASSERT_TRUE(setAngularVelocity(world, body, 3.0f));
+    const auto boxes = [&](float behind) {
+        Recording picture;
+        debugDraw(world, picture, {.parts = kDrawShapes, .behind = behind});
+        return picture.strokes;
+    };
+    const auto before = boxes(0.0f);
+    step(world, 1.0f / 60.0f);
+    const auto after = boxes(0.0f), seen = boxes(1.0f / 60.0f);
+    ASSERT_EQ(seen.size(), 2u);
+    for (std::size_t i = 0; i < seen.size(); ++i) {
+        for (std::size_t corner = 0; corner < 4; ++corner)
+            EXPECT_LT(length(seen[i].points[corner] - before[i].points[corner]), 1e-4f);
+    }
+    EXPECT_GT(length(after[0].points[0] - before[0].points[0]), 0.05f);
+    EXPECT_EQ(after[1].points, before[1].points);
+}
+
 TEST(DebugDraw, aPathEndsWhereAThrownBodyIsASecondLater) {
     World world;
     const BodyId body = addBody(world, BodyKind::Dynamic, {500000.0, 3.0});

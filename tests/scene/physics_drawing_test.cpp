@@ -74,7 +74,7 @@ DrawList drawn(World& world, const PhysicsShown& shown, Vec2 center = kPicture *
     DrawList list;
     list.begin({center, kPicture});
     PhysicsDrawing drawing;
-    drawing.draw(world, shown, 1.0f, list);
+    drawing.draw(world, shown, 0.0f, 1.0f, list);
     return list;
 }
 
@@ -103,7 +103,8 @@ TEST(PhysicsDrawing, eachLayerDrawsWhatItIsForAndNothingIsDrawnWhenAllAreOff) {
         const DrawList list = drawn(world, {layer.bit});
         EXPECT_EQ(list.items().size() > 0, layer.ofBodies);  // the others are written in a panel
         for (const PhysicsColor& row : physicsColors()) {
-            const bool comesLater = row.label == "asleep" || row.label == "island" || row.label == "near sleep";
+            const bool comesLater =
+                row.label == "asleep" || row.label == "island" || row.label == "near sleep";
             if ((row.layer & layer.bit) != 0 && !comesLater) {
                 EXPECT_TRUE(hasColor(list, row.color)) << row.label;
             }
@@ -175,12 +176,13 @@ TEST(PhysicsDrawing, whoIsWatchedDoesTheSame) {
     for (const PhysicsLayer& layer : physicsLayers()) all |= layer.bit;
     for (int i = 0; i < 200; ++i) {
         run(watched, 1), run(alone, 1);
-        renderer.drawPhysics(watched, {all}, {kPicture * 0.5f, kPicture}, {.width = 640, .height = 360});
+        renderer.drawPhysics(watched, {all}, {.view = {kPicture * 0.5f, kPicture}, .alpha = 0.3f},
+                             {.width = 640, .height = 360});
         ASSERT_EQ(watched.hash(), alone.hash()) << i;
     }
     EXPECT_GT(device.spriteDraws.size(), 0u);
     device.forgetDraws();
-    renderer.drawPhysics(watched, {}, {kPicture * 0.5f, kPicture}, {.width = 640, .height = 360});
+    renderer.drawPhysics(watched, {}, {.view = {kPicture * 0.5f, kPicture}}, {.width = 640, .height = 360});
     EXPECT_EQ(device.spriteDraws.size(), 0u);
 }
 
@@ -275,7 +277,7 @@ TEST(PhysicsDrawing, linesAreAsWideOnTheScreenAtAnyZoom) {
         DrawList list;
         list.begin({.center = {300.0f, 310.0f}, .size = kPicture, .zoom = zoom});
         PhysicsDrawing drawing;
-        drawing.draw(world, {layerNamed("shapes").bit}, 1.0f, list);
+        drawing.draw(world, {layerNamed("shapes").bit}, 0.0f, 1.0f, list);
         float thinnest = 1e9f;
         for (const SpriteInstance& line : list.instances())
             thinnest = std::min({thinnest, line.half.x * 2.0f * zoom, line.half.y * 2.0f * zoom});

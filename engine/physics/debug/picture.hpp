@@ -18,7 +18,18 @@ struct Picture {
     DebugCanvas& canvas;
     const DebugChoice& choice;
 
-    [[nodiscard]] const BodyPose& pose(std::uint32_t body) const { return world.bodies.pose[body]; }
+    [[nodiscard]] BodyPose pose(std::uint32_t body) const {
+        BodyPose pose = world.bodies.pose[body];
+        if (choice.behind == 0.0f || !moves(body)) return pose;
+        const BodyMotion& motion = world.bodies.motion[body];
+        pose.centre = pose.centre + -choice.behind * motion.velocity;
+        pose.rotation = normalized(rotFromAngle(-choice.behind * motion.angularVelocity) * pose.rotation);
+        return pose;
+    }
+    [[nodiscard]] bool moves(std::uint32_t body) const {
+        const BodyInfo& info = world.bodies.info[body];
+        return info.kind == BodyKind::Kinematic || (info.kind == BodyKind::Dynamic && info.place != kNone);
+    }
     [[nodiscard]] Vec2 seen(Place place) const { return place - choice.origin; }
     [[nodiscard]] Vec2 centre(std::uint32_t body) const { return seen(pose(body).centre); }
     /// From a body's centre of mass, in its frame.
