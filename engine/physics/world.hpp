@@ -164,7 +164,8 @@ enum JointFlag : std::uint8_t {
     kSprung = 4,
     kBreakable = 8,
     kSoft = 16,  ///< has a stiffness of its own
-    kKeepsApart = 32
+    kKeepsApart = 32,
+    kStretched = 64  ///< the lanes solved it, so it may be open: trees close it slowly
 };
 
 struct Joints {

@@ -232,6 +232,58 @@ TEST(JointTrees, areLeftToTheLanesWhileTheyTouchSomething) {
     for (const BodyId disc : discs) EXPECT_GT(scene.place(disc).y, -1.7f);
 }
 
+/// A plank or crate of a bridge; planks do not meet each other.
+BodyId addBox(JointWorld& scene, Place at, Vec2 half, float angle, float density, std::int16_t group) {
+    BodyDefinition definition;
+    definition.position = at;
+    definition.angle = angle;
+    const BodyId body = *createBody(scene.world, definition);
+    ShapeDefinition shape;
+    shape.density = density;
+    shape.group = group;
+    (void)*createShape(scene.world, body, box(half), shape);
+    return body;
+}
+
+/// Thirty planks of 1 m between two posts 29.8 m apart, hung as a V.
+void buildBridge(JointWorld& scene) {
+    const float across = 14.9f, down = std::sqrt(15.0f * 15.0f - across * across);
+    const Vec2 left = Vec2{across, -down} / 15.0f, right = Vec2{across, down} / 15.0f;
+    BodyId last = scene.ground;
+    Vec2 at{-across, 0.0f};
+    for (int i = 0; i < 30; ++i) {
+        const Vec2 along = i < 15 ? left : right;
+        const float slope = arcTangent(along.y, along.x);
+        const BodyId plank = addBox(scene, Place{at + 0.5f * along}, {0.5f, 0.125f}, slope, 1.0f, -1);
+        JointDefinition definition = scene.define(JointKind::Revolute, last, plank, Place{at});
+        definition.anchorA = i == 0 ? at : Vec2{0.5f, 0.0f};
+        definition.anchorB = {-0.5f, 0.0f};
+        (void)scene.join(definition);
+        last = plank;
+        at += along;
+    }
+    JointDefinition end = scene.define(JointKind::Revolute, last, scene.ground, Place{at});
+    end.anchorA = {0.5f, 0.0f};
+    (void)scene.join(end);
+}
+
+TEST(JointTrees, doNotThrowWhatFallsOnABridge) {
+    JointWorld scene;
+    buildBridge(scene);
+    scene.run(3.0f);
+    EXPECT_TRUE(solvesTrees(scene));
+    std::vector<BodyId> crates;
+    for (int i = 0; i < 8; ++i)
+        crates.push_back(addBox(scene, {-7.0 + 2.0 * i, 1.5}, {0.4f, 0.4f}, 0.0f, 20.0f, 0));
+    for (int i = 0; i < 600; ++i) {
+        scene.run(JointWorld::kDt);
+        for (const BodyId crate : crates) {
+            ASSERT_LT(length(velocityOf(scene.world, crate)), 20.0f) << i;
+            ASSERT_GT(scene.place(crate).y, -10.0f) << i;
+        }
+    }
+}
+
 TEST(JointTrees, breakWhereTheyArePulledTooHard) {
     for (const float strength : {0.98f, 1.02f}) {
         SCOPED_TRACE(strength);

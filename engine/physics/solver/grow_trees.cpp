@@ -4,6 +4,7 @@
 #include <optional>
 #include <span>
 
+#include "physics/solver/solve_trees.hpp"
 #include "physics/solver/tree_rows.hpp"
 
 namespace plumb::physics {
@@ -158,19 +159,42 @@ void noteColours(const World& world, JointTrees& trees) {
     }
 }
 
+bool touches(const Workspace& work, const Limb& limb) {
+    return limb.colours != kNone && limb.colours != work.colourMasks[limb.body];
+}
+
+/// What the lanes solve they leave open, and it stays marked until a tree has closed it.
+void markStretched(World& world, JointTrees& trees, JointTree& tree, bool touching) {
+    bool closed = true;
+    tree.stretched = touching;
+    forLinks(trees, tree, [&](Link& link) {
+        Joint& joint = world.joints.hot[link.joint];
+        if (touching) joint.flags |= kStretched;
+        tree.stretched = tree.stretched || (joint.flags & kStretched) != 0;
+    });
+    if (!tree.stretched || touching) return;
+    forLinks(trees, tree, [&](Link& link) { closed = closed && isClosed(world, link); });
+    if (!closed) return;
+    tree.stretched = false;
+    forLinks(trees, tree, [&](const Link& link) {
+        Joint& joint = world.joints.hot[link.joint];
+        joint.flags = static_cast<std::uint8_t>(joint.flags & ~kStretched);
+    });
+}
+
 /// Which trees are solved directly in this step. A tree that touches something is left to the lanes, which
 /// solve contacts and joints by turns: against a tree that is rigid at once contacts settle too slowly, and
 /// heaps of chains tremble (measured).
-void choose(const World& world, Workspace& work) {
+void choose(World& world, Workspace& work) {
     JointTrees& trees = work.joints.trees;
     trees.some = false;
     trees.freeMasks.resize(trees.trees.empty() ? 0 : world.bodies.size());
     for (JointTree& tree : trees.trees) {
         const auto limbs = std::span{trees.limbs}.subspan(static_cast<std::size_t>(tree.begin),
                                                           static_cast<std::size_t>(tree.end - tree.begin));
-        tree.direct = std::none_of(limbs.begin(), limbs.end(), [&](const Limb& limb) {
-            return limb.colours != kNone && limb.colours != work.colourMasks[limb.body];
-        });
+        tree.direct =
+            std::none_of(limbs.begin(), limbs.end(), [&](const Limb& limb) { return touches(work, limb); });
+        markStretched(world, trees, tree, !tree.direct);
         trees.some = trees.some || tree.direct;
         for (const Limb& limb : limbs) trees.freeMasks[limb.body] = tree.direct ? limb.colours : 0;
         forLinks(trees, tree, [&](const Link& link) {
@@ -195,6 +219,9 @@ void growTrees(World& world, Workspace& work) {
     trees.holds.clear();
     trees.isDirect.assign(world.joints.size(), 0);
     if (wanted) Grower{world, trees}.run();
+    for (const std::uint32_t joint : world.joints.awake) {
+        if (trees.isDirect[joint] == kNotDirect) world.joints.hot[joint].flags |= kStretched;
+    }
     noteColours(world, trees);
     trees.freeMasks.assign(trees.trees.empty() ? 0 : world.bodies.size(), 0);
     choose(world, work);

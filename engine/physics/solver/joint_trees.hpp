@@ -79,8 +79,9 @@ struct JointTree {
     std::int32_t end = 0;
     std::int32_t holdBegin = 0;  ///< links to what cannot be pushed besides that of the root
     std::int32_t holdEnd = 0;
-    bool direct = true;   ///< in this step: left to the lanes while its limbs touch something
-    bool rooted = false;  ///< the last limb has a link too: to what cannot be pushed
+    bool direct = true;      ///< in this step: left to the lanes while its limbs touch something
+    bool rooted = false;     ///< the last limb has a link too: to what cannot be pushed
+    bool stretched = false;  ///< the lanes left gaps, which are closed slowly
     std::uint8_t group = 0;
 };
 

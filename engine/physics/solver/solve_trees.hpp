@@ -15,6 +15,9 @@ namespace plumb::physics {
 /// Fills in masses, arms and gaps of the start of the step. After gatherBodies.
 void prepareTrees(StepContext& step);
 
+/// True when a joint is as good as closed at the start of the step.
+bool isClosed(const World& world, Link& link);
+
 /// Velocities that close all gaps within a substep of h seconds.
 /// @param substep  the number of it
 /// @param again  in the same substep, since something else pushed at the bodies
