@@ -71,7 +71,8 @@ enum ContactFlag : std::uint16_t {
     kRound = 256,       ///< a circle takes part: points are found anew in each step
     kHasSurface = 512,  ///< a shape has a surface speed
     kGone = 1024,       ///< in this step its bounds parted
-    kPassing = 2048     ///< of a one-way shape that lets the other through until they part
+    kPassing = 2048,    ///< of a one-way shape that lets the other through until they part
+    kEasing = 0xf000    ///< a number: how much of an overlap is still left alone, see ease() in contacts.cpp
 };
 
 /// What happened between two shapes in a step.

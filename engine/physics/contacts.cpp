@@ -33,8 +33,9 @@ float separationOf(const Encounter& now, const ContactAnchors& anchors, Vec2 nor
 
 float longest(Vec2 a) { return std::max(std::fabs(a.x), std::fabs(a.y)); }
 
-/// rad, about: a body that has turned by more since the points were found has them found anew.
-constexpr float kMostTurn = 0.1f;
+/// rad, about: a body that has turned by more since the points were found has them found anew. With 0.1
+/// boxes that rock on balls are fed by the stale directions and never come to rest.
+constexpr float kMostTurn = 0.03f;
 
 /// Ratio to what is about half the size of the smaller body: it has moved far, seen from itself.
 constexpr float kMostOfSize = 0.1f;
@@ -133,6 +134,49 @@ bool nearByCircles(const World& world, const Contact& contact, const Encounter& 
 
 bool isRound(ShapeKind kind) { return kind == ShapeKind::Circle; }
 
+// Bodies that are put into each other (by a level, a script, a change of size) would be thrown apart. So of
+// an overlap that no motion explains, a part is left alone: as deep as it is when it begins, and less and
+// less.
+
+constexpr int kEasingShift = 12;
+constexpr int kMostEasing = 15;
+constexpr int kEasingSteps = 8;        // after which the number is one less
+constexpr float kEasingUnit = 0.002f;  // m: overlap left alone is this times the square of the number
+
+/// The number that belongs to an overlap, m.
+int easingOf(float depth) {
+    return std::min(static_cast<int>(std::sqrt(depth / kEasingUnit)) + 1, kMostEasing);
+}
+
+/// How deep what has just begun may be by the motion of the bodies in a step, m, generously.
+float reachedByMotion(const World& world, const Contact& contact) {
+    constexpr float kLongStep = 1.0f / 30.0f;  // s
+    const BodyMotion& a = world.bodies.motion[contact.bodyA];
+    const BodyMotion& b = world.bodies.motion[contact.bodyB];
+    const float turning = std::fabs(a.angularVelocity) * world.bodies.info[contact.bodyA].reach +
+                          std::fabs(b.angularVelocity) * world.bodies.info[contact.bodyB].reach;
+    return world.settings.slop + kLongStep * (length(b.velocity - a.velocity) + turning);
+}
+
+void noteOverlap(const World& world, Contact& contact) {
+    contact.flags &= static_cast<std::uint16_t>(~kEasing);
+    if ((contact.flags & (kOneWayA | kOneWayB)) != 0) return;  // what is inside falls through
+    const float depth = -std::min(contact.separation0, contact.separation1);
+    if (depth <= 2.0f * world.settings.slop || depth <= reachedByMotion(world, contact)) return;
+    contact.flags |= static_cast<std::uint16_t>(easingOf(depth) << kEasingShift);
+}
+
+/// Hides from the solver what is left alone.
+void ease(const World& world, Contact& contact) {
+    const auto phase = static_cast<int>(world.steps % kEasingSteps);
+    if (phase == 0) contact.flags -= static_cast<std::uint16_t>(1 << kEasingShift);
+    const int left = (contact.flags >> kEasingShift) * kEasingSteps - phase;  // falls by 1 a step
+    const float number = std::max(static_cast<float>(left) * (1.0f / kEasingSteps), 0.0f);
+    const float hidden = kEasingUnit * number * number;
+    if (contact.separation0 < 0.0f) contact.separation0 = std::min(contact.separation0 + hidden, 0.0f);
+    if (contact.separation1 < 0.0f) contact.separation1 = std::min(contact.separation1 + hidden, 0.0f);
+}
+
 /// Takes note of what was found.
 void take(const World& world, Contact& contact, const Encounter& now, const Manifold& manifold,
           DetectionCounts& counts) {
@@ -143,6 +187,8 @@ void take(const World& world, Contact& contact, const Encounter& now, const Mani
     }
     ++counts.touching;
     takeManifold(world, contact, manifold, now);
+    if ((contact.flags & kTouching) == 0) noteOverlap(world, contact);
+    if ((contact.flags & kEasing) != 0) ease(world, contact);
 }
 
 /// What can be said without a look at the outlines: still the same, gone, or too far apart.
@@ -150,6 +196,7 @@ bool isSettled(const World& world, Contact& contact, const Encounter& now, Detec
     if (recycle(contact, now, world.settings)) {
         ++counts.recycled;
         ++counts.touching;
+        if ((contact.flags & kEasing) != 0) ease(world, contact);
         return true;
     }
     if (!overlap(world.shapes.bounds[contact.shapeA], world.shapes.bounds[contact.shapeB])) {
@@ -236,7 +283,7 @@ void copyMaterials(const World& world, Contact& contact) {
     const bool triggered = ((a.flags | b.flags) & kTrigger) != 0;
     const bool reports = ((a.flags | b.flags) & kReportsContacts) != 0;
     const bool fixed = world.bodies.info[contact.bodyA].kind != BodyKind::Dynamic;
-    const int kept = contact.flags & (kTouching | kBegan | kDisabled | kPassing);
+    const int kept = contact.flags & (kTouching | kBegan | kDisabled | kPassing | kEasing);
     contact.flags = static_cast<std::uint16_t>(
         kept | (triggered ? kTriggered : 0) | (reports ? kReports : 0) |
         ((a.flags & kOneWay) != 0 ? kOneWayA : 0) | ((b.flags & kOneWay) != 0 ? kOneWayB : 0) |

@@ -85,13 +85,13 @@ void addAll(LaneHasher& hash, const std::vector<T>&... arrays) {
 
 void add(LaneHasher& hash, const Settings& settings) {
     const auto& [gravity, integrator, broadPhase, quality, iterations, automaticQuality, directJoints,
-                 contactStiffness, jointStiffness, contactDampingRatio, jointDampingRatio, pushSpeed, slop,
-                 speculativeDistance, recycleDistance, boundsMargin, bounceSpeed, sleepTime, maxSpeed,
-                 continuous, sleeping, stayEvents] = settings;
+                 contactStiffness, jointStiffness, contactDampingRatio, jointDampingRatio, pushSpeed,
+                 deepPushRate, slop, speculativeDistance, recycleDistance, boundsMargin, bounceSpeed,
+                 sleepTime, maxSpeed, continuous, sleeping, stayEvents] = settings;
     Values{hash}(gravity, integrator, broadPhase, quality, iterations, automaticQuality, directJoints,
-                 contactStiffness, jointStiffness, contactDampingRatio, jointDampingRatio, pushSpeed, slop,
-                 speculativeDistance, recycleDistance, boundsMargin, bounceSpeed, sleepTime, maxSpeed,
-                 continuous, sleeping, stayEvents);
+                 contactStiffness, jointStiffness, contactDampingRatio, jointDampingRatio, pushSpeed,
+                 deepPushRate, slop, speculativeDistance, recycleDistance, boundsMargin, bounceSpeed,
+                 sleepTime, maxSpeed, continuous, sleeping, stayEvents);
 }
 
 void add(LaneHasher& hash, const JointDefinition& definition) {

@@ -35,16 +35,19 @@ struct Settings {
     /// fall.
     float contactDampingRatio = 4.0f;
     float jointDampingRatio = 2.0f;
-    /// m/s: how fast overlapping bodies are pushed apart at most. Larger explodes deep overlaps.
+    /// m/s: how fast overlapping bodies are pushed apart at most, and by how much faster for each metre of
+    /// overlap (1/s). Larger explodes deep overlaps; without the second a crowd in too small a box sinks into
+    /// each other, since who is deeper is not pushed harder.
     float pushSpeed = 3.0f;
+    float deepPushRate = 6.0f;
     /// m: overlap that is left alone, so that contacts of resting things do not come and go.
     float slop = 0.005f;
     /// m: nearer than this two shapes have a contact, though they do not touch yet.
     float speculativeDistance = 0.02f;
     /// m: two touching bodies keep the points where they touch, and the directions in which they push, until
     /// they have moved by this (or a tenth of the smaller one's half size) along each other. Smaller finds
-    /// points anew more often, which costs time and lets high stacks buckle.
-    float recycleDistance = 0.03f;
+    /// points anew more often, which costs time and lets card houses fall; larger feeds what rocks.
+    float recycleDistance = 0.01f;
     /// m: bounds are this much larger than shapes, so that few movements leave them; at most an eighth
     /// of a shape's size. Larger: fewer searches, more pairs.
     float boundsMargin = 0.05f;

@@ -210,6 +210,7 @@ std::vector<Change> everyField() {
         PLUMB_SET(settings.contactDampingRatio),
         PLUMB_SET(settings.jointDampingRatio),
         PLUMB_SET(settings.pushSpeed),
+        PLUMB_SET(settings.deepPushRate),
         PLUMB_SET(settings.slop),
         PLUMB_SET(settings.recycleDistance),
         PLUMB_SET(settings.speculativeDistance),

@@ -103,9 +103,10 @@ struct Softness {
 /// What a pass over contacts needs to know.
 struct ContactPass {
     Softness softness;
-    float substepRate = 0.0f;  ///< 1/s
-    float pushSpeed = 0.0f;    ///< m/s: overlaps are taken out no faster
-    float elapsed = 0.0f;      ///< s since the start of the step
+    float substepRate = 0.0f;   ///< 1/s
+    float pushSpeed = 0.0f;     ///< m/s: overlaps are taken out no faster,
+    float deepPushRate = 0.0f;  ///< 1/s: but by this times their depth
+    float elapsed = 0.0f;       ///< s since the start of the step
 };
 
 }  // namespace plumb::physics

@@ -271,12 +271,13 @@ void warmStartFixed(const SolverBodies& bodies, const BlockLanes* lanes, FixedCo
 
 /// The soft, one-sided constraint of a contact point, as eight lanes.
 struct SoftPush8 {
-    Float8 substepRate, biasRate, slowest, massScale, impulseScale;
+    Float8 substepRate, biasRate, deepRate, pushSpeed, massScale, impulseScale;
 
     explicit SoftPush8(const ContactPass& pass)
         : substepRate{all(pass.substepRate)},
           biasRate{all(pass.softness.biasRate)},
-          slowest{all(-pass.pushSpeed)},
+          deepRate{all(pass.deepPushRate)},
+          pushSpeed{all(pass.pushSpeed)},
           massScale{all(pass.softness.massScale)},
           impulseScale{all(pass.softness.impulseScale)} {}
 
@@ -284,7 +285,7 @@ struct SoftPush8 {
     /// may come together within the substep; inside each other, a spring moves them out.
     [[nodiscard]] Float8 answer(Float8 speed, Float8 gap, Float8 mass, Float8& impulse) const {
         const Mask8 apart = gap > all(0.0f);
-        const Float8 bias = select(apart, gap * substepRate, max(gap * biasRate, slowest));
+        const Float8 bias = select(apart, gap * substepRate, max(gap * biasRate, gap * deepRate - pushSpeed));
         const Float8 scale = select(apart, all(1.0f), massScale);
         const Float8 give = select(apart, all(0.0f), impulseScale);
         const Float8 before = impulse;

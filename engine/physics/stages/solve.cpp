@@ -44,6 +44,7 @@ ContactPass passOf(const Settings& settings, float h, float stiffness) {
     pass.substepRate = 1.0f / h;
     pass.softness = softness(stiffness * settings.contactStiffness / h, settings.contactDampingRatio, h);
     pass.pushSpeed = settings.pushSpeed;
+    pass.deepPushRate = settings.deepPushRate;
     return pass;
 }
 
