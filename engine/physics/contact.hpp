@@ -46,7 +46,7 @@ struct alignas(64) Contact {
     ContactAnchors anchors[2];
 
     float separation0 = 0.0f;  ///< m along the normal, at the start of the step
-    float impulse0 = 0.0f;     ///< N s that the last substep needed to keep them apart
+    float impulse0 = 0.0f;     ///< N s, of the last substep; below 0: minus that of a blow, which is over
     float separation1 = 0.0f;
     float impulse1 = 0.0f;
 

@@ -370,7 +370,7 @@ ContactEvent eventOf(const World& world, const Contact& contact, ContactPhase ph
     event.isTrigger = (contact.flags & kTriggered) != 0;
     event.normal = contact.normal;
     event.point = toVec2(a.centre + rotate(a.rotation, contact.anchors[0].a));
-    event.impulse = contact.impulse0 + contact.impulse1;
+    event.impulse = std::fabs(contact.impulse0) + std::fabs(contact.impulse1);
     return event;
 }
 

@@ -147,6 +147,8 @@ struct Workspace {
     std::vector<FixedContactBlock> fixedBlocks;
     std::vector<BlockLanes> fixedLanes;
     std::vector<BounceBlock> bounces;  ///< beside contactBlocks, where something bounces
+    std::vector<ImpactPlace> impacts;  ///< of a group, that may run on
+    std::vector<std::uint8_t> hits;    ///< by slot: of so many impacts a body is part
     std::vector<BounceBlock> fixedBounces;
     std::vector<RollingBlock> rollings;  ///< beside contactBlocks, where something resists rolling
     std::vector<RollingBlock> fixedRollings;

@@ -20,7 +20,7 @@ template <class Draw>
 void forPoints(const Picture& picture, const Contact& contact, Draw&& draw) {
     for (int i = 0; i < contact.count; ++i) {
         draw(ContactPoint{picture.place(contact.bodyA, contact.anchors[i].a),
-                          i == 0 ? contact.impulse0 : contact.impulse1});
+                          std::fabs(i == 0 ? contact.impulse0 : contact.impulse1)});
     }
 }
 

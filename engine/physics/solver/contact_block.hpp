@@ -77,6 +77,16 @@ struct BounceBlock {
     float bounciness[kLanes];
     float approach[2][kLanes];  ///< m/s: relative speed along the normal before the step
     float largest[2][kLanes];   ///< N s: the largest impulse of any substep
+    // Of round contacts, which have one point.
+    float before[kLanes];  ///< N s: of a substep, before the step
+    float sum[kLanes];     ///< N s: of all substeps; below 0 where no impact runs on through this contact
+};
+
+/// A contact among the blocks.
+struct ImpactPlace {
+    bool fixed = false;
+    std::uint8_t lane = 0;
+    std::uint32_t block = 0;
 };
 
 /// What resists rolling in a block, beside it, only where something in the scene does.

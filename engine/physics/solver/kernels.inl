@@ -126,7 +126,7 @@ void prepare(const ContactSource& source, const BlockLanes* lanes, ContactBlock*
             store(point.leverB, leverB);
             store(point.separation, places.impulses[2 * p]);
             store(point.gap, places.impulses[2 * p]);
-            const Float8 impulse = places.impulses[2 * p + 1] * rows.used;
+            const Float8 impulse = max(places.impulses[2 * p + 1], all(0.0f)) * rows.used;
             store(point.impulse, impulse);
             store(point.mass, rows.used * inverseOrZero(masses + a.inverseInertia * leverA * leverA +
                                                         b.inverseInertia * leverB * leverB));
@@ -185,7 +185,7 @@ void prepareFixed(const ContactSource& source, const BlockLanes* lanes, FixedCon
             store(point.approach, rows.used * (surfaceAlong + surface.spin * cross8(armA, normal)));
             store(point.separation, places.impulses[2 * p]);
             store(point.gap, places.impulses[2 * p]);
-            const Float8 impulse = places.impulses[2 * p + 1] * rows.used;
+            const Float8 impulse = max(places.impulses[2 * p + 1], all(0.0f)) * rows.used;
             store(point.impulse, impulse);
             store(point.mass, rows.used * inverseOrZero(b.inverseMass + b.inverseInertia * lever * lever));
         }

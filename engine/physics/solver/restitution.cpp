@@ -3,88 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "physics/solver/contact_sides.hpp"
+#include "physics/solver/impact_chains.hpp"
+
 namespace plumb::physics {
 
 namespace {
-
-/// A body's part in one point of a contact.
-struct Side {
-    Float4* velocity;
-    float inverseInertia;
-    float lever;
-};
-
-float speedAlong(const Side& side, float nx, float ny) {
-    return side.velocity->x * nx + side.velocity->y * ny + side.velocity->z * side.lever;
-}
-
-void pushAlong(const Side& side, float impulse, float nx, float ny) {
-    side.velocity->x += side.velocity->w * (impulse * nx);
-    side.velocity->y += side.velocity->w * (impulse * ny);
-    side.velocity->z += side.inverseInertia * (impulse * side.lever);
-}
-
-Side sideA(Workspace& work, const ContactBlock& block, int p, int i) {
-    return {&work.velocity[static_cast<std::size_t>(block.a[i])], block.inverseInertiaA[i],
-            block.points[p].leverA[i]};
-}
-Side sideB(Workspace& work, const ContactBlock& block, int p, int i) {
-    return {&work.velocity[static_cast<std::size_t>(block.b[i])], block.inverseInertiaB[i],
-            block.points[p].leverB[i]};
-}
-Side sideB(Workspace& work, const FixedContactBlock& block, int p, int i) {
-    return {&work.velocity[static_cast<std::size_t>(block.b[i])], block.inverseInertia[i],
-            block.points[p].lever[i]};
-}
-
-float approachOf(Workspace& work, const ContactBlock& block, int p, int i) {
-    return speedAlong(sideB(work, block, p, i), block.normalX[i], block.normalY[i]) -
-           speedAlong(sideA(work, block, p, i), block.normalX[i], block.normalY[i]);
-}
-float approachOf(Workspace& work, const FixedContactBlock& block, int p, int i) {
-    return speedAlong(sideB(work, block, p, i), block.normalX[i], block.normalY[i]) -
-           block.points[p].approach[i];
-}
-
-/// m: how far a body's point moved along the normal in this step.
-float movedAlong(const Float4& shift, float nx, float ny, float lever, float turn) {
-    return shift.x * nx + shift.y * ny + (shift.z * lever + shift.w * turn);
-}
-
-/// How two bodies came together during the step, along the normal.
-struct Approach {
-    float way;           // m: how much further they are apart than before the step
-    float acceleration;  // m/s2 of B from A
-};
-
-Approach approachIn(const Workspace& work, const ContactBlock& block, int p, int i, float /*dt*/) {
-    const auto a = static_cast<std::size_t>(block.a[i]), b = static_cast<std::size_t>(block.b[i]);
-    const float nx = block.normalX[i], ny = block.normalY[i];
-    return {movedAlong(work.shift[b], nx, ny, block.points[p].leverB[i], block.turnB[i]) -
-                movedAlong(work.shift[a], nx, ny, block.points[p].leverA[i], block.turnA[i]),
-            (work.drive[b].x - work.drive[a].x) * nx + (work.drive[b].y - work.drive[a].y) * ny};
-}
-Approach approachIn(const Workspace& work, const FixedContactBlock& block, int p, int i, float dt) {
-    const auto b = static_cast<std::size_t>(block.b[i]);
-    const float nx = block.normalX[i], ny = block.normalY[i];
-    return {movedAlong(work.shift[b], nx, ny, block.points[p].lever[i], block.turn[i]) -
-                block.points[p].approach[i] * dt,
-            work.drive[b].x * nx + work.drive[b].y * ny};
-}
-
-/// m/s: how fast they met, by v2 = v0 2 + 2 a s. Between the start of the step and the impact gravity went on:
-/// without it a ball would lose, or gain, some height in each bounce.
-float speedOfImpact(float before, const Approach& approach) {
-    return -std::sqrt(std::max(before * before + 2.0f * approach.acceleration * approach.way, 0.0f));
-}
-
-void pushApart(Workspace& work, const ContactBlock& block, int p, int i, float impulse) {
-    pushAlong(sideA(work, block, p, i), -impulse, block.normalX[i], block.normalY[i]);
-    pushAlong(sideB(work, block, p, i), impulse, block.normalX[i], block.normalY[i]);
-}
-void pushApart(Workspace& work, const FixedContactBlock& block, int p, int i, float impulse) {
-    pushAlong(sideB(work, block, p, i), impulse, block.normalX[i], block.normalY[i]);
-}
 
 template <class Block>
 void prepareBlocks(StepContext& step, const std::vector<Block>& blocks, const std::vector<BlockLanes>& lanes,
@@ -93,8 +17,10 @@ void prepareBlocks(StepContext& step, const std::vector<Block>& blocks, const st
     for (std::size_t n = 0; n < blocks.size(); ++n) {
         BounceBlock& bounce = bounces[n];
         for (int i = 0; i < lanes[n].count; ++i) {
-            bounce.bounciness[i] =
-                step.world.contacts[static_cast<std::size_t>(lanes[n].contact[i])].bounciness;
+            const Contact& contact = step.world.contacts[static_cast<std::size_t>(lanes[n].contact[i])];
+            bounce.bounciness[i] = contact.bounciness;
+            bounce.before[i] = contact.impulse0;
+            bounce.sum[i] = (contact.flags & kRound) != 0 && contact.bounciness > 0.0f ? 0.0f : kNoChain;
             for (int p = 0; p < 2; ++p) {
                 bounce.approach[p][i] = approachOf(step.work, blocks[n], p, i);
                 bounce.largest[p][i] = 0.0f;
@@ -106,10 +32,13 @@ void prepareBlocks(StepContext& step, const std::vector<Block>& blocks, const st
 template <class Block>
 void noteBlocks(const std::vector<Block>& blocks, std::vector<BounceBlock>& bounces, int begin, int end) {
     for (auto n = static_cast<std::size_t>(begin); n < static_cast<std::size_t>(end); ++n) {
+        BounceBlock& bounce = bounces[n];
         for (int p = 0; p < 2; ++p) {
-            for (int i = 0; i < kLanes; ++i) {
-                bounces[n].largest[p][i] = std::max(bounces[n].largest[p][i], blocks[n].points[p].impulse[i]);
-            }
+            for (int i = 0; i < kLanes; ++i)
+                bounce.largest[p][i] = std::max(bounce.largest[p][i], blocks[n].points[p].impulse[i]);
+        }
+        for (int i = 0; i < kLanes; ++i) {
+            if (bounce.sum[i] >= 0.0f) bounce.sum[i] += blocks[n].points[0].impulse[i];
         }
     }
 }
@@ -158,6 +87,7 @@ void noteLargestImpulses(StepContext& step, const SolveGroup& group) {
 
 void applyRestitution(StepContext& step, const SolveGroup& group) {
     if (!bounces(step)) return;
+    runImpactsOn(step, group);
     Workspace& work = step.work;
     for (const ColourBlocks& colour : group.colours) {
         bounceBlocks(step, work.contactBlocks, work.contactLanes, work.bounces, colour.contactBegin,

@@ -1,0 +1,91 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "physics/workspace.hpp"
+
+namespace plumb::physics {
+
+// One contact of a block at a time, for what is too rare to be done eight at once.
+
+/// A body's part in one point of a contact.
+struct Side {
+    Float4* velocity;
+    float inverseInertia;
+    float lever;
+};
+
+inline float speedAlong(const Side& side, float nx, float ny) {
+    return side.velocity->x * nx + side.velocity->y * ny + side.velocity->z * side.lever;
+}
+
+inline void pushAlong(const Side& side, float impulse, float nx, float ny) {
+    side.velocity->x += side.velocity->w * (impulse * nx);
+    side.velocity->y += side.velocity->w * (impulse * ny);
+    side.velocity->z += side.inverseInertia * (impulse * side.lever);
+}
+
+inline Side sideA(Workspace& work, const ContactBlock& block, int p, int i) {
+    return {&work.velocity[static_cast<std::size_t>(block.a[i])], block.inverseInertiaA[i],
+            block.points[p].leverA[i]};
+}
+inline Side sideB(Workspace& work, const ContactBlock& block, int p, int i) {
+    return {&work.velocity[static_cast<std::size_t>(block.b[i])], block.inverseInertiaB[i],
+            block.points[p].leverB[i]};
+}
+inline Side sideB(Workspace& work, const FixedContactBlock& block, int p, int i) {
+    return {&work.velocity[static_cast<std::size_t>(block.b[i])], block.inverseInertia[i],
+            block.points[p].lever[i]};
+}
+
+inline float approachOf(Workspace& work, const ContactBlock& block, int p, int i) {
+    return speedAlong(sideB(work, block, p, i), block.normalX[i], block.normalY[i]) -
+           speedAlong(sideA(work, block, p, i), block.normalX[i], block.normalY[i]);
+}
+inline float approachOf(Workspace& work, const FixedContactBlock& block, int p, int i) {
+    return speedAlong(sideB(work, block, p, i), block.normalX[i], block.normalY[i]) -
+           block.points[p].approach[i];
+}
+
+inline void pushApart(Workspace& work, const ContactBlock& block, int p, int i, float impulse) {
+    pushAlong(sideA(work, block, p, i), -impulse, block.normalX[i], block.normalY[i]);
+    pushAlong(sideB(work, block, p, i), impulse, block.normalX[i], block.normalY[i]);
+}
+inline void pushApart(Workspace& work, const FixedContactBlock& block, int p, int i, float impulse) {
+    pushAlong(sideB(work, block, p, i), impulse, block.normalX[i], block.normalY[i]);
+}
+
+/// m: how far a body's point moved along the normal in this step.
+inline float movedAlong(const Float4& shift, float nx, float ny, float lever, float turn) {
+    return shift.x * nx + shift.y * ny + (shift.z * lever + shift.w * turn);
+}
+
+/// How two bodies came together during the step, along the normal.
+struct Approach {
+    float way;           // m: how much further they are apart than before the step
+    float acceleration;  // m/s2 of B from A
+};
+
+inline Approach approachIn(const Workspace& work, const ContactBlock& block, int p, int i, float /*dt*/) {
+    const auto a = static_cast<std::size_t>(block.a[i]), b = static_cast<std::size_t>(block.b[i]);
+    const float nx = block.normalX[i], ny = block.normalY[i];
+    return {movedAlong(work.shift[b], nx, ny, block.points[p].leverB[i], block.turnB[i]) -
+                movedAlong(work.shift[a], nx, ny, block.points[p].leverA[i], block.turnA[i]),
+            (work.drive[b].x - work.drive[a].x) * nx + (work.drive[b].y - work.drive[a].y) * ny};
+}
+inline Approach approachIn(const Workspace& work, const FixedContactBlock& block, int p, int i, float dt) {
+    const auto b = static_cast<std::size_t>(block.b[i]);
+    const float nx = block.normalX[i], ny = block.normalY[i];
+    return {movedAlong(work.shift[b], nx, ny, block.points[p].lever[i], block.turn[i]) -
+                block.points[p].approach[i] * dt,
+            work.drive[b].x * nx + work.drive[b].y * ny};
+}
+
+/// m/s: how fast they met, by v2 = v0 2 + 2 a s. Between the start of the step and the impact gravity went
+/// on: without it a ball would lose, or gain, some height in each bounce.
+inline float speedOfImpact(float before, const Approach& approach) {
+    return -std::sqrt(std::max(before * before + 2.0f * approach.acceleration * approach.way, 0.0f));
+}
+
+}  // namespace plumb::physics

@@ -1,0 +1,182 @@
+#include "physics/solver/impact_chains.hpp"
+
+#include <algorithm>
+#include <vector>
+
+#include "physics/solver/contact_sides.hpp"
+
+namespace plumb::physics {
+
+namespace {
+
+constexpr float kMostLoad = 0.1f;     // of the impulse: who pressed with more before is not in a chain
+constexpr float kNoApproach = 1e-3f;  // m/s
+constexpr float kNoOverlap = 1e-5f;   // m
+constexpr int kMostRounds = 64;
+
+/// Calls act(block, bounce, lane) with the contact of an impact.
+template <class Act>
+void visit(Workspace& work, const ImpactPlace& impact, Act&& act) {
+    if (impact.fixed) {
+        act(work.fixedBlocks[impact.block], work.fixedBounces[impact.block], int{impact.lane});
+    } else {
+        act(work.contactBlocks[impact.block], work.bounces[impact.block], int{impact.lane});
+    }
+}
+
+template <class Act>
+void forSlots(const ContactBlock& block, int lane, Act&& act) {
+    act(block.a[lane]);
+    act(block.b[lane]);
+}
+template <class Act>
+void forSlots(const FixedContactBlock& block, int lane, Act&& act) {
+    act(block.b[lane]);
+}
+
+void gather(const std::vector<BounceBlock>& bounces, const std::vector<BlockLanes>& lanes, int begin, int end,
+            bool fixed, std::vector<ImpactPlace>& impacts) {
+    for (auto n = static_cast<std::size_t>(begin); n < static_cast<std::size_t>(end); ++n) {
+        const BounceBlock& bounce = bounces[n];
+        for (int i = 0; i < lanes[n].count; ++i) {
+            if (bounce.sum[i] <= 0.0f || bounce.before[i] > kMostLoad * bounce.largest[0][i]) continue;
+            impacts.push_back({fixed, static_cast<std::uint8_t>(i), static_cast<std::uint32_t>(n)});
+        }
+    }
+}
+
+/// Leaves those that share a body with another one.
+void keepChains(Workspace& work) {
+    work.hits.resize(work.velocity.size());
+    const auto forHits = [&](const ImpactPlace& impact, auto&& act) {
+        visit(work, impact, [&](const auto& block, const BounceBlock&, int lane) {
+            forSlots(block, lane, [&](std::int32_t slot) { act(work.hits[static_cast<std::size_t>(slot)]); });
+        });
+    };
+    for (const ImpactPlace& impact : work.impacts) forHits(impact, [](std::uint8_t& hits) { hits = 0; });
+    for (const ImpactPlace& impact : work.impacts)
+        forHits(impact, [](std::uint8_t& hits) { hits = hits == 0 ? 1 : 2; });
+    std::erase_if(work.impacts, [&](const ImpactPlace& impact) {
+        bool shares = false;
+        forHits(impact, [&](const std::uint8_t& hits) { shares = shares || hits == 2; });
+        return !shares;
+    });
+}
+
+bool anyHits(Workspace& work, float slowest) {
+    bool hits = false;
+    for (const ImpactPlace& impact : work.impacts) {
+        visit(work, impact, [&](const auto&, const BounceBlock& bounce, int lane) {
+            hits = hits || bounce.approach[0][lane] < -slowest;
+        });
+    }
+    return hits;
+}
+
+/// As if they had not touched.
+void takeBack(Workspace& work) {
+    for (const ImpactPlace& impact : work.impacts) {
+        visit(work, impact, [&](auto& block, BounceBlock& bounce, int lane) {
+            pushApart(work, block, 0, lane, -bounce.sum[lane]);
+            block.points[0].impulse[lane] = 0.0f;
+        });
+    }
+}
+
+/// As if the step had ended when they met: what accelerated them afterwards would be a gain.
+void endAtImpact(Workspace& work, float slowest, float dt) {
+    for (const ImpactPlace& impact : work.impacts) {
+        visit(work, impact, [&](auto& block, BounceBlock& bounce, int lane) {
+            float& before = bounce.approach[0][lane];
+            if (before < -slowest) {
+                const float met = speedOfImpact(before, approachIn(work, block, 0, lane, dt));
+                const float gain = approachOf(work, block, 0, lane) - met;
+                pushApart(work, block, 0, lane, -block.points[0].mass[lane] * gain);
+            }
+            before = 0.0f;  // nothing is left to bounce
+        });
+    }
+}
+
+/// @return whether anybody approached
+bool collideInTurn(Workspace& work, float slowest) {
+    bool approached = false;
+    for (const ImpactPlace& impact : work.impacts) {
+        visit(work, impact, [&](auto& block, const BounceBlock& bounce, int lane) {
+            const float speed = approachOf(work, block, 0, lane);
+            if (speed > -kNoApproach) return;
+            approached = true;
+            const float bounciness = speed < -slowest ? bounce.bounciness[lane] : 0.0f;
+            const float impulse = -(1.0f + bounciness) * block.points[0].mass[lane] * speed;
+            block.points[0].impulse[lane] += impulse;
+            pushApart(work, block, 0, lane, impulse);
+        });
+    }
+    return approached;
+}
+
+void shift(Workspace& work, std::int32_t slot, float distance, float nx, float ny) {
+    Float4& moved = work.shift[static_cast<std::size_t>(slot)];
+    moved.x += distance * nx;
+    moved.y += distance * ny;
+}
+void part(Workspace& work, const ContactBlock& block, int lane, float depth) {
+    const float a = work.velocity[static_cast<std::size_t>(block.a[lane])].w;
+    const float b = work.velocity[static_cast<std::size_t>(block.b[lane])].w;
+    if (!(a + b > 0.0f)) return;
+    shift(work, block.a[lane], -depth * a / (a + b), block.normalX[lane], block.normalY[lane]);
+    shift(work, block.b[lane], depth * b / (a + b), block.normalX[lane], block.normalY[lane]);
+}
+void part(Workspace& work, const FixedContactBlock& block, int lane, float depth) {
+    shift(work, block.b[lane], depth, block.normalX[lane], block.normalY[lane]);
+}
+
+/// Takes out the overlaps that the blow made before it was stopped: pushed apart by and by, the balls would
+/// get speed from it.
+/// @return whether there was any
+bool partInTurn(Workspace& work, float dt) {
+    bool overlapped = false;
+    for (const ImpactPlace& impact : work.impacts) {
+        visit(work, impact, [&](const auto& block, const BounceBlock&, int lane) {
+            const float depth =
+                -(block.points[0].separation[lane] + approachIn(work, block, 0, lane, dt).way);
+            if (depth <= kNoOverlap) return;
+            overlapped = true;
+            part(work, block, lane, depth);
+        });
+    }
+    return overlapped;
+}
+
+/// A blow is no load: the next step does not start with it.
+void markBlows(Workspace& work) {
+    for (const ImpactPlace& impact : work.impacts) {
+        visit(work, impact, [&](auto& block, const BounceBlock&, int lane) {
+            block.points[0].impulse[lane] = -block.points[0].impulse[lane];
+        });
+    }
+}
+
+}  // namespace
+
+void runImpactsOn(StepContext& step, const SolveGroup& group) {
+    Workspace& work = step.work;
+    work.impacts.clear();
+    for (const ColourBlocks& colour : group.colours) {
+        gather(work.bounces, work.contactLanes, colour.contactBegin, colour.contactEnd, false, work.impacts);
+        gather(work.fixedBounces, work.fixedLanes, colour.fixedBegin, colour.fixedEnd, true, work.impacts);
+    }
+    if (work.impacts.size() < 2) return;
+    keepChains(work);
+    const float slowest = step.world.settings.bounceSpeed;
+    if (!anyHits(work, slowest)) return;
+    takeBack(work);
+    endAtImpact(work, slowest, step.dt);
+    for (int i = 0; i < kMostRounds && collideInTurn(work, slowest); ++i) {
+    }
+    for (int i = 0; i < kMostRounds && partInTurn(work, step.dt); ++i) {
+    }
+    markBlows(work);
+}
+
+}  // namespace plumb::physics
