@@ -28,7 +28,7 @@ Result<Done> checkAlive(const char* where, const World& world, BodyId body);
 template <class... Checks>
 Result<Done> firstOf(Checks... checks) {
     Result<Done> result = Done{};
-    ((checks.ok() || (result = checks, false)) && ...);
+    static_cast<void>(((checks.ok() || (result = checks, false)) && ...));
     return result;
 }
 

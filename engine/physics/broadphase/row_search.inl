@@ -27,7 +27,8 @@ PLUMB_TARGET inline void takeHits(const RowSearch& search, const std::uint32_t* 
         const bool reported = left & (search.isMoved[b] != 0);
         const bool awake = (own.states[i] | others.states[j]) == BoxRows::kAwake;
         found[count] = pairKey(a, b);
-        count += awake & !reported & (a != b) & meet(own.filters[i], others.filters[j]) ? 1u : 0u;
+        const bool met = meet(own.filters[i], others.filters[j]);
+        count += (awake & !reported & (a != b) & met) ? 1u : 0u;
     }
     pairs.insert(pairs.end(), found, found + count);
 }

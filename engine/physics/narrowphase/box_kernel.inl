@@ -197,7 +197,8 @@ void touchCorners(BoxPlaces<F>& w, const BoxView<F>& v, F gap, F radius, F other
     // A corner that hardly looks past the end of a nearly parallel face stays with the face, so that stacked
     // boxes of one size keep both points. Costs 0.01 % of the distance.
     const F rise = (farN - nearN) * beyond;
-    const auto past = (beyond > all<F>(0.01f) * nearN) | (rise > all<F>(0.0001f) * nearN * abs(farT - nearT));
+    const F least = all<F>(0.0001f) * nearN * abs(farT - nearT);
+    const auto past = (beyond > all<F>(0.01f) * nearN) | (rise > least);
     const auto isCorner =
         (gap > zero) & (beyond > zero) & (((zero > passes) & past) | apart) & (square > blur);
 
