@@ -165,7 +165,7 @@ enum JointFlag : std::uint8_t {
     kBreakable = 8,
     kSoft = 16,  ///< has a stiffness of its own
     kKeepsApart = 32,
-    kStretched = 64  ///< the lanes solved it, so it may be open: trees close it slowly
+    kStretched = 64  ///< the lanes solved it, so it may be open: see grow_trees.cpp
 };
 
 struct Joints {

@@ -146,40 +146,48 @@ private:
     std::vector<HeldJoint>& held_;
 };
 
-/// The colours of each body's joints, where all of them are solved directly: kNone where not.
+/// The colours of each body's joints: if it has more, it touches something.
 void noteColours(const World& world, JointTrees& trees) {
     for (Limb& limb : trees.limbs) {
         limb.colours = 0;
         for (std::uint32_t j = world.bodies.info[limb.body].firstJoint; j != kNone;) {
             const Joint& joint = world.joints.hot[j];
-            if (trees.isDirect[j] == kNotDirect) limb.colours = kNone;
-            if (joint.colour < kColours && limb.colours != kNone) limb.colours |= 1u << joint.colour;
+            if (trees.isDirect[j] == kNotDirect) limb.hasOthers = true;
+            const bool pushed = joint.kind != JointKind::Mouse || joint.bodyB == limb.body;
+            if (joint.colour < kColours && pushed) limb.colours |= 1u << joint.colour;
             j = joint.bodyA == limb.body ? joint.nextA : joint.nextB;
         }
     }
 }
 
-bool touches(const Workspace& work, const Limb& limb) {
-    return limb.colours != kNone && limb.colours != work.colourMasks[limb.body];
+bool touches(const Workspace& work, const Limb& limb) { return limb.colours != work.colourMasks[limb.body]; }
+
+bool isHeld(const JointTree& tree) { return tree.holdBegin < tree.holdEnd; }
+
+/// To the lanes. A taut tree pulls harder than any springs that give way, so these start anew.
+void leave(World& world, JointTrees& trees, const JointTree& tree) {
+    forLinks(trees, tree, [&](const Link& link) {
+        Joint& joint = world.joints.hot[link.joint];
+        if ((joint.flags & kStretched) == 0 && isHeld(tree)) joint.force = {};
+        joint.flags |= kStretched;
+    });
 }
 
-/// What the lanes solve they leave open, and it stays marked until a tree has closed it.
-void markStretched(World& world, JointTrees& trees, JointTree& tree, bool touching) {
-    bool closed = true;
-    tree.stretched = touching;
-    forLinks(trees, tree, [&](Link& link) {
-        Joint& joint = world.joints.hot[link.joint];
-        if (touching) joint.flags |= kStretched;
-        tree.stretched = tree.stretched || (joint.flags & kStretched) != 0;
+/// Back from the lanes, if these left nothing open: to close it at once would throw bodies about.
+/// @return true for a tree that is closed, as all are that never were in lanes
+bool comeBack(World& world, JointTrees& trees, const JointTree& tree) {
+    bool stretched = false, closed = true;
+    forLinks(trees, tree, [&](const Link& link) {
+        stretched = stretched || (world.joints.hot[link.joint].flags & kStretched) != 0;
     });
-    if (!tree.stretched || touching) return;
-    forLinks(trees, tree, [&](Link& link) { closed = closed && isClosed(world, link); });
-    if (!closed) return;
-    tree.stretched = false;
+    if (!stretched) return true;
+    forLinks(trees, tree, [&](Link& link) { closed = closed && isClosed(world, link, isHeld(tree)); });
+    if (!closed) return false;
     forLinks(trees, tree, [&](const Link& link) {
         Joint& joint = world.joints.hot[link.joint];
         joint.flags = static_cast<std::uint8_t>(joint.flags & ~kStretched);
     });
+    return true;
 }
 
 /// Which trees are solved directly in this step. A tree that touches something is left to the lanes, which
@@ -192,11 +200,13 @@ void choose(World& world, Workspace& work) {
     for (JointTree& tree : trees.trees) {
         const auto limbs = std::span{trees.limbs}.subspan(static_cast<std::size_t>(tree.begin),
                                                           static_cast<std::size_t>(tree.end - tree.begin));
-        tree.direct =
-            std::none_of(limbs.begin(), limbs.end(), [&](const Limb& limb) { return touches(work, limb); });
-        markStretched(world, trees, tree, !tree.direct);
+        const bool touching =
+            std::any_of(limbs.begin(), limbs.end(), [&](const Limb& limb) { return touches(work, limb); });
+        if (touching) leave(world, trees, tree);
+        tree.direct = !touching && comeBack(world, trees, tree);
         trees.some = trees.some || tree.direct;
-        for (const Limb& limb : limbs) trees.freeMasks[limb.body] = tree.direct ? limb.colours : 0;
+        for (const Limb& limb : limbs)
+            trees.freeMasks[limb.body] = tree.direct && !limb.hasOthers ? limb.colours : 0;
         forLinks(trees, tree, [&](const Link& link) {
             trees.isDirect[link.joint] = !tree.direct  ? kNotDirect
                                          : link.shared ? kPartlyDirect

@@ -26,7 +26,8 @@ struct TreePose {
 struct Limb {
     std::uint32_t body = 0;
     std::int32_t slot = 0;
-    std::uint32_t colours = 0;  ///< of its joints in the tree; kNone where it has others
+    std::uint32_t colours = 0;  ///< of all its joints
+    bool hasOthers = false;     ///< joints that are not of the tree
     double mass = 0.0;          ///< kg
     double inertia = 0.0;       ///< kg m2
     double straining = 0.0;     ///< N m: torque by which its joints turn it back, for each radian
@@ -79,9 +80,8 @@ struct JointTree {
     std::int32_t end = 0;
     std::int32_t holdBegin = 0;  ///< links to what cannot be pushed besides that of the root
     std::int32_t holdEnd = 0;
-    bool direct = true;      ///< in this step: left to the lanes while its limbs touch something
-    bool rooted = false;     ///< the last limb has a link too: to what cannot be pushed
-    bool stretched = false;  ///< the lanes left gaps, which are closed slowly
+    bool direct = true;   ///< in this step: left to the lanes while its limbs touch something
+    bool rooted = false;  ///< the last limb has a link too: to what cannot be pushed
     std::uint8_t group = 0;
 };
 

@@ -22,12 +22,11 @@ constexpr double kSoftness = 1.0e-6;
 constexpr double kCalm = 0.5;
 /// Of gaps beyond Link::reach, which no smooth motion makes, this part is closed in a substep.
 constexpr double kSoftRate = 0.28;
-/// m/s: how fast trees as a whole close the gaps that the lanes left. One that is held at both ends may be
-/// taut as a bridge, where a little less length is a lot less sag, which would throw what lies on it.
-constexpr double kCloseSpeed = 2.0;
-constexpr double kCloseSpeedOfHeld = 0.1;
-/// Part of the arms that counts as closed.
-constexpr double kClosed = 1.0e-5;
+/// Part of the arms by which a joint that the lanes solved may be open and be closed at once. Where both ends
+/// are held a tree may be taut as a bridge: a little less length is a lot less sag, which would throw what
+/// lies on it.
+constexpr double kClosed = 1.0e-3;
+constexpr double kClosedWhereHeld = 2.5e-6;
 
 struct Trees {
     Workspace& work;
@@ -147,19 +146,13 @@ void lookAhead(const Trees& trees, Limb& limb) {
     limb.pose.y += limb.velocity.y * time + static_cast<double>(flight.y);
 }
 
-/// m or rad: how much of a gap may be closed in this substep.
-double closingOf(const Trees& trees, const JointTree& tree, const Link& link, double size) {
-    if (!tree.stretched) return std::max(kSoftRate * size, std::min(size, static_cast<double>(link.reach)));
-    const double speed = tree.holdBegin < tree.holdEnd ? kCloseSpeedOfHeld : kCloseSpeed;
-    return std::min(size, speed * trees.h / (tree.end - tree.begin));
-}
-
 /// What has to be answered so that gaps are closed where the limbs will be.
-void aimAtGaps(const Trees& trees, const JointTree& tree, Link& link) {
+void aimAtGaps(const Trees& trees, Link& link) {
     const TreePose parent = parentPose(link, trees.parentOf(link), trees.elapsed + trees.h);
     const Triple ahead = gapsOf(link, trees.limb(link.limb).pose, parent);
+    const auto reach = static_cast<double>(link.reach);
     const auto aim = [&](double gap, double then) {
-        const double closed = closingOf(trees, tree, link, std::fabs(gap));
+        const double size = std::fabs(gap), closed = std::max(kSoftRate * size, std::min(size, reach));
         return ((then - gap) + (gap < 0.0 ? -closed : closed)) * trees.rate;
     };
     link.error = {aim(link.gap.x, ahead.x), aim(link.gap.y, ahead.y), aim(link.gap.turn, ahead.turn)};
@@ -216,13 +209,13 @@ void pushTree(const Trees& trees, const JointTree& tree, bool again) {
         lookAhead(trees, trees.limb(i));
     }
     for (Link& hold : trees.holdsOf(tree)) {
-        aimAtGaps(trees, tree, hold);
+        aimAtGaps(trees, hold);
         answerHold(trees, hold);
     }
     for (std::int32_t i = tree.begin; i < tree.end; ++i) {
         if (!hasLink(tree, i)) continue;
         Link& link = trees.link(i);
-        aimAtGaps(trees, tree, link);
+        aimAtGaps(trees, link);
         answer(trees.limb(i), link, trees.parentOf(link));
     }
     giveTree(trees, tree);
@@ -307,11 +300,12 @@ void prepareLimb(const World& world, const Workspace& work, Limb& limb) {
 
 }  // namespace
 
-bool isClosed(const World& world, Link& link) {
+bool isClosed(const World& world, Link& link, bool held) {
     prepareArms(world, link);
     const Triple gap = gapsOf(link, {}, {});
-    const double most = kClosed * static_cast<double>(link.reach);
-    return std::fabs(gap.x) <= most && std::fabs(gap.y) <= most && std::fabs(gap.turn) <= kClosed;
+    const double part = held ? kClosedWhereHeld : kClosed;
+    const double most = part * 4.0 * static_cast<double>(link.reach);
+    return std::fabs(gap.x) <= most && std::fabs(gap.y) <= most && std::fabs(gap.turn) <= part;
 }
 
 void prepareTrees(StepContext& step) {

@@ -16,7 +16,8 @@ namespace plumb::physics {
 void prepareTrees(StepContext& step);
 
 /// True when a joint is as good as closed at the start of the step.
-bool isClosed(const World& world, Link& link);
+/// @param held  it is one of a tree that is held at several ends
+bool isClosed(const World& world, Link& link, bool held);
 
 /// Velocities that close all gaps within a substep of h seconds.
 /// @param substep  the number of it
