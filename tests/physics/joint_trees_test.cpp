@@ -232,6 +232,30 @@ TEST(JointTrees, areLeftToTheLanesWhileTheyTouchSomething) {
     for (const BodyId disc : discs) EXPECT_GT(scene.place(disc).y, -1.7f);
 }
 
+TEST(JointTrees, gainNoEnergyHoweverTheyWhip) {
+    for (std::uint64_t seed = 1; seed <= 50; ++seed) {
+        SCOPED_TRACE(seed);
+        Random random = Random::seeded(seed);
+        JointWorld scene;
+        scene.world.settings.quality = static_cast<Quality>(seed % 4);
+        std::vector<BodyId> discs;
+        BodyId above = scene.ground;
+        for (int i = 0; i < 10; ++i) {
+            discs.push_back(scene.disc({0.5 + i, 0.0}, random.below(4) == 0 ? 20.0f : 0.2f));
+            (void)scene.join(scene.define(JointKind::Revolute, above, discs.back(), {1.0 * i, 0.0}));
+            above = discs.back();
+        }
+        double mass = 0.0;
+        for (const BodyId disc : discs) mass += static_cast<double>(scene.world.bodies.mass[disc.index].mass);
+        for (int i = 0; i < 600; ++i) {
+            scene.run(JointWorld::kDt);
+            double energy = 0.0;
+            for (const BodyId disc : discs) energy += scene.energyOf(disc);
+            ASSERT_LT(energy, 0.05 * mass * static_cast<double>(JointWorld::kGravity) * 10.0) << i;
+        }
+    }
+}
+
 /// A plank or crate of a bridge; planks do not meet each other.
 BodyId addBox(JointWorld& scene, Place at, Vec2 half, float angle, float density, std::int16_t group) {
     BodyDefinition definition;

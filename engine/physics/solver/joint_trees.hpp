@@ -83,6 +83,7 @@ struct JointTree {
     bool direct = true;   ///< in this step: left to the lanes while its limbs touch something
     bool rooted = false;  ///< the last limb has a link too: to what cannot be pushed
     std::uint8_t group = 0;
+    double gain = 0.0;  ///< J: of energy in this substep, from its joints
 };
 
 /// How much of a joint is solved in a tree.

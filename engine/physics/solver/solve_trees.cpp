@@ -28,6 +28,10 @@ constexpr double kSoftRate = 0.28;
 constexpr double kClosed = 1.0e-3;
 constexpr double kClosedWhereHeld = 2.5e-6;
 
+/// Joints do no work. Where a substep is too long for a whip, they seem to: of a tree's energy, they may add
+/// this part in a substep. What goes on as it should stays a hundred times below.
+constexpr double kMostGain = 2.0e-3;
+
 struct Trees {
     Workspace& work;
     JointTrees& all;
@@ -182,8 +186,15 @@ void addChange(Float4& velocity, const Triple& change) {
     velocity.z = static_cast<float>(static_cast<double>(velocity.z) + change.turn);
 }
 
+/// J: what a change of velocity does to a limb's energy.
+double gainOf(const Limb& limb, const Triple& change) {
+    return limb.mass * ((limb.velocity.x + 0.5 * change.x) * change.x +
+                        (limb.velocity.y + 0.5 * change.y) * change.y) +
+           limb.inertia * (limb.velocity.turn + 0.5 * change.turn) * change.turn;
+}
+
 /// From the root to the twigs: how velocities change, and what the links give for it.
-void giveTree(const Trees& trees, const JointTree& tree) {
+void giveTree(const Trees& trees, JointTree& tree) {
     for (std::int32_t i = tree.end; i-- > tree.begin;) {
         Limb& limb = trees.limb(i);
         if (hasLink(tree, i)) {
@@ -194,11 +205,51 @@ void giveTree(const Trees& trees, const JointTree& tree) {
         // What trees give is not given again in the next substep: they find it anew, along the arms of then.
         addChange(trees.work.velocity[static_cast<std::size_t>(limb.slot)], limb.impulse);
         addChange(trees.work.undisturbed[static_cast<std::size_t>(limb.slot)], limb.impulse);
+        tree.gain += gainOf(limb, limb.impulse);
     }
     for (Link& hold : trees.holdsOf(tree)) giveHold(trees, hold);
 }
 
-void pushTree(const Trees& trees, const JointTree& tree, bool again) {
+/// True when what a tree hangs on moves, which does work.
+bool isDriven(const Trees& trees, const JointTree& tree) {
+    bool driven = false;
+    forLinks(trees.all, tree, [&](const Link& link) {
+        const Triple& v = link.groundVelocity;
+        driven = driven || (link.parent < 0 && (v.x != 0.0 || v.y != 0.0 || v.turn != 0.0));
+    });
+    return driven;
+}
+
+/// Takes energy from a tree that gained too much. All velocities shrink alike, which opens no joint; those of
+/// a tree that flies, about that of its centre of mass.
+void calmTree(const Trees& trees, JointTree& tree) {
+    Triple middle;
+    double mass = 0.0, energy = 0.0;
+    for (std::int32_t i = tree.begin; i < tree.end; ++i) {
+        Limb& limb = trees.limb(i);
+        limb.velocity += limb.impulse;
+        energy += -gainOf(limb, -1.0 * limb.velocity);
+        middle += limb.mass * Triple{limb.velocity.x, limb.velocity.y, 0.0};
+        mass += limb.mass;
+    }
+    const double excess = tree.gain - kMostGain * energy;
+    if (excess <= 0.0 || isDriven(trees, tree)) return;
+    middle = tree.rooted ? Triple{} : 1.0 / mass * middle;
+    const double own = energy - 0.5 * mass * (middle.x * middle.x + middle.y * middle.y);
+    const double less = own > excess ? 1.0 - std::sqrt(1.0 - excess / own) : 1.0;
+    for (std::int32_t i = tree.begin; i < tree.end; ++i) {
+        Limb& limb = trees.limb(i);
+        Triple change = limb.velocity;
+        change += -1.0 * middle;
+        change = -less * change;
+        addChange(trees.work.velocity[static_cast<std::size_t>(limb.slot)], change);
+        addChange(trees.work.undisturbed[static_cast<std::size_t>(limb.slot)], change);
+    }
+    tree.gain -= excess;
+}
+
+void pushTree(const Trees& trees, JointTree& tree, bool again) {
+    if (!again) tree.gain = 0.0;
     if (trees.elapsed == 0.0 && !again) {  // later: as it was when it was relaxed
         setTree(trees, tree);
         for (std::int32_t i = tree.begin; i < tree.end; ++i) factorLimb(trees, tree, i);
@@ -221,7 +272,7 @@ void pushTree(const Trees& trees, const JointTree& tree, bool again) {
     giveTree(trees, tree);
 }
 
-void relaxTree(const Trees& trees, const JointTree& tree, bool again) {
+void relaxTree(const Trees& trees, JointTree& tree, bool again) {
     if (again) {
         for (std::int32_t i = tree.begin; i < tree.end; ++i) takeMotion(trees, trees.limb(i));
     } else {
@@ -239,6 +290,7 @@ void relaxTree(const Trees& trees, const JointTree& tree, bool again) {
         answer(trees.limb(i), link, trees.parentOf(link));
     }
     giveTree(trees, tree);
+    if (tree.gain > 0.0) calmTree(trees, tree);
     forLinks(trees.all, tree, [&](Link& link) {
         link.force = trees.rate * onLimb(link, link.given);
         if (link.kind != LinkKind::Weld && link.kind != LinkKind::Slider) link.force.turn = 0.0;
@@ -325,13 +377,13 @@ void prepareTrees(StepContext& step) {
 void pushTrees(StepContext& step, const SolveGroup& group, float h, int substep, bool again) {
     const auto dt = static_cast<double>(h);
     const Trees trees{step.work, step.work.joints.trees, dt, 1.0 / dt, dt * substep};
-    forTrees(step, group, [&](const JointTree& tree) { pushTree(trees, tree, again); });
+    forTrees(step, group, [&](JointTree& tree) { pushTree(trees, tree, again); });
 }
 
 void relaxTrees(StepContext& step, const SolveGroup& group, float h, int substep, bool again) {
     const auto dt = static_cast<double>(h);
     const Trees trees{step.work, step.work.joints.trees, dt, 1.0 / dt, dt * (substep + 1)};
-    forTrees(step, group, [&](const JointTree& tree) { relaxTree(trees, tree, again); });
+    forTrees(step, group, [&](JointTree& tree) { relaxTree(trees, tree, again); });
 }
 
 LinkForce forceOf(const Link& link) {
