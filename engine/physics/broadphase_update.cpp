@@ -37,8 +37,9 @@ void updateBroadPhase(World& world, Workspace& work) {
         work.joints.trees.stale = true;
     }
     if (stale || work.broadPhaseKind != world.settings.broadPhase) {
+        if (work.broadPhase == nullptr || work.broadPhaseKind != world.settings.broadPhase)
+            work.broadPhase = makeBroadPhase(world.settings.broadPhase);
         work.broadPhaseKind = world.settings.broadPhase;
-        work.broadPhase = makeBroadPhase(work.broadPhaseKind);
         work.broadPhase->rebuild(proxiesOf(world));
         std::fill(work.isChanged.begin(), work.isChanged.end(), std::uint8_t{0});
     } else if (!work.changedProxies.empty()) {

@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# Plays the platformer's replay with the player as every installed compiler builds it, and wants one hash.
+# Plays the platformer's replay with the player as every installed compiler builds it, and wants one hash; and the
+# golden scenes of the physics library, one hash each.
 #   compare_compilers.sh [BUILD-FOLDER]    the folder keeps the builds for the next time
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
@@ -19,13 +20,20 @@ build_player() { # NAME COMPILER FLAGS
     local generator=()
     if command -v ninja >/dev/null; then generator=(-G Ninja); fi
     cmake -S "$root" -B "$build/$1" "${generator[@]}" -DCMAKE_CXX_COMPILER="$2" -DCMAKE_BUILD_TYPE=Release \
-        -DCMAKE_CXX_FLAGS_RELEASE="$3" -DPLUMB_TESTS=OFF -DPLUMB_EDITOR=OFF &&
-        cmake --build "$build/$1" --parallel "$(getconf _NPROCESSORS_ONLN)" --target plumb-player
+        -DCMAKE_CXX_FLAGS_RELEASE="$3" -DPLUMB_TESTS=ON -DPLUMB_EDITOR=OFF &&
+        cmake --build "$build/$1" --parallel "$(getconf _NPROCESSORS_ONLN)" --target plumb-player plumb-physics-hashes
 }
 
 # The replay also holds the hash of every 300th tick: the player stops at the first that differs.
 play_replay() { # NAME
     "$build/$1/bin/plumb-player" "$root/projects/platformer" --headless --hash --replay "$replay" | sed -n 's/^hash: //p'
+}
+
+# Where the build has no program, it has said so.
+compare_physics() { # NAME
+    [ -x "$build/$1/bin/plumb-physics-hashes" ] || return 0
+    "$build/$1/bin/plumb-physics-hashes" | diff - "$root/tests/replay/physics.golden" >&2 ||
+        { echo "$1: scenes of the physics library differ"; return 1; }
 }
 
 if command -v ccache >/dev/null; then export CMAKE_CXX_COMPILER_LAUNCHER=${CMAKE_CXX_COMPILER_LAUNCHER:-ccache}; fi
@@ -46,5 +54,6 @@ while read -r name compiler flags; do
         echo "$name: $hash differs from the replay's $golden ($compiler $flags)"
         failed=1
     fi
+    compare_physics "$name" || failed=1
 done <<<"$table"
 exit $failed

@@ -1,0 +1,88 @@
+#include <cstdio>
+
+#include "tests/bench/effects/effects_bench.hpp"
+
+namespace plumb::bench {
+
+namespace {
+
+using namespace physics;
+
+constexpr int kBoxes = 2000;
+
+/// What the boxes of the pit call for.
+struct Pit {
+    const char* name;
+    bool turns = false;
+    bool rubs = false;
+    bool bounces = false;
+    bool reports = false;
+    bool stayEvents = false;
+};
+
+World makePit(const Pit& pit) {
+    World world;
+    world.settings.gravity = {0.0f, -10.0f};
+    world.settings.sleeping = false;
+    world.settings.stayEvents = pit.stayEvents;
+    ShapeDefinition shape;
+    shape.friction = pit.rubs ? 0.6f : 0.0f;
+    shape.bounciness = pit.bounces ? 0.1f : 0.0f;
+    shape.reportsContacts = pit.reports;
+    const BodyId ground = *createBody(world, {.kind = BodyKind::Static, .position = {0.0, -1.0}});
+    static_cast<void>(createShape(world, ground, box({60.0f, 1.0f}), shape));
+    for (const float side : {-21.0f, 21.0f})
+        static_cast<void>(createShape(world, ground, box({1.0f, 60.0f}, {side, 61.0f}), shape));
+    for (int i = 0; i < kBoxes; ++i) {
+        const int row = i / 39;
+        BodyDefinition body;
+        body.position = {-19.5 + (i % 39) + (row % 2 == 0 ? 0.0 : 0.3), 0.5 + 1.05 * row};
+        body.fixedRotation = !pit.turns;
+        static_cast<void>(createShape(world, *createBody(world, body), box({0.5f, 0.5f}), shape));
+    }
+    return world;
+}
+
+int touching(const World& world) {
+    int count = 0;
+    for (const Contact& contact : world.contacts) count += (contact.flags & kTouching) != 0 ? 1 : 0;
+    return count;
+}
+
+}  // namespace
+
+int measureContacts(bool quick) {
+    constexpr Pit kPits[] = {
+        {"all: turns, rubs, bounces, reports", true, true, true, true},
+        {"turns and rubs", true, true, false, true},
+        {"turns", true, false, false, true},
+        {"rubs", false, true, false, true},
+        {"none: boxes along the axes", false, false, false, false},
+        {"turns and rubs, stay events", true, true, false, true, true},
+    };
+    constexpr int kPitCount = static_cast<int>(std::size(kPits));
+    World worlds[kPitCount];
+    double best[kPitCount];
+    for (int i = 0; i < kPitCount; ++i) {
+        worlds[i] = makePit(kPits[i]);
+        best[i] = 1.0e12;
+        for (int warm = 0; warm < 100; ++warm) step(worlds[i], kTick);
+    }
+    // In turn, so that whatever else the machine does meets all alike.
+    for (int round = 0; round < (quick ? 3 : 150); ++round) {
+        for (int i = 0; i < kPitCount; ++i) {
+            const double time = quickest(1, [&] { step(worlds[i], kTick); });
+            best[i] = std::min(best[i], time / touching(worlds[i]));
+        }
+    }
+    std::printf("a pit of %d boxes, one thread\n%-38s%12s%12s%10s\n", kBoxes, "what contacts do", "touching",
+                "ns each", "ratio");
+    for (int i = 0; i < kPitCount; ++i) {
+        std::printf("%-38s%12d%12.1f%10.2f\n", kPits[i].name, touching(worlds[i]), best[i],
+                    best[i] / best[4]);
+    }
+    std::printf("stay events cost %.1f %%\n", 100.0 * (best[5] / best[1] - 1.0));
+    return 0;
+}
+
+}  // namespace plumb::bench
