@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 
+#include "physics/fields.hpp"
 #include "tests/physics/effect_worlds.hpp"
 
 namespace plumb::physics {
@@ -43,6 +44,24 @@ TEST(SoftBody, aClothLiesOnTheFloor) {
     run(world, 300);
     for (const SoftParticle& p : particlesOf(world, cloth)) EXPECT_LT(p.place.y, -0.05 + 0.01);
     EXPECT_EQ(runsOf(world, "soft bodies"), 300u);
+}
+
+TEST(SoftBody, windBlowsARopeAsideWhereItBlows) {
+    const auto asideIn = [](Vec2 half) {
+        World world = makeWorld();
+        const SoftBodyId rope = *createRope(world, {0.0, 0.0}, {0.0, 2.0}, 20);
+        EXPECT_TRUE(pinParticle(world, rope, 0, true).ok());
+        FieldDefinition wind;
+        wind.kind = FieldKind::Wind;
+        wind.region = RegionKind::Box;
+        wind.half = half;
+        wind.velocity = {5.0f, 0.0f};
+        EXPECT_TRUE(createField(world, wind).ok());
+        run(world, 300);
+        return wayOf(world, rope, 0, 19).x;
+    };
+    EXPECT_GT(asideIn({10.0f, 10.0f}), 0.5f);
+    EXPECT_EQ(asideIn({0.5f, 0.01f}), 0.0f) << "only its pin is in the wind";
 }
 
 TEST(SoftBody, aJellyKeepsItsArea) {

@@ -56,6 +56,10 @@ bool actsOn(const World& world, const FieldDefinition& field, std::uint32_t body
     return isInRegion(field, way, reach);
 }
 
+bool isInRegion(const FieldDefinition& field, Place place) {
+    return isInRegion(field, place - field.place, 0.0f);
+}
+
 bool isConstant(const FieldDefinition& field) {
     return field.kind == FieldKind::AreaGravity && field.strength == 0.0f;
 }

@@ -49,6 +49,10 @@ const FieldType& fieldTypeOf(FieldKind kind);
 
 /// Whether a field acts on a body where it is now.
 [[nodiscard]] bool actsOn(const World& world, const FieldDefinition& field, std::uint32_t body);
+/// Whether a place is in the region of a field, whatever is there.
+[[nodiscard]] bool isInRegion(const FieldDefinition& field, Place place);
+/// m/s: how the air of a Wind moves in a step, gusts included.
+[[nodiscard]] Vec2 airOf(const FieldDefinition& field, std::uint64_t step);
 /// Whether it does the same to a body wherever it is and however it moves, so that the way is known exactly.
 [[nodiscard]] bool isConstant(const FieldDefinition& field);
 

@@ -24,15 +24,16 @@ float gustiness(const FieldDefinition& field, std::uint64_t step) {
 
 }  // namespace
 
+Vec2 airOf(const FieldDefinition& field, std::uint64_t step) {
+    if (!(field.gust > 0.0f)) return field.velocity;
+    const Vec2 along = lengthSquared(field.velocity) > 0.0f ? normalized(field.velocity) : Vec2{1.0f, 0.0f};
+    return field.velocity + (field.gust * gustiness(field, step)) * along;
+}
+
 /// F = density * width * speed^2, along the wind as the body feels it.
 Acceleration wind(const FieldView& view, const FieldDefinition& field, std::uint32_t body,
                   const BodyState& state) {
-    Vec2 air = field.velocity;
-    if (field.gust > 0.0f) {
-        const Vec2 along = lengthSquared(air) > 0.0f ? normalized(air) : Vec2{1.0f, 0.0f};
-        air += (field.gust * gustiness(field, view.world.steps)) * along;
-    }
-    const Vec2 felt = air - state.velocity;
+    const Vec2 felt = airOf(field, view.world.steps) - state.velocity;
     const float speed = length(felt);
     if (speed <= 0.0f) return {};
     const float width = widthAcross(view.world, body, state.rotation, felt / speed);

@@ -4,6 +4,7 @@
 
 #include "math/portable.hpp"
 #include "physics/bounds.hpp"
+#include "physics/effects/field_types.hpp"
 #include "physics/shapes/shape_types.hpp"
 #include "physics/sleeping.hpp"
 #include "physics/stages.hpp"
@@ -23,6 +24,26 @@ struct SoftStep {
     float h;                                   // s
     float elapsed;                             // s since the start of the step
 };
+
+/// Each particle is as wide in the wind as the way to its neighbour.
+void blowOn(const SoftStep& soft, const FieldDefinition& wind) {
+    if ((wind.layers & soft.body.layers) == 0) return;
+    const Vec2 air = airOf(wind, soft.world.steps);
+    const float width = soft.body.links.empty() ? 2.0f * soft.body.radius : soft.body.links.front().length;
+    for (SoftParticle& p : soft.body.particles) {
+        if (p.inverseMass == 0.0f || !isInRegion(wind, p.place)) continue;
+        const Vec2 felt = air - p.velocity;
+        const float rate = wind.density * width * length(felt) * p.inverseMass;  // 1/s
+        p.velocity += std::min(rate * soft.h, 1.0f) * felt;
+    }
+}
+
+void blow(const SoftStep& soft) {
+    if (!soft.world.manifest.runs(Effect::Wind)) return;
+    for (const Field& field : soft.world.fields.all) {
+        if (field.isAlive && field.definition.kind == FieldKind::Wind) blowOn(soft, field.definition);
+    }
+}
 
 void moveFreely(const SoftStep& soft) {
     const bool pulled = (soft.world.manifest.pinnedOff & Manifest::bit(Effect::Gravity)) == 0;
@@ -185,6 +206,7 @@ void moveSoftBodies(StepContext& step) {
         const float h = step.dt / static_cast<float>(body.substeps);
         for (int i = 0; i < body.substeps; ++i) {
             const SoftStep soft{step.world, body, step.work.softShapes, h, h * static_cast<float>(i)};
+            blow(soft);
             moveFreely(soft);
             keepLengths(soft);
             keepArea(soft);
