@@ -32,7 +32,8 @@ struct Device {
 constexpr Device kDevices[] = {
     {"picture", "Sprite, TileLayer, Label"},
     {"sound", "SoundCues, Music"},
-    {"keys and pads", "PlayerController, SceneLink, Menu"},
+    {"keys and pads",
+     "PlayerController, PushControl, MouseDrag, SceneLink, Menu, SceneKey, ToggleKey, Detonator"},
 };
 
 /// Calls `f` for each name of "A, B, C".
@@ -94,10 +95,13 @@ struct Caller {
     std::string_view components;
 };
 constexpr Caller kCallers[] = {
-    {physics::Effect::OneWay, kColliders},        {physics::Effect::Triggers, kColliders},
-    {physics::Effect::Contacts, kColliders},      {physics::Effect::Joints, kJoints},
-    {physics::Effect::Explosion, "Explosion"},    {physics::Effect::AreaGravity, kFields},
-    {physics::Effect::SoftBodies, "nothing yet"},
+    {physics::Effect::OneWay, kColliders},
+    {physics::Effect::Triggers, kColliders},
+    {physics::Effect::Contacts, kColliders},
+    {physics::Effect::Joints, kJoints},
+    {physics::Effect::Explosion, "Explosion"},
+    {physics::Effect::AreaGravity, kFields},
+    {physics::Effect::SoftBodies, "Rope, Cloth, Jelly"},
 };
 
 std::string_view callersOf(const physics::StageInfo& stage) {

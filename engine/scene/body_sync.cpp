@@ -18,6 +18,7 @@
 #include "scene/components/tile_layer.hpp"
 #include "scene/field_sync.hpp"
 #include "scene/joint_sync.hpp"
+#include "scene/soft_sync.hpp"
 #include "scene/tile_bodies.hpp"
 
 namespace plumb {
@@ -41,7 +42,7 @@ bool hasFlag(const physics::World& bodies, BodyId body, physics::BodyFlag flag) 
 std::uint64_t membersOf(const World& world) {
     return world.memberships<Transform, RigidBody, StaticBody, KinematicBody, CharacterBody, TileLayer,
                              TileCollider, Parent, Paused>() +
-           colliderMembers(world) + jointMembers(world) + fieldMembers(world);
+           colliderMembers(world) + jointMembers(world) + fieldMembers(world) + softMembers(world);
 }
 
 /// Brings the bodies of one world up to date with its components.
@@ -371,6 +372,7 @@ void followComponents(World& world, PhysicsState& state, const physics::Settings
     followTiles(world, state, all);
     followJoints(world, state, all, mark);
     followFields(world, state, all);
+    followSoftBodies(world, state, all);
     state.members = membersOf(world);
 }
 

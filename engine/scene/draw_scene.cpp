@@ -15,6 +15,7 @@
 #include "scene/components/sprite.hpp"
 #include "scene/loaded_scene.hpp"
 #include "scene/scene_stack.hpp"
+#include "scene/soft_drawing.hpp"
 #include "scene/world_transform.hpp"
 
 namespace plumb {
@@ -120,10 +121,10 @@ View cameraView(World& world, Vec2 picture, float alpha, int place) {
     return view;
 }
 
-SceneRenderer::SceneRenderer(RenderDevice& device, AssetStore& assets)
+SceneRenderer::SceneRenderer(RenderDevice& device, AssetStore& assets, TextureFilter filter)
     : assets_{assets},
       renderer_{device},
-      textures_{device, assets},
+      textures_{device, assets, filter},
       tiles_{device, assets, textures_},
       labels_{device, assets},
       far_{device},
@@ -200,6 +201,7 @@ void SceneRenderer::collect(World& world, const SceneView& how, DrawList& list) 
     const std::size_t backdrops = list.items().size();
     collectTiles(world, how, list);
     collectSprites(world, how, list);
+    drawSoftBodies(world, how, list);
     collectLabels(world, how, list);
     for (const DrawItem& item : list.items().subspan(backdrops)) {
         nearLayer_ = std::min(nearLayer_, layerOfKey(item.key));

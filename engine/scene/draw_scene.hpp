@@ -40,7 +40,8 @@ struct SceneView {
 /// between frames; changes nothing in the world.
 class SceneRenderer {
 public:
-    SceneRenderer(RenderDevice& device, AssetStore& assets);
+    /// @param filter  of pictures that are drawn enlarged, turned or between px
+    SceneRenderer(RenderDevice& device, AssetStore& assets, TextureFilter filter = TextureFilter::Nearest);
 
     /// Fills `list` with what `how` sees of the world.
     void collect(World& world, const SceneView& how, DrawList& list);

@@ -81,6 +81,14 @@ struct CharacterLinkage {
     physics::CharacterController controller;
 };
 
+struct SoftLinkage {
+    EntityId entity;
+    std::uint8_t kind = 0;  ///< row of the table of soft bodies
+    physics::SoftBodyId body;
+    std::uint64_t made = 0;
+    std::uint64_t seen = 0;
+};
+
 /// The simulated bodies of a world and whose they are. A resource: snapshots and the hash include it.
 struct PhysicsState {
     physics::World world;
@@ -95,6 +103,7 @@ struct PhysicsState {
     std::vector<JointLinkage> joints;
     std::vector<FieldLinkage> fields;
     std::vector<CharacterLinkage> characters;
+    std::vector<SoftLinkage> softBodies;
     std::vector<physics::CastHit> hits;  ///< of the query in hand
     std::vector<physics::ShapeId> found;
     physics::BodyId ground;         ///< what joints with nobody are tied to

@@ -11,11 +11,13 @@
 #include "scene/components/character_body.hpp"
 #include "scene/components/character_controller.hpp"
 #include "scene/components/circle_collider.hpp"
+#include "scene/components/cloth.hpp"
 #include "scene/components/distance_joint.hpp"
 #include "scene/components/explosion.hpp"
 #include "scene/components/gear_joint.hpp"
 #include "scene/components/gravity_field.hpp"
 #include "scene/components/hidden.hpp"
+#include "scene/components/jelly.hpp"
 #include "scene/components/kinematic_body.hpp"
 #include "scene/components/label.hpp"
 #include "scene/components/motor_joint.hpp"
@@ -30,6 +32,7 @@
 #include "scene/components/pulley_joint.hpp"
 #include "scene/components/revolute_joint.hpp"
 #include "scene/components/rigid_body.hpp"
+#include "scene/components/rope.hpp"
 #include "scene/components/scene_entity.hpp"
 #include "scene/components/scene_physics.hpp"
 #include "scene/components/sprite.hpp"
@@ -81,6 +84,9 @@ void registerSceneComponents(TypeRegistry& types) {
     types.add<BuoyancyField>();
     types.add<Attractor>();
     types.add<Explosion>();
+    types.add<Rope>();
+    types.add<Cloth>();
+    types.add<Jelly>();
     types.add<Hidden>();
     types.add<Persistent>();
     types.add<Overlay>();
