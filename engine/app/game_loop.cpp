@@ -134,6 +134,7 @@ bool GameLoop::nextInput(InputFrame& frame) {
         frame = *recorded;
     } else {
         frame = devices_.take();
+        if (screen_ != nullptr) screen_->placeMouse(frame);
     }
     if (!options_.record.empty()) recorder_.record(frame);
     return true;

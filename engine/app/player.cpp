@@ -26,6 +26,7 @@ ScreenSettings screenOf(const Project& project, const PlayerOptions& options) {
     settings.fullscreen = options.fullscreen || project.fullscreen;
     settings.picture = {static_cast<float>(project.width), static_cast<float>(project.height)};
     settings.scaling = project.scaling;
+    settings.smooth = project.smooth;
     return settings;
 }
 

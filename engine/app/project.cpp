@@ -143,6 +143,7 @@ Result<Project> projectFromText(std::string_view text, const Path& root, const s
         reader.warn("resolution", "is outside 1..16384", "write it as [320, 180]");
     }
     readScaling(reader, project);
+    reader.flag("smooth", project.smooth);
     if (const Json* physics = reader.object("physics")) readPhysics(*physics, where, project);
     project.actions = ActionMap::defaults();
     if (const Json* input = reader.object("input")) {

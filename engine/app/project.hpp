@@ -25,6 +25,7 @@ struct Project {
     int width = 1280;  ///< px of the game's own picture
     int height = 720;  ///< px
     WindowScale scaling = WindowScale::Fit;
+    bool smooth = false;           ///< pictures and edges are smoothed: for drawings, not for pixel art
     Vec2 gravity{0.0f, 980.0f};    ///< px/s²
     float pixelsPerMetre = 64.0f;  ///< px in a metre of the physics
     ActionMap actions;

@@ -1,5 +1,7 @@
 #include "app/screen.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "core/log.hpp"
@@ -14,6 +16,7 @@ Result<std::unique_ptr<Screen>> Screen::open(const ScreenSettings& settings) {
     window.width = settings.windowWidth;
     window.height = settings.windowHeight;
     window.fullscreen = settings.fullscreen;
+    window.smoothEdges = settings.smooth;
     Result<std::unique_ptr<Window>> opened = Window::open(window);
     if (!opened) return opened.error();
     logNote("Engine", "Created window: {}x{}", settings.windowWidth, settings.windowHeight);
@@ -28,7 +31,8 @@ Screen::Screen(ScreenSettings settings, std::unique_ptr<Window> window, std::uni
 
 void Screen::draw(World& world, AssetStore& assets, float alpha, const PhysicsShown& physics) {
     if (drawnAssets_ != &assets) {
-        renderer_ = std::make_unique<SceneRenderer>(*device_, assets);
+        renderer_ = std::make_unique<SceneRenderer>(
+            *device_, assets, settings_.smooth ? TextureFilter::Linear : TextureFilter::Nearest);
         drawnAssets_ = &assets;
     }
     device_->setWindowSize(window_->drawableSize());
@@ -45,6 +49,19 @@ Image Screen::picture() { return device_->readPixels(TargetHandle{}); }
 
 Viewport Screen::viewport() const {
     return viewportFor(settings_.scaling, settings_.picture, window_->drawableSize());
+}
+
+void Screen::placeMouse(InputFrame& frame) const {
+    const PixelSize window = window_->size(), drawn = window_->drawableSize();
+    if (window.width <= 0 || window.height <= 0) return;
+    const Vec2 place{frame.mouse().x * static_cast<float>(drawn.width) / static_cast<float>(window.width),
+                     frame.mouse().y * static_cast<float>(drawn.height) / static_cast<float>(window.height)};
+    const Vec2 picture = pictureFromWindow(viewport(), settings_.picture, place);
+    const auto whole = [](float value) {
+        return static_cast<std::int16_t>(std::clamp(std::floor(value), -32768.0f, 32767.0f));
+    };
+    frame.mouseX = whole(picture.x);
+    frame.mouseY = whole(picture.y);
 }
 
 }  // namespace plumb

@@ -6,6 +6,7 @@
 
 #include "assets/asset_store.hpp"
 #include "core/result.hpp"
+#include "input/input_frame.hpp"
 #include "platform/window.hpp"
 #include "render/gl/gl_device.hpp"
 #include "scene/draw_scene.hpp"
@@ -19,6 +20,7 @@ struct ScreenSettings {
     bool fullscreen = false;
     Vec2 picture{1280.0f, 720.0f};  ///< px of the game's own picture
     WindowScale scaling = WindowScale::Fit;
+    bool smooth = false;  ///< pictures are filtered, edges smoothed
 };
 
 /// The window of a game and what draws into it.
@@ -38,6 +40,8 @@ public:
     [[nodiscard]] const ScreenSettings& settings() const { return settings_; }
     /// Where the game's picture is in the window (px).
     [[nodiscard]] Viewport viewport() const;
+    /// Turns the place of the mouse from px of the window into px of the picture.
+    void placeMouse(InputFrame& frame) const;
     [[nodiscard]] std::size_t drawCalls() const { return drawCalls_; }  ///< of the last frame
 
 private:

@@ -29,7 +29,7 @@ public:
         return frame_.has(button) && !previous_.has(button);
     }
     [[nodiscard]] bool isHeld(MouseButton button) const { return frame_.has(button); }
-    [[nodiscard]] Vec2 mouse() const { return frame_.mouse(); }  ///< px in the window
+    [[nodiscard]] Vec2 mouse() const { return frame_.mouse(); }  ///< px of the picture
 
     /// Begins the next tick with what the devices, a replay or the network say.
     void advance(const InputFrame& next);

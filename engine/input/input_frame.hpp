@@ -31,8 +31,8 @@ struct PadFrame {
 /// size, so it can be recorded, replayed and sent; the same frames give the same game.
 struct InputFrame {
     std::array<std::uint32_t, 4> keys{};  ///< bits by Key
-    std::int16_t mouseX = 0;              ///< px in the window
-    std::int16_t mouseY = 0;              ///< px in the window
+    std::int16_t mouseX = 0;              ///< px of the game's picture, whatever the window's size
+    std::int16_t mouseY = 0;              ///< px of the game's picture
     std::int16_t wheelX = 0;              ///< 1/120 notches turned in this tick
     std::int16_t wheelY = 0;          ///< 1/120 notches turned in this tick, away from the hand is positive
     std::uint16_t mouseButtons = 0;   ///< bits by MouseButton

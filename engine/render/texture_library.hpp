@@ -12,7 +12,8 @@ namespace plumb {
 /// file changed. Their pixels are then dropped from memory.
 class TextureLibrary {
 public:
-    TextureLibrary(RenderDevice& device, AssetStore& assets) : atlas_{device}, assets_{assets} {}
+    TextureLibrary(RenderDevice& device, AssetStore& assets, TextureFilter filter = TextureFilter::Nearest)
+        : atlas_{device, filter}, assets_{assets} {}
 
     /// Where the picture is on the card; the white pixel for an empty id, the placeholder for what is
     /// missing.

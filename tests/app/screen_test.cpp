@@ -25,6 +25,44 @@ Color at(const Image& image, int x, int y) {
     return {image.rgba[i], image.rgba[i + 1], image.rgba[i + 2], image.rgba[i + 3]};
 }
 
+TEST(Screen, theMouseIsSaidInPxOfThePicture) {
+    Result<std::unique_ptr<Screen>> opened =
+        Screen::open({"test", kWidth, kHeight, false, {64.0f, 36.0f}, WindowScale::Integer});
+    ASSERT_TRUE(opened) << opened.error().text();
+    InputFrame frame;
+    frame.mouseX = 36 + 2 * 10;  // the picture begins at 36, 14 and is drawn twice as large
+    frame.mouseY = 14 + 2 * 20 + 1;
+    (*opened)->placeMouse(frame);
+    EXPECT_EQ(frame.mouseX, 10);
+    EXPECT_EQ(frame.mouseY, 20);
+    frame.mouseX = frame.mouseY = 0;
+    (*opened)->placeMouse(frame);
+    EXPECT_EQ(frame.mouse(), (Vec2{-18.0f, -7.0f}));
+}
+
+TEST(Screen, smoothEdgesAreBetweenInsideAndOutside) {
+    TypeRegistry types;
+    registerSceneComponents(types);
+    const auto between = [&types](bool smooth) {
+        ScreenSettings settings{"test", kWidth, kHeight, false, {200.0f, 100.0f}, WindowScale::Fit, smooth};
+        Result<std::unique_ptr<Screen>> opened = Screen::open(settings);
+        EXPECT_TRUE(opened) << opened.error().text();
+        World world{types};
+        AssetStore assets;
+        Entity entity = world.createEntity();
+        entity.addComponent<Transform>(60.0f, 20.0f).rotation = 0.3f;
+        entity.addComponent<Sprite>(TextureId{}, 60, 40);
+        (*opened)->draw(world, assets, 1.0f);
+        const Image image = (*opened)->picture();
+        int count = 0;
+        for (std::size_t i = 0; i < image.rgba.size(); i += 4)
+            count += image.rgba[i] > 20 && image.rgba[i] < 235 ? 1 : 0;
+        return count;
+    };
+    EXPECT_EQ(between(false), 0);
+    EXPECT_GT(between(true), 40);
+}
+
 TEST(Screen, thePictureIsScaledAsAskedAndWhatIsLeftOfTheWindowIsBlack) {
     constexpr Color kBlack{0, 0, 0, 255};
     constexpr Color kWhite{255, 255, 255, 255};
