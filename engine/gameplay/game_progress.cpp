@@ -6,6 +6,7 @@
 #include "ecs/world.hpp"
 #include "gameplay/components/health.hpp"
 #include "gameplay/components/player_controller.hpp"
+#include "gameplay/physics_counts.hpp"
 
 namespace plumb {
 
@@ -61,6 +62,7 @@ bool appendValue(const World& world, const GameProgress& progress, std::string_v
         if (name == word) return appendNumber(out, value), true;
     }
     if (word == "health") return appendNumber(out, healthOfPlayer(world)), true;
+    if (const auto count = physicsCount(world, word)) return appendNumber(out, *count), true;
     return false;
 }
 

@@ -6,6 +6,7 @@
 #include "ecs/world.hpp"
 #include "gameplay/components/menu.hpp"
 #include "gameplay/components/menu_item.hpp"
+#include "gameplay/scene_choice.hpp"
 #include "gameplay/sound_cue.hpp"
 #include "input/input.hpp"
 #include "scene/components/label.hpp"
@@ -62,19 +63,6 @@ void show(World& world, const Menu& menu, const Items& items) {
     if (at != nullptr && cursor != nullptr) teleport(*cursor, at->position + menu.cursorOffset);
 }
 
-void take(World& world, const MenuItem& item) {
-    SceneRequests& requests = world.resource<SceneRequests>();
-    switch (item.action) {
-        case MenuAction::Close: requests.close = true; break;
-        case MenuAction::GoTo:
-            requests.next = item.scene.path;
-            requests.overlay = false;
-            break;
-        case MenuAction::Restart: requests.reload = true; break;
-        case MenuAction::Quit: requests.quit = true; break;
-    }
-}
-
 }  // namespace
 
 void MenuSystem::update(World& world, float) {
@@ -92,7 +80,8 @@ void MenuSystem::update(World& world, float) {
         show(world, menu, items);
         if (!input.isPressed(Action::Confirm)) continue;
         playCue(world, entity, &SoundCues::activate);
-        take(world, std::as_const(world).get<MenuItem>(items[static_cast<std::size_t>(menu.selected)]));
+        const auto& item = std::as_const(world).get<MenuItem>(items[static_cast<std::size_t>(menu.selected)]);
+        choose(world.resource<SceneRequests>(), item.action, item.scene);
     }
 }
 

@@ -1,0 +1,22 @@
+#pragma once
+
+#include "gameplay/components/menu_item.hpp"
+#include "scene/scene_requests.hpp"
+
+namespace plumb {
+
+/// Asks for what an item of a menu, or a key, stands for.
+inline void choose(SceneRequests& requests, MenuAction action, SceneId scene) {
+    switch (action) {
+        case MenuAction::Close: requests.close = true; break;
+        case MenuAction::GoTo:
+        case MenuAction::Open:
+            requests.next = scene.path;
+            requests.overlay = action == MenuAction::Open;
+            break;
+        case MenuAction::Restart: requests.reload = true; break;
+        case MenuAction::Quit: requests.quit = true; break;
+    }
+}
+
+}  // namespace plumb

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <string_view>
+
+namespace plumb {
+
+class World;
+
+/// Sets off explosions.
+/// Reads: Input. Writes: Detonator, Explosion. Emits: PlaySound.
+/// When: before physics.
+struct DetonatorSystem {
+    static constexpr std::string_view kName = "detonators";
+
+    void update(World& world, float dt);
+};
+
+}  // namespace plumb

@@ -1,0 +1,86 @@
+#include "gameplay/systems/mouse_drag_system.hpp"
+
+#include <vector>
+
+#include "gameplay/components/mouse_drag.hpp"
+#include "input/input.hpp"
+#include "math/angle.hpp"
+#include "scene/components/hidden.hpp"
+#include "scene/components/mouse_joint.hpp"
+#include "scene/components/rigid_body.hpp"
+#include "scene/components/transform.hpp"
+#include "scene/draw_scene.hpp"
+#include "scene/physics_queries.hpp"
+#include "scene/scene_stack.hpp"
+#include "scene/systems/camera_system.hpp"
+#include "scene/world_transform.hpp"
+
+namespace plumb {
+
+namespace {
+
+constexpr float kHertz = 5.0f;   ///< 1/s: how firmly it pulls
+constexpr float kReach = 10.0f;  ///< px: thin things can be taken a little beside them
+
+Vec2 placeOfMouse(World& world, EntityId hand, const Input& input) {
+    const Vec2 picture = world.resource<PictureSize>().size;
+    const View view = cameraView(world, picture, 1.0f, static_cast<int>(placeOf(world, hand)));
+    return toWorld(view, input.mouse());
+}
+
+/// The first body within `reach` of a place; nobody when there is none.
+EntityId bodyAt(World& world, Vec2 place, float reach, std::uint32_t mask) {
+    QueryFilter filter;
+    filter.layers = 0xffffffffu;
+    filter.mask = mask;
+    std::vector<EntityId> found;
+    overlapBox(world, AABB{place - Vec2{reach, reach}, place + Vec2{reach, reach}}, filter, found);
+    for (const EntityId entity : found) {
+        if (world.has<RigidBody>(entity) && !world.has<MouseJoint>(entity)) return entity;
+    }
+    return {};
+}
+
+void take(World& world, MouseDrag& hand, Vec2 place) {
+    hand.held = bodyAt(world, place, 1.0f, hand.mask);
+    if (!world.alive(hand.held)) hand.held = bodyAt(world, place, kReach, hand.mask);
+    if (!world.alive(hand.held)) return;
+    const Pose pose = worldPose(world, hand.held);
+    MouseJoint pull;
+    pull.anchor = rotated(place - pose.position, -pose.rotation);
+    pull.target = place;
+    pull.hertz = kHertz;
+    pull.maxForce = hand.acceleration * std::as_const(world).get<RigidBody>(hand.held).mass;
+    world.add<MouseJoint>(hand.held, pull);
+}
+
+void release(World& world, MouseDrag& hand) {
+    if (world.alive(hand.held)) world.remove<MouseJoint>(hand.held);
+    hand.held = {};
+}
+
+void show(World& world, EntityId hand, bool shown) {
+    if (shown == !world.has<Hidden>(hand)) return;
+    if (shown) {
+        world.remove<Hidden>(hand);
+    } else {
+        world.add<Hidden>(hand);
+    }
+}
+
+}  // namespace
+
+void MouseDragSystem::update(World& world, float) {
+    for (auto [entity, hand] : world.query<MouseDrag>()) {
+        const Input& input = inputFor(world, entity);
+        const Vec2 place = placeOfMouse(world, entity, input);
+        if (!input.isHeld(MouseButton::Left)) release(world, hand);
+        if (input.isPressed(MouseButton::Left)) take(world, hand, place);
+        const bool holds = world.alive(hand.held) && world.has<MouseJoint>(hand.held);
+        if (holds) world.get<MouseJoint>(hand.held).target = place;
+        if (Transform* transform = world.find<Transform>(entity)) transform->position = place;
+        show(world, entity, holds);
+    }
+}
+
+}  // namespace plumb

@@ -1,0 +1,15 @@
+#include "gameplay/systems/physics_count_system.hpp"
+
+#include "ecs/world.hpp"
+#include "gameplay/physics_counts.hpp"
+#include "scene/components/label.hpp"
+#include "scene/physics_state.hpp"
+
+namespace plumb {
+
+void PhysicsCountSystem::update(World& world, float) {
+    if (world.count<Label>() == 0) return;
+    world.resource<PhysicsCounts>().detection = world.resource<PhysicsState>().world.work.get().counts;
+}
+
+}  // namespace plumb

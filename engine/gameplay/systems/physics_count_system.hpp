@@ -1,0 +1,18 @@
+#pragma once
+
+#include <string_view>
+
+namespace plumb {
+
+class World;
+
+/// Keeps the numbers of the physics for labels that show them.
+/// Reads: PhysicsState. Writes: PhysicsCounts.
+/// When: after physics.
+struct PhysicsCountSystem {
+    static constexpr std::string_view kName = "physics counts";
+
+    void update(World& world, float dt);
+};
+
+}  // namespace plumb

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <string_view>
+
+namespace plumb {
+
+class World;
+
+/// Lets the player push bodies about.
+/// Reads: Input, PushControl. Writes: RigidBody. Emits: PlaySound.
+/// When: before physics.
+struct PushControlSystem {
+    static constexpr std::string_view kName = "push control";
+
+    void update(World& world, float dt);
+};
+
+}  // namespace plumb

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <string_view>
+
+namespace plumb {
+
+class World;
+
+/// Colors what is in triggers.
+/// Reads: trigger events. Writes: TouchColor, Sprite.
+/// When: after physics.
+struct TouchColorSystem {
+    static constexpr std::string_view kName = "touch color";
+
+    void update(World& world, float dt);
+};
+
+}  // namespace plumb
