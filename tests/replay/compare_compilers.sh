@@ -36,6 +36,18 @@ compare_physics() { # NAME
         { echo "$1: scenes of the physics library differ"; return 1; }
 }
 
+play_gallery() { # NAME: ten seconds of every scene of the playground
+    local scene wanted hash failed=0
+    while read -r scene wanted; do
+        hash=$("$build/$1/bin/plumb-player" "$root/projects/physics-playground" --scene "$scene" --headless --frames 600 \
+            --hash </dev/null | sed -n 's/^hash: //p')
+        [ "$hash" = "$wanted" ] && continue
+        echo "$1: $scene of the playground is $hash, not $wanted"
+        failed=1
+    done <"$root/tests/replay/playground.hashes"
+    return $failed
+}
+
 if command -v ccache >/dev/null; then export CMAKE_CXX_COMPILER_LAUNCHER=${CMAKE_CXX_COMPILER_LAUNCHER:-ccache}; fi
 golden=$(awk '$1 == "check" { hash = $3 } END { print hash }' "$replay")
 mkdir -p "$build"
@@ -50,6 +62,7 @@ while read -r name compiler flags; do
         failed=1
     elif hash=$(play_replay "$name") && [ "$hash" = "$golden" ]; then
         echo "$name: $hash ($compiler $flags)"
+        play_gallery "$name" || failed=1
     else
         echo "$name: $hash differs from the replay's $golden ($compiler $flags)"
         failed=1
