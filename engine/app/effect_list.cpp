@@ -60,7 +60,8 @@ public:
         const std::string callers = callersOf(calledFor);
         text_.append(works ? "yes    " : "no     ");
         if (callers.empty()) {
-            text_.append("nobody has ").append(calledFor);
+            text_.append(calledFor.empty() ? "no component calls for it yet" : "nobody has ")
+                .append(calledFor);
         } else {
             text_.append(callers).append(works ? "" : ", but nothing of it moves");
         }

@@ -89,6 +89,9 @@ void readPhysics(const Json& json, const std::string& where, Project& project) {
     Reader physics{json, where + ": physics.", project.warnings};
     physics.number("pixelsPerMetre", project.pixelsPerMetre, 0.001f, 100000.0f);
     physics.pair("gravity", project.gravity.x, project.gravity.y);
+    auto quality = static_cast<float>(project.physicsQuality);
+    physics.number("quality", quality, 0.0f, 6.0f);
+    project.physicsQuality = static_cast<int>(quality);
 }
 
 void readScaling(Reader& reader, Project& project) {

@@ -28,6 +28,7 @@ struct Project {
     bool smooth = false;           ///< pictures and edges are smoothed: for drawings, not for pixel art
     Vec2 gravity{0.0f, 980.0f};    ///< px/s²
     float pixelsPerMetre = 64.0f;  ///< px in a metre of the physics
+    int physicsQuality = 2;  ///< 2^quality substeps in a tick; scenes, bodies and joints may say otherwise
     ActionMap actions;
     std::vector<Error> warnings;  ///< what was wrong, and what was used instead
 };

@@ -8,6 +8,7 @@
 #include "ecs/paused.hpp"
 #include "math/angle.hpp"
 #include "physics/bodies.hpp"
+#include "physics/checks.hpp"
 #include "scene/collider_shapes.hpp"
 #include "scene/components/character_body.hpp"
 #include "scene/components/kinematic_body.hpp"
@@ -39,6 +40,10 @@ bool hasFlag(const physics::World& bodies, BodyId body, physics::BodyFlag flag) 
     return (bodies.bodies.info[body.index].flags & flag) != 0;
 }
 
+bool contains(const std::vector<EntityId>& entities, EntityId entity) {
+    return std::find(entities.begin(), entities.end(), entity) != entities.end();
+}
+
 std::uint64_t membersOf(const World& world) {
     return world.memberships<Transform, RigidBody, StaticBody, KinematicBody, CharacterBody, TileLayer,
                              TileCollider, Parent, Paused>() +
@@ -58,6 +63,7 @@ public:
     /// Looks at everybody: components came or went.
     void followAll() {
         ++state_.syncs;
+        state_.unplaced.clear();
         state_.carried.clear();
         state_.driven.clear();
         const auto visit = [](void* sync, EntityId entity) { static_cast<BodySync*>(sync)->follow(entity); };
@@ -75,7 +81,11 @@ public:
 
     void followChanged(std::uint64_t mark) {
         world_.eachChangedSince<Transform>(mark, [this](EntityId entity) {
-            if (const BodyId body = bodyOf(state_, entity)) followPose(body);
+            if (const BodyId body = bodyOf(state_, entity)) {
+                followPose(body);
+            } else if (contains(state_.unplaced, entity)) {
+                tryAgain_ = true;
+            }
         });
         for (const std::uint32_t body : state_.carried) followPose(idAt(body));
         world_.eachChangedSince<RigidBody>(mark, [this](EntityId entity) {
@@ -86,6 +96,7 @@ public:
             if (const BodyId body = bodyOf(self->state_, entity)) self->followColliders(body);
         };
         forEachChangedCollider(reader_, mark, visit, this);
+        if (tryAgain_) followAll();
     }
 
 private:
@@ -116,40 +127,20 @@ private:
 
     void create(EntityId entity, BodyKind kind) {
         const Pose pose = worldPose(reader_, entity);
-        const RigidBody* rigid = reader_.find<RigidBody>(entity);
         BodyDefinition definition;
         definition.kind = kind;
         definition.position = placeInMetres(pose.position, state_.scale);
         definition.angle = wrapAngle(pose.rotation);
         definition.user = userOf(entity);
-        if (kind == BodyKind::Dynamic) fill(definition, *rigid);
         const auto made = physics::createBody(bodies_, definition);
         if (!made) {
             tellRefusal(state_, entity, made.error());
+            state_.unplaced.push_back(entity);
             return;
         }
         adopt(*made, entity, pose);
-        if (kind == BodyKind::Dynamic) {
-            linkOf(*made).velocity = rigid->velocity;
-            linkOf(*made).angularVelocity = rigid->angularVelocity;
-            followMass(*made, *rigid);
-        }
+        followRigid(*made);
         followColliders(*made);
-    }
-
-    void fill(BodyDefinition& definition, const RigidBody& rigid) const {
-        definition.velocity = toMetres(rigid.velocity, state_.scale);
-        definition.angularVelocity = rigid.angularVelocity;
-        definition.acceleration = toMetres(rigid.acceleration, state_.scale);
-        definition.gravityScale = rigid.gravityScale;
-        definition.linearDrag = rigid.linearDrag;
-        definition.angularDrag = rigid.angularDrag;
-        definition.fixedRotation = rigid.fixedRotation;
-        definition.lockX = rigid.lockX;
-        definition.lockY = rigid.lockY;
-        definition.bullet = rigid.bullet;
-        definition.canSleep = rigid.canSleep;
-        definition.quality = static_cast<physics::Quality>(std::clamp(rigid.quality, -128, 127));
     }
 
     void adopt(BodyId body, EntityId entity, const Pose& pose) {
@@ -267,11 +258,9 @@ private:
             world_.get<RigidBody>(entity).linearDrag = drive.linearDrag;
             world_.get<RigidBody>(entity).angularDrag = drive.angularDrag;
         }
-        const physics::Quality quality = bodies_.bodies.info[body.index].quality;
-        const int wanted = std::clamp(rigid.quality, -128, 127);
-        if (quality != wanted &&
-            !accept(setQuality(bodies_, body, static_cast<physics::Quality>(wanted)), entity))
-            world_.get<RigidBody>(entity).quality = quality;
+        const physics::Quality quality = qualityOf(rigid.quality);
+        if (bodies_.bodies.info[body.index].quality != quality)
+            accept(setQuality(bodies_, body, quality), entity);
     }
 
     void followMass(BodyId body, const RigidBody& rigid) {
@@ -297,6 +286,7 @@ private:
     PhysicsState& state_;
     physics::World& bodies_;
     bool collidersChanged_;
+    bool tryAgain_ = false;  // somebody without a body may have found a place for it
 };
 
 void takeSettings(World& world, PhysicsState& state, const physics::Settings& settings) {
@@ -337,7 +327,7 @@ void placeEntity(World& world, EntityId entity, const Pose& pose) {
 }
 
 void tellRefusal(PhysicsState& state, EntityId entity, const Error& error) {
-    if (std::find(state.refused.begin(), state.refused.end(), entity) != state.refused.end()) return;
+    if (contains(state.refused, entity)) return;
     state.refused.push_back(entity);
     logWarning("Physics",
                Error{format("entity {}: {}", entity.index, error.where), error.what, error.remedy});
@@ -345,11 +335,22 @@ void tellRefusal(PhysicsState& state, EntityId entity, const Error& error) {
 
 physics::Settings physicsSettingsOf(World& world) {
     const auto& project = world.resource<PhysicsSettings>();
+    const PixelScale scale = pixelScale(project.pixelsPerMetre);
     physics::Settings settings = project.tolerances;
-    settings.gravity = project.gravity / project.pixelsPerMetre;
+    settings.gravity = toMetres(PhysicsSettings::kGravity, scale);
     settings.stayEvents = project.stayEvents;
+    const auto takeGravity = [&](EntityId entity, const char* where, Vec2 pixels) {
+        const Vec2 gravity = toMetres(pixels, scale);
+        const Result<Done> checked = physics::checkVector(where, gravity, physics::kFastest);
+        if (checked) {
+            settings.gravity = gravity;
+        } else {
+            tellRefusal(world.resource<PhysicsState>(), entity, checked.error());
+        }
+    };
+    takeGravity({}, "PhysicsSettings.gravity", project.gravity);
     for (auto [entity, scene] : std::as_const(world).query<const ScenePhysics>()) {
-        settings.gravity = scene.gravity / project.pixelsPerMetre;
+        takeGravity(entity.id(), "ScenePhysics.gravity", scene.gravity);
         settings.quality = static_cast<physics::Quality>(std::clamp(scene.quality, 0, 6));
         settings.integrator = scene.integrator;
         settings.iterations = static_cast<std::uint8_t>(std::clamp(scene.iterations, 1, 64));

@@ -17,6 +17,7 @@ struct JointLink {
     bool autoAnchor = true;   ///< the other's anchor is where `anchor` is when the joint is made
     float breakForce = 0.0f;  ///< kg px/s^2: pulled harder it breaks and is removed; 0 never breaks
     bool collide = false;     ///< the two bodies still collide
+    int quality = -1;  ///< 2^quality substeps for it and what hangs together with it; -1 is the scene's
 };
 
 template <class T>
@@ -32,6 +33,9 @@ void describeLink(TypeBuilder<T>& type) {
         .range(0.0f, 1e12f)
         .doc("kg px/s2: pulled harder it breaks; 0 never breaks.");
     type.template field<&T::collide>("collide").doc("The two bodies still collide.");
+    type.template field<&T::quality>("quality")
+        .range(-1.0f, 6.0f)
+        .doc("2^quality substeps for it and what hangs together with it; -1 is the scene's.");
 }
 
 /// A spring: how fast it swings, and how soon it comes to rest.

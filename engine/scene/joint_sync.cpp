@@ -59,6 +59,7 @@ constexpr JointRow kJoints[] = {
     row<RevoluteJoint>(), row<DistanceJoint>(), row<PrismaticJoint>(), row<WeldJoint>(), row<WheelJoint>(),
     row<MouseJoint>(),    row<MotorJoint>(),    row<PulleyJoint>(),    row<GearJoint>(),
 };
+constexpr std::uint8_t kRevolute = 0, kPrismatic = 2;  // rows
 
 /// A number for all that a joint is made from, but for what setters change.
 std::uint64_t madeFrom(const JointDefinition& d, const JointLink& link) {
@@ -66,7 +67,7 @@ std::uint64_t madeFrom(const JointDefinition& d, const JointLink& link) {
     const auto add = [&hasher](auto... values) { (hasher.add(values), ...); };
     add(static_cast<std::uint64_t>(d.kind), userOf(link.other), link.anchor.x, link.anchor.y,
         link.otherAnchor.x, link.otherAnchor.y, std::uint64_t{link.autoAnchor}, link.breakForce,
-        std::uint64_t{link.collide});
+        std::uint64_t{link.collide}, static_cast<std::uint64_t>(qualityOf(link.quality)));
     add(d.axis.x, d.axis.y, d.referenceAngle, d.length, d.ratio, d.groundA.x, d.groundA.y, d.groundB.x,
         d.groundB.y, d.offset.x, d.offset.y);
     add(std::uint64_t{d.limit.on}, d.limit.lower, d.limit.upper, std::uint64_t{d.motor.on}, d.motor.maxForce);
@@ -104,14 +105,23 @@ public:
 private:
     void follow(EntityId entity) {
         const JointLink& link = *kJoints[kind_].find(std::as_const(world_), entity);
-        const auto known = std::find_if(
-            state_.joints.begin(), state_.joints.end(),
-            [&](const JointLinkage& linkage) { return linkage.entity == entity && linkage.kind == kind_; });
-        JointLinkage& linkage = known != state_.joints.end() ? *known : state_.joints.emplace_back();
-        linkage.entity = entity;
-        linkage.kind = static_cast<std::uint8_t>(kind_);
+        JointLinkage& linkage = find(entity);
         linkage.seen = state_.syncs;
         bring(linkage, link);
+    }
+
+    /// They mostly come in the order in which they are kept: the search begins behind the last one found.
+    JointLinkage& find(EntityId entity) {
+        std::vector<JointLinkage>& joints = state_.joints;
+        for (std::size_t i = 0; i < joints.size(); ++i) {
+            finger_ = finger_ < joints.size() ? finger_ : 0;
+            JointLinkage& linkage = joints[finger_++];
+            if (linkage.entity == entity && linkage.kind == kind_) return linkage;
+        }
+        JointLinkage& linkage = joints.emplace_back();
+        linkage.entity = entity;
+        linkage.kind = static_cast<std::uint8_t>(kind_);
+        return linkage;
     }
 
     /// Makes the joint, makes it anew, or changes what can be changed.
@@ -124,21 +134,19 @@ private:
             change(linkage, definition);
             return;
         }
-        // Made anew it keeps its anchors, unless they are what changed.
+        // Made anew it keeps its anchors and what it was like at the start, unless its ends are what changed.
         const JointDefinition before =
             lives ? bodies_.joints.definition[linkage.joint.index] : JointDefinition{};
         const bool sameEnds = lives && linkage.other == link.other && before.kind == definition.kind &&
-                              before.anchorB == toMetres(link.anchor, state_.scale) && link.autoAnchor;
+                              before.anchorB == toMetres(link.anchor, state_.scale);
         physics::destroyJoint(bodies_, linkage.joint);
         linkage.joint = {};
         linkage.made = made;
         linkage.other = link.other;
         if (!findBodies(linkage, link, definition)) return;
-        if (sameEnds) {
-            definition.anchorA = before.anchorA;
-        } else {
-            setAnchors(link, definition);
-        }
+        setAnchors(link, definition);
+        if (sameEnds && link.autoAnchor) definition.anchorA = before.anchorA;
+        if (!sameEnds) noteStart(linkage, definition);
         finish(linkage, link, definition);
         const auto joint = physics::createJoint(bodies_, definition);
         if (joint) {
@@ -189,21 +197,26 @@ private:
         return positionOf(bodies_, body) + rotate(rotationOf(bodies_, body), anchor);
     }
 
-    /// What follows from where the bodies are.
-    void finish(const JointLinkage& linkage, const JointLink& link, JointDefinition& d) {
-        d.anchorB = toMetres(link.anchor, state_.scale);
-        d.referenceAngle += angleOf(between(rotationOf(bodies_, d.a), rotationOf(bodies_, d.b)));
+    /// How the ends are when it is tied.
+    void noteStart(JointLinkage& linkage, const JointDefinition& d) const {
+        const physics::Place a = placeOf(d.a, d.anchorA), b = placeOf(d.b, d.anchorB);
+        linkage.startAngle = angleOf(between(rotationOf(bodies_, d.a), rotationOf(bodies_, d.b)));
+        linkage.startLength =
+            d.kind == JointKind::Pulley
+                ? length(a - physics::Place{d.groundA}) + d.ratio * length(b - physics::Place{d.groundB})
+                : length(b - a);
+    }
+
+    /// What follows from the bodies.
+    void finish(const JointLinkage& linkage, const JointLink& link, JointDefinition& d) const {
+        d.referenceAngle += linkage.startAngle;
         d.collideConnected = link.collide;
+        d.quality = qualityOf(link.quality);
         if (link.breakForce > 0.0f) d.breakForce = link.breakForce * state_.scale.metres;
         d.user = userOf(linkage.entity);
-        const physics::Place a = placeOf(d.a, d.anchorA), b = placeOf(d.b, d.anchorB);
-        if (d.kind == JointKind::Distance && d.length == 0.0f) {
-            d.length = d.spring.rest = length(b - a);
-            d.limit.upper = d.length;
-        }
-        if (d.kind == JointKind::Pulley && d.length == 0.0f)
-            d.length =
-                length(a - physics::Place{d.groundA}) + d.ratio * length(b - physics::Place{d.groundB});
+        if (d.kind == JointKind::Distance && d.length == 0.0f)
+            d.length = d.spring.rest = d.limit.upper = linkage.startLength;
+        if (d.kind == JointKind::Pulley && d.length == 0.0f) d.length = linkage.startLength;
         if (d.kind == JointKind::Gear) {
             d.jointA = geared(link.other);
             d.jointB = geared(linkage.entity);
@@ -213,8 +226,7 @@ private:
     /// The hinge or slider of an entity.
     [[nodiscard]] physics::JointId geared(EntityId entity) const {
         for (const JointLinkage& linkage : state_.joints) {
-            const bool fits = kJoints[linkage.kind].find == kJoints[0].find ||
-                              kJoints[linkage.kind].find == kJoints[2].find;
+            const bool fits = linkage.kind == kRevolute || linkage.kind == kPrismatic;
             if (linkage.entity == entity && fits) return linkage.joint;
         }
         return {};
@@ -224,6 +236,7 @@ private:
     PhysicsState& state_;
     physics::World& bodies_;
     std::size_t kind_ = 0;
+    std::size_t finger_ = 0;
 };
 
 }  // namespace

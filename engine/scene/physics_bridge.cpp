@@ -120,6 +120,7 @@ void stepPhysics(World& world, float dt) {
         publishContacts(world, state);
         publishBroken(world, state);
         removeExploded(world, state);
+        state.mark = world.markChanges();  // what was written here is known
     }
     if (times != nullptr) times->endStep();
 }

@@ -4,6 +4,7 @@
 #include <memory>
 #include <vector>
 
+#include "math/tile_grid.hpp"
 #include "physics/character/character_controller.hpp"
 #include "physics/queries/query.hpp"
 #include "physics/simulation.hpp"
@@ -48,7 +49,9 @@ struct BodyLink {
 /// The bodies of a tile layer.
 struct TileTerrain {
     EntityId entity;
-    std::shared_ptr<physics::TerrainOutlines> outlines;  ///< shared with snapshots, so copied before a change
+    // Both are shared with snapshots, so copied before a change.
+    std::shared_ptr<physics::TerrainOutlines> outlines;
+    std::shared_ptr<std::vector<TileCell>> cells;  ///< of the grid, as they were looked at
     physics::TerrainBody body;
     std::uint64_t made = 0;     ///< what all of it was made from, but for the cells
     std::uint32_t version = 0;  ///< of the grid
@@ -61,7 +64,9 @@ struct JointLinkage {
     std::uint8_t kind = 0;  ///< row of the table of joints
     bool broken = false;
     physics::JointId joint;
-    std::uint64_t made = 0;  ///< what it was made from
+    float startAngle = 0.0f;   ///< rad, between the bodies when it was made
+    float startLength = 0.0f;  ///< m, the same from end to end
+    std::uint64_t made = 0;    ///< what it was made from
     std::uint64_t seen = 0;
 };
 
@@ -106,11 +111,12 @@ struct PhysicsState {
     std::vector<SoftLinkage> softBodies;
     std::vector<physics::CastHit> hits;  ///< of the query in hand
     std::vector<physics::ShapeId> found;
-    physics::BodyId ground;         ///< what joints with nobody are tied to
-    std::vector<EntityId> refused;  ///< whose numbers were bad, so that each is told once
-    std::uint64_t syncs = 0;        ///< full ones
-    std::uint64_t members = 0;      ///< who has what, when it was last looked at
-    std::uint64_t mark = 0;         ///< what was written before it is known
+    physics::BodyId ground;          ///< what joints with nobody are tied to
+    std::vector<EntityId> refused;   ///< whose numbers were bad, so that each is told once
+    std::vector<EntityId> unplaced;  ///< those who have no body for that
+    std::uint64_t syncs = 0;         ///< full ones
+    std::uint64_t members = 0;       ///< who has what, when it was last looked at
+    std::uint64_t mark = 0;          ///< what was written before it is known
 
     void addTo(Hasher& hasher) const { physics::addTo(hasher, world); }
 };

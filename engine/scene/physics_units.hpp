@@ -1,6 +1,9 @@
 #pragma once
 
+#include <algorithm>
+
 #include "math/vec2.hpp"
+#include "physics/body.hpp"
 
 namespace plumb {
 
@@ -13,7 +16,17 @@ struct PixelScale {
     friend bool operator==(PixelScale, PixelScale) = default;
 };
 
-constexpr PixelScale pixelScale(float pixelsPerMetre) { return {pixelsPerMetre, 1.0f / pixelsPerMetre}; }
+/// From a component's field; what is too much gets the most there is.
+constexpr physics::Quality qualityOf(int wanted) {
+    return static_cast<physics::Quality>(
+        std::clamp(wanted, int{physics::kQualityOfWorld}, int{physics::kMaxQuality}));
+}
+
+/// Of a scale that makes no sense, the usual one.
+constexpr PixelScale pixelScale(float pixelsPerMetre) {
+    if (!(pixelsPerMetre >= 1e-3f && pixelsPerMetre <= 1e5f)) return {};
+    return {pixelsPerMetre, 1.0f / pixelsPerMetre};
+}
 
 constexpr Vec2 toMetres(Vec2 pixels, PixelScale scale) { return pixels * scale.metres; }
 constexpr Vec2 toPixels(Vec2 metres, PixelScale scale) { return metres * scale.pixels; }

@@ -141,6 +141,7 @@ private:
             for (int x = 0; x < grid.width(); ++x) mask.set(x, y, cells.of(grid.at(x, y)));
         }
         terrain.outlines = std::make_shared<TerrainOutlines>(std::move(mask));
+        terrain.cells = std::make_shared<std::vector<TileCell>>(grid.cells());
         physics::TerrainDefinition definition;
         definition.position = placeInMetres(place, state_.scale);
         definition.cellSize = toMetres(size, state_.scale);
@@ -151,14 +152,28 @@ private:
         update(terrain);
     }
 
+    /// Looks at cells that are others now only.
     void change(TileTerrain& terrain, const TileGrid& grid) {
-        if (terrain.outlines.use_count() > 1)
-            terrain.outlines = std::make_shared<TerrainOutlines>(*terrain.outlines);
+        if (*terrain.cells == grid.cells()) return;
+        makeOwn(terrain.outlines);
+        makeOwn(terrain.cells);
         CellReader cells{tileset(), collider_, terrain.outlines->palette()};
+        const auto known = [&](int y) { return terrain.cells->begin() + std::ptrdiff_t{y} * grid.width(); };
+        const auto now = [&](int y) { return grid.cells().begin() + std::ptrdiff_t{y} * grid.width(); };
         for (int y = 0; y < grid.height(); ++y) {
-            for (int x = 0; x < grid.width(); ++x) terrain.outlines->set(x, y, cells.of(grid.at(x, y)));
+            if (std::equal(known(y), known(y + 1), now(y))) continue;
+            for (int x = 0; x < grid.width(); ++x) {
+                if (known(y)[x] == now(y)[x]) continue;
+                known(y)[x] = now(y)[x];
+                terrain.outlines->set(x, y, cells.of(now(y)[x]));
+            }
         }
         update(terrain);
+    }
+
+    template <class T>
+    static void makeOwn(std::shared_ptr<T>& shared) {
+        if (shared.use_count() > 1) shared = std::make_shared<T>(*shared);
     }
 
     void update(TileTerrain& terrain) {

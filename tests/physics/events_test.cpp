@@ -151,5 +151,21 @@ TEST(Events, masksAndGroupsDecideWhoMeets) {
     EXPECT_NEAR(scene.y(two), 0.5, 0.01);
 }
 
+TEST(Events, aFilterThatChangesEndsWhatTouches) {
+    Playground scene;
+    scene.world.settings.sleeping = true;
+    scene.floor();
+    const BodyId crate = scene.crate({0.0, 0.5});
+    scene.run(120);
+    ASSERT_EQ(scene.world.awake.size(), 0u);
+    const std::uint32_t shape = scene.world.bodies.info[crate.index].firstShape;
+    setFilter(scene.world, {shape, scene.world.shapes.info[shape].generation}, 1, 2, 0);
+    scene.run(1);
+    ASSERT_EQ(scene.world.events.size(), 1u);
+    EXPECT_EQ(scene.world.events[0].phase, ContactPhase::Ended);
+    scene.run(60);
+    EXPECT_LT(scene.y(crate), -1.0);
+}
+
 }  // namespace
 }  // namespace plumb::physics

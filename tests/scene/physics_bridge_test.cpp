@@ -231,7 +231,8 @@ TEST(PhysicsBridge, tileLayersAreSolidAndFollowChanges) {
     EXPECT_NEAR(ball.get<Transform>().position.y, 38.0f, 0.1f);
     const auto* before = world.resource<PhysicsState>().terrains[0].outlines.get();
     run(world, 10);
-    EXPECT_EQ(world.resource<PhysicsState>().terrains[0].outlines.get(), before) << "an unchanged grid is kept";
+    EXPECT_EQ(world.resource<PhysicsState>().terrains[0].outlines.get(), before)
+        << "an unchanged grid is kept";
     TileGrid& edited = *world.tiles().edit(level.get<TileLayer>().cells);
     for (int x = 0; x < 20; ++x) edited.set(x, 3, 0);
     run(world, 30);

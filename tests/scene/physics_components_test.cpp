@@ -5,49 +5,13 @@
 
 #include "core/log.hpp"
 #include "physics/bodies.hpp"
-#include "scene/components.hpp"
 #include "scene/contact_events.hpp"
-#include "scene/physics_bridge.hpp"
-#include "scene/physics_state.hpp"
-#include "scene/systems/character_controller_system.hpp"
-#include "scene/systems/physics_system.hpp"
+#include "tests/scene/physics_scene.hpp"
 
 namespace plumb {
 namespace {
 
-constexpr float kTick = 1.0f / 60.0f;  // s
-
-/// A world with physics in it.
-struct Scene {
-    World world;
-
-    Scene() { world.addSystem<PhysicsSystem>(); }
-
-    void run(int ticks) {
-        for (int i = 0; i < ticks; ++i) {
-            world.beginTick();
-            world.update(kTick);
-        }
-    }
-    Entity at(Vec2 place) {
-        Entity entity = world.createEntity();
-        entity.addComponent<Transform>(place.x, place.y);
-        return entity;
-    }
-    Entity ball(Vec2 place, float radius = 8.0f) {
-        Entity entity = at(place);
-        entity.addComponent<RigidBody>();
-        entity.addComponent<CircleCollider>(radius);
-        return entity;
-    }
-    Entity floor(Vec2 corner, Vec2 size) {
-        Entity entity = at(corner);
-        entity.addComponent<BoxCollider>(size.x, size.y);
-        return entity;
-    }
-    PhysicsState& state() { return world.resource<PhysicsState>(); }
-    static Vec2 place(Entity entity) { return entity.get<Transform>().position; }
-};
+using Scene = PhysicsScene;
 
 TEST(PhysicsComponents, aBoxOnItsEdgeTurnsOntoItsSide) {
     Scene scene;
@@ -168,9 +132,6 @@ TEST(PhysicsComponents, aTriggerNoticesWhatIsMovedThroughIt) {
 
 TEST(PhysicsComponents, aCharacterWalksUpStepsPushesAndIsStoppedByWalls) {
     Scene scene;
-    scene.world.addSystem<CharacterControllerSystem>();
-    constexpr std::string_view kOrder[] = {"character", "physics"};
-    scene.world.setSystemOrder(kOrder);
     scene.floor({-500, 100}, {1000, 20});
     scene.floor({60, 94}, {200, 10});  // a step
     scene.floor({240, 0}, {20, 100});  // a wall

@@ -42,6 +42,9 @@ struct Proxies {
     std::span<const ProxyMotion> motions;
 };
 
+/// Who is looked for.
+enum class Among : std::uint8_t { All, Static };
+
 /// Two shapes whose bounds overlap: the lower index in the high half, so that sorting sorts by it.
 using PairKey = std::uint64_t;
 constexpr PairKey pairKey(std::uint32_t a, std::uint32_t b) {
@@ -75,7 +78,7 @@ public:
     /// Appends all proxies whose bounds, grown by `half` on each side, meet the line from `from` along `way`.
     /// Any order; those far off the line may be among them.
     virtual void cast(const Proxies& proxies, Vec2 from, Vec2 way, Vec2 half, std::uint32_t mask,
-                      std::vector<std::uint32_t>& found) const = 0;
+                      std::vector<std::uint32_t>& found, Among among) const = 0;
 };
 
 /// Which broad phase; each has a case that it wins (docs/performance.md).

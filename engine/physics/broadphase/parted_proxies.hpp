@@ -47,6 +47,10 @@ class PartedProxies {
 public:
     std::array<Part, kParts> parts;
 
+    [[nodiscard]] std::span<const Part> partsAmong(Among among) const {
+        return std::span<const Part>{parts}.first(among == Among::Static ? kStaticPart + 1 : kParts);
+    }
+
     /// Whether everybody of a part was in what arrange() was last given, and nothing changed since then.
     [[nodiscard]] bool areAllArranged(std::uint32_t part) const {
         return arranged_[part] == parts[part].size();

@@ -39,9 +39,9 @@ void QuadtreeBroadPhase::query(const Proxies&, const AABB& box, std::uint32_t ma
 }
 
 void QuadtreeBroadPhase::cast(const Proxies&, Vec2 from, Vec2 way, Vec2 half, std::uint32_t mask,
-                              std::vector<std::uint32_t>& found) const {
+                              std::vector<std::uint32_t>& found, Among among) const {
     const LineSweep sweep = lineSweep(from, way, half);
-    for (const LooseQuadtree& tree : proxies_.parts) {
+    for (const LooseQuadtree& tree : proxies_.partsAmong(among)) {
         tree.visitNear(sweep.bounds, &sweep, [&](std::uint32_t place) {
             const LooseQuadtree::Item& item = tree.itemAt(place);
             if ((item.filter.layers & mask) != 0 && mayMeet(sweep, item.box)) found.push_back(item.id);

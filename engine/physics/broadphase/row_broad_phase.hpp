@@ -61,10 +61,10 @@ public:
     }
 
     void cast(const Proxies&, Vec2 from, Vec2 way, Vec2 half, std::uint32_t mask,
-              std::vector<std::uint32_t>& found) const override {
+              std::vector<std::uint32_t>& found, Among among) const override {
         const LineSweep sweep = lineSweep(from, way, half);
         if (sweep.bounds == kNowhere) return;
-        for (const Part& part : proxies_.parts) {
+        for (const Part& part : proxies_.partsAmong(among)) {
             if (part.size() == 0) continue;
             part.visitAlong(sweep, [&](std::uint32_t begin, std::uint32_t end) {
                 searches_.rows.findInBox(part.rows(), {begin, end}, sweep.bounds, &sweep, mask, found);

@@ -39,9 +39,9 @@ void TreeBroadPhase::query(const Proxies&, const AABB& box, std::uint32_t mask,
 }
 
 void TreeBroadPhase::cast(const Proxies&, Vec2 from, Vec2 way, Vec2 half, std::uint32_t mask,
-                          std::vector<std::uint32_t>& found) const {
+                          std::vector<std::uint32_t>& found, Among among) const {
     const LineSweep sweep = lineSweep(from, way, half);
-    for (const PackedTree& tree : proxies_.parts) {
+    for (const PackedTree& tree : proxies_.partsAmong(among)) {
         if (tree.size() > 0) searches_.trees.findOnSweep(tree, sweep, mask, found);
     }
 }

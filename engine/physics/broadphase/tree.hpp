@@ -25,7 +25,7 @@ public:
     void query(const Proxies& proxies, const AABB& box, std::uint32_t mask,
                std::vector<std::uint32_t>& found) const override;
     void cast(const Proxies& proxies, Vec2 from, Vec2 way, Vec2 half, std::uint32_t mask,
-              std::vector<std::uint32_t>& found) const override;
+              std::vector<std::uint32_t>& found, Among among) const override;
     void visitRegions(RegionVisitor& visitor) const { proxies_.visitRegions(visitor); }
 
 private:

@@ -57,7 +57,7 @@ std::span<const std::uint32_t> candidatesAlong(World& world, Place from, Vec2 wa
     const Vec2 start = toVec2(from);
     const float margin = std::max(roundingAt(start), roundingAt(start + way));
     work.broadPhase->cast(proxiesOf(world), start, way, half + Vec2{margin, margin}, filter.mask,
-                          work.candidates);
+                          work.candidates, Among::All);
     return choose(world, filter);
 }
 

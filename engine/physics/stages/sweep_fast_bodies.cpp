@@ -45,21 +45,26 @@ private:
     std::array<Corner, kMaxCorners> corners_;
 };
 
-/// How a body has come through this step, from where it is now and how far it was shifted.
-Sweep sweepOf(const StepContext& step, std::uint32_t body) {
+Rot turnOf(const Float4& shift) { return normalized(Rot{1.0f + shift.w, shift.z}); }
+
+/// How a body has come through this step, but for the angle by which it turned: from where it is now and how
+/// far it was shifted.
+Sweep wayOf(const StepContext& step, std::uint32_t body) {
     const BodyPose& pose = step.world.bodies.pose[body];
-    const auto slot = static_cast<std::size_t>(step.work.slots[body]);
-    const Float4& shift = step.work.shift[slot];
-    const Rot turn = normalized(Rot{1.0f + shift.w, shift.z});
-    const float angle = angleOf(turn);
-    const float turns = (step.work.velocity[slot].z * step.dt - angle) / kTau;
+    const Float4& shift = step.work.shift[static_cast<std::size_t>(step.work.slots[body])];
     Sweep sweep;
     sweep.way = {shift.x, shift.y};
     sweep.start = pose.centre + -sweep.way;
-    sweep.rotation = normalized(inverse(turn) * pose.rotation);
-    sweep.turn = angle + kTau * static_cast<float>(floorToInt(turns + 0.5f));
+    sweep.rotation = normalized(inverse(turnOf(shift)) * pose.rotation);
     sweep.localCentre = pose.localCentre;
     return sweep;
+}
+
+void addTurn(const StepContext& step, std::uint32_t body, Sweep& sweep) {
+    const auto slot = static_cast<std::size_t>(step.work.slots[body]);
+    const float angle = angleOf(turnOf(step.work.shift[slot]));
+    const float turns = (step.work.velocity[slot].z * step.dt - angle) / kTau;
+    sweep.turn = angle + kTau * static_cast<float>(floorToInt(turns + 0.5f));
 }
 
 /// A shape and its way.
@@ -123,21 +128,24 @@ float stopOfBody(const World& world, const Sweep& sweep, std::uint32_t body, con
     return latest;
 }
 
-void findOnWay(const StepContext& step, const Sweep& sweep, std::uint32_t body,
+void findOnWay(const StepContext& step, const Sweep& sweep, std::uint32_t body, Among among,
                std::vector<std::uint32_t>& found) {
     const Vec2 from = toVec2(sweep.start);
     const float rounding = 5.0e-7f * std::max(std::fabs(from.x), std::fabs(from.y));
     const float reach =
         step.world.bodies.info[body].reach + rounding + step.world.settings.speculativeDistance;
     found.clear();
-    step.work.broadPhase->cast(proxiesOf(step.world), from, sweep.way, {reach, reach}, 0xffffffffu, found);
+    step.work.broadPhase->cast(proxiesOf(step.world), from, sweep.way, {reach, reach}, 0xffffffffu, found,
+                               among);
 }
 
 /// Lets a sweep end at the first shape that never yields.
 void stopAtFixed(const StepContext& step, std::uint32_t body, Sweep& sweep,
                  std::vector<std::uint32_t>& found) {
     const World& world = step.world;
-    findOnWay(step, sweep, body, found);
+    findOnWay(step, sweep, body, world.manifest.runs(Effect::Kinematics) ? Among::All : Among::Static, found);
+    if (found.empty()) return;
+    addTurn(step, body, sweep);
     float latest = 1.0f;
     for (const std::uint32_t shape : found) {
         const ProxyMotion motion = world.shapes.motion[shape];
@@ -173,7 +181,7 @@ void sweepBullet(StepContext& step, std::uint32_t place, const std::vector<std::
     Sweep& sweep = work.sweeps[place];
     float latest = sweep.end;
     std::uint32_t met = kNone;
-    findOnWay(step, sweep, bullet, work.candidates);
+    findOnWay(step, sweep, bullet, Among::All, work.candidates);
     for (const std::uint32_t shape : work.candidates) {
         const std::uint32_t body = world.shapes.info[shape].body;
         const ProxyMotion motion = world.shapes.motion[shape];
@@ -226,7 +234,8 @@ void sweepFastBodies(StepContext& step) {
     if (work.sweptPast.size() < pieces) work.sweptPast.resize(pieces);
     forPieces(step, static_cast<int>(count), kGrain, [&](int begin, int end, int piece) {
         for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i) {
-            work.sweeps[i] = sweepOf(step, work.fastBodies[i]);
+            work.sweeps[i] = wayOf(step, work.fastBodies[i]);
+            if (bullets) addTurn(step, work.fastBodies[i], work.sweeps[i]);
             stopAtFixed(step, work.fastBodies[i], work.sweeps[i],
                         work.sweptPast[static_cast<std::size_t>(piece)]);
         }

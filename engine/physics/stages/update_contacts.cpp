@@ -20,6 +20,11 @@ bool touches(const Contact& contact) {
     return (contact.flags & kTriggered) == 0 || std::min(contact.separation0, contact.separation1) <= 0.0f;
 }
 
+bool mayMeet(const World& world, const Contact& contact) {
+    return meet(world.shapes.filter[contact.shapeA], world.shapes.filter[contact.shapeB]) &&
+           !keptApart(world, contact.bodyA, contact.bodyB);
+}
+
 /// Looks at every contact; lists those that began, ended or are gone.
 void lookAtAll(StepContext& step) {
     World& world = step.world;
@@ -31,7 +36,7 @@ void lookAtAll(StepContext& step) {
     for (std::vector<std::uint32_t>& list : work.changedContacts) list.clear();
     std::fill(work.countsOfPiece.begin(), work.countsOfPiece.end(), DetectionCounts{});
     work.contactKeys.resize(world.contacts.size());
-    const bool joined = std::exchange(world.partJoined, false);
+    const bool asked = std::exchange(world.partJoined, false);
     forPieces(step, count, kGrain, [&](int begin, int end, int piece) {
         std::vector<std::uint32_t>& changed = work.changedContacts[static_cast<std::size_t>(piece)];
         DetectionCounts& counts = work.countsOfPiece[static_cast<std::size_t>(piece)];
@@ -42,7 +47,7 @@ void lookAtAll(StepContext& step) {
         findTouches(world, contacts, counts);
         for (std::size_t i = 0; i < size; ++i) {
             Contact& contact = contacts[i];
-            if (joined && keptApart(world, contact.bodyA, contact.bodyB)) contact.flags |= kGone;
+            if (asked && !mayMeet(world, contact)) contact.flags |= kGone;
             const bool before = (contact.flags & kTouching) != 0;
             if ((contact.flags & kGone) != 0 || touches(contact) != before) {
                 changed.push_back(static_cast<std::uint32_t>(first + i));
