@@ -39,11 +39,11 @@ inline constexpr Quality kMaxQuality = 6;
 /// Everything a new body needs besides its shapes.
 struct BodyDefinition {
     BodyKind kind = BodyKind::Dynamic;
-    Place position;                ///< m, of the frame its shapes are written in
+    Place position{};              ///< m, of the frame its shapes are written in
     float angle = 0.0f;            ///< rad
-    Vec2 velocity;                 ///< m/s, of the centre of mass
+    Vec2 velocity{};               ///< m/s, of the centre of mass
     float angularVelocity = 0.0f;  ///< rad/s
-    Vec2 acceleration;             ///< m/s2, added to gravity in every step
+    Vec2 acceleration{};           ///< m/s2, added to gravity in every step
     float gravityScale = 1.0f;     ///< ratio; 0 floats
     float linearDrag = 0.0f;       ///< 1/s: part of the speed lost in a second, at the start of it
     float angularDrag = 0.0f;      ///< 1/s

@@ -28,12 +28,12 @@ struct FieldDefinition {
     bool replacesGravity = false;        ///< of AreaGravity: the world's own does not act there
     bool linear = false;                 ///< of Attractor: the pull grows with the distance
     std::uint32_t layers = 0xffffffffu;  ///< bits: acts on bodies with a shape on one of these
-    Place place;            ///< m: middle of the region, centre of a pull, fixed end of a spring;
+    Place place{};          ///< m: middle of the region, centre of a pull, fixed end of a spring;
                             ///< of a fluid Everywhere a point of its surface
     Vec2 half{1.0f, 1.0f};  ///< m: of a Box
     float radius = 1.0f;    ///< m: of a Circle, and of Explosion
-    Vec2 acceleration;      ///< m/s2: of AreaGravity
-    Vec2 velocity;          ///< m/s: of Wind and the current of a fluid
+    Vec2 acceleration{};    ///< m/s2: of AreaGravity
+    Vec2 velocity{};        ///< m/s: of Wind and the current of a fluid
     float strength = 0.0f;  ///< AreaGravity: m/s2 towards `place`. Attractor: m3/s2 by the inverse square of
                             ///< the distance, or 1/s2 if linear. Explosion: N s for each metre of width at
                             ///< its centre, none at its radius. Spring: N/m
@@ -45,10 +45,10 @@ struct FieldDefinition {
     float gust = 0.0f;             ///< m/s: Wind: at most so much more or less
     std::uint32_t gustSteps = 30;  ///< steps from gust to gust
     std::uint32_t seed = 1;        ///< of the gusts
-    BodyId a;                      ///< of Spring; of Attractor: its centre, if given
-    BodyId b;                      ///< of Spring: the other end, if given; `place` is not used then
-    Vec2 anchorA;                  ///< m, in A's frame
-    Vec2 anchorB;                  ///< m, in B's frame
+    BodyId a{};                    ///< of Spring; of Attractor: its centre, if given
+    BodyId b{};                    ///< of Spring: the other end, if given; `place` is not used then
+    Vec2 anchorA{};                ///< m, in A's frame
+    Vec2 anchorB{};                ///< m, in B's frame
 };
 
 /// A field of a world. `definition.kind` of a free place means nothing.

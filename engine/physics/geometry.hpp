@@ -60,11 +60,11 @@ struct Geometry {
     std::uint16_t reserved = 0;  ///< no padding: the hash of a world reads the memory as it is
     std::uint32_t first = 0;
     float radius = 0.0f;
-    Vec2 a;
+    Vec2 a{};
     Vec2 b{0.5f, 0.5f};
-    Rot turn;
-    Vec2 before;
-    Vec2 after;
+    Rot turn{};
+    Vec2 before{};
+    Vec2 after{};
 
     friend constexpr bool operator==(const Geometry&, const Geometry&) = default;
 };

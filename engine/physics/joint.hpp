@@ -51,23 +51,23 @@ struct JointSpring {
 /// Everything a new joint needs. Unused members of a kind are ignored.
 struct JointDefinition {
     JointKind kind = JointKind::Revolute;
-    BodyId a;
-    BodyId b;
-    Vec2 anchorA;                 ///< m, in A's frame
-    Vec2 anchorB;                 ///< m, in B's frame
+    BodyId a{};
+    BodyId b{};
+    Vec2 anchorA{};               ///< m, in A's frame
+    Vec2 anchorB{};               ///< m, in B's frame
     Vec2 axis{1.0f, 0.0f};        ///< in A's frame: of Prismatic and Wheel
     float referenceAngle = 0.0f;  ///< rad: angle of B minus angle of A that counts as 0
     float length = 1.0f;          ///< m: of Distance; total of Pulley
     float ratio = 1.0f;           ///< of Gear and Pulley
-    Vec2 groundA;                 ///< m, world, near the origin of the step: fixed ends of Pulley
-    Vec2 groundB;
-    Place target;    ///< m: of Mouse
-    Vec2 offset;     ///< m, in A's frame: of Motor
-    JointId jointA;  ///< of Gear
-    JointId jointB;
-    JointLimit limit;
-    JointMotor motor;
-    JointSpring spring;
+    Vec2 groundA{};               ///< m, world, near the origin of the step: fixed ends of Pulley
+    Vec2 groundB{};
+    Place target{};    ///< m: of Mouse
+    Vec2 offset{};     ///< m, in A's frame: of Motor
+    JointId jointA{};  ///< of Gear
+    JointId jointB{};
+    JointLimit limit{};
+    JointMotor motor{};
+    JointSpring spring{};
     float maxForce = std::numeric_limits<float>::infinity();     ///< N: of Mouse and Motor
     float maxTorque = std::numeric_limits<float>::infinity();    ///< N m: of Motor
     float breakForce = std::numeric_limits<float>::infinity();   ///< N: harder pulled, it breaks

@@ -19,7 +19,7 @@ namespace plumb::physics {
 struct StepOptions {
     TaskPool* pool = nullptr;    ///< threads to share the work with; the bits do not depend on it
     Profile* profile = nullptr;  ///< where the time of each stage is added, by its name
-    ContactHooks hooks;
+    ContactHooks hooks{};
 };
 
 /// Moves the world on by dt (s). The same world and dt give the same bits on every machine, for any number of

@@ -19,7 +19,7 @@ struct CharacterDefinition {
     float pushForce = 200.0f;   ///< N: with what it pushes bodies that are in its way
     float pushMass = 200.0f;    ///< kg: heavier bodies are walls to it
     float weight = 0.0f;        ///< kg: how it weighs on bodies that it stands on
-    QueryFilter filter;         ///< whom it meets; `except` a body of its own, if it has one
+    QueryFilter filter{};       ///< whom it meets; `except` a body of its own, if it has one
     /// m: what it keeps away from everything, so that it never trips over seams. Larger than what is lost
     /// by rounding, smaller than what is seen.
     float gap = 0.001f;

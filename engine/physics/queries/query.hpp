@@ -19,14 +19,14 @@ struct QueryFilter {
     bool triggers = false;               ///< triggers are found too
     bool movers = true;                  ///< shapes of dynamic and kinematic bodies are found
     bool fixed = true;                   ///< shapes of static bodies are found
-    BodyId except;                       ///< nothing of this body is found
+    BodyId except{};                     ///< nothing of this body is found
 };
 
 /// An outline somewhere in the world, for a query.
 struct QueryShape {
-    Geometry geometry;
-    Place position;  ///< m, of the frame that it is written in
-    Rot rotation;
+    Geometry geometry{};
+    Place position{};  ///< m, of the frame that it is written in
+    Rot rotation{};
     std::span<const Corner> corners = {};  ///< of a polygon, by Geometry::first; else World::corners
 };
 
