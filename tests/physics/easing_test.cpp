@@ -35,6 +35,15 @@ TEST(Easing, bodiesThatArePutIntoEachOtherAreEasedApart) {
     }
 }
 
+TEST(Easing, nobodyFallsAsleepBeforeItIsOver) {
+    Playground scene;
+    scene.world.settings.sleeping = true;
+    scene.floor();
+    const BodyId crate = scene.crate({0.0, 0.2});
+    scene.run(180);
+    EXPECT_NEAR(scene.y(crate), 0.5, 0.01);
+}
+
 TEST(Easing, ofWhatFallsDeepIntoTheGroundNothingIsLetBe) {
     Playground scene;
     scene.world.settings.continuous = false;

@@ -28,6 +28,16 @@ void keepCarriedAwake(World& world, std::vector<std::uint32_t>& verdict) {
         keepAwake(world.joints.hot[j].bodyA, world.joints.hot[j].bodyB);
 }
 
+/// What is still being eased out of another one (`ease` in contacts.cpp) is slow, but not at rest.
+void keepEasedAwake(World& world, std::vector<std::uint32_t>& verdict) {
+    for (const Contact& contact : world.contacts) {
+        if ((contact.flags & kTouching) == 0 || (contact.flags & kEasing) == 0) continue;
+        for (const std::uint32_t body : {contact.bodyA, contact.bodyB}) {
+            if (world.bodies.info[body].kind == BodyKind::Dynamic) verdict[islandOf(world, body)] = kNone;
+        }
+    }
+}
+
 }  // namespace
 
 void putToSleep(StepContext& step) {
@@ -43,6 +53,7 @@ void putToSleep(StepContext& step) {
             verdict[islandOf(world, body)] = kNone;
     }
     if (world.manifest.runs(Effect::Kinematics)) keepCarriedAwake(world, verdict);
+    keepEasedAwake(world, verdict);
     const bool some = std::any_of(world.awake.begin(), world.awake.end(), [&](std::uint32_t body) {
         return world.bodies.info[body].kind == BodyKind::Dynamic && verdict[islandOf(world, body)] != kNone;
     });
