@@ -9,7 +9,8 @@ namespace plumb::physics {
 
 namespace {
 
-constexpr float kMostLoad = 0.1f;     // of the impulse: who pressed with more before is not in a chain
+constexpr float kMostLoad = 0.1f;  // of the impulse: who pressed with more before is not in a chain
+constexpr float kLively = 0.5f;    // bounciness: duller things soak a blow up, and crowds of them would sink
 constexpr float kNoApproach = 1e-3f;  // m/s
 constexpr float kNoOverlap = 1e-5f;   // m
 constexpr int kMostRounds = 64;
@@ -39,6 +40,7 @@ void gather(const std::vector<BounceBlock>& bounces, const std::vector<BlockLane
     for (auto n = static_cast<std::size_t>(begin); n < static_cast<std::size_t>(end); ++n) {
         const BounceBlock& bounce = bounces[n];
         for (int i = 0; i < lanes[n].count; ++i) {
+            if (bounce.bounciness[i] < kLively) continue;
             if (bounce.sum[i] <= 0.0f || bounce.before[i] > kMostLoad * bounce.largest[0][i]) continue;
             impacts.push_back({fixed, static_cast<std::uint8_t>(i), static_cast<std::uint32_t>(n)});
         }
