@@ -9,6 +9,12 @@
 
 namespace plumb {
 
+namespace {
+
+constexpr int kSmoothSamples = 4;  // of each px
+
+}  // namespace
+
 Result<std::unique_ptr<Screen>> Screen::open(const ScreenSettings& settings) {
     logNote("Engine", "Initializing SDL2...");
     WindowSettings window;
@@ -16,13 +22,13 @@ Result<std::unique_ptr<Screen>> Screen::open(const ScreenSettings& settings) {
     window.width = settings.windowWidth;
     window.height = settings.windowHeight;
     window.fullscreen = settings.fullscreen;
-    window.smoothEdges = settings.smooth;
     Result<std::unique_ptr<Window>> opened = Window::open(window);
     if (!opened) return opened.error();
     logNote("Engine", "Created window: {}x{}", settings.windowWidth, settings.windowHeight);
     Result<std::unique_ptr<GlDevice>> device = GlDevice::create();
     if (!device) return device.error();
     logNote("Engine", "OpenGL 3.3 Core Profile");
+    if (settings.smooth) (*device)->smoothWindow(kSmoothSamples);
     return std::unique_ptr<Screen>{new Screen{settings, std::move(*opened), std::move(*device)}};
 }
 
@@ -42,6 +48,7 @@ void Screen::draw(World& world, AssetStore& assets, float alpha, const PhysicsSh
     renderer_->renderer().resetCounts();
     renderer_->draw(world, settings_.picture, alpha, viewport(), &fillPlaceholders);
     renderer_->drawPhysics(world, physics, renderer_->sceneView(), viewport());
+    device_->finishWindow();
     drawCalls_ = renderer_->renderer().counts().drawCalls;
 }
 

@@ -17,8 +17,7 @@ public:
     GlContext& operator=(const GlContext&) = delete;
 
     /// Asks for 3.3 core, before the window is made: the window's pixel format depends on it.
-    /// @param samples  of each px
-    static void request(int samples = 1);
+    static void request();
     /// @error the driver has no OpenGL 3.3
     static Result<GlContext> create(SDL_Window* window);
 

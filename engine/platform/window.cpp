@@ -14,8 +14,6 @@
 namespace plumb {
 namespace {
 
-constexpr int kSmoothSamples = 4;  ///< of each px
-
 // In the order of MouseShape.
 constexpr std::array kCursors{SDL_SYSTEM_CURSOR_ARROW,    SDL_SYSTEM_CURSOR_HAND,   SDL_SYSTEM_CURSOR_IBEAM,
                               SDL_SYSTEM_CURSOR_SIZEALL,  SDL_SYSTEM_CURSOR_SIZEWE, SDL_SYSTEM_CURSOR_SIZENS,
@@ -74,17 +72,10 @@ Window::Window(std::unique_ptr<Parts> parts) : parts_{std::move(parts)} {}
 Window::~Window() = default;
 
 Result<std::unique_ptr<Window>> Window::open(const WindowSettings& settings) {
-    if (settings.smoothEdges) {
-        if (Result<std::unique_ptr<Window>> smooth = openWith(settings, kSmoothSamples)) return smooth;
-    }
-    return openWith(settings, 1);
-}
-
-Result<std::unique_ptr<Window>> Window::openWith(const WindowSettings& settings, int samples) {
     if (const Result<Done> started = startVideo(); !started) return started.error();
     auto parts = std::make_unique<Parts>();
     parts->translation.emplace();
-    GlContext::request(samples);
+    GlContext::request();
     parts->window = SDL_CreateWindow(settings.title.c_str(), SDL_WINDOWPOS_CENTERED, SDL_WINDOWPOS_CENTERED,
                                      settings.width, settings.height, windowFlags(settings));
     if (parts->window == nullptr) {

@@ -18,7 +18,6 @@ struct WindowSettings {
     bool fullscreen = false;
     bool hidden = false;  ///< for tests and tools: drawn into, never shown
     bool vsync = true;
-    bool smoothEdges = false;  ///< each px from four samples, where the card can
 };
 
 /// A size in whole pixels.
@@ -77,7 +76,6 @@ public:
 private:
     struct Parts;
     explicit Window(std::unique_ptr<Parts> parts);
-    static Result<std::unique_ptr<Window>> openWith(const WindowSettings& settings, int samples);
 
     std::unique_ptr<Parts> parts_;
 };

@@ -146,6 +146,7 @@ GlDevice::~GlDevice() {
     for (const Target& target : targets_) {
         if (target.name != 0) glDeleteFramebuffers(1, &target.name);
     }
+    glDeleteRenderbuffers(1, &windowSamplesBuffer_);
     glDeleteBuffers(static_cast<GLsizei>(buffers_.size()), buffers_.data());
     for (const FrameBuffer& frame : frames_) {
         glDeleteBuffers(1, &frame.name);
@@ -246,6 +247,37 @@ void GlDevice::destroyInstances(InstanceBufferHandle buffer) {
     glDeleteBuffers(1, &buffers_[buffer.index]);
     buffers_[buffer.index] = 0;
     freeBuffers_.push_back(buffer.index);
+}
+
+void GlDevice::smoothWindow(int samples) {
+    GLint most = 1;
+    glGetIntegerv(GL_MAX_SAMPLES, &most);
+    windowSamples_ = std::clamp(samples, 1, static_cast<int>(most));
+    if (windowSamples_ == 1 || targets_[0].name != 0) return;
+    glGenFramebuffers(1, &targets_[0].name);
+    glGenRenderbuffers(1, &windowSamplesBuffer_);
+    glBindRenderbuffer(GL_RENDERBUFFER, windowSamplesBuffer_);  // the name is an object only now
+    glBindFramebuffer(GL_FRAMEBUFFER, targets_[0].name);
+    glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, windowSamplesBuffer_);
+    glBindFramebuffer(GL_FRAMEBUFFER, 0);
+    setWindowSize(std::exchange(windowSize_, PixelSize{}));
+}
+
+void GlDevice::setWindowSize(PixelSize size) {
+    if (windowSamplesBuffer_ != 0 && size != windowSize_) {
+        glBindRenderbuffer(GL_RENDERBUFFER, windowSamplesBuffer_);
+        glRenderbufferStorageMultisample(GL_RENDERBUFFER, windowSamples_, GL_RGBA8, size.width, size.height);
+    }
+    windowSize_ = size;
+}
+
+void GlDevice::finishWindow() {
+    if (windowSamplesBuffer_ == 0) return;
+    const int width = windowSize_.width, height = windowSize_.height;
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, targets_[0].name);
+    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
+    glBlitFramebuffer(0, 0, width, height, 0, 0, width, height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+    glBindFramebuffer(GL_FRAMEBUFFER, 0);
 }
 
 void GlDevice::setViewport(const Viewport& viewport) {
@@ -387,7 +419,7 @@ Image GlDevice::readPixels(TargetHandle target) {
     const PixelSize size = target.index == 0 ? windowSize_ : textureSize(targetTexture(target));
     Image image{size.width, size.height, {}};
     image.rgba.resize(static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height) * 4);
-    glBindFramebuffer(GL_FRAMEBUFFER, targets_[target.index].name);
+    glBindFramebuffer(GL_FRAMEBUFFER, target.index == 0 ? 0 : targets_[target.index].name);
     glReadPixels(0, 0, size.width, size.height, GL_RGBA, GL_UNSIGNED_BYTE, image.rgba.data());
     if (target.index == 0) flipRows(image);
     return image;

@@ -29,7 +29,12 @@ public:
     [[nodiscard]] TextureHandle targetTexture(TargetHandle target) const override;
     InstanceBufferHandle createInstances(std::span<const SpriteInstance> instances) override;
     void destroyInstances(InstanceBufferHandle buffer) override;
-    void setWindowSize(PixelSize size) override { windowSize_ = size; }
+    /// From now on the window's picture is drawn with so many samples of each px (as many as the card can),
+    /// which smooths edges. finishWindow() has to follow before it is shown or read.
+    void smoothWindow(int samples);
+    /// Puts together the samples of the window's picture; does nothing unless it is smoothed.
+    void finishWindow();
+    void setWindowSize(PixelSize size) override;
     void setViewport(const Viewport& viewport) override;
     void clear(Color color) override;
     std::span<SpriteInstance> mapInstances(std::size_t count) override;
@@ -87,6 +92,8 @@ private:
     std::vector<SpriteInstance> ownMemory_;  ///< used when the driver maps nothing
     std::size_t ownCount_ = 0;
     PixelSize windowSize_{1, 1};
+    int windowSamples_ = 1;
+    GlName windowSamplesBuffer_ = 0;  ///< of targets_[0], which is the window itself unless it is smoothed
     bool flipped_ = false;  ///< targets are drawn upside down, so that their first row is the top one
     int maxTextureSide_ = 1024;
 };
