@@ -11,6 +11,7 @@ namespace plumb::scenes {
 namespace {
 
 constexpr int kContactSample = 16;  // steps between two counts of contacts
+constexpr int kLostSample = 8;      // steps between two looks for what no engine could go on with
 constexpr double kLeastTime = 0.3;  // s: small scenes run until they have used it
 constexpr int kMostRuns = 200;
 constexpr double kMilliseconds = 1e3;
@@ -89,6 +90,10 @@ bool runOnce(const Scene& scene, Lane& lane, int steps, bool profiled) {
         }
         lane.samples.push_back((wallSeconds() - start) / scene.batch);
         contacts.look(*world, step);
+        if (step % kLostSample < scene.batch && isLost(*world)) {
+            steps = step + scene.batch;
+            lane.measurement.lostAfter = steps;
+        }
     }
     if (lane.runs == 0) judge(lane, *world, contacts.mean());
     keepStages(lane, *world, steps);
@@ -109,7 +114,8 @@ void keepBest(Lane& lane) {
         result.msPerStep = mean;
     }
     result.msPerStep = std::min(result.msPerStep, mean);
-    for (std::size_t i = 0; i < lane.best.size(); ++i) lane.best[i] = std::min(lane.best[i], lane.samples[i]);
+    for (std::size_t i = 0; i < std::min(lane.best.size(), lane.samples.size()); ++i)
+        lane.best[i] = std::min(lane.best[i], lane.samples[i]);
     ++lane.runs;
 }
 

@@ -30,6 +30,7 @@ struct Measurement {
     int threads = 1;
     int size = 0;            ///< of the scene
     int steps = 0;           ///< measured
+    int lostAfter = 0;       ///< steps, where it was pointless to go on, see isLost(); else 0
     std::string missing;     ///< what the engine lacks for this scene; the rest is then empty
     double msPerStep = 0.0;  ///< total of the best run over its steps, without its first step
     double quietMs = 0.0;    ///< the same of the best of each step over all runs

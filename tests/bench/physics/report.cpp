@@ -41,6 +41,11 @@ void printRow(const Measurement& row, std::span<const Measurement> rows) {
     if (!row.missing.empty()) return static_cast<void>(std::printf("- (no %s)\n", row.missing.c_str()));
     const int digits = row.msPerStep < 0.1 ? 5 : 3;
     const SceneError& error = row.error;
+    const std::string verdict = error.holds() ? ""
+                                : row.lostAfter > 0
+                                    ? format("  EXPLODED, given up after {} steps", row.lostAfter)
+                                : error.finite ? "  CAME APART"
+                                               : "  EXPLODED";
     std::printf("%9s %9s %9s %7zu %8.0f %8s %8s %8s %8s %6s%s\n", fixedText(row.msPerStep, digits).c_str(),
                 fixedText(row.quietMs, digits).c_str(), fixedText(row.medianMs, digits).c_str(), row.bodies,
                 row.contacts, number(error.maxPenetration * kMillimetres, 2).c_str(),
@@ -48,9 +53,7 @@ void printRow(const Measurement& row, std::span<const Measurement> rows) {
                 number(error.maxJointError * kMillimetres, 2).c_str(),
                 number(error.meanJointError * kMillimetres, 3).c_str(),
                 error.holds() ? fixedText(row.quietMs / referenceOf(row, rows).quietMs, 2).c_str() : "-",
-                error.holds()  ? ""
-                : error.finite ? "  CAME APART"
-                               : "  EXPLODED");
+                verdict.c_str());
 }
 
 std::string familyOf(const std::string& scene) { return scene.substr(0, scene.rfind('_')); }

@@ -9,6 +9,8 @@ namespace plumb::scenes {
 
 namespace {
 
+constexpr double kLost = 10.0;  // m
+
 using Shape = SceneBuilder::Shape;
 
 struct Entry {
@@ -100,19 +102,31 @@ void addJointErrors(const SceneBuilder& world, std::span<const Pose> poses, Scen
     if (count > 0) error.meanJointError = sum / static_cast<double>(count);
 }
 
+bool areFinite(std::span<const Pose> poses) {
+    return std::all_of(poses.begin(), poses.end(), [](const Pose& pose) {
+        return std::isfinite(pose.x) && std::isfinite(pose.y) && std::isfinite(pose.cos) &&
+               std::isfinite(pose.sin);
+    });
+}
+
 }  // namespace
 
 SceneError errorOf(const SceneBuilder& world) {
     SceneError error;
     const std::vector<Pose> poses = posesOf(world);
-    error.finite = std::all_of(poses.begin(), poses.end(), [](const Pose& pose) {
-        return std::isfinite(pose.x) && std::isfinite(pose.y) && std::isfinite(pose.cos) &&
-               std::isfinite(pose.sin);
-    });
+    error.finite = areFinite(poses);
     if (!error.finite) return error;
     addOverlaps(world, poses, error);
     addJointErrors(world, poses, error);
     return error;
+}
+
+bool isLost(const SceneBuilder& world) {
+    const std::vector<Pose> poses = posesOf(world);
+    if (!areFinite(poses)) return true;
+    SceneError error;
+    addJointErrors(world, poses, error);
+    return error.maxJointError > kLost;
 }
 
 }  // namespace plumb::scenes

@@ -26,4 +26,8 @@ inline constexpr double kNoticed = 2e-5;  // m
 /// Exact overlaps of all pairs of shapes that should not overlap, from the positions read back.
 SceneError errorOf(const SceneBuilder& world);
 
+/// Whether a position is NaN or infinite or a joint is open by more than anything comes back from (10 m).
+/// Some engines never end a step of such a world.
+bool isLost(const SceneBuilder& world);
+
 }  // namespace plumb::scenes
