@@ -27,6 +27,20 @@ Encounter encounterOf(const BodyPose& a, const BodyPose& b) {
     return {a.rotation, between(a.rotation, b.rotation), unrotate(a.rotation, b.centre - a.centre)};
 }
 
+/// Both after so many s of going on as they do.
+Encounter ahead(const World& world, const Contact& contact, float time) {
+    const auto moved = [&](std::uint32_t body) {
+        BodyPose pose = world.bodies.pose[body];
+        const BodyMotion& motion = world.bodies.motion[body];
+        const float angle = time * motion.angularVelocity;
+        pose.centre = pose.centre + time * motion.velocity;
+        pose.rotation = normalized(Rot{pose.rotation.cos - angle * pose.rotation.sin,
+                                       pose.rotation.sin + angle * pose.rotation.cos});
+        return pose;
+    };
+    return encounterOf(moved(contact.bodyA), moved(contact.bodyB));
+}
+
 float separationOf(const Encounter& now, const ContactAnchors& anchors, Vec2 normalInA) {
     return dot(normalInA, now.between + rotate(now.turn, anchors.b) - anchors.a);
 }
@@ -191,6 +205,30 @@ void take(const World& world, Contact& contact, const Encounter& now, const Mani
     if ((contact.flags & kEasing) != 0) ease(world, contact);
 }
 
+/// Where something round touches wanders while it rolls, and the normal turns with it. The step holds on to
+/// one direction, so that of its middle is taken: with that of its start, what rocks on something round would
+/// swing higher and higher, and piles with balls in them would never come to rest.
+/// @return false when it will no longer touch there, or with something else, as at a seam
+bool takeHalfway(const World& world, Contact& contact, const Encounter& now, float halfStep,
+                 DetectionCounts& counts) {
+    constexpr float kLeastCosine = 0.95f;
+    const Geometry& a = world.shapes.geometry[contact.shapeA];
+    const Geometry& b = world.shapes.geometry[contact.shapeB];
+    const bool rolls = contact.count == 1 && a.radius + b.radius > 0.0f;
+    if ((contact.flags & (kTouching | kTriggered)) != kTouching || !rolls) return false;
+    const Encounter then = ahead(world, contact, halfStep);
+    const Manifold manifold = collide(a, b, world.shapes.corners, frameInA(world, contact, then),
+                                      world.settings.speculativeDistance);
+    if (manifold.count != 1 || manifold.points[0].id != contact.ids[0] ||
+        dot(manifold.normal, contact.normalInA) < kLeastCosine)
+        return false;
+    ++counts.touching;
+    takeManifold(world, contact, manifold, then);
+    contact.separation0 = separationOf(now, contact.anchors[0], unrotate(now.turnA, contact.normal));
+    if ((contact.flags & kEasing) != 0) ease(world, contact);
+    return true;
+}
+
 /// What can be said without a look at the outlines: still the same, gone, or too far apart.
 bool isSettled(const World& world, Contact& contact, const Encounter& now, DetectionCounts& counts) {
     if (recycle(contact, now, world.settings)) {
@@ -320,13 +358,14 @@ Contact makeContact(const World& world, std::uint32_t shapeA, std::uint32_t shap
     return contact;
 }
 
-void findTouches(const World& world, std::span<Contact> contacts, DetectionCounts& counts) {
+void findTouches(const World& world, std::span<Contact> contacts, float dt, DetectionCounts& counts) {
     BoxBatch boxes{world, counts};
     const Shapes& shapes = world.shapes;
     for (Contact& contact : contacts) {
         ++counts.pairs;
         const Encounter now = encounterOf(world.bodies.pose[contact.bodyA], world.bodies.pose[contact.bodyB]);
         if (isSettled(world, contact, now, counts)) continue;
+        if (takeHalfway(world, contact, now, 0.5f * dt, counts)) continue;
         const Geometry& a = shapes.geometry[contact.shapeA];
         const Geometry& b = shapes.geometry[contact.shapeB];
         if (a.kind == ShapeKind::Box && b.kind == ShapeKind::Box) {

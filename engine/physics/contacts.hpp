@@ -17,7 +17,8 @@ void copyMaterials(const World& world, Contact& contact);
 
 /// Finds out where the shapes of contacts are to each other, and keeps what it knew of places that are still
 /// the same. Contacts whose bounds have parted get kGone.
-void findTouches(const World& world, std::span<Contact> contacts, struct DetectionCounts& counts);
+/// @param dt  s: of the step that is about to be done
+void findTouches(const World& world, std::span<Contact> contacts, float dt, struct DetectionCounts& counts);
 
 /// True when somebody wants to hear of the contact.
 [[nodiscard]] bool isReported(const World& world, const Contact& contact);

@@ -24,6 +24,7 @@ constexpr auto kExperiments = std::to_array<Experiment>({
     {"cradle", 0.0, true, newtonsCradle, kWeightless},
     {"oblique", 0.0, true, obliqueDiscs, kWeightless},
     {"rolling", 0.0, true, rollingDisc},
+    {"rocking", 0.0, true, rockingPlank},
     {"ballandchain", 0.0, true, ballAndChain},
     {"bridge160", 0.0, false, bridge160},
     {"jointgrid100", 0.0, false, jointGrid},

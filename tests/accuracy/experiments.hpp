@@ -25,6 +25,7 @@ void projectile(Trial& trial);
 void tenBounces(Trial& trial);
 void incline(Trial& trial);
 void rollingDisc(Trial& trial);
+void rockingPlank(Trial& trial);
 void elasticPairs(Trial& trial);
 void newtonsCradle(Trial& trial);
 void obliqueDiscs(Trial& trial);

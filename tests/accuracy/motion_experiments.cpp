@@ -80,6 +80,24 @@ void rollingDisc(Trial& trial) {
     trial.report("way", std::fabs(trial.x(disc) + 20.0 - way) / way * 100.0, "%", 0.1);
 }
 
+/// A plank that rocks on a cylinder of 1 m without sliding swings on for ever, as high as it began.
+void rockingPlank(Trial& trial) {
+    constexpr double kTilt = 0.2;                 // rad
+    constexpr double kReach = 1.1, kSwung = 0.2;  // m: centre over the cylinder's; rolled off its middle
+    constexpr Material kRough{.friction = 10.0f};
+    trial.addFixed(scenes::circle(1.0f), {}, kRough);
+    const double sine = std::sin(kTilt), cosine = std::cos(kTilt);
+    const Vec2 centre{static_cast<float>(sine * kReach - kSwung * cosine),
+                      static_cast<float>(cosine * kReach + kSwung * sine)};
+    const BodyHandle plank = trial.add(scenes::box({1.0f, 0.1f}), centre, kRough, static_cast<float>(-kTilt));
+    double tilt = 0.0;  // largest of the last two seconds, more than a swing
+    trial.run(10.0, [&](double time) {
+        if (time > 8.0) tilt = std::max(tilt, std::fabs(trial.angle(plank)));
+    });
+    trial.report("gained", std::max(tilt / kTilt - 1.0, 0.0) * 100.0, "%", 0.5);
+    trial.report("lost", std::max(1.0 - tilt / kTilt, 0.0) * 100.0, "%", 20.0);
+}
+
 void elasticPairs(Trial& trial) {
     struct Pair {
         double massA, massB, speedA, speedB;

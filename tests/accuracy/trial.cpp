@@ -64,6 +64,11 @@ void Trial::report(std::string name, double error, std::string unit, double targ
     findings_.push_back({std::move(name), known, std::move(unit), target});
 }
 
+double Trial::angle(BodyHandle body) const {
+    const scenes::Pose pose = scene_.poseOf(body);
+    return std::atan2(pose.sin, pose.cos);
+}
+
 Vec2 Trial::velocity(BodyHandle body) { return physics::velocityOf(world(), scene_.idOf(body)); }
 
 double Trial::fastest() {

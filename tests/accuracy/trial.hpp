@@ -46,6 +46,7 @@ public:
 
     [[nodiscard]] double x(BodyHandle body) const { return scene_.poseOf(body).x; }
     [[nodiscard]] double y(BodyHandle body) const { return scene_.poseOf(body).y; }
+    [[nodiscard]] double angle(BodyHandle body) const;  ///< rad, -pi..pi
     [[nodiscard]] Vec2 velocity(BodyHandle body);
     [[nodiscard]] double fastest();  ///< m/s: of all bodies
     [[nodiscard]] double time() const { return time_; }

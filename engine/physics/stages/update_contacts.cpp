@@ -44,7 +44,7 @@ void lookAtAll(StepContext& step) {
         const std::span<Contact> contacts = std::span{world.contacts}.subspan(first, size);
         for (Contact& contact : contacts)
             contact.flags &= static_cast<std::uint16_t>(~(kBegan | kGone | kDisabled));
-        findTouches(world, contacts, counts);
+        findTouches(world, contacts, step.dt, counts);
         for (std::size_t i = 0; i < size; ++i) {
             Contact& contact = contacts[i];
             if (asked && !mayMeet(world, contact)) contact.flags |= kGone;

@@ -1,0 +1,97 @@
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "physics/simulation.hpp"
+
+// What rolls on something round: where it touches wanders, and the normal turns with it.
+
+namespace plumb::physics {
+namespace {
+
+constexpr float kTick = 1.0f / 60.0f;
+constexpr float kTilt = 0.2f;  // rad, at the start
+constexpr ShapeDefinition kRough{.friction = 10.0f};
+
+/// The largest tilts (rad) of every two seconds of a plank that rocks on something, whose top is a circle of
+/// radius 1 around the origin, and the mean time of a swing.
+struct Rocking {
+    std::vector<float> tilts;
+    float period = 0.0f;  // s
+
+    Rocking(const Geometry& under, Quality quality) {
+        World world;
+        world.settings.gravity = {0.0f, -10.0f};
+        world.settings.sleeping = false;
+        world.settings.quality = quality;
+        const BodyId ground = *createBody(world, {.kind = BodyKind::Static});
+        EXPECT_TRUE(createShape(world, ground, under, kRough).ok());
+        // Rolled off its middle by as much as it is tilted.
+        const float sine = std::sin(kTilt), cosine = std::cos(kTilt);
+        const BodyId plank = *createBody(
+            world,
+            {.position = Vec2{1.1f * sine - kTilt * cosine, 1.1f * cosine + kTilt * sine}, .angle = -kTilt});
+        EXPECT_TRUE(createShape(world, plank, box({1.0f, 0.1f}), kRough).ok());
+        swing(world, plank);
+    }
+
+private:
+    void swing(World& world, BodyId plank) {
+        float before = -kTilt, first = 0.0f, last = 0.0f, largest = 0.0f;
+        int swings = -1;
+        for (int i = 1; i <= 600; ++i) {
+            step(world, kTick);
+            const float now = angleOf(rotationOf(world, plank));
+            if (before < 0.0f && now >= 0.0f) {
+                last = kTick * (static_cast<float>(i) - now / (now - before));
+                if (++swings == 0) first = last;
+            }
+            before = now;
+            largest = std::max(largest, std::fabs(now));
+            if (i % 120 == 0) tilts.push_back(std::exchange(largest, 0.0f));
+        }
+        period = (last - first) / static_cast<float>(swings);
+    }
+};
+
+struct Under {
+    const char* name;
+    Geometry outline;
+};
+
+constexpr float kHalfRoot = 0.70710678f;
+const Under kUnder[] = {
+    {"circle", circle(1.0f)},
+    {"capsule", capsule({0.0f, -2.0f}, {0.0f, 0.0f}, 1.0f)},
+    {"round corner", box({0.5f, 0.5f}, {0.0f, -kHalfRoot}, {kHalfRoot, kHalfRoot}, 1.0f)}};
+
+TEST(Rocking, swingsOnNeverHigherThanItBegan) {
+    for (const Under& under : kUnder) {
+        for (Quality quality = 1; quality <= 5; ++quality) {
+            SCOPED_TRACE(under.name);
+            SCOPED_TRACE(int{quality});
+            const Rocking rocking{under.outline, quality};
+            for (const float tilt : rocking.tilts) EXPECT_LE(tilt, 1.02f * kTilt);
+            EXPECT_GE(rocking.tilts.back(), (quality < 2 ? 0.5f : 0.7f) * kTilt);
+        }
+    }
+}
+
+TEST(Rocking, takesTheTimeOfTheFormula) {
+    // Of small swings; those of 0.2 rad take a little longer. Moment of inertia about where it touches, over
+    // the restoring torque: g times how far the cylinder's radius is over the centre's height.
+    const float inertia = (1.0f + 0.01f) / 3.0f + 0.01f;  // m2, of each kilogram
+    const float period = 6.2831853f * std::sqrt(inertia / (10.0f * (1.0f - 0.1f)));
+    for (const Under& under : kUnder) {
+        SCOPED_TRACE(under.name);
+        const Rocking rocking{under.outline, 4};
+        EXPECT_GT(rocking.period, period);
+        EXPECT_LT(rocking.period, 1.05f * period);
+    }
+}
+
+}  // namespace
+}  // namespace plumb::physics
