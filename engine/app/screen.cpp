@@ -64,11 +64,7 @@ void Screen::placeMouse(InputFrame& frame) const {
     const Vec2 place{frame.mouse().x * static_cast<float>(drawn.width) / static_cast<float>(window.width),
                      frame.mouse().y * static_cast<float>(drawn.height) / static_cast<float>(window.height)};
     const Vec2 picture = pictureFromWindow(viewport(), settings_.picture, place);
-    const auto whole = [](float value) {
-        return static_cast<std::int16_t>(std::clamp(std::floor(value), -32768.0f, 32767.0f));
-    };
-    frame.mouseX = whole(picture.x);
-    frame.mouseY = whole(picture.y);
+    frame.setMouse(picture);
 }
 
 }  // namespace plumb

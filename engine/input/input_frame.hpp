@@ -1,6 +1,8 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <type_traits>
@@ -52,6 +54,16 @@ struct InputFrame {
         keys[bit / 32] = held ? keys[bit / 32] | mask : keys[bit / 32] & ~mask;
     }
     [[nodiscard]] Vec2 mouse() const { return {static_cast<float>(mouseX), static_cast<float>(mouseY)}; }
+    /// @param place  px of the game's picture
+    void setMouse(Vec2 place) {
+        const auto whole = [](float value) {
+            // NaN is not above anything.
+            return static_cast<std::int16_t>(value > -32768.0f ? std::min(std::floor(value), 32767.0f)
+                                                               : -32768.0f);
+        };
+        mouseX = whole(place.x);
+        mouseY = whole(place.y);
+    }
 
     void addTo(Hasher& hasher) const { hasher.addBytes(this, sizeof *this); }
 

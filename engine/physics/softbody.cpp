@@ -178,4 +178,13 @@ Result<Done> moveParticle(World& world, SoftBodyId body, int particle, Place pla
     return Done{};
 }
 
+Result<Done> setParticleVelocity(World& world, SoftBodyId body, int particle, Vec2 velocity) {
+    const auto checked = firstOf(checkParticle("setParticleVelocity", world, body, particle),
+                                 checkVector("setParticleVelocity velocity", velocity, kFastest));
+    if (!checked) return checked;
+    SoftParticle& pushed = world.softBodies.all[body.index].particles[static_cast<std::size_t>(particle)];
+    if (pushed.inverseMass > 0.0f) pushed.velocity = velocity;
+    return Done{};
+}
+
 }  // namespace plumb::physics

@@ -46,5 +46,7 @@ void destroySoftBody(World& world, SoftBodyId body);
 Result<Done> pinParticle(World& world, SoftBodyId body, int particle, bool pinned);
 /// Moves a particle; a pinned one takes its neighbours along.
 Result<Done> moveParticle(World& world, SoftBodyId body, int particle, Place place);
+/// @param velocity  m/s; a pinned one stays where it is
+Result<Done> setParticleVelocity(World& world, SoftBodyId body, int particle, Vec2 velocity);
 
 }  // namespace plumb::physics

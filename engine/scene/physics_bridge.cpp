@@ -15,6 +15,7 @@
 #include "scene/kinematics.hpp"
 #include "scene/physics_times.hpp"
 #include "scene/publish_bodies.hpp"
+#include "scene/soft_hand.hpp"
 #include "scene/systems/physics_system.hpp"
 
 namespace plumb {
@@ -106,6 +107,7 @@ void stepPhysics(World& world, float dt) {
         const ProfileScope scope{profile, kPhysicsSync};
         followComponents(world, state, physicsSettingsOf(world));
         driveKinematics(world, state, dt);
+        pullSoftBodies(world, state, dt);
         state.world.manifest.pinnedOff = calls.off;
         state.stepped.assign(state.world.awake.begin(), state.world.awake.end());
     }

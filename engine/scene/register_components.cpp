@@ -35,6 +35,7 @@
 #include "scene/components/rope.hpp"
 #include "scene/components/scene_entity.hpp"
 #include "scene/components/scene_physics.hpp"
+#include "scene/components/soft_grip.hpp"
 #include "scene/components/sprite.hpp"
 #include "scene/components/static_body.hpp"
 #include "scene/components/tile_collider.hpp"
@@ -87,6 +88,7 @@ void registerSceneComponents(TypeRegistry& types) {
     types.add<Rope>();
     types.add<Cloth>();
     types.add<Jelly>();
+    types.add<SoftGrip>();
     types.add<Hidden>();
     types.add<Persistent>();
     types.add<Overlay>();

@@ -3,6 +3,8 @@
 #include "gameplay/components.hpp"
 #include "gameplay/systems.hpp"
 #include "input/input.hpp"
+#include "physics/softbody.hpp"
+#include "scene/body_sync.hpp"
 #include "scene/components.hpp"
 #include "scene/scene_requests.hpp"
 #include "scene/systems/camera_system.hpp"
@@ -126,6 +128,94 @@ TEST(MouseDrag, forgetsWhatIsGoneAndWhatItMayNotTake) {
     room.frame.mouseButtons = 1;
     room.run(2);
     EXPECT_FALSE(other.hasComponent<MouseJoint>());
+}
+
+/// Where the particles of an entity are (px).
+std::vector<Vec2> particlesOf(Playroom& room, Entity entity) {
+    PhysicsState& state = room.world.resource<PhysicsState>();
+    std::vector<Vec2> places;
+    for (const SoftLinkage& linkage : state.softBodies) {
+        if (!(linkage.entity == entity.id())) continue;
+        for (const auto& particle : physics::particlesOf(state.world, linkage.body))
+            places.push_back(placeInPixels(particle.place, state.scale));
+    }
+    return places;
+}
+
+Vec2 middleOf(const std::vector<Vec2>& places) {
+    Vec2 sum;
+    for (const Vec2 place : places) sum += place;
+    return sum / static_cast<float>(places.size());
+}
+
+TEST(MouseDrag, carriesAJellyByItsMiddleAndLetsItFall) {
+    Playroom room;
+    room.at({-500, 170}).addComponent<BoxCollider>(1000, 20);
+    Entity jelly = room.at({100, 120});
+    jelly.addComponent<Jelly>().radius = 40.0f;
+    Entity hand = room.at({0, 0});
+    hand.addComponent<MouseDrag>();
+    room.frame.mouseX = 100;
+    room.frame.mouseY = 130;
+    room.run(60);
+    const Vec2 before = middleOf(particlesOf(room, jelly));
+    room.frame.mouseButtons = 1;
+    room.run();
+    EXPECT_TRUE(jelly.hasComponent<SoftGrip>());
+    EXPECT_FALSE(hand.hasComponent<Hidden>());
+    room.frame.mouseX = 220;
+    room.frame.mouseY = 60;
+    room.run(120);
+    EXPECT_LT(length(middleOf(particlesOf(room, jelly)) - before - Vec2{120, -70}), 25.0f);
+    room.frame.mouseButtons = 0;
+    room.run(120);
+    EXPECT_FALSE(jelly.hasComponent<SoftGrip>());
+    EXPECT_TRUE(hand.hasComponent<Hidden>());
+    EXPECT_NEAR(middleOf(particlesOf(room, jelly)).y, before.y, 3.0f)
+        << "it does not lie on the ground again";
+}
+
+TEST(MouseDrag, pullsARopeAndAClothWhichKeepTheirLengthAndTheirPins) {
+    Playroom room;
+    Entity rope = room.at({100, 20}), cloth = room.at({200, 20});
+    rope.addComponent<Rope>().to = {0.0f, 100.0f};
+    cloth.addComponent<Cloth>().size = {80.0f, 60.0f};
+    room.at({0, 0}).addComponent<MouseDrag>();
+    for (const auto& [entity, from] : {std::pair{rope, Vec2{100, 110}}, {cloth, Vec2{240, 70}}}) {
+        room.frame.setMouse(from);
+        room.frame.mouseButtons = 0;
+        room.run(60);
+        const std::vector<Vec2> before = particlesOf(room, entity);
+        room.frame.mouseButtons = 1;
+        room.run();
+        ASSERT_TRUE(entity.hasComponent<SoftGrip>());
+        room.frame.setMouse(from + Vec2{60, 40});
+        room.run(120);
+        const std::vector<Vec2> after = particlesOf(room, entity);
+        EXPECT_GT(middleOf(after).x, middleOf(before).x + 5.0f);
+        EXPECT_EQ(after.front(), before.front());
+        for (std::size_t i = 0; i < after.size(); ++i)
+            EXPECT_LT(length(after[i] - before.front()), 125.0f) << i;
+    }
+}
+
+TEST(MouseDrag, leavesWhatIsSoftWhereItIsNotPressed) {
+    Playroom room;
+    Entity rope = room.at({100, 20}), jelly = room.at({220, 80});
+    rope.addComponent<Rope>().to = {0.0f, 100.0f};
+    jelly.addComponent<Jelly>().radius = 30.0f;
+    jelly.get<Jelly>().layers = 2;
+    Entity hand = room.at({0, 0});
+    hand.addComponent<MouseDrag>().mask = 1;
+    room.run();
+    for (const Vec2 place : {Vec2{130, 60}, {220, 80}, {100, 160}}) {
+        room.frame.setMouse(place);
+        room.frame.mouseButtons = 1;
+        room.run();
+        room.frame.mouseButtons = 0;
+        EXPECT_TRUE(hand.hasComponent<Hidden>()) << place.x;
+        room.run();
+    }
 }
 
 TEST(Detonator, goesOffAtItsTimeAndWhenItsActionIsPressed) {

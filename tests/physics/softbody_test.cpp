@@ -151,5 +151,21 @@ TEST(SoftBody, refusesWhatMakesNoSense) {
     EXPECT_FALSE(moveParticle(world, rope, -1, {}).ok());
 }
 
+TEST(SoftBody, aParticleIsPushedUnlessItIsPinnedOrTheNumberIsBad) {
+    World world;
+    const SoftBodyId rope = *createRope(world, {0.0, 0.0}, {0.0, 1.0}, 5);
+    ASSERT_TRUE(pinParticle(world, rope, 0, true).ok());
+    for (const int particle : {0, 4})
+        ASSERT_TRUE(setParticleVelocity(world, rope, particle, {3.0f, 0.0f}).ok());
+    EXPECT_EQ(particlesOf(world, rope)[0].velocity, Vec2{});
+    EXPECT_EQ(particlesOf(world, rope)[4].velocity, (Vec2{3.0f, 0.0f}));
+    constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
+    EXPECT_FALSE(setParticleVelocity(world, rope, 4, {kNan, 0.0f}).ok());
+    EXPECT_FALSE(setParticleVelocity(world, rope, 5, {}).ok());
+    EXPECT_FALSE(setParticleVelocity(world, rope, -1, {}).ok());
+    destroySoftBody(world, rope);
+    EXPECT_FALSE(setParticleVelocity(world, rope, 0, {}).ok());
+}
+
 }  // namespace
 }  // namespace plumb::physics

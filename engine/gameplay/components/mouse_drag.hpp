@@ -5,8 +5,8 @@
 
 namespace plumb {
 
-/// A hand that follows the mouse: it pulls the RigidBody it was pressed on. What else the entity has, e.g. a
-/// Sprite, is seen while it holds something.
+/// A hand that follows the mouse: it pulls the RigidBody, Rope, Cloth or Jelly it was pressed on. What else
+/// the entity has, e.g. a Sprite, is seen while it holds something.
 struct MouseDrag {
     float acceleration = 12'000.0f;   ///< px/s^2: the most, so that nothing is dragged through walls
     std::uint32_t mask = 0xffffffff;  ///< bits: what it can take

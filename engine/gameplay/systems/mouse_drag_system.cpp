@@ -8,10 +8,12 @@
 #include "scene/components/hidden.hpp"
 #include "scene/components/mouse_joint.hpp"
 #include "scene/components/rigid_body.hpp"
+#include "scene/components/soft_grip.hpp"
 #include "scene/components/transform.hpp"
 #include "scene/draw_scene.hpp"
 #include "scene/physics_queries.hpp"
 #include "scene/scene_stack.hpp"
+#include "scene/soft_hand.hpp"
 #include "scene/systems/camera_system.hpp"
 #include "scene/world_transform.hpp"
 
@@ -41,10 +43,22 @@ EntityId bodyAt(World& world, Vec2 place, float reach, std::uint32_t mask) {
     return {};
 }
 
-void take(World& world, MouseDrag& hand, Vec2 place) {
-    hand.held = bodyAt(world, place, 1.0f, hand.mask);
-    if (!world.alive(hand.held)) hand.held = bodyAt(world, place, kReach, hand.mask);
-    if (!world.alive(hand.held)) return;
+bool takeSoftBody(World& world, MouseDrag& hand, Vec2 place, float reach) {
+    const auto hit = softBodyAt(world, place, reach, hand.mask);
+    if (!hit || world.has<SoftGrip>(hit->entity)) return false;
+    hand.held = hit->entity;
+    SoftGrip grip;
+    grip.particle = hit->particle;
+    grip.anchor = place - hit->place;
+    grip.target = place;
+    grip.acceleration = hand.acceleration;
+    world.add<SoftGrip>(hit->entity, grip);
+    return true;
+}
+
+bool takeBody(World& world, MouseDrag& hand, Vec2 place, float reach) {
+    hand.held = bodyAt(world, place, reach, hand.mask);
+    if (!world.alive(hand.held)) return false;
     const Pose pose = worldPose(world, hand.held);
     MouseJoint pull;
     pull.anchor = rotated(place - pose.position, -pose.rotation);
@@ -52,10 +66,32 @@ void take(World& world, MouseDrag& hand, Vec2 place) {
     pull.hertz = kHertz;
     pull.maxForce = hand.acceleration * std::as_const(world).get<RigidBody>(hand.held).mass;
     world.add<MouseJoint>(hand.held, pull);
+    return true;
+}
+
+/// What is under the mouse goes before what is beside it, and what is solid before what is soft.
+void take(World& world, MouseDrag& hand, Vec2 place) {
+    for (const float reach : {1.0f, kReach}) {
+        if (takeBody(world, hand, place, reach) || takeSoftBody(world, hand, place, reach)) return;
+    }
+}
+
+/// Takes what is held along with the mouse.
+/// @return whether anything is held
+bool lead(World& world, const MouseDrag& hand, Vec2 place) {
+    if (!world.alive(hand.held)) return false;
+    auto* joint = world.find<MouseJoint>(hand.held);
+    auto* grip = world.find<SoftGrip>(hand.held);
+    if (joint != nullptr) joint->target = place;
+    if (grip != nullptr) grip->target = place;
+    return joint != nullptr || grip != nullptr;
 }
 
 void release(World& world, MouseDrag& hand) {
-    if (world.alive(hand.held)) world.remove<MouseJoint>(hand.held);
+    if (world.alive(hand.held)) {
+        world.remove<MouseJoint>(hand.held);
+        world.remove<SoftGrip>(hand.held);
+    }
     hand.held = {};
 }
 
@@ -76,8 +112,7 @@ void MouseDragSystem::update(World& world, float) {
         const Vec2 place = placeOfMouse(world, entity, input);
         if (!input.isHeld(MouseButton::Left)) release(world, hand);
         if (input.isPressed(MouseButton::Left)) take(world, hand, place);
-        const bool holds = world.alive(hand.held) && world.has<MouseJoint>(hand.held);
-        if (holds) world.get<MouseJoint>(hand.held).target = place;
+        const bool holds = lead(world, hand, place);
         if (Transform* transform = world.find<Transform>(entity)) transform->position = place;
         show(world, entity, holds);
     }
