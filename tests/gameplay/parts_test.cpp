@@ -5,6 +5,7 @@
 #include "gameplay/register_components.hpp"
 #include "math/portable.hpp"
 #include "reflect/type_registry.hpp"
+#include "scene/components/camera.hpp"
 #include "scene/components/hidden.hpp"
 #include "scene/components/label.hpp"
 #include "scene/components/scene_entity.hpp"
@@ -12,6 +13,7 @@
 #include "scene/play_sound.hpp"
 #include "scene/scene_requests.hpp"
 #include "scene/systems/animation_system.hpp"
+#include "scene/systems/camera_system.hpp"
 #include "tests/gameplay/level.hpp"
 
 namespace plumb {
@@ -315,6 +317,45 @@ TEST(Menu, takesWhatConfirmSays) {
     level.tick();
     level.press(Key::Enter);
     EXPECT_TRUE(level.requests().quit);
+}
+
+TEST(Menu, theMousePointsAndPresses) {
+    MenuLevel level;
+    level.world.resource<PictureSize>().size = {320.0f, 180.0f};
+    for (Entity item : {level.first, level.second, level.third})
+        item.get<Label>().text = level.world.texts().add("choose me");
+    const auto selected = [&level] { return level.menu.get<Menu>().selected; };
+    const auto moveTo = [&level](Vec2 place) {
+        level.frame.setMouse(place);
+        level.tick();
+    };
+    level.tick();
+    moveTo({120.0f, 54.0f});
+    EXPECT_EQ(selected(), 1);
+    EXPECT_EQ(level.count<PlaySound>(), 1);
+    level.press(Key::Up);
+    EXPECT_EQ(selected(), 0) << "a mouse that lies still leaves the keys alone";
+    moveTo({300.0f, 150.0f});
+    level.frame.mouseButtons = 1;
+    level.tick();
+    EXPECT_EQ(selected(), 0);
+    EXPECT_TRUE(level.requests().empty()) << "pressed beside all of them";
+    level.frame.mouseButtons = 0;
+    moveTo({120.0f, 54.0f});
+    level.frame.mouseButtons = 1;
+    level.tick();
+    EXPECT_EQ(level.requests().next, textId("scenes/title.scene.json"));
+    level.second.get<Label>().screen = true;
+    level.second.get<Transform>().position = {10.0f, 160.0f};
+    level.frame.mouseButtons = 0;
+    moveTo({1.0f, 1.0f});
+    Entity camera = level.world.createEntity();
+    camera.addComponent<Transform>(5000.0f, 5000.0f);
+    camera.addComponent<Camera>();
+    level.press(Key::Up);
+    level.tick();
+    moveTo({14.0f, 163.0f});
+    EXPECT_EQ(selected(), 1) << "it stays on the screen";
 }
 
 TEST(Menu, pauseAndCancelCloseIt) {

@@ -9,7 +9,8 @@
 namespace plumb {
 
 /// A list of choices: the MenuItems of its scene, from the lowest order to the highest. Up and Down move,
-/// Confirm takes one, Cancel and Pause close an overlay. Sounds: SoundCues step and activate.
+/// Confirm takes one, and so does the mouse; Cancel and Pause close an overlay. Sounds: SoundCues step and
+/// activate.
 struct Menu {
     Color color;  ///< of the items
     Color selectedColor{255, 216, 102, 255};

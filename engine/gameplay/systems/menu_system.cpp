@@ -9,11 +9,15 @@
 #include "gameplay/scene_choice.hpp"
 #include "gameplay/sound_cue.hpp"
 #include "input/input.hpp"
+#include "render/view.hpp"
 #include "scene/components/label.hpp"
 #include "scene/components/scene_entity.hpp"
 #include "scene/components/transform.hpp"
+#include "scene/draw_scene.hpp"
+#include "scene/rough_text.hpp"
 #include "scene/scene_requests.hpp"
 #include "scene/scene_stack.hpp"
+#include "scene/systems/camera_system.hpp"
 #include "scene/world_transform.hpp"
 
 namespace plumb {
@@ -53,6 +57,35 @@ void move(World& world, EntityId id, Menu& menu, const Input& input, int count) 
     menu.pushed = push;
 }
 
+/// Which item is at a place (px, world); -1 for none.
+int itemAt(const World& world, const Items& items, const View& view, Vec2 place) {
+    const Vec2 corner = view.center - view.size * (0.5f / view.zoom);
+    for (int i = 0; i < static_cast<int>(items.size()); ++i) {
+        const EntityId item = items[static_cast<std::size_t>(i)];
+        const Label* label = world.find<Label>(item);
+        if (label == nullptr) continue;
+        const Pose pose = worldPose(world, item);
+        const Vec2 from = label->screen ? corner + pose.position : pose.position;
+        const AABB box = roughTextBox(world, *label);
+        if (contains({from + box.min, from + box.max}, place)) return i;
+    }
+    return -1;
+}
+
+/// The mouse points at an item, and presses it.
+/// @return whether it takes the selected one
+bool point(World& world, EntityId id, Menu& menu, const Input& input, const Items& items) {
+    const bool pressed = input.isPressed(MouseButton::Left);
+    if (!pressed && input.mouse() == input.previousFrame().mouse()) return false;
+    const View view =
+        cameraView(world, world.resource<PictureSize>().size, 1.0f, static_cast<int>(placeOf(world, id)));
+    const int under = itemAt(std::as_const(world), items, view, toWorld(view, input.mouse()));
+    if (under < 0) return false;
+    if (under != menu.selected) playCue(world, id, &SoundCues::step);
+    menu.selected = under;
+    return pressed;
+}
+
 void show(World& world, const Menu& menu, const Items& items) {
     for (int i = 0; i < static_cast<int>(items.size()); ++i) {
         if (Label* label = world.find<Label>(items[static_cast<std::size_t>(i)]))
@@ -77,8 +110,9 @@ void MenuSystem::update(World& world, float) {
         if (items.empty()) continue;
         menu.selected = std::clamp(menu.selected, 0, static_cast<int>(items.size()) - 1);
         move(world, entity, menu, input, static_cast<int>(items.size()));
+        const bool pressed = point(world, entity, menu, input, items);
         show(world, menu, items);
-        if (!input.isPressed(Action::Confirm)) continue;
+        if (!pressed && !input.isPressed(Action::Confirm)) continue;
         playCue(world, entity, &SoundCues::activate);
         const auto& item = std::as_const(world).get<MenuItem>(items[static_cast<std::size_t>(menu.selected)]);
         choose(world.resource<SceneRequests>(), item.action, item.scene);
