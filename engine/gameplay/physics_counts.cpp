@@ -4,11 +4,12 @@
 
 #include "ecs/world.hpp"
 #include "scene/physics_state.hpp"
+#include "scene/scene_stack.hpp"
 
 namespace plumb {
 
 std::optional<std::int64_t> physicsCount(const World& world, std::string_view word) {
-    const auto* state = world.findResource<PhysicsState>();
+    const PhysicsState* state = lowestPhysics(world);
     if (state == nullptr) return {};
     const auto* counts = world.findResource<PhysicsCounts>();
     const physics::DetectionCounts found = counts != nullptr ? counts->detection : physics::DetectionCounts{};

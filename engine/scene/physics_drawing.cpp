@@ -7,6 +7,7 @@
 #include "scene/body_sync.hpp"
 #include "scene/physics_bridge.hpp"
 #include "scene/physics_state.hpp"
+#include "scene/scene_stack.hpp"
 
 namespace plumb {
 namespace {
@@ -166,8 +167,7 @@ private:
 
 std::span<const PhysicsColor> physicsColors() { return kColors; }
 
-void PhysicsDrawing::choose(World& world, std::span<const EntityId> selected) {
-    const PhysicsState& state = world.resource<PhysicsState>();
+void PhysicsDrawing::choose(const PhysicsState& state, std::span<const EntityId> selected) {
     users_.clear();
     for (const EntityId entity : selected) users_.push_back(userOf(entity));
     std::sort(users_.begin(), users_.end());
@@ -187,18 +187,19 @@ void PhysicsDrawing::choose(World& world, std::span<const EntityId> selected) {
 
 void PhysicsDrawing::draw(World& world, const PhysicsShown& shown, float behind, float pixel,
                           DrawList& list) {
-    auto* state = world.findResource<PhysicsState>();
+    auto* running = world.findResource<PhysicsState>();
+    const PhysicsState* state = lowestPhysics(world);
     if (state == nullptr || shown.any() == 0) return;
     ListCanvas canvas{list, state->scale, pixel, corners_};
     physics::DebugChoice choice;
     choice.origin = placeInMetres(list.view().center, state->scale);
     choice.behind = behind;
-    choice.lastStep = physics::lastStepOf(state->world);
+    choice.lastStep = state == running ? physics::lastStepOf(running->world) : nullptr;
     choice.parts = shown.layers & physics::kDrawAll;
     debugDraw(state->world, canvas, choice);
     choice.parts = shown.ofSelected & physics::kDrawAll;
     if (choice.parts == 0 || shown.selected.empty()) return;
-    choose(world, shown.selected);
+    choose(*state, shown.selected);
     choice.chosenOnly = true;
     choice.bodies = chosenBodies_;
     choice.fields = chosenFields_;

@@ -11,6 +11,8 @@
 
 namespace plumb {
 
+struct PhysicsState;
+
 /// What the colours stand for, in the order of the legend.
 std::span<const PhysicsColor> physicsColors();
 
@@ -23,7 +25,7 @@ public:
     void draw(World& world, const PhysicsShown& shown, float behind, float pixel, DrawList& list);
 
 private:
-    void choose(World& world, std::span<const EntityId> selected);
+    void choose(const PhysicsState& state, std::span<const EntityId> selected);
 
     std::vector<Vec2> corners_;
     std::vector<std::uint64_t> users_;        ///< of the selected ones, rising

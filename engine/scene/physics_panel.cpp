@@ -11,6 +11,7 @@
 #include "scene/physics_drawing.hpp"
 #include "scene/physics_state.hpp"
 #include "scene/physics_times.hpp"
+#include "scene/scene_stack.hpp"
 
 namespace plumb {
 namespace {
@@ -20,7 +21,7 @@ constexpr float kTextSize = 13.0f;          // px
 constexpr float kRow = 17.0f;               // px
 constexpr float kSwatch = 9.0f;             // px
 constexpr float kGap = 8.0f;                // px
-constexpr float kLegendWidth = 136.0f;      // px
+constexpr float kLegendWidth = 120.0f;      // px
 constexpr float kNumbersWidth = 236.0f;     // px
 constexpr Color kBack{16, 18, 22, 205};
 constexpr Color kText{232, 234, 238, 255};
@@ -52,9 +53,14 @@ public:
         add(row);
     }
 
-    /// Games write at the top, so it stands at the bottom.
-    /// @param right  at the right side of the screen
-    void draw(LabelDrawing& labels, DrawList& list, float width, bool right) const;
+    /// How it stands at the bottom, as games write at the top.
+    struct Stand {
+        float width = 0.0f;  ///< px, of a column
+        bool right = false;  ///< at the right side of the screen, as high as it takes; else as low as it goes
+        float free = 0.0f;   ///< px of the screen that it leaves to others
+    };
+    void draw(LabelDrawing& labels, DrawList& list, const Stand& stand) const;
+    [[nodiscard]] bool empty() const { return count_ == 0; }
 
 private:
     enum class Kind : std::uint8_t { Color, Heading, Number };
@@ -74,17 +80,24 @@ private:
     std::size_t count_ = 0;
 };
 
-void Panel::draw(LabelDrawing& labels, DrawList& list, float width, bool right) const {
+void Panel::draw(LabelDrawing& labels, DrawList& list, const Stand& stand) const {
     if (count_ == 0) return;
     const Vec2 screen = list.view().size;
     const float unit = std::max(1.0f, std::floor(screen.y / kLinesOfPicture));
-    const auto most = static_cast<std::size_t>(std::max(1.0f, (screen.y / unit - 4.0f * kGap) / kRow));
-    const std::size_t columns = (count_ + most - 1) / most;
-    const std::size_t high = (count_ + columns - 1) / columns;
+    const float width = stand.width;
+    const auto room = [](float size, float part) {
+        return static_cast<std::size_t>(std::max(1.0f, size / part));
+    };
+    const std::size_t most = room(screen.y / unit - 4.0f * kGap, kRow);
+    const std::size_t broadest = room(screen.x / unit - stand.free - 2.0f * kGap, width);
+    const std::size_t fewest = (count_ + most - 1) / most;
+    const std::size_t wanted = stand.right ? fewest : std::max(fewest, broadest);
+    const std::size_t high = (count_ + wanted - 1) / wanted;
+    const std::size_t columns = (count_ + high - 1) / high;
     const Vec2 size =
         Vec2{width * static_cast<float>(columns), kRow * static_cast<float>(high) + 2.0f * kGap} * unit;
     const float margin = kGap * unit;
-    const Vec2 corner{right ? screen.x - size.x - margin : margin, screen.y - size.y - margin};
+    const Vec2 corner{stand.right ? screen.x - size.x - margin : margin, screen.y - size.y - margin};
     list.filledRect({corner, corner + size}, kBack, kBackLayer);
     labels.setPixelScale(1.0f);
     TextStyle style;
@@ -156,7 +169,8 @@ void writePairs(const physics::DetectionCounts& counts, Panel& panel) {
     panel.number("touching", counts.touching);
 }
 
-void writeCounts(physics::World& world, Panel& panel) {
+/// @param last  null: its last step is not known any more
+void writeCounts(const physics::World& world, const physics::Workspace* last, Panel& panel) {
     const BodyCounts bodies = countBodies(world);
     panel.heading("bodies");
     panel.number("awake", bodies.awake);
@@ -169,7 +183,7 @@ void writeCounts(physics::World& world, Panel& panel) {
     panel.number("islands awake", bodies.islands);
     panel.number("islands asleep", world.sleepers.islands.size() - world.sleepers.freeIslands.size());
     // A world at rest is not stepped: what is left is of the last tick in which something moved.
-    const physics::Workspace* work = world.awake.empty() ? nullptr : physics::lastStepOf(world);
+    const physics::Workspace* work = world.awake.empty() ? nullptr : last;
     writePairs(work != nullptr ? work->counts : physics::DetectionCounts{}, panel);
 }
 
@@ -182,10 +196,13 @@ void drawPhysicsPanel(World& world, const PhysicsShown& shown, LabelDrawing& lab
         if ((row.layer & shown.any()) != 0) legend.color(row.label, row.color);
     }
     if ((shown.any() & kPhysicsTimes) != 0) writeTimes(shown.times, numbers);
-    auto* state = world.findResource<PhysicsState>();
-    if ((shown.any() & kPhysicsCounts) != 0 && state != nullptr) writeCounts(state->world, numbers);
-    legend.draw(labels, list, kLegendWidth, false);
-    numbers.draw(labels, list, kNumbersWidth, true);
+    auto* running = world.findResource<PhysicsState>();
+    const PhysicsState* state = lowestPhysics(world);
+    if ((shown.any() & kPhysicsCounts) != 0 && state != nullptr)
+        writeCounts(state->world, state == running ? physics::lastStepOf(running->world) : nullptr, numbers);
+    const float taken = numbers.empty() ? 0.0f : kNumbersWidth + 2.0f * kGap;
+    legend.draw(labels, list, {kLegendWidth, false, taken});
+    numbers.draw(labels, list, {kNumbersWidth, true, 0.0f});
 }
 
 }  // namespace plumb

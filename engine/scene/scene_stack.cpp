@@ -138,6 +138,15 @@ std::size_t placeOf(const World& world, EntityId entity) {
     return 0;
 }
 
+const PhysicsState* lowestPhysics(const World& world) {
+    if (const LoadedScenes* loaded = world.findResource<LoadedScenes>()) {
+        for (const LoadedScene& scene : loaded->scenes) {
+            if (scene.below != nullptr) return scene.below.get();
+        }
+    }
+    return world.findResource<PhysicsState>();
+}
+
 const Input& inputFor(World& world, EntityId entity) {
     static const Input kSilence{ActionMap{}};
     const Input& input = world.resource<Input>();

@@ -10,6 +10,7 @@
 namespace plumb {
 
 class Input;
+struct PhysicsState;
 
 // The scenes of a world lie on one another: at the bottom the one that was gone to, over it the overlays that
 // were opened. All their entities are in the one world; LoadedScenes has the order.
@@ -32,6 +33,10 @@ bool closeOverlay(World& world);
 /// Where in the stack an entity belongs: to its scene; one that code made, to the top scene that is not
 /// paused.
 std::size_t placeOf(const World& world, EntityId entity);
+
+/// The physics of the scene at the bottom: as it runs, or as it was when overlays paused it. For looking at
+/// it.
+const PhysicsState* lowestPhysics(const World& world);
 
 /// What an entity hears of the player: nothing while an overlay above it takes the input. Systems that react
 /// to the player ask here, not the Input itself.

@@ -9,6 +9,7 @@
 #include "scene/components/cloth.hpp"
 #include "scene/components/hidden.hpp"
 #include "scene/draw_scene.hpp"
+#include "scene/loaded_scene.hpp"
 #include "scene/scene_stack.hpp"
 #include "scene/soft_sync.hpp"
 
@@ -85,19 +86,15 @@ private:
     DrawList& list_;
 };
 
-}  // namespace
-
-void drawSoftBodies(const World& world, const SceneView& how, DrawList& list) {
-    const auto* state = world.findResource<PhysicsState>();
-    if (state == nullptr) return;
-    for (const SoftLinkage& linkage : state->softBodies) {
-        if (!physics::alive(state->world, linkage.body) || world.has<Hidden>(linkage.entity)) continue;
+void drawThoseOf(const PhysicsState& state, const World& world, const SceneView& how, DrawList& list) {
+    for (const SoftLinkage& linkage : state.softBodies) {
+        if (!physics::alive(state.world, linkage.body) || world.has<Hidden>(linkage.entity)) continue;
         if (how.place != kEveryScene && placeOf(world, linkage.entity) != static_cast<std::size_t>(how.place))
             continue;
         const SoftLook* look = softLookOf(world, linkage);
         if (look == nullptr) continue;
-        const physics::SoftBody& body = softBodyOf(state->world, linkage.body);
-        const SoftPicture picture{*state, body, *look, world.has<Paused>(linkage.entity) ? 1.0f : how.alpha,
+        const physics::SoftBody& body = softBodyOf(state.world, linkage.body);
+        const SoftPicture picture{state, body, *look, world.has<Paused>(linkage.entity) ? 1.0f : how.alpha,
                                   list};
         if (!body.ring.empty()) {
             picture.jelly();
@@ -107,6 +104,17 @@ void drawSoftBodies(const World& world, const SceneView& how, DrawList& list) {
             picture.rope();
         }
     }
+}
+
+}  // namespace
+
+void drawSoftBodies(const World& world, const SceneView& how, DrawList& list) {
+    if (const auto* loaded = world.findResource<LoadedScenes>()) {
+        for (const LoadedScene& scene : loaded->scenes) {
+            if (scene.below != nullptr) drawThoseOf(*scene.below, world, how, list);
+        }
+    }
+    if (const auto* state = world.findResource<PhysicsState>()) drawThoseOf(*state, world, how, list);
 }
 
 }  // namespace plumb

@@ -21,7 +21,9 @@
 #include "scene/contact_events.hpp"
 #include "scene/draw_scene.hpp"
 #include "scene/loaded_scene.hpp"
+#include "scene/physics_state.hpp"
 #include "scene/register_components.hpp"
+#include "scene/soft_drawing.hpp"
 #include "scene/systems/camera_system.hpp"
 #include "scene/systems/physics_system.hpp"
 #include "scene/world_field_context.hpp"
@@ -249,6 +251,27 @@ TEST_F(SceneStackTest, overlaysAreDrawnOverThoseBelowEachByItsOwnCamera) {
     ASSERT_EQ(device.spriteDraws.size(), 2u);
     EXPECT_EQ(device.spriteDraws[0].instances.size(), 2u);
     EXPECT_EQ(device.spriteDraws[1].instances.size(), 1u);
+}
+
+TEST_F(SceneStackTest, whatIsSoftIsSeenAsItLayWhileAMenuPausesIt) {
+    write("scenes/soft.scene.json",
+          {R"("id": "41", "components": {"Transform": {"position": [50, 10]}, "Jelly": {"radius": 20}})",
+           R"("id": "42", "components": {"Transform": {"position": [160, 90]}, "Camera": {}})"});
+    ASSERT_TRUE(switchScene(world_, context_, "scenes/soft.scene.json").ok());
+    tick(30);
+    const auto polygons = [this] {
+        DrawList list;
+        list.begin({{160, 90}, {320, 180}});
+        drawSoftBodies(world_, {{{160, 90}, {320, 180}}}, list);
+        return std::pair{list.items().size(), physics::bodyCount(lowestPhysics(world_)->world)};
+    };
+    const auto before = polygons();
+    EXPECT_GT(before.first, 24u);
+    ASSERT_TRUE(openOverlay(world_, context_, kMenu).ok());
+    tick(10);
+    EXPECT_EQ(polygons(), before);
+    EXPECT_TRUE(closeOverlay(world_));
+    EXPECT_EQ(polygons(), before);
 }
 
 }  // namespace

@@ -4,11 +4,13 @@
 #include "gameplay/physics_counts.hpp"
 #include "scene/components/label.hpp"
 #include "scene/physics_state.hpp"
+#include "scene/scene_stack.hpp"
 
 namespace plumb {
 
 void PhysicsCountSystem::update(World& world, float) {
     if (world.count<Label>() == 0) return;
+    if (lowestPhysics(world) != world.findResource<PhysicsState>()) return;  // it is paused
     world.resource<PhysicsCounts>().detection = world.resource<PhysicsState>().world.work.get().counts;
 }
 
