@@ -165,7 +165,9 @@ const std::array kActions{
            [](Workspace& w) { w.tiles.stamp = turned(w.tiles.stamp); }},
 
     Action{"view.frame", "View", "Frame selection", {Key::F}, anySelection, frameSelection},
-    Action{"view.all", "View", "Frame all", shifted(Key::F), always, frameAll},
+    Action{"view.all", "View", "Frame all", {Key::Home}, always, frameAll, nullptr, shifted(Key::F)},
+    Action{"view.camera", "View", "Frame what the camera sees", control(Key::Home), always,
+           [](Workspace& w) { w.showStart(); }},
     Action{"view.actual", "View", "Actual size", control(Key::Digit0), always,
            [](Workspace& w) { w.view.setZoom(1.0f); }},
     line("View"),

@@ -6,12 +6,18 @@
 
 #include "math/angle.hpp"
 #include "scene/components/box_collider.hpp"
+#include "scene/components/capsule_collider.hpp"
+#include "scene/components/chain_collider.hpp"
 #include "scene/components/circle_collider.hpp"
 #include "scene/components/label.hpp"
 #include "scene/components/parallax_layer.hpp"
+#include "scene/components/polygon_collider.hpp"
 #include "scene/components/prefab_instance.hpp"
 #include "scene/components/sprite.hpp"
 #include "scene/components/tile_layer.hpp"
+#include "scene/components/transform.hpp"
+#include "scene/rough_text.hpp"
+#include "scene/soft_sync.hpp"
 #include "scene/tile_bodies.hpp"
 #include "scene/world_transform.hpp"
 
@@ -31,6 +37,31 @@ AABB turnedBox(const Pose& pose, Vec2 from, Vec2 size) {
     return box;
 }
 
+/// Offsets of boxes and circles do not grow with the entity, points of outlines do.
+template <class Add>
+void addColliders(const World& world, EntityId entity, const Pose& pose, Add&& add) {
+    const Pose turned{pose.position, pose.rotation, {1.0f, 1.0f}};
+    const Vec2 size{std::abs(pose.scale.x), std::abs(pose.scale.y)};
+    if (const auto* box = world.find<BoxCollider>(entity))
+        add(turnedBox(turned, box->offset, scaled({box->width, box->height}, size)));
+    if (const auto* capsule = world.find<CapsuleCollider>(entity))
+        add(turnedBox(turned, capsule->offset, scaled({capsule->width, capsule->height}, size)));
+    if (const auto* circle = world.find<CircleCollider>(entity)) {
+        const float radius = circle->radius * std::max(size.x, size.y);
+        const Vec2 center = pose.position + rotated(circle->offset, pose.rotation);
+        add(grown({center, center}, radius));
+    }
+    const auto addPoints = [&](const auto& points, Vec2 offset, float margin) {
+        for (const Vec2 point : points) {
+            const Vec2 at = pose.position + rotated(scaled(point + offset, pose.scale), pose.rotation);
+            add(grown({at, at}, margin));
+        }
+    };
+    if (const auto* polygon = world.find<PolygonCollider>(entity))
+        addPoints(polygon->points, polygon->offset, polygon->rounding);
+    if (const auto* chain = world.find<ChainCollider>(entity)) addPoints(chain->points, {}, 0.0f);
+}
+
 int layerOf(const World& world, EntityId entity) {
     if (const Sprite* sprite = world.find<Sprite>(entity)) return sprite->layer;
     if (const Label* label = world.find<Label>(entity)) return label->layer;
@@ -43,6 +74,10 @@ bool isGround(const World& world, EntityId entity) {
 }
 
 }  // namespace
+
+bool isSomewhere(const World& world, EntityId entity) {
+    return world.alive(entity) && world.has<Transform>(entity);
+}
 
 AABB boundsOf(const World& world, EntityId entity) {
     const Pose pose = worldPose(world, entity);
@@ -59,22 +94,11 @@ AABB boundsOf(const World& world, EntityId entity) {
         }
     }
     if (const Label* label = world.find<Label>(entity)) {
-        const auto letters = static_cast<float>(world.texts().find(label->text).size());
-        const Vec2 size{std::max(letters, 1.0f) * label->size * 0.6f, label->size * 1.3f};
-        const float shift = label->align == LabelAlign::Center  ? 0.5f
-                            : label->align == LabelAlign::Right ? 1.0f
-                                                                : 0.0f;
-        add(turnedBox(pose, {-shift * size.x, 0.0f}, size));
+        const AABB text = roughTextBox(world, *label);
+        add(turnedBox(pose, text.min, text.size()));
     }
-    if (const BoxCollider* collider = world.find<BoxCollider>(entity)) {
-        const Vec2 from = pose.position + collider->offset;
-        add({from, from + scaled({collider->width, collider->height}, pose.scale)});
-    }
-    if (const CircleCollider* collider = world.find<CircleCollider>(entity)) {
-        const float radius = collider->radius * std::max(std::abs(pose.scale.x), std::abs(pose.scale.y));
-        const Vec2 center = pose.position + collider->offset;
-        add({center - Vec2{radius, radius}, center + Vec2{radius, radius}});
-    }
+    addColliders(world, entity, pose, add);
+    if (const auto soft = softBounds(world, entity)) add(*soft);
     if (!box) return grown({pose.position, pose.position}, kMarkSize);
     return {min(box->min, box->max), max(box->min, box->max)};
 }
@@ -83,7 +107,7 @@ std::optional<AABB> boundsOf(const Document& document, const std::vector<ObjectI
     std::optional<AABB> box;
     for (const ObjectId id : objects) {
         const EntityId entity = document.find(id);
-        if (!entity) continue;
+        if (!isSomewhere(document.world, entity)) continue;
         const AABB part = boundsOf(document.world, entity);
         if (isFinite(part.min) && isFinite(part.max)) box = box ? merged(*box, part) : part;
     }
@@ -101,6 +125,7 @@ std::vector<ObjectId> pickAll(const Document& document, Vec2 point, float reach)
     const std::vector<ObjectId>& all = document.objects();
     for (std::size_t i = 0; i < all.size(); ++i) {
         const EntityId entity = document.find(all[i]);
+        if (!isSomewhere(document.world, entity)) continue;
         if (!contains(grown(boundsOf(document.world, entity), reach), point)) continue;
         hits.push_back({isGround(document.world, entity), layerOf(document.world, entity), i, all[i]});
     }
@@ -128,6 +153,7 @@ std::vector<ObjectId> pickInside(const Document& document, const AABB& box) {
     std::vector<ObjectId> ids;
     for (const ObjectId id : document.objects()) {
         const EntityId entity = document.find(id);
+        if (!isSomewhere(document.world, entity)) continue;
         if (!isGround(document.world, entity) && intersects(boundsOf(document.world, entity), box))
             ids.push_back(id);
     }

@@ -8,6 +8,9 @@
 
 namespace plumb::editor {
 
+/// Whether an entity has a place. One without, e.g. a key, can neither be clicked nor framed.
+bool isSomewhere(const World& world, EntityId entity);
+
 /// The box around what can be seen of an entity (px, world); a small one where there is nothing to see.
 AABB boundsOf(const World& world, EntityId entity);
 

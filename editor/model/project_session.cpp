@@ -19,7 +19,8 @@ ProjectSession::ProjectSession(Project project)
       prefabs_{types_, project_.root} {
     ProjectFolder folder{project_.root,
                          project_.name,
-                         {static_cast<float>(project_.width), static_cast<float>(project_.height)}};
+                         {static_cast<float>(project_.width), static_cast<float>(project_.height)},
+                         project_.smooth};
     workspace_ = std::make_unique<Workspace>(types_, assets_, std::move(folder), &prefabs_);
     workspace_->makeSession = [this](const std::string& path, const std::string& text) {
         return makeGameSession(project_, path, text);

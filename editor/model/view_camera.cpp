@@ -18,6 +18,17 @@ void ViewCamera::setZoom(float zoom) {
     view_.zoom = whole >= 1.0f && std::abs(kept - whole) < 0.04f * whole ? whole : kept;
 }
 
+void ViewCamera::show(Vec2 center, float zoom) {
+    view_.center = center;
+    view_.zoom = std::clamp(zoom, kMinZoom, kMaxZoom);
+}
+
+float ViewCamera::zoomFor(Vec2 picture, float margin) const {
+    const Vec2 room = view_.size - Vec2{2.0f * margin, 2.0f * margin};
+    const float fit = std::min(room.x / std::max(picture.x, 1.0f), room.y / std::max(picture.y, 1.0f));
+    return fit >= 1.0f ? std::floor(fit) : std::max(fit, kMinZoom);
+}
+
 void ViewCamera::frame(const AABB& box) {
     const Vec2 size = max(box.size(), {1.0f, 1.0f});
     const float fit = 0.9f * std::min(view_.size.x / size.x, view_.size.y / size.y);

@@ -21,6 +21,13 @@ public:
     /// Zooms by steps of the wheel so that what is under the cursor stays there.
     void zoomAt(Vec2 screen, float steps);
     void setZoom(float zoom);
+    /// Looks exactly so. @param zoom  px of the screen per px of the world
+    void show(Vec2 center, float zoom);
+    /// The largest zoom at which all of a picture is seen: a whole number, so that its pixels are equally
+    /// large, or less than one.
+    /// @param picture  px, world
+    /// @param margin   px of the screen around it
+    [[nodiscard]] float zoomFor(Vec2 picture, float margin = 0.0f) const;
     /// Shows a box with a margin around it.
     void frame(const AABB& box);
 

@@ -21,6 +21,8 @@ constexpr std::string_view kEmptyScene = R"({
   "entities": []
 }
 )";
+constexpr float kFrameMargin =
+    12.0f;  // px of the screen around what the camera sees: its frame is drawn there
 
 }  // namespace
 
@@ -75,15 +77,15 @@ Result<Done> Workspace::createScene(std::string_view name) {
 }
 
 void Workspace::showStart() {
-    std::optional<Vec2> eye;
-    document.world.each<const Camera, const Transform>([&](const Camera&, const Transform& transform) {
-        if (!eye) eye = transform.position;
+    const Camera* first = nullptr;
+    document.world.each<const Camera, const Transform>([&](const Camera& camera, const Transform& transform) {
+        if (first != nullptr || !camera.enabled) return;
+        first = &camera;
+        view.centerOn(transform.position);
     });
-    if (eye) {
-        const Vec2 room = view.view().size;
-        view.setZoom(
-            std::max(1.0f, std::floor(std::min(room.x / project.picture.x, room.y / project.picture.y))));
-        view.centerOn(*eye);
+    if (first != nullptr) {
+        const float eye = std::max(first->zoom, 0.01f);
+        view.show(view.view().center, view.zoomFor(project.picture / eye, kFrameMargin));
     } else if (const auto box = boundsOf(document, document.objects())) {
         view.frame(*box);
     }

@@ -23,6 +23,7 @@ struct ProjectFolder {
     Path root;
     std::string name = "Untitled";
     Vec2 picture{640.0f, 360.0f};  ///< px of the game's own picture
+    bool smooth = false;           ///< its pictures are drawings, not pixel art
 };
 
 /// What only the window can do; set by an action, taken by the window.
@@ -76,8 +77,8 @@ public:
     /// @error       no name, one that leaves the folder, or there is such a scene
     Result<Done> createScene(std::string_view name);
     Result<Done> save();
-    /// Looks at what the scene's camera sees, as large as whole pixels allow; without a camera, at all there
-    /// is.
+    /// Looks at all that the scene's camera sees, as large as whole pixels allow; without a camera, at all
+    /// there is.
     void showStart();
     [[nodiscard]] bool unsaved() const { return !undo.isSaved(); }
     [[nodiscard]] std::vector<std::string> scenes() const;

@@ -34,7 +34,8 @@ public:
         : session_{session},
           window_{std::move(window)},
           device_{std::move(device)},
-          picture_{*device_, session.assets()},
+          picture_{*device_, session.assets(),
+                   session.workspace().project.smooth ? TextureFilter::Linear : TextureFilter::Nearest},
           editor_{session.workspace(), log, &picture_, engineAssets() / "fonts", scale} {}
 
     void run() {

@@ -6,6 +6,7 @@
 #include "editor/model/actions.hpp"
 #include "editor/ui/overlays/overlay_list.hpp"
 #include "editor/ui/ui_compat.hpp"
+#include "scene/draw_scene.hpp"
 
 namespace plumb::editor::ui {
 namespace {
@@ -67,7 +68,7 @@ EditorWindow::EditorWindow(Workspace& workspace, LogBook& log, ScenePicture* pic
     for (const PanelRow& row : panelTable()) {
         panels_.push_back(row.make());
     }
-    workspace_.gameInput = [this] { return devices_.take(); };
+    workspace_.gameInput = [this] { return takeGameInput(); };
 }
 
 EditorWindow::~EditorWindow() {
@@ -113,7 +114,7 @@ void EditorWindow::handleKeys(std::span<const Event> events) {
     ui_.panHeld = !typing && !playing && feed_->held(Key::Space);
     for (const Event& event : events) {
         if (event.kind == EventKind::Quit) workspace_.request = WindowRequest::Quit;
-        if (playing && !typing) devices_.handle(event);
+        if (playing && !typing && isForGame(event)) devices_.handle(event);
         if (event.kind != EventKind::KeyDown || typing) continue;
         if (anyPopupOpen()) {  // keys belong to the menu, and Esc leaves it
             if (event.key == Key::Escape) closePopups();
@@ -130,13 +131,27 @@ void EditorWindow::handleKeys(std::span<const Event> events) {
     }
 }
 
+/// What is pressed or turned beside the scene belongs to the editor.
+bool EditorWindow::isForGame(const Event& event) const {
+    const bool begins = event.kind == EventKind::MouseDown || event.kind == EventKind::MouseWheel;
+    return !begins || ui_.mouseOverScene;
+}
+
+InputFrame EditorWindow::takeGameInput() {
+    InputFrame frame = devices_.take();
+    if (!workspace_.play.running()) return frame;
+    const View game = cameraView(workspace_.play.world(), workspace_.project.picture, 1.0f);
+    frame.setMouse(toScreen(game, ui_.mouseInScene));
+    return frame;
+}
+
 void EditorWindow::playGame(float seconds) {
     if (!workspace_.play.running()) {
         ui_.playAlpha = 1.0f;
         devices_.releaseAll();
         return;
     }
-    if (!workspace_.play.paused()) ui_.playAlpha = workspace_.play.advance(seconds, devices_.take());
+    if (!workspace_.play.paused()) ui_.playAlpha = workspace_.play.advance(seconds, takeGameInput());
 }
 
 void EditorWindow::drawMenus() {

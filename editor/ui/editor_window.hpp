@@ -45,6 +45,9 @@ private:
     };
 
     void handleKeys(std::span<const Event> events);
+    [[nodiscard]] bool isForGame(const Event& event) const;
+    /// What the hands do; the mouse where it is in the game's own picture.
+    InputFrame takeGameInput();
     void playGame(float seconds);
     void drawMenus();
     void drawOverlayMenu();

@@ -17,7 +17,8 @@ std::uintptr_t ScenePicture::draw(World& world, AssetStore* assets, const View& 
         size_ = size;
     }
     if (assets != playAssets_) {
-        playRenderer_ = assets == nullptr ? nullptr : std::make_unique<SceneRenderer>(device_, *assets);
+        playRenderer_ =
+            assets == nullptr ? nullptr : std::make_unique<SceneRenderer>(device_, *assets, filter_);
         playAssets_ = assets;
     }
     SceneRenderer& renderer = playRenderer_ ? *playRenderer_ : renderer_;

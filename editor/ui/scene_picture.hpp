@@ -19,7 +19,8 @@ struct TexturePart {
 /// Draws a world into a texture by the renderer that the player uses.
 class ScenePicture {
 public:
-    ScenePicture(RenderDevice& device, AssetStore& assets) : device_{device}, renderer_{device, assets} {}
+    ScenePicture(RenderDevice& device, AssetStore& assets, TextureFilter filter)
+        : device_{device}, filter_{filter}, renderer_{device, assets, filter} {}
     ~ScenePicture() { device_.destroyTarget(target_); }
     ScenePicture(const ScenePicture&) = delete;
     ScenePicture& operator=(const ScenePicture&) = delete;
@@ -40,6 +41,7 @@ public:
 
 private:
     RenderDevice& device_;
+    TextureFilter filter_;
     SceneRenderer renderer_;
     std::unique_ptr<SceneRenderer> playRenderer_;  // a game has pictures of its own
     AssetStore* playAssets_ = nullptr;

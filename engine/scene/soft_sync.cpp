@@ -22,7 +22,9 @@ struct SoftRow {
     Result<SoftBodyId> (*make)(const SoftLook& look, physics::World& world, Place at, float metres);
     bool (*isPinned)(const SoftLook& look, int particle);
     void (*addTo)(const SoftLook& look, Hasher& hasher);
+    AABB (*box)(const SoftLook& look);
     std::uint64_t (*members)(const World& world);
+    std::size_t (*count)(const World& world);
     void (*forEach)(const World& world, void (*visit)(void*, EntityId), void* context);
 };
 
@@ -38,6 +40,8 @@ constexpr SoftRow row() {
     row.isPinned = [](const SoftLook& look, int particle) {
         return static_cast<const Component&>(look).isPinned(particle);
     };
+    row.box = [](const SoftLook& look) { return static_cast<const Component&>(look).box(); };
+    row.count = [](const World& world) { return world.count<Component>(); };
     row.members = [](const World& world) { return world.memberships<Component>(); };
     row.addTo = [](const SoftLook& look, Hasher& hasher) {
         static_cast<const Component&>(look).addTo(hasher);
@@ -49,6 +53,15 @@ constexpr SoftRow row() {
 }
 
 constexpr SoftRow kSoft[] = {row<Rope>(), row<Cloth>(), row<Jelly>()};
+
+/// The body that an entity has of a kind, if it lives.
+const SoftLinkage* linkageOf(const PhysicsState& state, EntityId entity, std::size_t kind) {
+    for (const SoftLinkage& linkage : state.softBodies) {
+        if (linkage.entity == entity && linkage.kind == kind && physics::alive(state.world, linkage.body))
+            return &linkage;
+    }
+    return nullptr;
+}
 
 std::uint64_t madeFrom(const SoftRow& row, const SoftLook& look, Vec2 place) {
     Hasher hasher;
@@ -114,6 +127,34 @@ private:
 };
 
 }  // namespace
+
+bool hasSoftBodies(const World& world) {
+    return std::any_of(std::begin(kSoft), std::end(kSoft),
+                       [&](const SoftRow& row) { return row.count(world) > 0; });
+}
+
+std::optional<AABB> softBounds(const World& world, EntityId entity) {
+    std::optional<AABB> bounds;
+    const auto add = [&](const AABB& box) { bounds = bounds ? merged(*bounds, box) : box; };
+    const auto* state = world.findResource<PhysicsState>();
+    for (std::size_t kind = 0; kind < std::size(kSoft); ++kind) {
+        const SoftLook* look = kSoft[kind].find(world, entity);
+        if (look == nullptr) continue;
+        const SoftLinkage* linkage = state == nullptr ? nullptr : linkageOf(*state, entity, kind);
+        const float margin = 0.5f * look->thickness;
+        if (linkage == nullptr) {
+            const Vec2 place = worldPose(world, entity).position;
+            const AABB box = kSoft[kind].box(*look);
+            add(grown({place + box.min, place + box.max}, margin));
+            continue;
+        }
+        for (const physics::SoftParticle& particle : particlesOf(state->world, linkage->body)) {
+            const Vec2 place = placeInPixels(particle.place, state->scale);
+            add(grown({place, place}, margin));
+        }
+    }
+    return bounds;
+}
 
 const SoftLook* softLookOf(const World& world, const SoftLinkage& linkage) {
     return kSoft[linkage.kind].find(world, linkage.entity);

@@ -15,7 +15,7 @@ constexpr Color kGridLine{255, 255, 255, 16};
 constexpr Color kGridStrong{255, 255, 255, 34};
 constexpr Color kCamera{190, 150, 240, 220};
 constexpr Color kName{221, 224, 229, 220};
-constexpr float kClosestLines = 6.0f;  // px on screen; a finer grid is only its tenth lines
+constexpr float kClosestLines = 12.0f;  // px on screen; of a finer grid each eighth line is drawn
 
 /// Whether one looks at a running game as its player would.
 bool showsGamePicture(const Workspace& workspace) {

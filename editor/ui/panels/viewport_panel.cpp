@@ -10,7 +10,9 @@
 #include "editor/ui/scene_picture.hpp"
 #include "editor/ui/ui_compat.hpp"
 #include "editor/ui/widgets/tile_picture.hpp"
+#include "gameplay/components/mouse_drag.hpp"
 #include "scene/draw_scene.hpp"
+#include "scene/soft_sync.hpp"
 
 namespace plumb::editor::ui {
 namespace {
@@ -49,8 +51,8 @@ private:
         ui.viewReady = true;
     }
 
-    /// A game is looked at through its own camera, as large as whole pixels allow; the place of before comes
-    /// back when it stops.
+    /// All of a game is looked at through its own camera, as large as whole pixels allow; the place of before
+    /// comes back when it stops.
     void followGame(Ui& ui) {
         Workspace& workspace = ui.workspace;
         const bool running = workspace.play.running();
@@ -58,8 +60,7 @@ private:
             playing_ = running;
             workspace.followsGame = true;
             if (!running) {
-                workspace.view.centerOn(before_.center);
-                workspace.view.setZoom(before_.zoom);
+                workspace.view.show(before_.center, before_.zoom);
                 return;
             }
             before_ = workspace.view.view();
@@ -67,8 +68,7 @@ private:
         if (!running || !workspace.followsGame) return;
         const Vec2 picture = workspace.project.picture;
         const View game = cameraView(workspace.play.world(), picture, ui.playAlpha);
-        workspace.view.setZoom(pictureZoom(workspace) * game.zoom);
-        workspace.view.centerOn(game.center);
+        workspace.view.show(game.center, workspace.view.zoomFor(picture) * game.zoom);
     }
 
     /// Of what lies under the mouse. While tiles are painted the right button picks tiles instead.
@@ -138,8 +138,10 @@ private:
         float smallest = 1e30f;
         for (const ObjectId id : workspace.document.objects()) {
             const EntityId entity = workspace.play.find(id);
-            if (!workspace.play.world().alive(entity)) continue;
-            const AABB box = boundsOf(workspace.play.world(), entity);
+            const World& played = workspace.play.world();
+            // What follows the mouse is below it whatever one clicks.
+            if (!isSomewhere(played, entity) || played.has<MouseDrag>(entity)) continue;
+            const AABB box = boundsOf(played, entity);
             const float area = box.size().x * box.size().y;
             if (contains(box, pointer_.position) && area < smallest) smallest = area, hit = id;
         }
@@ -172,9 +174,11 @@ private:
         list.PopClipRect();
     }
 
-    /// Nobody steps the document's world: its bodies are made anew after each change that may be seen.
+    /// Nobody steps the document's world: its bodies are made anew after each change that may be seen. What
+    /// is soft is always seen.
     void previewBodies(Workspace& workspace) {
-        if (workspace.play.running() || workspace.physics.shown().any() == 0) return;
+        if (workspace.play.running()) return;
+        if (workspace.physics.shown().any() == 0 && !hasSoftBodies(workspace.document.world)) return;
         if (std::exchange(previewed_, workspace.document.sceneRevision) != workspace.document.sceneRevision)
             previewPhysics(workspace.document.world);
     }
@@ -187,7 +191,8 @@ private:
         const bool asGame = workspace.play.running() && workspace.followsGame;
         if (asGame) {
             list.AddRectFilled(from, {from.x + size.x, from.y + size.y}, palette::kCanvas);
-            view.size = min(view.size, workspace.project.picture * pictureZoom(workspace));
+            const Vec2 picture = workspace.project.picture;
+            view.size = min(view.size, picture * workspace.view.zoomFor(picture));
             from.x += std::floor((size.x - view.size.x) * 0.5f);
             from.y += std::floor((size.y - view.size.y) * 0.5f);
         }
@@ -211,13 +216,6 @@ private:
         if (workspace.play.running())
             workspace.physicsTimes.watch(workspace.play.world(), (shown.any() & kPhysicsTimes) != 0);
         return shown;
-    }
-
-    /// How many px of the screen each px of the game's picture takes.
-    static float pictureZoom(const Workspace& workspace) {
-        const Vec2 room = workspace.view.view().size;
-        const Vec2 picture = workspace.project.picture;
-        return std::max(std::floor(std::min(room.x / picture.x, room.y / picture.y)), 1.0f);
     }
 
     /// Nobody should take the running game for the scene: what is changed now is gone afterwards.
@@ -245,7 +243,7 @@ private:
         }
         for (const ObjectId id : document.selection.all()) {
             const EntityId entity = ui.workspace.shownEntity(id);
-            if (world.alive(entity)) overlay_.box(boundsOf(world, entity), kSelected, 2.0f);
+            if (isSomewhere(world, entity)) overlay_.box(boundsOf(world, entity), kSelected, 2.0f);
         }
     }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdint>
 
+#include "math/rect.hpp"
 #include "math/vec2.hpp"
 #include "scene/soft_look.hpp"
 
@@ -39,6 +40,8 @@ struct Cloth : SoftLook {
         return physics::createCloth(world, at, size * metres, across(), std::clamp(rows, 2, 100),
                                     material(metres));
     }
+    /// px from the Transform: where it begins
+    [[nodiscard]] AABB box() const { return {min(Vec2{}, size), max(Vec2{}, size)}; }
     [[nodiscard]] bool isPinned(int particle) const {
         if (pinned == ClothPins::None || particle >= across()) return false;
         return pinned == ClothPins::TopEdge || particle == 0 || particle == across() - 1;

@@ -6,6 +6,7 @@
 
 #include "math/angle.hpp"
 #include "math/portable.hpp"
+#include "math/rect.hpp"
 #include "math/vec2.hpp"
 #include "scene/soft_look.hpp"
 
@@ -51,6 +52,8 @@ struct Jelly : SoftLook {
         return physics::createJelly(world, at, std::span{outline.data(), static_cast<std::size_t>(count)},
                                     made);
     }
+    /// px from the Transform: where it begins
+    [[nodiscard]] AABB box() const { return {{-radius, -radius}, {radius, radius}}; }
     [[nodiscard]] static bool isPinned(int) { return false; }
 };
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "math/rect.hpp"
 #include "math/vec2.hpp"
 #include "scene/soft_look.hpp"
 
@@ -32,6 +33,8 @@ struct Rope : SoftLook {
                                                    float metres) const {
         return physics::createRope(world, at, at + to * metres, std::clamp(points, 2, 500), material(metres));
     }
+    /// px from the Transform: where it begins
+    [[nodiscard]] AABB box() const { return {min(Vec2{}, to), max(Vec2{}, to)}; }
     [[nodiscard]] bool isPinned(int particle) const {
         return (pinStart && particle == 0) || (pinEnd && particle == std::clamp(points, 2, 500) - 1);
     }
