@@ -17,6 +17,7 @@ namespace plumb {
 namespace {
 
 constexpr float kLinesOfPicture = 1080.0f;  // px: of twice that height all is twice as large
+constexpr float kFewLines = 540.0f;         // px: below that height all is smaller
 constexpr float kTextSize = 13.0f;          // px
 constexpr float kRow = 17.0f;               // px
 constexpr float kSwatch = 9.0f;             // px
@@ -28,6 +29,12 @@ constexpr Color kText{232, 234, 238, 255};
 constexpr Color kDim{150, 156, 168, 255};
 constexpr int kBackLayer = 0;
 constexpr int kTextLayer = 1;
+
+/// px of the screen for each of ours.
+float unitOf(Vec2 screen) {
+    if (screen.y < kFewLines) return std::max(0.6f, screen.y / kFewLines);
+    return std::max(1.0f, std::floor(screen.y / kLinesOfPicture));
+}
 
 /// Rows of text, in as many columns as they need.
 class Panel {
@@ -60,7 +67,10 @@ public:
         float free = 0.0f;   ///< px of the screen that it leaves to others
     };
     void draw(LabelDrawing& labels, DrawList& list, const Stand& stand) const;
-    [[nodiscard]] bool empty() const { return count_ == 0; }
+    /// px of a screen that it takes from side to side.
+    [[nodiscard]] float widthOn(Vec2 screen, const Stand& stand) const {
+        return stand.width * static_cast<float>(shapeOn(screen, stand).columns);
+    }
 
 private:
     enum class Kind : std::uint8_t { Color, Heading, Number };
@@ -72,6 +82,11 @@ private:
         std::ptrdiff_t end = 0;
     };
 
+    struct Shape {
+        std::size_t columns = 0;
+        std::size_t high = 1;  ///< rows of a column
+    };
+    [[nodiscard]] Shape shapeOn(Vec2 screen, const Stand& stand) const;
     void add(const Row& row) {
         if (count_ < rows_.size()) rows_[count_++] = row;
     }
@@ -80,20 +95,25 @@ private:
     std::size_t count_ = 0;
 };
 
-void Panel::draw(LabelDrawing& labels, DrawList& list, const Stand& stand) const {
-    if (count_ == 0) return;
-    const Vec2 screen = list.view().size;
-    const float unit = std::max(1.0f, std::floor(screen.y / kLinesOfPicture));
-    const float width = stand.width;
+Panel::Shape Panel::shapeOn(Vec2 screen, const Stand& stand) const {
+    const float unit = unitOf(screen);
     const auto room = [](float size, float part) {
         return static_cast<std::size_t>(std::max(1.0f, size / part));
     };
     const std::size_t most = room(screen.y / unit - 4.0f * kGap, kRow);
-    const std::size_t broadest = room(screen.x / unit - stand.free - 2.0f * kGap, width);
-    const std::size_t fewest = (count_ + most - 1) / most;
+    const std::size_t broadest = room(screen.x / unit - stand.free - 2.0f * kGap, stand.width);
+    const std::size_t fewest = std::max<std::size_t>(1, (count_ + most - 1) / most);
     const std::size_t wanted = stand.right ? fewest : std::max(fewest, broadest);
-    const std::size_t high = (count_ + wanted - 1) / wanted;
-    const std::size_t columns = (count_ + high - 1) / high;
+    const std::size_t high = std::max<std::size_t>(1, (count_ + wanted - 1) / wanted);
+    return {(count_ + high - 1) / high, high};
+}
+
+void Panel::draw(LabelDrawing& labels, DrawList& list, const Stand& stand) const {
+    if (count_ == 0) return;
+    const Vec2 screen = list.view().size;
+    const float unit = unitOf(screen);
+    const float width = stand.width;
+    const auto [columns, high] = shapeOn(screen, stand);
     const Vec2 size =
         Vec2{width * static_cast<float>(columns), kRow * static_cast<float>(high) + 2.0f * kGap} * unit;
     const float margin = kGap * unit;
@@ -200,9 +220,10 @@ void drawPhysicsPanel(World& world, const PhysicsShown& shown, LabelDrawing& lab
     const PhysicsState* state = lowestPhysics(world);
     if ((shown.any() & kPhysicsCounts) != 0 && state != nullptr)
         writeCounts(state->world, state == running ? physics::lastStepOf(running->world) : nullptr, numbers);
-    const float taken = numbers.empty() ? 0.0f : kNumbersWidth + 2.0f * kGap;
+    const Panel::Stand right{kNumbersWidth, true, 0.0f};
+    const float taken = numbers.widthOn(list.view().size, right) + 2.0f * kGap;
     legend.draw(labels, list, {kLegendWidth, false, taken});
-    numbers.draw(labels, list, {kNumbersWidth, true, 0.0f});
+    numbers.draw(labels, list, right);
 }
 
 }  // namespace plumb

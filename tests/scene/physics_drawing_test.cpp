@@ -316,5 +316,33 @@ TEST(PhysicsDrawing, theTimesAreOfAllStagesThatRanWhileSomebodyWatched) {
     EXPECT_EQ(times.rows().front().milliseconds, before) << "nothing is measured when nobody watches";
 }
 
+TEST(PhysicsDrawing, legendAndNumbersAreOnTheScreenAndNotOnEachOther) {
+    World world;
+    fill(world);
+    run(world, 10);
+    RecordingDevice device;
+    AssetStore assets;
+    LabelDrawing labels{device, assets};
+    unsigned all = 0;
+    for (const PhysicsLayer& layer : physicsLayers()) all |= layer.bit;
+    for (const unsigned layers : {all, all & ~kPhysicsTimes, PhysicsView{}.layers}) {
+        for (const Vec2 screen : {Vec2{640, 360}, {780, 465}, {1280, 720}, {1920, 1080}, {3840, 2160}}) {
+            SCOPED_TRACE(screen.x);
+            DrawList list;
+            list.begin({screen * 0.5f, screen});
+            drawPhysicsPanel(world, {layers}, labels, list);
+            std::vector<AABB> boards;
+            for (const SpriteInstance& one : list.instances()) {
+                if (one.tint == Color{16, 18, 22, 205})
+                    boards.push_back({one.center - one.half, one.center + one.half});
+            }
+            ASSERT_EQ(boards.size(), (layers & (kPhysicsTimes | kPhysicsCounts)) != 0 ? 2u : 1u);
+            EXPECT_FALSE(boards.size() == 2 && intersects(boards[0], boards[1]));
+            for (const AABB& board : boards) EXPECT_EQ(merged(board, {{}, screen}), (AABB{{}, screen}));
+            EXPECT_LT(boards[0].size().y, 0.45f * screen.y);
+        }
+    }
+}
+
 }  // namespace
 }  // namespace plumb
