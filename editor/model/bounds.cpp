@@ -5,10 +5,13 @@
 #include <cmath>
 
 #include "math/angle.hpp"
+#include "scene/components/attractor.hpp"
 #include "scene/components/box_collider.hpp"
+#include "scene/components/buoyancy_field.hpp"
 #include "scene/components/capsule_collider.hpp"
 #include "scene/components/chain_collider.hpp"
 #include "scene/components/circle_collider.hpp"
+#include "scene/components/gravity_field.hpp"
 #include "scene/components/label.hpp"
 #include "scene/components/parallax_layer.hpp"
 #include "scene/components/polygon_collider.hpp"
@@ -16,6 +19,7 @@
 #include "scene/components/sprite.hpp"
 #include "scene/components/tile_layer.hpp"
 #include "scene/components/transform.hpp"
+#include "scene/components/wind_field.hpp"
 #include "scene/rough_text.hpp"
 #include "scene/soft_sync.hpp"
 #include "scene/tile_bodies.hpp"
@@ -69,8 +73,22 @@ int layerOf(const World& world, EntityId entity) {
     return 0;
 }
 
+/// Where a field acts that has a size of its own and neither collider nor picture: px from the Transform.
+Vec2 regionOf(const World& world, EntityId entity) {
+    if (world.has<Sprite>(entity) || world.has<BoxCollider>(entity) || world.has<CircleCollider>(entity))
+        return {};
+    const FieldRegion* region = nullptr;
+    const auto look = [&](const FieldRegion* field) { region = field != nullptr ? field : region; };
+    look(world.find<WindField>(entity));
+    look(world.find<GravityField>(entity));
+    look(world.find<BuoyancyField>(entity));
+    look(world.find<Attractor>(entity));
+    return region != nullptr ? region->size : Vec2{};
+}
+
 bool isGround(const World& world, EntityId entity) {
-    return world.has<TileLayer>(entity) || world.has<ParallaxLayer>(entity);
+    return world.has<TileLayer>(entity) || world.has<ParallaxLayer>(entity) ||
+           regionOf(world, entity) != Vec2{};
 }
 
 }  // namespace
@@ -99,6 +117,8 @@ AABB boundsOf(const World& world, EntityId entity) {
     }
     addColliders(world, entity, pose, add);
     if (const auto soft = softBounds(world, entity)) add(*soft);
+    if (const Vec2 size = regionOf(world, entity); size != Vec2{})
+        add({pose.position, pose.position + scaled(size, {std::abs(pose.scale.x), std::abs(pose.scale.y)})});
     if (!box) return grown({pose.position, pose.position}, kMarkSize);
     return {min(box->min, box->max), max(box->min, box->max)};
 }

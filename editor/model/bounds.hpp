@@ -17,14 +17,14 @@ AABB boundsOf(const World& world, EntityId entity);
 /// The box around several; nothing when there are none.
 std::optional<AABB> boundsOf(const Document& document, const std::vector<ObjectId>& objects);
 
-/// What lies under a point, front first. Tile layers and backdrops come last: they are everywhere.
+/// What lies under a point, front first. Tile layers, backdrops and fields come last: they are everywhere.
 std::vector<ObjectId> pickAll(const Document& document, Vec2 point, float reach);
 
 /// What a click takes: the front-most thing, and the whole instance where that is a part of a prefab, unless
 /// the part is selected already. Nobody where nothing is.
 ObjectId pickFirst(const Document& document, Vec2 point, float reach);
 
-/// What a dragged box touches; tile layers and backdrops are left out.
+/// What a dragged box touches; tile layers, backdrops and fields are left out.
 std::vector<ObjectId> pickInside(const Document& document, const AABB& box);
 
 }  // namespace plumb::editor

@@ -211,5 +211,17 @@ TEST_F(Looking, whatIsNowhereIsNeitherFramedNorClicked) {
     EXPECT_TRUE(pickInside(workspace.document, {{-10, -10}, {10, 10}}).empty());
 }
 
+TEST_F(Looking, aFieldIsTakenWhereItActsBehindAllElse) {
+    open("scenes/wind.scene.json", R"({"format": 1, "entities": [
+      {"id": "0000000000000001", "name": "crate", "components": {"Transform": {"position": [100, 100]},
+       "BoxCollider": {"width": 50, "height": 50}}},
+      {"id": "0000000000000002", "name": "wind", "components": {"Transform": {"position": [0, 0]},
+       "WindField": {"size": [400, 300]}}}]})");
+    EXPECT_TRUE(sees({{0, 0}, {400, 300}}));
+    EXPECT_EQ(pickFirst(workspace.document, {120, 120}, 1.0f), named("crate"));
+    EXPECT_EQ(pickFirst(workspace.document, {300, 200}, 1.0f), named("wind"));
+    EXPECT_EQ(pickInside(workspace.document, {{0, 0}, {400, 300}}), std::vector{named("crate")});
+}
+
 }  // namespace
 }  // namespace plumb::editor::ui
