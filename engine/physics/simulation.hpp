@@ -23,8 +23,8 @@ struct StepOptions {
 };
 
 /// Moves the world on by dt (s). The same world and dt give the same bits on every machine, for any number of
-/// threads and any instruction set. Zero does nothing but clear the events.
-/// @pre dt is finite and not negative
+/// threads and any instruction set. A dt that is no time (0, below it, not a number, infinite) does nothing
+/// but clear the events.
 void step(World& world, float dt, const StepOptions& options = {});
 
 /// One chapter of the step.

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "tests/physics/world_of_bodies.hpp"
 
@@ -14,6 +15,21 @@ TEST(Step, freeFallIsExactWhateverTheNumberOfSubsteps) {
         scene.run(120);
         EXPECT_NEAR(scene.y(ball), 100.0 - 0.5 * 10.0 * 4.0, 2.0e-4) << int{quality};
         EXPECT_NEAR(scene.velocity(ball).y, -20.0f, 1.0e-4f);
+    }
+}
+
+TEST(Step, aTimeThatIsNoneChangesNothing) {
+    Playground play;
+    play.floor();
+    play.crate({0.0, 0.5});
+    play.crate({0.3, 1.5});
+    play.run(30);
+    const std::uint64_t before = hashOf(play.world);
+    for (const float dt : {0.0f, -0.0f, -kTick, std::numeric_limits<float>::quiet_NaN(),
+                           std::numeric_limits<float>::infinity(), -std::numeric_limits<float>::infinity()}) {
+        step(play.world, dt);
+        EXPECT_EQ(hashOf(play.world), before) << dt;
+        EXPECT_TRUE(play.world.events.empty());
     }
 }
 
