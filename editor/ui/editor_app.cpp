@@ -96,10 +96,12 @@ private:
     int idleFrames_ = kIdleFrames;
 };
 
-void selectByName(Document& document, const std::string& name) {
+void selectByName(Workspace& workspace, const std::string& name) {
+    Document& document = workspace.document;
     for (const ObjectId id : document.objects()) {
         if (document.nameOf(id) == name) document.selection.add(id);
     }
+    if (document.selection.empty()) workspace.notice = format("There is no entity \"{}\"", name);
 }
 
 }  // namespace
@@ -113,7 +115,7 @@ int runEditor(const EditorOptions& options) {
 
     (*session)->openFirst(options.scene);
     Workspace& workspace = (*session)->workspace();
-    if (!options.select.empty()) selectByName(workspace.document, options.select);
+    if (!options.select.empty()) selectByName(workspace, options.select);
 
     auto window = Window::open({.title = "Plumb",
                                 .width = options.width,
