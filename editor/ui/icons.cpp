@@ -146,16 +146,44 @@ void drawStar(const Pen& pen) {
     pen.triangle(0.0f, 0.9f, 0.7f, -0.5f, -0.7f, -0.5f);
 }
 
+void drawSoft(const Pen& pen) {
+    const std::array points{pen.at(-0.9f, 0.35f), pen.at(-0.65f, -0.4f), pen.at(-0.35f, -0.6f),
+                            pen.at(-0.1f, -0.3f), pen.at(0.1f, 0.3f),    pen.at(0.35f, 0.6f),
+                            pen.at(0.65f, 0.4f),  pen.at(0.9f, -0.35f)};
+    polyline(pen.list, points.data(), 8, pen.color, false, pen.width);
+}
+void drawField(const Pen& pen) {
+    for (const float y : {-0.45f, 0.45f}) {
+        pen.line(-0.85f, y, 0.3f, y);
+        pen.triangle(0.85f, y, 0.25f, y - 0.3f, 0.25f, y + 0.3f);
+    }
+}
+
 struct MainIcon {
     std::string_view component;
     Icon icon;
 };
 constexpr std::array kMainIcons{
-    MainIcon{"PlayerController", Icon::Person}, MainIcon{"Camera", Icon::Camera},
-    MainIcon{"TileLayer", Icon::Tiles},         MainIcon{"Label", Icon::Text},
-    MainIcon{"ParallaxLayer", Icon::Layers},    MainIcon{"Collectible", Icon::Star},
-    MainIcon{"Sprite", Icon::Picture},          MainIcon{"RigidBody", Icon::Body},
-    MainIcon{"BoxCollider", Icon::Body},        MainIcon{"CircleCollider", Icon::Body},
+    MainIcon{"PlayerController", Icon::Person},
+    MainIcon{"Camera", Icon::Camera},
+    MainIcon{"TileLayer", Icon::Tiles},
+    MainIcon{"Label", Icon::Text},
+    MainIcon{"ParallaxLayer", Icon::Layers},
+    MainIcon{"Collectible", Icon::Star},
+    MainIcon{"Sprite", Icon::Picture},
+    MainIcon{"RigidBody", Icon::Body},
+    MainIcon{"Rope", Icon::Soft},
+    MainIcon{"Cloth", Icon::Soft},
+    MainIcon{"Jelly", Icon::Soft},
+    MainIcon{"WindField", Icon::Field},
+    MainIcon{"GravityField", Icon::Field},
+    MainIcon{"BuoyancyField", Icon::Field},
+    MainIcon{"Attractor", Icon::Field},
+    MainIcon{"BoxCollider", Icon::Body},
+    MainIcon{"CircleCollider", Icon::Body},
+    MainIcon{"CapsuleCollider", Icon::Body},
+    MainIcon{"PolygonCollider", Icon::Body},
+    MainIcon{"ChainCollider", Icon::Body},
 };
 
 }  // namespace
@@ -188,6 +216,8 @@ void drawIcon(ImDrawList& list, Icon icon, ImVec2 center, float size, ImU32 colo
         case Icon::Text: drawText(pen); break;
         case Icon::Camera: drawCamera(pen); break;
         case Icon::Body: pen.box(-0.75f, -0.75f, 0.75f, 0.75f, 0.1f), pen.dot(0.0f, 0.0f, 0.22f); break;
+        case Icon::Soft: drawSoft(pen); break;
+        case Icon::Field: drawField(pen); break;
         case Icon::Layers: drawLayers(pen); break;
         case Icon::Person: drawPerson(pen); break;
         case Icon::Star: drawStar(pen); break;
@@ -210,6 +240,8 @@ ImU32 iconColor(Icon icon) {
         case Icon::Tiles: return IM_COL32(226, 164, 96, 255);
         case Icon::Picture: return palette::kAccent;
         case Icon::Star: return palette::kWarning;
+        case Icon::Soft: return IM_COL32(232, 200, 150, 255);
+        case Icon::Field: return IM_COL32(190, 232, 90, 255);
         case Icon::Layers: return IM_COL32(110, 190, 190, 255);
         case Icon::Text: return IM_COL32(210, 214, 220, 255);
         default: return palette::kTextDim;

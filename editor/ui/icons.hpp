@@ -32,6 +32,8 @@ enum class Icon : unsigned char {
     Text,
     Camera,
     Body,
+    Soft,
+    Field,
     Layers,
     Person,
     Star,

@@ -1,6 +1,7 @@
 #include "editor/model/actions.hpp"
 #include "editor/model/bounds.hpp"
 #include "editor/model/game_session.hpp"
+#include "editor/ui/icons.hpp"
 #include "input/input.hpp"
 #include "physics/softbody.hpp"
 #include "render/view.hpp"
@@ -8,6 +9,8 @@
 #include "scene/components/capsule_collider.hpp"
 #include "scene/components/mouse_joint.hpp"
 #include "scene/components/polygon_collider.hpp"
+#include "scene/components/rope.hpp"
+#include "scene/components/wind_field.hpp"
 #include "scene/physics_state.hpp"
 #include "tests/editor/support/editor_fixture.hpp"
 #include "tests/editor/support/hands.hpp"
@@ -221,6 +224,17 @@ TEST_F(Looking, aFieldIsTakenWhereItActsBehindAllElse) {
     EXPECT_EQ(pickFirst(workspace.document, {120, 120}, 1.0f), named("crate"));
     EXPECT_EQ(pickFirst(workspace.document, {300, 200}, 1.0f), named("wind"));
     EXPECT_EQ(pickInside(workspace.document, {{0, 0}, {400, 300}}), std::vector{named("crate")});
+}
+
+TEST_F(Looking, theTreeTellsWhatIsSoftAndWhatIsAField) {
+    open(kSoftScene, kSoftText);
+    for (const char* name : {"rope", "flag", "jelly"})
+        EXPECT_EQ(iconOf(workspace.document.world, workspace.document.find(named(name))), Icon::Soft) << name;
+    const EntityId rope = workspace.document.find(named("rope"));
+    workspace.document.world.remove<Rope>(rope);
+    EXPECT_EQ(iconOf(workspace.document.world, rope), Icon::Entity);
+    workspace.document.world.add<WindField>(rope);
+    EXPECT_EQ(iconOf(workspace.document.world, rope), Icon::Field);
 }
 
 }  // namespace
