@@ -156,7 +156,7 @@ std::uint64_t hashOf(const World& world) {
     addAll(hash, sleepers.islands, sleepers.freeIslands, sleepers.contacts, sleepers.nextContact,
            sleepers.freeContacts, sleepers.nextBody, sleepers.islandOf);
     // Events are of the step before: nothing follows from them.
-    Values{hash}(world.qualityCallers, world.newJoints, world.partJoined, world.islandsStale, world.steps);
+    Values{hash}(world.qualityCallers, world.newJoints, world.filtersStale, world.islandsStale, world.steps);
     hash.addBytes(&world.manifest, sizeof world.manifest);
     return hash.value();
 }

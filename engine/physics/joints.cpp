@@ -150,7 +150,7 @@ Result<JointId> createJoint(World& world, const JointDefinition& definition) {
         return world.bodies.info[body].kind == BodyKind::Dynamic;
     };
     if (dynamic(joint.bodyA) && dynamic(joint.bodyB)) joinIslands(world, joint.bodyA, joint.bodyB);
-    if (!definition.collideConnected) world.partJoined = true;
+    if (!definition.collideConnected) world.filtersStale = true;
     world.newJoints = true;
     return JointId{index, generation};
 }

@@ -289,7 +289,7 @@ void setFilter(World& world, ShapeId shape, std::uint32_t layers, std::uint32_t 
     if (!alive(world, shape)) return;
     Filter& filter = world.shapes.filter[shape.index];
     filter = {layers, mask, group, filter.body};
-    world.partJoined = true;  // all contacts are asked whether they may be
+    world.filtersStale = true;
     wakeTouching(world, world.shapes.info[shape.index].body);
     noteChanged(world, shape.index);
     noteMoved(world, shape.index);

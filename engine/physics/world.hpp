@@ -223,8 +223,8 @@ struct World {
     std::vector<BodyId> quarantined;    ///< whose numbers went bad in the last step: stopped where they were
     std::uint32_t qualityCallers = 0;   ///< bodies and joints with a quality of their own
     bool newJoints = false;             ///< some joint has no colour yet
-    bool partJoined = false;            ///< a joint was made between bodies that may have a contact
-    bool islandsStale = false;          ///< a contact or joint ended: islands may be larger than need be
+    bool filtersStale = false;  ///< a filter or a joint is new: contacts are asked whether they may be
+    bool islandsStale = false;  ///< a contact or joint ended: islands may be larger than need be
     Manifest manifest;
     std::uint64_t steps = 0;
     WorkspaceHolder work;  ///< follows from the rest: neither copied nor hashed

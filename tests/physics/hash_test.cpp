@@ -234,7 +234,7 @@ std::vector<Change> everyField() {
         PLUMB_SET(sleepers.islandOf.front()),
         PLUMB_SET(qualityCallers),
         PLUMB_SET(newJoints),
-        PLUMB_SET(partJoined),
+        PLUMB_SET(filtersStale),
         PLUMB_SET(islandsStale),
         PLUMB_SET(steps),
         Change{"moved", [](World& world) { world.moved.push_back(0); }},

@@ -36,7 +36,7 @@ void lookAtAll(StepContext& step) {
     for (std::vector<std::uint32_t>& list : work.changedContacts) list.clear();
     std::fill(work.countsOfPiece.begin(), work.countsOfPiece.end(), DetectionCounts{});
     work.contactKeys.resize(world.contacts.size());
-    const bool asked = std::exchange(world.partJoined, false);
+    const bool asked = std::exchange(world.filtersStale, false);
     forPieces(step, count, kGrain, [&](int begin, int end, int piece) {
         std::vector<std::uint32_t>& changed = work.changedContacts[static_cast<std::size_t>(piece)];
         DetectionCounts& counts = work.countsOfPiece[static_cast<std::size_t>(piece)];
