@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "scenes.hpp"
+#include "world_of_bodies.hpp"
 
 using namespace plumb;
 using namespace plumb::physics;
@@ -15,7 +15,6 @@ namespace {
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 constexpr double kInf = std::numeric_limits<double>::infinity();
-constexpr float kTick = 1.0f / 60.0f;
 
 bool isSound(const World& world) {
     const auto finite = [](const BodyPose& pose) {

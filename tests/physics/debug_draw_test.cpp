@@ -9,7 +9,7 @@
 #include "physics/softbody.hpp"
 #include "physics/workspace.hpp"
 #include "recording_canvas.hpp"
-#include "scenes.hpp"
+#include "world_of_bodies.hpp"
 
 using namespace plumb;
 using namespace plumb::physics;

@@ -5,7 +5,7 @@
 #include "physics/joints.hpp"
 #include "physics/shapes.hpp"
 #include "recording_canvas.hpp"
-#include "scenes.hpp"
+#include "world_of_bodies.hpp"
 
 using namespace plumb;
 using namespace plumb::physics;

@@ -20,16 +20,26 @@ struct Counted {
     }
 };
 
+/// Of two seconds.
+Counted countEvents(Playground& scene) {
+    Counted events;
+    for (int i = 0; i < 120; ++i) scene.run(1), events.add(scene.world);
+    return events;
+}
+
+/// A trigger 1 m wide.
+BodyId addZone(Playground& scene, BodyKind kind, Place place = {0.0, 0.0}, float height = 10.0f) {
+    const BodyId zone = scene.body(kind, place);
+    scene.shape(zone, box({0.5f, 0.5f * height}), {.isTrigger = true});
+    return zone;
+}
+
 TEST(Events, aCrateThatFallsTouchesOnceAndStays) {
     Playground scene;
     scene.world.settings.stayEvents = true;
     scene.floor();
     scene.crate({0.0, 1.5});
-    Counted events;
-    for (int i = 0; i < 120; ++i) {
-        scene.run(1);
-        events.add(scene.world);
-    }
+    const Counted events = countEvents(scene);
     EXPECT_EQ(events.began, 1);
     EXPECT_EQ(events.ended, 0);
     EXPECT_GT(events.stayed, 60);
@@ -57,11 +67,7 @@ TEST(Events, twoTriggersSeeEachOther) {
     const BodyId a = scene.ball({0.0, 0.0}, 0.5f, {.isTrigger = true});
     const BodyId b = scene.ball({3.0, 0.0}, 0.5f, {.isTrigger = true});
     ASSERT_TRUE(setVelocity(scene.world, b, {-3.0f, 0.0f}).ok());
-    Counted events;
-    for (int i = 0; i < 120; ++i) {
-        scene.run(1);
-        events.add(scene.world);
-    }
+    const Counted events = countEvents(scene);
     EXPECT_EQ(events.began, 1);
     EXPECT_EQ(events.ended, 1);
     EXPECT_EQ(velocityOf(scene.world, a), Vec2{});
@@ -70,12 +76,10 @@ TEST(Events, twoTriggersSeeEachOther) {
 TEST(Events, aTriggerTellsOfBoxesThatGoThroughAlongItsNormal) {
     Playground scene;
     scene.world.settings.gravity = {};
-    const BodyId zone = scene.body(BodyKind::Static, {0.0, 0.0});
-    scene.shape(zone, box({0.5f, 5.0f}), {.isTrigger = true});
+    addZone(scene, BodyKind::Static);
     const BodyId crate = scene.crate({-4.0, 0.0});
     ASSERT_TRUE(setVelocity(scene.world, crate, {4.0f, 0.0f}).ok());
-    Counted events;
-    for (int i = 0; i < 120; ++i) scene.run(1), events.add(scene.world);
+    const Counted events = countEvents(scene);
     EXPECT_EQ(events.began, 1);
     EXPECT_EQ(events.ended, 1) << "it left on the other side";
 }
@@ -84,13 +88,11 @@ TEST(Events, aTriggerTellsOfWhatCannotBePushed) {
     for (const BodyKind kind : {BodyKind::Static, BodyKind::Kinematic}) {
         for (const bool solid : {true, false}) {
             Playground scene;
-            const BodyId zone = scene.body(kind, {0.0, 0.0});
-            scene.shape(zone, box({0.5f, 5.0f}), {.isTrigger = true});
+            addZone(scene, kind);
             const BodyId platform = scene.body(BodyKind::Kinematic, {-4.0, 0.0});
             scene.shape(platform, box({0.5f, 0.5f}), {.isTrigger = !solid});
             ASSERT_TRUE(setVelocity(scene.world, platform, {4.0f, 0.0f}).ok());
-            Counted events;
-            for (int i = 0; i < 120; ++i) scene.run(1), events.add(scene.world);
+            const Counted events = countEvents(scene);
             EXPECT_EQ(events.began, 1);
             EXPECT_EQ(events.ended, 1);
         }
@@ -108,16 +110,10 @@ TEST(Events, whatStandsStillMeetsNoTrigger) {
 
 TEST(Events, aMovingTriggerLeavesWhatSleeps) {
     Playground scene;
-    scene.world.settings.sleeping = true;
-    scene.floor();
-    scene.crate({0.0, 0.5});
-    scene.run(120);
-    ASSERT_EQ(scene.world.awake.size(), 0u);
-    const BodyId zone = scene.body(BodyKind::Kinematic, {-4.0, 0.5});
-    scene.shape(zone, box({0.5f, 0.25f}), {.isTrigger = true});
+    scene.sleeper();
+    const BodyId zone = addZone(scene, BodyKind::Kinematic, {-4.0, 0.5}, 0.5f);
     ASSERT_TRUE(setVelocity(scene.world, zone, {4.0f, 0.0f}).ok());
-    Counted events;
-    for (int i = 0; i < 120; ++i) scene.run(1), events.add(scene.world);
+    const Counted events = countEvents(scene);
     EXPECT_EQ(events.began, 1);
     EXPECT_EQ(events.ended, 1);
     EXPECT_EQ(scene.world.awake.size(), 1u) << "nobody was woken";
@@ -153,11 +149,7 @@ TEST(Events, masksAndGroupsDecideWhoMeets) {
 
 TEST(Events, aFilterThatChangesEndsWhatTouches) {
     Playground scene;
-    scene.world.settings.sleeping = true;
-    scene.floor();
-    const BodyId crate = scene.crate({0.0, 0.5});
-    scene.run(120);
-    ASSERT_EQ(scene.world.awake.size(), 0u);
+    const BodyId crate = scene.sleeper();
     const std::uint32_t shape = scene.world.bodies.info[crate.index].firstShape;
     setFilter(scene.world, {shape, scene.world.shapes.info[shape].generation}, 1, 2, 0);
     scene.run(1);

@@ -6,14 +6,12 @@
 #include <gtest/gtest.h>
 
 #include "physics/simulation.hpp"
-#include "scenes.hpp"
+#include "world_of_bodies.hpp"
 
 using namespace plumb;
 using namespace plumb::physics;
 
 namespace {
-
-constexpr float kTick = 1.0f / 60.0f;
 
 /// Drops something into the pit now and then, so that what sleeps wakes up.
 void disturb(World& world, int tick) {

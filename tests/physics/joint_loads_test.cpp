@@ -37,37 +37,53 @@ JointDefinition below(JointWorld& scene, JointKind kind) {
     return scene.define(kind, scene.ground, scene.disc({0.0, -1.0}, 2.0f), {0.0, -1.0});
 }
 
-Load hangRod(JointWorld& scene, float breakForce, float breakTorque) {
+/// By something 1 m long.
+JointDefinition onARod(JointWorld& scene) {
     JointDefinition definition = below(scene, JointKind::Distance);
     definition.anchorA = {};
-    return join(scene, definition, breakForce, breakTorque, {.force = 2.0f});
+    return definition;
+}
+
+/// On what slides up and down.
+JointDefinition onASlide(JointWorld& scene, JointKind kind) {
+    JointDefinition definition = below(scene, kind);
+    definition.axis = {0.0f, 1.0f};
+    return definition;
+}
+
+JointDefinition atItsEnd(JointDefinition definition) {
+    definition.limit = {true, 0.0f, 1.0f};
+    return definition;
+}
+
+/// A disc of 2 kg beside its hinge.
+JointDefinition beside(JointWorld& scene, JointKind kind) {
+    const BodyId disc = scene.disc({static_cast<double>(kArm), 0.0}, 2.0f);
+    return scene.define(kind, scene.ground, disc, {});
+}
+
+Load hangRod(JointWorld& scene, float breakForce, float breakTorque) {
+    return join(scene, onARod(scene), breakForce, breakTorque, {.force = 2.0f});
 }
 
 Load hangRope(JointWorld& scene, float breakForce, float breakTorque) {
-    JointDefinition definition = below(scene, JointKind::Distance);
-    definition.anchorA = {};
-    definition.limit = {true, 0.0f, 1.0f};
-    return join(scene, definition, breakForce, breakTorque, {.force = 2.0f});
+    return join(scene, atItsEnd(onARod(scene)), breakForce, breakTorque, {.force = 2.0f});
 }
 
 Load hangSpring(JointWorld& scene, float breakForce, float breakTorque) {
-    JointDefinition definition = below(scene, JointKind::Distance);
-    definition.anchorA = {};
+    JointDefinition definition = onARod(scene);
     definition.spring = {true, 3.0f, 1.0f, 1.0f};
     return join(scene, definition, breakForce, breakTorque, {.force = 2.0f});
 }
 
 /// Its limit carries the torque.
 Load hangHinge(JointWorld& scene, float breakForce, float breakTorque) {
-    const BodyId disc = scene.disc({static_cast<double>(kArm), 0.0}, 2.0f);
-    JointDefinition definition = scene.define(JointKind::Revolute, scene.ground, disc, {});
-    definition.limit = {true, 0.0f, 1.0f};
-    return join(scene, definition, breakForce, breakTorque, {.force = 2.0f, .torque = 2.0f * kArm});
+    return join(scene, atItsEnd(beside(scene, JointKind::Revolute)), breakForce, breakTorque,
+                {.force = 2.0f, .torque = 2.0f * kArm});
 }
 
 Load hangDrivenHinge(JointWorld& scene, float breakForce, float breakTorque) {
-    const BodyId disc = scene.disc({static_cast<double>(kArm), 0.0}, 2.0f);
-    JointDefinition definition = scene.define(JointKind::Revolute, scene.ground, disc, {});
+    JointDefinition definition = beside(scene, JointKind::Revolute);
     definition.motor = {true, 0.0f, kHold};
     return join(scene, definition, breakForce, breakTorque, {.force = 2.0f, .torque = 2.0f * kArm});
 }
@@ -79,37 +95,29 @@ Load hangSlider(JointWorld& scene, float breakForce, float breakTorque) {
 
 /// Along its way, at its end.
 Load hangSliderAtItsEnd(JointWorld& scene, float breakForce, float breakTorque) {
-    JointDefinition definition = below(scene, JointKind::Prismatic);
-    definition.axis = {0.0f, 1.0f};
-    definition.limit = {true, 0.0f, 1.0f};
-    return join(scene, definition, breakForce, breakTorque, {.force = 2.0f});
+    return join(scene, atItsEnd(onASlide(scene, JointKind::Prismatic)), breakForce, breakTorque,
+                {.force = 2.0f});
 }
 
 Load hangDrivenSlider(JointWorld& scene, float breakForce, float breakTorque) {
-    JointDefinition definition = below(scene, JointKind::Prismatic);
-    definition.axis = {0.0f, 1.0f};
+    JointDefinition definition = onASlide(scene, JointKind::Prismatic);
     definition.motor = {true, 0.0f, kHold};
     return join(scene, definition, breakForce, breakTorque, {.force = 2.0f});
 }
 
 Load hangWeld(JointWorld& scene, float breakForce, float breakTorque) {
-    const BodyId disc = scene.disc({static_cast<double>(kArm), 0.0}, 2.0f);
-    return join(scene, scene.define(JointKind::Weld, scene.ground, disc, {}), breakForce, breakTorque,
+    return join(scene, beside(scene, JointKind::Weld), breakForce, breakTorque,
                 {.force = 2.0f, .torque = 2.0f * kArm});
 }
 
 Load hangWheel(JointWorld& scene, float breakForce, float breakTorque) {
-    JointDefinition definition = below(scene, JointKind::Wheel);
-    definition.axis = {0.0f, 1.0f};
+    JointDefinition definition = onASlide(scene, JointKind::Wheel);
     definition.spring = {true, 3.0f, 1.0f};
     return join(scene, definition, breakForce, breakTorque, {.force = 2.0f});
 }
 
 Load hangWheelAtItsEnd(JointWorld& scene, float breakForce, float breakTorque) {
-    JointDefinition definition = below(scene, JointKind::Wheel);
-    definition.axis = {0.0f, 1.0f};
-    definition.limit = {true, 0.0f, 1.0f};
-    return join(scene, definition, breakForce, breakTorque, {.force = 2.0f});
+    return join(scene, atItsEnd(onASlide(scene, JointKind::Wheel)), breakForce, breakTorque, {.force = 2.0f});
 }
 
 Load hangOnMouse(JointWorld& scene, float breakForce, float breakTorque) {
@@ -140,16 +148,7 @@ Load hangOnGear(JointWorld& scene, float breakForce, float breakTorque) {
 }
 
 Load hangOnPulley(JointWorld& scene, float breakForce, float breakTorque) {
-    const BodyId light = scene.disc({-1.0, -3.0}, 1.0f), heavy = scene.disc({1.0, -3.0}, 2.0f);
-    JointDefinition definition;
-    definition.kind = JointKind::Pulley;
-    definition.a = light;
-    definition.b = heavy;
-    definition.groundA = {-1.0f, 0.0f};
-    definition.groundB = {1.0f, 0.0f};
-    definition.ratio = 2.0f;
-    definition.length = 9.0f;
-    return join(scene, definition, breakForce, breakTorque, {.force = 2.0f});
+    return join(scene, scene.definePulley(2.0f), breakForce, breakTorque, {.force = 2.0f});
 }
 
 constexpr Hanging kHangings[] = {

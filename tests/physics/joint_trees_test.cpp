@@ -8,31 +8,6 @@
 namespace plumb::physics {
 namespace {
 
-/// A random tree of discs, held by whatever can be solved directly, that hangs from the ground or flies.
-std::vector<JointId> growTree(JointWorld& scene, Random& random, Place root, bool hangs) {
-    constexpr JointKind kKinds[] = {JointKind::Revolute, JointKind::Weld, JointKind::Prismatic,
-                                    JointKind::Distance};
-    std::vector<BodyId> bodies;
-    std::vector<JointId> joints;
-    for (int i = 0; i < 12; ++i) {
-        const bool first = bodies.empty();
-        const BodyId above =
-            first ? scene.ground : bodies[random.below(static_cast<std::uint32_t>(bodies.size()))];
-        const Place at = first ? root : positionOf(scene.world, above) + Vec2{random.unit() - 0.5f, -1.0f};
-        const BodyId body = scene.disc(at, i % 4 == 3 ? 50.0f : 0.5f);
-        if (!first || hangs) {
-            const JointKind kind = first ? JointKind::Revolute : kKinds[random.below(4)];
-            JointDefinition definition = scene.define(kind, above, body, at + Vec2{0.0f, 0.5f});
-            definition.length = 0.5f;
-            definition.axis = {1.0f, 0.0f};
-            if (kind == JointKind::Distance) definition.anchorB = {};
-            joints.push_back(scene.join(definition));
-        }
-        bodies.push_back(body);
-    }
-    return joints;
-}
-
 bool solvesTrees(JointWorld& scene) { return scene.world.work.get().joints.trees.some; }
 
 /// The largest error of joints that hold two points together.

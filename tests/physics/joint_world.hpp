@@ -1,7 +1,9 @@
 #pragma once
 
 #include <cmath>
+#include <vector>
 
+#include "core/random.hpp"
 #include "math/portable.hpp"
 #include "physics/simulation.hpp"
 
@@ -46,6 +48,18 @@ struct JointWorld {
         definition.anchorB = pivot - positionOf(world, b);
         return definition;
     }
+    /// Discs of 1 and 2 kg that hang 3 m below the wheels of a pulley.
+    JointDefinition definePulley(float ratio) {
+        JointDefinition definition;
+        definition.kind = JointKind::Pulley;
+        definition.a = disc({-1.0, -3.0}, 1.0f);
+        definition.b = disc({1.0, -3.0}, 2.0f);
+        definition.groundA = {-1.0f, 0.0f};
+        definition.groundB = {1.0f, 0.0f};
+        definition.ratio = ratio;
+        definition.length = 3.0f + ratio * 3.0f;
+        return definition;
+    }
     JointId join(const JointDefinition& definition) { return *createJoint(world, definition); }
 
     void run(float seconds) {
@@ -87,5 +101,30 @@ struct JointWorld {
         return crossings > 1 ? (last - first) / static_cast<float>(crossings - 1) : 0.0f;
     }
 };
+
+/// A random tree of discs, held by whatever can be solved directly, that hangs from the ground or flies.
+inline std::vector<JointId> growTree(JointWorld& scene, Random& random, Place root, bool hangs) {
+    constexpr JointKind kKinds[] = {JointKind::Revolute, JointKind::Weld, JointKind::Prismatic,
+                                    JointKind::Distance};
+    std::vector<BodyId> bodies;
+    std::vector<JointId> joints;
+    for (int i = 0; i < 12; ++i) {
+        const bool first = bodies.empty();
+        const BodyId above =
+            first ? scene.ground : bodies[random.below(static_cast<std::uint32_t>(bodies.size()))];
+        const Place at = first ? root : positionOf(scene.world, above) + Vec2{random.unit() - 0.5f, -1.0f};
+        const BodyId body = scene.disc(at, i % 4 == 3 ? 50.0f : 0.5f);
+        if (!first || hangs) {
+            const JointKind kind = first ? JointKind::Revolute : kKinds[random.below(4)];
+            JointDefinition definition = scene.define(kind, above, body, at + Vec2{0.0f, 0.5f});
+            definition.length = 0.5f;
+            definition.axis = {1.0f, 0.0f};
+            if (kind == JointKind::Distance) definition.anchorB = {};
+            joints.push_back(scene.join(definition));
+        }
+        bodies.push_back(body);
+    }
+    return joints;
+}
 
 }  // namespace plumb::physics

@@ -18,8 +18,6 @@ using namespace plumb::physics;
 
 namespace {
 
-constexpr float kTick = 1.0f / 60.0f;
-
 /// Each of them at even seeds and at odd ones.
 BroadPhaseKind anyBroadPhase(std::uint64_t seed) {
     return static_cast<BroadPhaseKind>(seed / 2 % static_cast<std::uint64_t>(BroadPhaseKind::Count));

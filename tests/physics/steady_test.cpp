@@ -1,8 +1,10 @@
 #include <gtest/gtest.h>
 
 #include "core/task_pool.hpp"
+#include "joint_world.hpp"
 #include "physics/simulation.hpp"
 #include "physics/state_bytes.hpp"
+#include "physics/workspace.hpp"
 #include "tests/physics/golden_scenes.hpp"
 #include "tests/support/allocations.hpp"
 
@@ -51,6 +53,23 @@ std::vector<std::size_t> numbers() {
 
 INSTANTIATE_TEST_SUITE_P(Scenes, SteadyStep, testing::ValuesIn(numbers()),
                          [](const auto& tested) { return std::string{goldenScenes()[tested.param].name}; });
+
+World makeTrees() {
+    JointWorld scene;
+    Random random = Random::seeded(5);
+    for (int i = 0; i < 6; ++i) growTree(scene, random, {20.0 * i, 0.0}, i % 2 == 0);
+    return scene.world;
+}
+
+TEST(SteadyStep, asksForNoMemoryWhereJointsAreSolvedAsTrees) {
+    World world = makeTrees();
+    step(world, 1.0f / 60.0f);
+    ASSERT_EQ(world.work.get().joints.trees.trees.size(), 6u);
+    const GoldenScene scene{.name = "trees", .build = makeTrees, .steps = 0};
+    EXPECT_EQ(allocationsOfTheSecondTime(scene, {}), 0u);
+    TaskPool pool{2};
+    EXPECT_EQ(allocationsOfTheSecondTime(scene, {.pool = &pool}), 0u);
+}
 
 TEST(State, ofABodyWithABoxTakesFewBytes) {
     World empty, world;

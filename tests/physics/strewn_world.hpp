@@ -1,7 +1,7 @@
 #pragma once
 
 #include "physics/queries/query.hpp"
-#include "scenes.hpp"
+#include "world_of_bodies.hpp"
 
 namespace plumb::physics {
 

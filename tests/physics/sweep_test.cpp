@@ -6,14 +6,12 @@
 #include <gtest/gtest.h>
 
 #include "core/task_pool.hpp"
-#include "scenes.hpp"
+#include "world_of_bodies.hpp"
 
 using namespace plumb;
 using namespace plumb::physics;
 
 namespace {
-
-constexpr float kTick = 1.0f / 60.0f;
 
 int shots() {
     const char* asked = std::getenv("PLUMB_SHOTS");

@@ -1,17 +1,61 @@
 #pragma once
 
+#include <array>
 #include <cstring>
 #include <vector>
 
 #include <gtest/gtest.h>
 
+#include "core/random.hpp"
 #include "physics/simulation.hpp"
 
 namespace plumb::physics {
 
+// Worlds for tests of whole steps. y points up here: gravity is (0, -10).
+
 inline constexpr float kTick = 1.0f / 60.0f;  ///< s
 
-/// A world with gravity (0, -10) that nobody falls asleep in, and short ways to fill it.
+inline BodyId addBody(World& world, BodyKind kind, Place position, float angle = 0.0f) {
+    const Result<BodyId> made = createBody(world, {.kind = kind, .position = position, .angle = angle});
+    EXPECT_TRUE(made.ok()) << (made.ok() ? "" : made.error().text());
+    return *made;
+}
+
+inline ShapeId addRandomShape(World& world, BodyId body, Random& random, float size,
+                              const ShapeDefinition& definition = {}) {
+    const Vec2 half{size * random.between(0.5f, 1.0f), size * random.between(0.5f, 1.0f)};
+    switch (random.below(4)) {
+        case 0: return *createShape(world, body, circle(half.x), definition);
+        case 1: return *createShape(world, body, box(half), definition);
+        case 2:
+            return *createShape(world, body, capsule({-half.x, 0.0f}, {half.x, 0.0f}, half.y), definition);
+        default: {
+            const std::array<Vec2, 5> points{Vec2{-half.x, -half.y}, Vec2{half.x, -half.y},
+                                             Vec2{half.x, 0.0f}, Vec2{0.0f, half.y},
+                                             Vec2{-half.x, 0.5f * half.y}};
+            return *createPolygon(world, body, points, 0.0f, definition);
+        }
+    }
+}
+
+/// A floor and two walls, and things of all kinds in between that fall on each other.
+inline World makePit(int bodies, std::uint64_t seed) {
+    World world;
+    world.settings.gravity = {0.0f, -10.0f};
+    Random random = Random::seeded(seed);
+    const BodyId pit = addBody(world, BodyKind::Static, {0.0, -1.0});
+    static_cast<void>(createShape(world, pit, box({12.0f, 1.0f})));
+    for (const float side : {-1.0f, 1.0f})
+        static_cast<void>(createShape(world, pit, box({1.0f, 30.0f}, {11.0f * side, 30.0f})));
+    for (int i = 0; i < bodies; ++i) {
+        const Place place{-9.0 + 1.2 * (i % 16) + 0.1 * random.unit(), 0.7 + 1.2 * (i / 16)};
+        const BodyId body = addBody(world, BodyKind::Dynamic, place, random.between(-3.0f, 3.0f));
+        addRandomShape(world, body, random, 0.5f);
+    }
+    return world;
+}
+
+/// A world that nobody falls asleep in, and short ways to fill it.
 struct Playground {
     World world;
 
@@ -21,9 +65,7 @@ struct Playground {
     }
 
     BodyId body(BodyKind kind, Place position, float angle = 0.0f) {
-        const Result<BodyId> made = createBody(world, {.kind = kind, .position = position, .angle = angle});
-        EXPECT_TRUE(made.ok()) << (made.ok() ? "" : made.error().text());
-        return *made;
+        return addBody(world, kind, position, angle);
     }
     ShapeId shape(BodyId body, const Geometry& geometry, const ShapeDefinition& definition = {}) {
         const Result<ShapeId> made = createShape(world, body, geometry, definition);
@@ -44,6 +86,15 @@ struct Playground {
     BodyId ball(Place position, float radius = 0.5f, const ShapeDefinition& definition = {}) {
         const BodyId made = body(BodyKind::Dynamic, position);
         shape(made, circle(radius), definition);
+        return made;
+    }
+    /// A crate that sleeps on a floor.
+    BodyId sleeper() {
+        world.settings.sleeping = true;
+        floor();
+        const BodyId made = crate({0.0, 0.5});
+        run(120);
+        EXPECT_TRUE(world.awake.empty());
         return made;
     }
     void run(int ticks, const StepOptions& options = {}) {

@@ -38,15 +38,17 @@ float sideFor(std::uint32_t boxes) {
 }
 Crowd squareFor(std::uint32_t boxes) { return Crowd{{sideFor(boxes), sideFor(boxes)}}; }
 
-Crowd makeEven(std::uint32_t boxes, float speed) {
-    Crowd crowd = squareFor(boxes);
+Crowd lineFor(std::uint32_t boxes) { return Crowd{{sideFor(boxes) * sideFor(boxes), 1.0f}}; }
+
+/// Anywhere in it, all on their ways.
+Crowd filled(Crowd crowd, std::uint32_t boxes, float speed) {
     for (std::uint32_t i = 0; i < boxes; ++i)
         crowd.add(crowd.anywhere(), someHalf(crowd.random()), Awake, speed);
     return crowd;
 }
 
-Crowd makeUniform(std::uint32_t boxes) { return makeEven(boxes, kWalk); }
-Crowd makeFast(std::uint32_t boxes) { return makeEven(boxes, kDash); }
+Crowd makeUniform(std::uint32_t boxes) { return filled(squareFor(boxes), boxes, kWalk); }
+Crowd makeFast(std::uint32_t boxes) { return filled(squareFor(boxes), boxes, kDash); }
 
 Crowd makeClustered(std::uint32_t boxes) {
     constexpr std::uint32_t kClusters = 8;
@@ -98,16 +100,8 @@ Crowd makeMostlyStill(std::uint32_t boxes) {
     return crowd;
 }
 
-Crowd makeLineOf(std::uint32_t boxes, float speed) {
-    const float side = sideFor(boxes);
-    Crowd crowd{{side * side, 1.0f}};
-    for (std::uint32_t i = 0; i < boxes; ++i)
-        crowd.add(crowd.anywhere(), someHalf(crowd.random()), Awake, speed);
-    return crowd;
-}
-
-Crowd makeLine(std::uint32_t boxes) { return makeLineOf(boxes, kWalk); }
-Crowd makeFastLine(std::uint32_t boxes) { return makeLineOf(boxes, kDash); }
+Crowd makeLine(std::uint32_t boxes) { return filled(lineFor(boxes), boxes, kWalk); }
+Crowd makeFastLine(std::uint32_t boxes) { return filled(lineFor(boxes), boxes, kDash); }
 
 /// A heap at rest: nearly everybody stays within its bounds.
 Crowd makePile(std::uint32_t boxes) {
