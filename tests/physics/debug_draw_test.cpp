@@ -183,6 +183,31 @@ TEST(DebugDraw, theArrowOfAnImpulseIsAsLongAsTheLoadIsLarge) {
     EXPECT_NEAR(picture.arrows[4], 3.0f * weight, 0.1f * weight);
 }
 
+TEST(DebugDraw, anImpulseIsTheWholeStepsWhateverTheQuality) {
+    for (const Quality quality : {Quality{0}, Quality{2}, Quality{5}}) {
+        SCOPED_TRACE(int{quality});
+        Playground scene;
+        scene.floor();
+        scene.crate({0.0, 0.5});
+        // Its own group, beside that of the world's quality.
+        ASSERT_TRUE(setQuality(scene.world, scene.crate({5.0, 0.5}), quality).ok());
+        scene.world.settings.quality = 0;
+        scene.run(120);
+        const auto isAsLongAsALoad = [](const Recording& picture) {
+            ASSERT_EQ(picture.arrows.size(), 4u);
+            for (std::size_t i = 0; i < 4; i += 2)
+                EXPECT_NEAR(picture.arrows[i] + picture.arrows[i + 1], 0.2f, 0.002f);
+        };
+        isAsLongAsALoad(drawn(scene.world, kDrawImpulses));
+        scene.world.settings.sleeping = true;
+        scene.run(120);
+        ASSERT_TRUE(scene.world.awake.empty());
+        isAsLongAsALoad(drawn(scene.world, kDrawImpulses));
+        World copied = scene.world;  // of whose last step nothing is known
+        isAsLongAsALoad(drawn(copied, kDrawImpulses));
+    }
+}
+
 TEST(DebugDraw, whatLiesOnASlopeIsHeldByFrictionAlongIt) {
     const float slope = 0.3f;  // rad
     World world;

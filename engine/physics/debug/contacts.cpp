@@ -2,14 +2,16 @@
 #include <cmath>
 
 #include "physics/debug/picture.hpp"
+#include "physics/solver/quality.hpp"
+#include "physics/workspace.hpp"
 
 namespace plumb::physics {
 
 namespace {
 
 constexpr float kNormalLength = 0.2f;  // m
-// Impulses are those of a substep, of which there are mostly four in a sixtieth of a second.
-constexpr float kArrowPerSpeed = kArrowPerAcceleration * 240.0f;  // s
+constexpr float kArrowPerSpeed =
+    kArrowPerAcceleration * 60.0f;  // s: of what is done in a sixtieth of a second
 
 struct ContactPoint {
     Vec2 place;
@@ -24,11 +26,25 @@ void forPoints(const Picture& picture, const Contact& contact, Draw&& draw) {
     }
 }
 
+/// In how many equal parts a step pushes: contacts keep the impulse of the last. What rests, and a world
+/// whose last step is not known, has what it asks for.
+float partsOfStep(const Picture& picture, const Contact& contact) {
+    const Bodies& bodies = picture.world.bodies;
+    const BodyInfo& pushed = bodies.info[contact.bodyB];
+    if (const Workspace* work = picture.choice.lastStep; work != nullptr && pushed.place != kNone) {
+        const std::size_t group = work->groups.size() > 1 ? work->groupOf[contact.bodyB] : 0;
+        if (group < work->groups.size()) return static_cast<float>(work->groups[group].substeps);
+    }
+    const Quality wished = std::max(bodies.info[contact.bodyA].quality, pushed.quality);
+    return static_cast<float>(substepsOf(std::max(wished, picture.world.settings.quality)));
+}
+
 /// m: of the arrow of an impulse, by the speed that it gives the lighter body.
 float lengthOf(const Picture& picture, const Contact& contact, float impulse) {
     const auto& masses = picture.world.bodies.mass;
     const float lightest = std::max(masses[contact.bodyA].inverseMass, masses[contact.bodyB].inverseMass);
-    return std::clamp(kArrowPerSpeed * impulse * lightest, -kLongestArrow, kLongestArrow);
+    const float speed = impulse * lightest * partsOfStep(picture, contact);
+    return std::clamp(kArrowPerSpeed * speed, -kLongestArrow, kLongestArrow);
 }
 
 }  // namespace
