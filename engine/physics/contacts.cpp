@@ -238,6 +238,7 @@ bool isSettled(const World& world, Contact& contact, const Encounter& now, Detec
         return true;
     }
     if (!overlap(world.shapes.bounds[contact.shapeA], world.shapes.bounds[contact.shapeB])) {
+        ++counts.apartByBounds;
         contact.flags |= kGone;
         return true;
     }

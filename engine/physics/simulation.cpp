@@ -90,6 +90,11 @@ std::uint64_t runsOf(World& world, std::string_view stage) {
     return 0;
 }
 
+// A world at rest is not stepped: what is left is of the last step in which something moved.
+DetectionCounts detectionOf(World& world) {
+    return world.awake.empty() || world.work.stale() ? DetectionCounts{} : world.work.get().counts;
+}
+
 void step(World& world, float dt, const StepOptions& options) {
     world.events.clear();
     world.brokenJoints.clear();

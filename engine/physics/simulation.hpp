@@ -5,6 +5,7 @@
 
 #include "physics/bodies.hpp"
 #include "physics/contact_hooks.hpp"
+#include "physics/detection_counts.hpp"
 #include "physics/joints.hpp"
 #include "physics/shapes.hpp"
 #include "physics/world.hpp"
@@ -37,6 +38,10 @@ std::span<const StageInfo> stages();
 
 /// How often a stage of this name has run in this world; 0 for one that nothing called for.
 [[nodiscard]] std::uint64_t runsOf(World& world, std::string_view stage);
+
+/// What each phase of detection did in the last step; all 0 for a world at rest, and for one that was copied
+/// or loaded since.
+[[nodiscard]] DetectionCounts detectionOf(World& world);
 
 /// Folds the whole state into a hash; equal states give equal numbers on every machine.
 [[nodiscard]] std::uint64_t hashOf(const World& world);

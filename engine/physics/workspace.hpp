@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "physics/broadphase/broad_phase.hpp"
+#include "physics/detection_counts.hpp"
 #include "physics/effects/flyers.hpp"
 #include "physics/narrowphase/sweep.hpp"
 #include "physics/pair_set.hpp"
@@ -41,26 +42,6 @@ struct SolveGroup {
     std::uint64_t contactColours = 0;    ///< bits of colours that have contacts
     std::uint64_t jointColours = 0;      ///< bits of colours that have joints
     ColourBlocks colours[kColours + 1];  ///< the last is kOverflow: one lane a block, in order
-};
-
-/// How many pairs each phase of detection sent away, in the last step.
-struct DetectionCounts {
-    std::uint32_t pairs = 0;           ///< whose bounds overlap
-    std::uint32_t apartByCircles = 0;  ///< their bounding circles do not meet
-    std::uint32_t apartByBounds = 0;   ///< nor their tight bounds
-    std::uint32_t apartByAxes = 0;     ///< the outlines themselves are apart
-    std::uint32_t recycled = 0;        ///< moved too little to be looked at again
-    std::uint32_t touching = 0;
-
-    DetectionCounts& operator+=(const DetectionCounts& more) {
-        pairs += more.pairs;
-        apartByCircles += more.apartByCircles;
-        apartByBounds += more.apartByBounds;
-        apartByAxes += more.apartByAxes;
-        recycled += more.recycled;
-        touching += more.touching;
-        return *this;
-    }
 };
 
 /// What the later stages need to know of a contact to pass it by.

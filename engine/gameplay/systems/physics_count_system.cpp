@@ -11,7 +11,7 @@ namespace plumb {
 void PhysicsCountSystem::update(World& world, float) {
     if (world.count<Label>() == 0) return;
     if (lowestPhysics(world) != world.findResource<PhysicsState>()) return;  // it is paused
-    world.resource<PhysicsCounts>().detection = world.resource<PhysicsState>().world.work.get().counts;
+    world.resource<PhysicsCounts>().detection = physics::detectionOf(world.resource<PhysicsState>().world);
 }
 
 }  // namespace plumb
