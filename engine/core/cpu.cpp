@@ -25,8 +25,6 @@ bool cpuHasAvx2() {
     __cpuidex(words, 7, 0);
     return (words[1] & (1 << 5 | 1 << 3)) == (1 << 5 | 1 << 3);
 }
-#else
-bool cpuHasAvx2() { return false; }
 #endif
 
 SimdWidth widest() {

@@ -183,9 +183,11 @@ World makeBuoyancy() {
     water.linearDrag = water.angularDrag = 1.0f;
     static_cast<void>(createField(world, water));
     Random random = Random::seeded(3);
-    for (int i = 0; i < 30; ++i)
-        crate(world, {-7.0 + 1.5 * (i % 10), 4.5 + 1.5 * (i / 10)},
-              {random.between(0.2f, 0.6f), random.between(0.2f, 0.6f)}, random.between(-1.0f, 1.0f));
+    for (int i = 0; i < 30; ++i) {
+        const float angle = random.between(-1.0f, 1.0f);
+        const Vec2 half{random.between(0.2f, 0.6f), random.between(0.2f, 0.6f)};
+        crate(world, {-7.0 + 1.5 * (i % 10), 4.5 + 1.5 * (i / 10)}, half, angle);
+    }
     return world;
 }
 

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # Plays the platformer's replay with the player as every installed compiler builds it, and wants one hash; and the
-# golden scenes of the physics library, one hash each.
+# golden scenes of the physics library, one hash each. The physics library, which needs no package, is also built for
+# other processors and systems, where their compilers are, and run in qemu and wine.
 #   compare_compilers.sh [BUILD-FOLDER]    the folder keeps the builds for the next time
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
@@ -16,12 +17,39 @@ clang-O3    clang++  -O3 -DNDEBUG
 gcc-native  g++      -O3 -march=native
 '
 
+# name, CMake's names of the system and the processor, what runs its programs here, compiler, flags
+elsewhere='
+arm-gcc     Linux    aarch64  qemu-aarch64-static  aarch64-linux-gnu-g++         -O3 -DNDEBUG
+arm-clang   Linux    aarch64  qemu-aarch64-static  clang++                       --target=aarch64-linux-gnu -O3 -DNDEBUG
+windows     Windows  x86_64   wine                 x86_64-w64-mingw32-g++-posix  -O3 -DNDEBUG
+'
+export WINEPREFIX=$build/wine WINEDEBUG=-all WINEDLLOVERRIDES='mscoree,mshtml='  # asks for no downloads
+
+generator=()
+if command -v ninja >/dev/null; then generator=(-G Ninja); fi
+
+build_targets() { # NAME TARGETS...
+    cmake --build "$build/$1" --parallel "$(getconf _NPROCESSORS_ONLN)" --target "${@:2}"
+}
+
 build_player() { # NAME COMPILER FLAGS
-    local generator=()
-    if command -v ninja >/dev/null; then generator=(-G Ninja); fi
     cmake -S "$root" -B "$build/$1" "${generator[@]}" -DCMAKE_CXX_COMPILER="$2" -DCMAKE_BUILD_TYPE=Release \
         -DCMAKE_CXX_FLAGS_RELEASE="$3" -DPLUMB_TESTS=ON -DPLUMB_EDITOR=OFF &&
-        cmake --build "$build/$1" --parallel "$(getconf _NPROCESSORS_ONLN)" --target plumb-player plumb-physics-hashes
+        build_targets "$1" plumb-player plumb-physics-hashes
+}
+
+# Whether a program can be built for there, and runs here.
+can_go() { # NAME RUNNER COMPILER FLAGS
+    # shellcheck disable=SC2086
+    echo '#include <vector>
+        int main() { return std::vector<int>(1)[0]; }' | "$3" $4 -static -x c++ - -o "$build/$1.try" &&
+        "$2" "$build/$1.try" </dev/null
+}
+
+build_physics() { # NAME SYSTEM PROCESSOR COMPILER FLAGS
+    cmake -S "$root" -B "$build/$1" "${generator[@]}" -DCMAKE_SYSTEM_NAME="$2" -DCMAKE_SYSTEM_PROCESSOR="$3" \
+        -DCMAKE_CXX_COMPILER="$4" -DCMAKE_CXX_FLAGS="$5" -DCMAKE_CXX_FLAGS_RELEASE= -DCMAKE_EXE_LINKER_FLAGS=-static \
+        -DCMAKE_BUILD_TYPE=Release -DPLUMB_PHYSICS_ALONE=ON && build_targets "$1" plumb-physics-hashes
 }
 
 # The replay also holds the hash of every 300th tick: the player stops at the first that differs.
@@ -29,11 +57,14 @@ play_replay() { # NAME
     "$build/$1/bin/plumb-player" "$root/projects/platformer" --headless --hash --replay "$replay" | sed -n 's/^hash: //p'
 }
 
-# Where the build has no program, it has said so.
-compare_physics() { # NAME
-    [ -x "$build/$1/bin/plumb-physics-hashes" ] || return 0
-    "$build/$1/bin/plumb-physics-hashes" | diff - "$root/tests/replay/physics.golden" >&2 ||
-        { echo "$1: scenes of the physics library differ"; return 1; }
+compare_physics() { # NAME RUNNER...
+    local program hashes
+    program=$(find "$build/$1/bin" -name 'plumb-physics-hashes*' 2>/dev/null || true)
+    [ -n "$program" ] || return 0  # the build has said so
+    hashes=$("${@:2}" "$program" 2>"$build/$1.log" </dev/null | tr -d '\r') || { tail -n 10 "$build/$1.log"; hashes+=" (ended early)"; }
+    diff <(echo "$hashes") "$root/tests/replay/physics.golden" && return 0
+    echo "$1: scenes of the physics library differ"
+    return 1
 }
 
 play_gallery() { # NAME: ten seconds of every scene of the playground
@@ -69,4 +100,19 @@ while read -r name compiler flags; do
     fi
     compare_physics "$name" || failed=1
 done <<<"$table"
+
+while read -r name system processor runner compiler flags; do
+    [ -n "$name" ] || continue
+    if ! can_go "$name" "$runner" "$compiler" "$flags" >"$build/$name.log" 2>&1; then
+        echo "$name: $compiler or $runner is not installed"
+    elif ! build_physics "$name" "$system" "$processor" "$compiler" "$flags" >"$build/$name.log" 2>&1; then
+        echo "$name: does not build"
+        tail -n 40 "$build/$name.log"
+        failed=1
+    elif compare_physics "$name" "$runner"; then
+        echo "$name: physics alike, with $(grep -o 'instructions: .*' "$build/$name.log") ($compiler $flags)"
+    else
+        failed=1
+    fi
+done <<<"$elsewhere"
 exit $failed
