@@ -20,6 +20,13 @@ void* allocateOrThrow(std::size_t size) {
     throw std::bad_alloc{};
 }
 
+void* allocateOrThrow(std::size_t size, std::align_val_t alignment) {
+    made.fetch_add(1, std::memory_order_relaxed);
+    const auto unit = static_cast<std::size_t>(alignment);
+    if (void* memory = std::aligned_alloc(unit, (size + unit - 1) / unit * unit)) return memory;
+    throw std::bad_alloc{};
+}
+
 void release(void* memory) noexcept {
     if (memory != nullptr) freed.fetch_add(1, std::memory_order_relaxed);
     std::free(memory);
@@ -27,17 +34,24 @@ void release(void* memory) noexcept {
 
 }  // namespace
 
-// The whole family, or a sanitizer's own members of it would meet ours.
+// The whole family but what does not throw and is aligned, which nobody calls: or a sanitizer's own members
+// of it would meet ours.
 void* operator new(std::size_t size) { return allocateOrThrow(size); }
 void* operator new[](std::size_t size) { return allocateOrThrow(size); }
 void* operator new(std::size_t size, const std::nothrow_t&) noexcept { return allocate(size); }
 void* operator new[](std::size_t size, const std::nothrow_t&) noexcept { return allocate(size); }
+void* operator new(std::size_t size, std::align_val_t unit) { return allocateOrThrow(size, unit); }
+void* operator new[](std::size_t size, std::align_val_t unit) { return allocateOrThrow(size, unit); }
 void operator delete(void* memory) noexcept { release(memory); }
 void operator delete[](void* memory) noexcept { release(memory); }
 void operator delete(void* memory, std::size_t) noexcept { release(memory); }
 void operator delete[](void* memory, std::size_t) noexcept { release(memory); }
 void operator delete(void* memory, const std::nothrow_t&) noexcept { release(memory); }
 void operator delete[](void* memory, const std::nothrow_t&) noexcept { release(memory); }
+void operator delete(void* memory, std::align_val_t) noexcept { release(memory); }
+void operator delete[](void* memory, std::align_val_t) noexcept { release(memory); }
+void operator delete(void* memory, std::size_t, std::align_val_t) noexcept { release(memory); }
+void operator delete[](void* memory, std::size_t, std::align_val_t) noexcept { release(memory); }
 
 namespace plumb::test {
 
