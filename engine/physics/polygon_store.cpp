@@ -8,7 +8,9 @@ namespace plumb::physics {
 namespace {
 
 /// Places in the pool come in sizes of powers of two, so that a freed one fits another polygon.
-int sizeClass(int corners) { return std::bit_width(static_cast<unsigned>(std::max(corners, 4) - 1)); }
+int sizeClass(int corners) {
+    return static_cast<int>(std::bit_width(static_cast<unsigned>(std::max(corners, 4) - 1)));
+}
 
 }  // namespace
 
