@@ -1,9 +1,11 @@
 #include "physics/bodies.hpp"
 
 #include <cmath>
+#include <utility>
 
 #include "physics/bounds.hpp"
 #include "physics/checks.hpp"
+#include "physics/contacts.hpp"
 #include "physics/joints.hpp"
 #include "physics/mass.hpp"
 #include "physics/shapes.hpp"
@@ -77,6 +79,10 @@ void change(World& world, BodyId body, Change&& change) {
     callFor(world, body.index, 1);
 }
 
+bool isHeldUpright(const BodyInfo& info) {
+    return info.kind == BodyKind::Dynamic && (info.flags & kFixedRotation) != 0;
+}
+
 bool isDynamic(const World& world, BodyId body) {
     return world.bodies.info[body.index].kind == BodyKind::Dynamic;
 }
@@ -120,6 +126,7 @@ Result<BodyId> createBody(World& world, const BodyDefinition& definition) {
                            definition.linearDrag,
                            definition.angularDrag};
     if (definition.kind == BodyKind::Static) bodies.motion[index] = {};
+    if (isHeldUpright(info)) bodies.motion[index].angularVelocity = 0.0f;
     updateMass(world, index);
     callFor(world, index, 1);
     if (definition.kind == BodyKind::Kinematic ||
@@ -174,9 +181,11 @@ Result<Done> setPosition(World& world, BodyId body, Place position, float angle)
     if (!checked) return checked;
     wakeTouching(world, body.index);
     BodyPose& pose = world.bodies.pose[body.index];
-    pose.rotation = rotFromAngle(angle);
+    const Rot before = std::exchange(pose.rotation, rotFromAngle(angle));
     pose.centre = position + rotate(pose.rotation, pose.localCentre);
     refreshBounds(world, body.index);
+    // Contacts of those that never turn by themselves rely on it.
+    if (!(pose.rotation == before) && !canTurn(world, body.index)) refreshContactsOf(world, body.index);
     return Done{};
 }
 
@@ -194,7 +203,8 @@ Result<Done> setAngularVelocity(World& world, BodyId body, float velocity) {
     const auto checked = firstOf(checkAlive("setAngularVelocity", world, body),
                                  checkNumber("setAngularVelocity", velocity, -kFastest, kFastest));
     if (!checked) return checked;
-    if (world.bodies.info[body.index].kind == BodyKind::Static) return Done{};
+    const BodyInfo& info = world.bodies.info[body.index];
+    if (info.kind == BodyKind::Static || isHeldUpright(info)) return Done{};
     if (velocity != 0.0f) wakeForMotion(world, body.index);
     world.bodies.motion[body.index].angularVelocity = velocity;
     return Done{};
@@ -328,6 +338,7 @@ void setFixedRotation(World& world, BodyId body, bool fixed) {
     });
     world.bodies.motion[body.index].angularVelocity = 0.0f;
     updateMass(world, body.index);
+    refreshContactsOf(world, body.index);
 }
 
 void setBullet(World& world, BodyId body, bool bullet) {

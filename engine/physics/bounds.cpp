@@ -86,4 +86,12 @@ void refreshContacts(World& world, std::uint32_t shape) {
     for (Contact& contact : world.sleepers.contacts) refresh(contact);
 }
 
+void refreshContactsOf(World& world, std::uint32_t body) {
+    const auto refresh = [&](Contact& contact) {
+        if (contact.bodyA == body || contact.bodyB == body) copyMaterials(world, contact);
+    };
+    for (Contact& contact : world.contacts) refresh(contact);
+    for (Contact& contact : world.sleepers.contacts) refresh(contact);
+}
+
 }  // namespace plumb::physics

@@ -27,5 +27,7 @@ void noteMoved(World& world, std::uint32_t shape);
 
 /// Something that contacts copied from the shape has changed: material or filter.
 void refreshContacts(World& world, std::uint32_t shape);
+/// The same for all shapes of a body that turns otherwise than before.
+void refreshContactsOf(World& world, std::uint32_t body);
 
 }  // namespace plumb::physics

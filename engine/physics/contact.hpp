@@ -21,7 +21,8 @@ struct ContactAnchors {
 /// step starts the next (warm starting).
 ///
 /// Laid out in rows of four floats: the solver reads the same row of eight contacts at once (lanes.hpp), so
-/// ContactRow names them. A contact of one point has the second far away, where it never pushes.
+/// ContactRow names them; what changes while it rests is in the first four. A contact of one point has the
+/// second far away, where it never pushes.
 struct alignas(64) Contact {
     std::uint32_t shapeA = 0;  ///< of two, A is the one whose body cannot be pushed, or the lower index
     std::uint32_t shapeB = 0;
@@ -39,16 +40,16 @@ struct alignas(64) Contact {
     float friction = 0.0f;
     float frictionImpulse = 0.0f;  ///< N s, of one substep, on B along perpendicular(normal)
 
+    float separation0 = 0.0f;  ///< m along the normal, at the start of the step
+    float impulse0 = 0.0f;     ///< N s, of the last substep; below 0: minus that of a blow, which is over
+    float separation1 = 0.0f;
+    float impulse1 = 0.0f;
+
     Rot turn;                     ///< B's rotation seen from A when the points were found
     float rollingImpulse = 0.0f;  ///< N m s
     std::uint16_t ids[2] = {};    ///< of the points, see ManifoldPoint
 
     ContactAnchors anchors[2];
-
-    float separation0 = 0.0f;  ///< m along the normal, at the start of the step
-    float impulse0 = 0.0f;     ///< N s, of the last substep; below 0: minus that of a blow, which is over
-    float separation1 = 0.0f;
-    float impulse1 = 0.0f;
 
     float roundA = 0.0f;  ///< m, see Manifold
     float roundB = 0.0f;
@@ -69,10 +70,11 @@ enum ContactFlag : std::uint16_t {
     kDisabled = 64,     ///< does not push in this step
     kFixedA = 128,      ///< body A cannot be pushed
     kRound = 256,       ///< a circle takes part: points are found anew in each step
-    kHasSurface = 512,  ///< a shape has a surface speed
+    kUnturned = 512,    ///< neither body can be turned by a push: one point says all
     kGone = 1024,       ///< in this step its bounds parted
     kPassing = 2048,    ///< of a one-way shape that lets the other through until they part
-    kEasing = 0xf000    ///< a number: how much of an overlap is still left alone, see ease() in contacts.cpp
+    kAlongAxes = 4096,  ///< two boxes along the axes of the world, of bodies that stay so
+    kEasing = 0xe000    ///< a number: how much of an overlap is still left alone, see ease() in contacts.cpp
 };
 
 /// What happened between two shapes in a step.

@@ -6,9 +6,9 @@ namespace plumb::physics {
 enum ContactRow {
     kSurfaceRow = 1,
     kNormalRow = 2,
-    kTurnRow = 3,
-    kAnchorsRow = 4,
-    kImpulseRow = 6,
+    kImpulseRow = 3,
+    kTurnRow = 4,
+    kAnchorsRow = 5,
     kRoundRow = 7,
     kContactRows = 8
 };

@@ -4,7 +4,9 @@
 #include <cmath>
 #include <utility>
 
+#include "physics/easing.hpp"
 #include "physics/narrowphase/collide.hpp"
+#include "physics/narrowphase/upright.hpp"
 #include "physics/solver/kernels.hpp"
 #include "physics/workspace.hpp"
 
@@ -66,6 +68,12 @@ bool hardlyMoved(const Contact& contact, const Encounter& now, Vec2 normal, floa
     return std::fabs(cross(normal, apart)) <= tolerance;
 }
 
+/// m: how far bodies may move along each other before points are found anew. Of small things, a small part.
+float wayToKeep(const Contact& contact, const Settings& settings) {
+    const float size = std::min(longest(contact.anchors[0].a), longest(contact.anchors[0].b));
+    return std::min(settings.recycleDistance, kMostOfSize * size);
+}
+
 /// Takes the points along: how far they are apart is new, while the normal and the arms stay as they were in
 /// the world (see prepare() of the kernels). So a load does not feel that its column leans a little, and high
 /// stacks do not buckle on contacts that are springs.
@@ -73,11 +81,11 @@ bool hardlyMoved(const Contact& contact, const Encounter& now, Vec2 normal, floa
 bool recycle(Contact& contact, const Encounter& now, const Settings& settings) {
     // Nothing keeps a body from going through a trigger along the normal, and out on the other side.
     if ((contact.flags & (kTouching | kRound | kTriggered)) != kTouching) return false;
-    // Of small things, a small part; and one point says little of what comes next: a second may be about to
-    // touch.
-    const float size = std::min(longest(contact.anchors[0].a), longest(contact.anchors[0].b));
-    const float most = std::min(settings.recycleDistance, kMostOfSize * size);
-    const float tolerance = contact.count == 2 ? most : 0.05f * most;
+    const int all = (contact.flags & kUnturned) != 0 ? 1 : 2;
+    if (contact.count > all) return false;
+    // One point of two says little of what comes next: a second may be about to touch.
+    const float most = wayToKeep(contact, settings);
+    const float tolerance = contact.count == all ? most : 0.05f * most;
     const Vec2 normal = unrotate(now.turnA, contact.normal);
     if (!hardlyMoved(contact, now, normal, tolerance)) return false;
     const float separation0 = separationOf(now, contact.anchors[0], normal);
@@ -148,52 +156,18 @@ bool nearByCircles(const World& world, const Contact& contact, const Encounter& 
 
 bool isRound(ShapeKind kind) { return kind == ShapeKind::Circle; }
 
-// Bodies that are put into each other (by a level, a script, a change of size) would be thrown apart. So of
-// an overlap that no motion explains, a part is left alone: as deep as it is when it begins, and less and
-// less.
-
-constexpr int kEasingShift = 12;
-constexpr int kMostEasing = 15;
-constexpr int kEasingSteps = 8;        // after which the number is one less
-constexpr float kEasingUnit = 0.002f;  // m: overlap left alone is this times the square of the number
-
-/// The number that belongs to an overlap, m.
-int easingOf(float depth) {
-    return std::min(static_cast<int>(std::sqrt(depth / kEasingUnit)) + 1, kMostEasing);
-}
-
-/// How deep what has just begun may be by the motion of the bodies in a step, m, generously.
-float reachedByMotion(const World& world, const Contact& contact) {
-    constexpr float kLongStep = 1.0f / 30.0f;  // s
-    const BodyMotion& a = world.bodies.motion[contact.bodyA];
-    const BodyMotion& b = world.bodies.motion[contact.bodyB];
-    const float turning = std::fabs(a.angularVelocity) * world.bodies.info[contact.bodyA].reach +
-                          std::fabs(b.angularVelocity) * world.bodies.info[contact.bodyB].reach;
-    return world.settings.slop + kLongStep * (length(b.velocity - a.velocity) + turning);
-}
-
-void noteOverlap(const World& world, Contact& contact) {
-    contact.flags &= static_cast<std::uint16_t>(~kEasing);
-    if ((contact.flags & (kOneWayA | kOneWayB)) != 0) return;  // what is inside falls through
-    const float depth = -std::min(contact.separation0, contact.separation1);
-    if (depth <= 2.0f * world.settings.slop || depth <= reachedByMotion(world, contact)) return;
-    contact.flags |= static_cast<std::uint16_t>(easingOf(depth) << kEasingShift);
-}
-
-/// Hides from the solver what is left alone.
-void ease(const World& world, Contact& contact) {
-    const auto phase = static_cast<int>(world.steps % kEasingSteps);
-    if (phase == 0) contact.flags -= static_cast<std::uint16_t>(1 << kEasingShift);
-    const int left = (contact.flags >> kEasingShift) * kEasingSteps - phase;  // falls by 1 a step
-    const float number = std::max(static_cast<float>(left) * (1.0f / kEasingSteps), 0.0f);
-    const float hidden = kEasingUnit * number * number;
-    if (contact.separation0 < 0.0f) contact.separation0 = std::min(contact.separation0 + hidden, 0.0f);
-    if (contact.separation1 < 0.0f) contact.separation1 = std::min(contact.separation1 + hidden, 0.0f);
+/// Where nobody turns all points of a contact come as near: the deepest speaks for both.
+void keepDeepest(Manifold& manifold) {
+    if (manifold.count < 2) return;
+    if (manifold.points[1].separation < manifold.points[0].separation)
+        manifold.points[0] = manifold.points[1];
+    manifold.count = 1;
 }
 
 /// Takes note of what was found.
-void take(const World& world, Contact& contact, const Encounter& now, const Manifold& manifold,
+void take(const World& world, Contact& contact, const Encounter& now, Manifold manifold,
           DetectionCounts& counts) {
+    if ((contact.flags & kUnturned) != 0) keepDeepest(manifold);
     if (manifold.count == 0) {
         ++counts.apartByAxes;
         forgetPoints(contact);
@@ -227,6 +201,62 @@ bool takeHalfway(const World& world, Contact& contact, const Encounter& now, flo
     contact.separation0 = separationOf(now, contact.anchors[0], unrotate(now.turnA, contact.normal));
     if ((contact.flags & kEasing) != 0) ease(world, contact);
     return true;
+}
+
+/// Two boxes along the axes.
+struct UprightPair {
+    const Geometry& a;
+    const Geometry& b;
+    Vec2 between;  // m: from A's centre of mass to B's
+    Vec2 way;      // m: from A's middle to B's
+};
+
+UprightPair uprightPairOf(const World& world, const Contact& contact) {
+    const BodyPose& poseA = world.bodies.pose[contact.bodyA];
+    const BodyPose& poseB = world.bodies.pose[contact.bodyB];
+    const Geometry& a = world.shapes.geometry[contact.shapeA];
+    const Geometry& b = world.shapes.geometry[contact.shapeB];
+    const Vec2 between = poseB.centre - poseA.centre;
+    return {a, b, between, between + (b.a - poseB.localCentre) - (a.a - poseA.localCentre)};
+}
+
+Manifold manifoldOf(const World& world, const UprightPair& pair) {
+    Manifold manifold = collideUpright(pair.a.b, pair.b.b, pair.way, world.settings.speculativeDistance);
+    manifold.points[0].point += pair.a.a;
+    return manifold;
+}
+
+/// While the same two faces touch, all that changes is how deep. Where they do is worked out when somebody
+/// asks: pointOf().
+bool slideUpright(Contact& contact, const UprightPair& pair, float speculative) {
+    if ((contact.flags & (kTouching | kTriggered)) != kTouching || contact.count != 1) return false;
+    const Vec2 gap = gapOf(pair.a.b, pair.b.b, pair.way);
+    if (std::max(gap.x, gap.y) > speculative || std::min(gap.x, gap.y) > 0.0f) return false;
+    const bool alongY = goesAlongY(pair.a.b, pair.b.b, gap);
+    const Vec2 normal =
+        alongY ? Vec2{0.0f, pair.way.y < 0.0f ? -1.0f : 1.0f} : Vec2{pair.way.x < 0.0f ? -1.0f : 1.0f, 0.0f};
+    if (!(normal == contact.normal)) return false;
+    contact.separation0 = alongY ? gap.y : gap.x;
+    return true;
+}
+
+/// All of it, for boxes that stay along the axes.
+void touchUpright(const World& world, Contact& contact, DetectionCounts& counts) {
+    const UprightPair pair = uprightPairOf(world, contact);
+    if (slideUpright(contact, pair, world.settings.speculativeDistance)) {
+        ++counts.recycled;
+        ++counts.touching;
+        if ((contact.flags & kEasing) != 0) ease(world, contact);
+        return;
+    }
+    const Manifold manifold = manifoldOf(world, pair);
+    if (manifold.count == 0 &&
+        !overlap(world.shapes.bounds[contact.shapeA], world.shapes.bounds[contact.shapeB])) {
+        ++counts.apartByBounds;
+        contact.flags |= kGone;
+        return;
+    }
+    take(world, contact, {{}, {}, pair.between}, manifold, counts);
 }
 
 /// What can be said without a look at the outlines: still the same, gone, or too far apart.
@@ -307,7 +337,18 @@ private:
     int count_ = 0;
 };
 
+/// Along the axes of the world, for as long as its body is not told otherwise.
+bool staysUpright(const World& world, std::uint32_t body, const Geometry& outline) {
+    return world.bodies.info[body].kind != BodyKind::Kinematic && outline.kind == ShapeKind::Box &&
+           outline.radius == 0.0f && outline.turn == Rot{} && world.bodies.pose[body].rotation == Rot{};
+}
+
 }  // namespace
+
+bool canTurn(const World& world, std::uint32_t body) {
+    const BodyInfo& info = world.bodies.info[body];
+    return info.kind == BodyKind::Dynamic && (info.flags & kFixedRotation) == 0;
+}
 
 void copyMaterials(const World& world, Contact& contact) {
     const ShapeInfo& a = world.shapes.info[contact.shapeA];
@@ -322,12 +363,16 @@ void copyMaterials(const World& world, Contact& contact) {
     const bool triggered = ((a.flags | b.flags) & kTrigger) != 0;
     const bool reports = ((a.flags | b.flags) & kReportsContacts) != 0;
     const bool fixed = world.bodies.info[contact.bodyA].kind != BodyKind::Dynamic;
+    const bool unturned = !canTurn(world, contact.bodyA) && !canTurn(world, contact.bodyB);
+    const bool upright = unturned && staysUpright(world, contact.bodyA, outlineA) &&
+                         staysUpright(world, contact.bodyB, outlineB);
+    if (contact.friction == 0.0f) contact.frictionImpulse = 0.0f;
     const int kept = contact.flags & (kTouching | kBegan | kDisabled | kPassing | kEasing);
     contact.flags = static_cast<std::uint16_t>(
         kept | (triggered ? kTriggered : 0) | (reports ? kReports : 0) |
         ((a.flags & kOneWay) != 0 ? kOneWayA : 0) | ((b.flags & kOneWay) != 0 ? kOneWayB : 0) |
         (fixed ? kFixedA : 0) | (isRound(outlineA.kind) || isRound(outlineB.kind) ? kRound : 0) |
-        (contact.surfaceSpeed != 0.0f ? kHasSurface : 0));
+        (unturned ? kUnturned : 0) | (upright ? kAlongAxes : 0));
 }
 
 bool comesTo(const World& world, std::uint32_t shapeA, std::uint32_t shapeB) {
@@ -364,6 +409,10 @@ void findTouches(const World& world, std::span<Contact> contacts, float dt, Dete
     const Shapes& shapes = world.shapes;
     for (Contact& contact : contacts) {
         ++counts.pairs;
+        if ((contact.flags & kAlongAxes) != 0) {
+            touchUpright(world, contact, counts);
+            continue;
+        }
         const Encounter now = encounterOf(world.bodies.pose[contact.bodyA], world.bodies.pose[contact.bodyB]);
         if (isSettled(world, contact, now, counts)) continue;
         if (takeHalfway(world, contact, now, 0.5f * dt, counts)) continue;
@@ -381,12 +430,16 @@ void findTouches(const World& world, std::span<Contact> contacts, float dt, Dete
     boxes.finish();
 }
 
-std::uint16_t keyOf(const Contact& contact) {
-    const bool pushes =
-        (contact.flags & (kTouching | kTriggered | kDisabled)) == kTouching && contact.colour <= kOverflow;
-    return static_cast<std::uint16_t>((pushes ? int{contact.colour} : int{kKeyIdle}) |
-                                      ((contact.flags & kFixedA) != 0 ? kKeyFixed : 0) |
-                                      ((contact.flags & kBegan) != 0 ? kKeyBegan : 0));
+Vec2 pointOf(const World& world, const Contact& contact, int point) {
+    if ((contact.flags & kAlongAxes) != 0) {
+        const UprightPair pair = uprightPairOf(world, contact);
+        const Manifold manifold = manifoldOf(world, pair);
+        const ManifoldPoint& found = manifold.points[0];
+        if (manifold.count > 0)
+            return found.point - (0.5f * found.separation) * manifold.normal -
+                   world.bodies.pose[contact.bodyA].localCentre;
+    }
+    return contact.anchors[point].a;
 }
 
 bool isReported(const World& world, const Contact& contact) {
@@ -409,7 +462,7 @@ ContactEvent eventOf(const World& world, const Contact& contact, ContactPhase ph
     event.phase = phase;
     event.isTrigger = (contact.flags & kTriggered) != 0;
     event.normal = contact.normal;
-    event.point = toVec2(a.centre + rotate(a.rotation, contact.anchors[0].a));
+    event.point = toVec2(a.centre + rotate(a.rotation, pointOf(world, contact, 0)));
     event.impulse = std::fabs(contact.impulse0) + std::fabs(contact.impulse1);
     return event;
 }

@@ -12,6 +12,9 @@ Contact makeContact(const World& world, std::uint32_t shapeA, std::uint32_t shap
 /// False for a border inside something, and one who is stopped by what is before it.
 [[nodiscard]] bool comesTo(const World& world, std::uint32_t shapeA, std::uint32_t shapeB);
 
+/// Whether a push can turn the body.
+[[nodiscard]] bool canTurn(const World& world, std::uint32_t body);
+
 /// Friction and the like, and what kind of contact it is, from its two shapes.
 void copyMaterials(const World& world, Contact& contact);
 
@@ -19,6 +22,10 @@ void copyMaterials(const World& world, Contact& contact);
 /// the same. Contacts whose bounds have parted get kGone.
 /// @param dt  s: of the step that is about to be done
 void findTouches(const World& world, std::span<Contact> contacts, float dt, struct DetectionCounts& counts);
+
+/// m from A's centre of mass, in A's frame: where they touch.
+/// @param point  below Contact::count
+[[nodiscard]] Vec2 pointOf(const World& world, const Contact& contact, int point);
 
 /// True when somebody wants to hear of the contact.
 [[nodiscard]] bool isReported(const World& world, const Contact& contact);

@@ -51,6 +51,12 @@ struct Manifest {
         const bool called = callers[static_cast<std::size_t>(effect)] > 0 || (pinnedOn & bit(effect)) != 0;
         return called && (pinnedOff & bit(effect)) == 0;
     }
+    /// The bits of all effects that run.
+    [[nodiscard]] std::uint32_t running() const {
+        std::uint32_t called = pinnedOn;
+        for (std::size_t i = 0; i < kEffects; ++i) called |= callers[i] > 0 ? 1u << i : 0u;
+        return called & ~pinnedOff;
+    }
     /// One caller more or less.
     void call(Effect effect, bool on, int times = 1) {
         if (on) callers[static_cast<std::size_t>(effect)] += static_cast<std::uint32_t>(times);

@@ -1,6 +1,7 @@
 #include "physics/simulation.hpp"
 
 #include <array>
+#include <bit>
 #include <cmath>
 #include <iterator>
 
@@ -11,11 +12,13 @@ namespace plumb::physics {
 
 namespace {
 
-/// One chapter of the step. It is run when any of its effects is called for; 0 for always.
+/// One chapter of the step. It is run when any of its effects is called for, or `also` says so; without
+/// either, always.
 struct Stage {
     std::string_view name;  // also the profiler's
     std::uint32_t effects;
     void (*run)(StepContext& step);
+    bool (*also)(const StepContext& step) = nullptr;
 };
 
 template <class... Effects>
@@ -23,53 +26,72 @@ constexpr std::uint32_t any(Effects... effects) {
     return (Manifest::bit(effects) | ...);
 }
 
-constexpr std::uint32_t kContacts = any(Effect::Contacts, Effect::Triggers);
-constexpr std::uint32_t kMeeting = kContacts | any(Effect::SoftBodies);
+constexpr std::uint32_t kMeeting = any(Effect::Contacts, Effect::Triggers, Effect::SoftBodies);
 constexpr std::uint32_t kSmooth =
     any(Effect::AreaGravity, Effect::Wind, Effect::Buoyancy, Effect::Attractor, Effect::Springs);
 
+/// Contacts of what is gone have to end, though nobody calls for contacts any more.
+bool hasRemains(const StepContext& step) {
+    const World& world = step.world;
+    return !world.shapes.dying.empty() || !world.bodies.dying.empty() || !world.contacts.empty();
+}
+/// Blocks of contacts that are no more have to go.
+bool hasBlocks(const StepContext& step) {
+    return !step.work.contactLanes.empty() || !step.work.fixedLanes.empty();
+}
+bool hasHook(const StepContext& step) { return step.hooks.preSolve != nullptr; }
+bool hasSeams(const StepContext& step) { return !step.work.surfaceChanges.empty(); }
+
 constexpr Stage kStages[] = {
-    {"broad phase", kMeeting, findPairs},
-    {"narrow phase", kMeeting, updateContacts},
-    {"filter contacts", any(Effect::OneWay), filterContacts},
+    {"broad phase", kMeeting, findPairs, hasRemains},
+    {"narrow phase", kMeeting, updateContacts, hasRemains},
+    {"filter contacts", any(Effect::OneWay), filterContacts, hasHook},
     {"new joints", any(Effect::Joints), colourJoints},
     {"explosions", any(Effect::Explosion), explode},
     {"prepare fields", kSmooth, prepareFields},
     {"soft bodies", any(Effect::SoftBodies), moveSoftBodies},
     {"gather bodies", 0, gatherBodies},
     {"fields", kSmooth, applyFields},
-    {"prepare constraints", any(Effect::Contacts, Effect::Joints), prepareConstraints},
+    {"prepare constraints", any(Effect::Contacts, Effect::Joints), prepareConstraints, hasBlocks},
     {"solve", 0, solve},
     {"integrators", kSmooth, integrateFlyers},
     {"finish bodies", 0, finishBodies},
     {"continuous", any(Effect::Continuous), sweepFastBodies},
-    {"events", any(Effect::ContactEvents, Effect::Triggers), publishEvents},
+    {"events", any(Effect::ContactEvents, Effect::Triggers), publishEvents, hasSeams},
     {"sleep", any(Effect::Sleep), putToSleep},
 };
 
 static_assert(std::size(kStages) <= kMaxStages);
 
-/// Contacts of what is gone have to end, though nobody calls for contacts any more.
-bool hasRemains(const World& world) {
-    return !world.shapes.dying.empty() || !world.bodies.dying.empty() || !world.contacts.empty();
-}
-
-bool isCalledFor(const Stage& stage, const World& world, const ContactHooks& hooks) {
-    if (stage.effects == 0) return true;
-    if (stage.run == filterContacts && hooks.preSolve != nullptr) return true;
-    if ((stage.effects & kContacts) != 0 && hasRemains(world)) return true;
-    const Manifest& manifest = world.manifest;
-    for (std::size_t i = 0; i < kEffects; ++i) {
-        const auto effect = static_cast<Effect>(i);
-        if ((stage.effects & Manifest::bit(effect)) != 0 && manifest.runs(effect)) return true;
-    }
-    return false;
+bool isCalledFor(const Stage& stage, const StepContext& step) {
+    if (stage.effects == 0 || (stage.effects & step.effects) != 0) return true;
+    return stage.also != nullptr && stage.also(step);
 }
 
 /// Nothing moves and nothing came: a world at rest costs nothing.
 bool nothingToDo(const World& world) {
-    return world.awake.empty() && world.moved.empty() && !hasRemains(world) &&
+    return world.awake.empty() && world.moved.empty() && world.contacts.empty() &&
+           world.shapes.dying.empty() && world.bodies.dying.empty() &&
            !world.manifest.runs(Effect::Explosion) && !world.manifest.runs(Effect::SoftBodies);
+}
+
+/// The effects of this step.
+std::uint32_t effectsOf(const World& world) {
+    std::uint32_t effects = world.manifest.running();
+    if (!world.settings.continuous) effects &= ~Manifest::bit(Effect::Continuous);
+    if (!world.settings.sleeping) effects &= ~Manifest::bit(Effect::Sleep);
+    return effects;
+}
+
+/// Effects that are only a part of a stage say so themselves: StepContext::starts().
+void count(const StepContext& step, const Stage& stage) {
+    ++step.work.stageRuns[static_cast<std::size_t>(&stage - kStages)];
+    step.work.effectsRun |= stage.effects & step.effects;
+}
+
+void countEffects(Workspace& work) {
+    for (std::uint32_t left = work.effectsRun; left != 0; left &= left - 1)
+        ++work.effectRuns[static_cast<std::size_t>(std::countr_zero(left))];
 }
 
 }  // namespace
@@ -95,6 +117,10 @@ DetectionCounts detectionOf(World& world) {
     return world.awake.empty() || world.work.stale() ? DetectionCounts{} : world.work.get().counts;
 }
 
+std::uint64_t runsOf(World& world, Effect effect) {
+    return world.work.get().effectRuns[static_cast<std::size_t>(effect)];
+}
+
 void step(World& world, float dt, const StepOptions& options) {
     world.events.clear();
     world.brokenJoints.clear();
@@ -102,14 +128,15 @@ void step(World& world, float dt, const StepOptions& options) {
     if (!(dt > 0.0f) || !std::isfinite(dt)) return;
     ++world.steps;
     if (nothingToDo(world)) return;
-    StepContext context{world, world.work.get(), dt, options.pool, options.hooks};
+    StepContext context{world, world.work.get(), dt, options.pool, options.hooks, effectsOf(world)};
+    context.work.effectsRun = 0;
     for (const Stage& stage : kStages) {
-        const bool seamsLeft = stage.run == publishEvents && !context.work.surfaceChanges.empty();
-        if (!seamsLeft && !isCalledFor(stage, world, options.hooks)) continue;
+        if (!isCalledFor(stage, context)) continue;
         const ProfileScope scope{options.profile, stage.name};
-        ++context.work.stageRuns[static_cast<std::size_t>(&stage - kStages)];
+        count(context, stage);
         stage.run(context);
     }
+    countEffects(context.work);
 }
 
 }  // namespace plumb::physics

@@ -38,6 +38,8 @@ std::span<const StageInfo> stages();
 
 /// How often a stage of this name has run in this world; 0 for one that nothing called for.
 [[nodiscard]] std::uint64_t runsOf(World& world, std::string_view stage);
+/// In how many steps the code of an effect has run in this world: its stage, or its part of one.
+[[nodiscard]] std::uint64_t runsOf(World& world, Effect effect);
 
 /// What each phase of detection did in the last step; all 0 for a world at rest, and for one that was copied
 /// or loaded since.
@@ -46,5 +48,7 @@ std::span<const StageInfo> stages();
 /// Folds the whole state into a hash; equal states give equal numbers on every machine.
 [[nodiscard]] std::uint64_t hashOf(const World& world);
 void addTo(Hasher& hasher, const World& world);
+/// What a snapshot of the world copies, in bytes.
+[[nodiscard]] std::size_t stateBytes(const World& world);
 
 }  // namespace plumb::physics

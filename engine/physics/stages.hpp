@@ -16,8 +16,23 @@ struct StepContext {
     float dt;  ///< s
     TaskPool* pool;
     ContactHooks hooks;
+    std::uint32_t effects;  ///< bits of those that run in this step
 
     [[nodiscard]] int threads() const { return pool != nullptr ? pool->threads() : 1; }
+    [[nodiscard]] bool runs(Effect effect) const { return (effects & Manifest::bit(effect)) != 0; }
+    /// Asked by the part of a stage that an effect is, before it runs: counts how often it did (runsOf).
+    [[nodiscard]] bool starts(Effect effect) const {
+        if (!runs(effect)) return false;
+        work.effectsRun |= Manifest::bit(effect);
+        return true;
+    }
+    /// Contacts have one point and no levers, as there is nobody who could be turned. Bounces, rolling and
+    /// joints are written for full ones.
+    [[nodiscard]] bool isPlain() const {
+        constexpr auto kTurning = static_cast<std::size_t>(Effect::Rotation);
+        return !runs(Effect::Rotation) && world.manifest.callers[kTurning] == 0 &&
+               !runs(Effect::Restitution) && !runs(Effect::Rolling) && !runs(Effect::Joints);
+    }
 };
 
 /// Cuts 0..count-1 into pieces of `grain` and runs `act(begin, end, piece)` for each, on all threads.

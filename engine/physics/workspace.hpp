@@ -52,18 +52,18 @@ enum ContactKey : std::uint16_t {
     kKeyBegan = 128   ///< in this step
 };
 
-std::uint16_t keyOf(const Contact& contact);
+inline std::uint16_t keyOf(const Contact& contact) {
+    const bool pushes =
+        (contact.flags & (kTouching | kTriggered | kDisabled)) == kTouching && contact.colour <= kOverflow;
+    return static_cast<std::uint16_t>((pushes ? int{contact.colour} : int{kKeyIdle}) |
+                                      ((contact.flags & kFixedA) != 0 ? kKeyFixed : 0) |
+                                      ((contact.flags & kBegan) != 0 ? kKeyBegan : 0));
+}
 
 /// A slot whose body does not move along x or y.
 struct AxisLock {
     std::uint32_t slot = 0;
     std::uint8_t flags = 0;  ///< kLockX, kLockY
-};
-
-/// How many contacts a colour of a group has.
-struct Cursor {
-    std::int32_t contacts = 0;
-    std::int32_t fixed = 0;
 };
 
 /// How many contacts a surface and somebody who touches it have (surfaces.hpp).
@@ -121,11 +121,14 @@ struct Workspace {
     std::vector<Float4> keep;
     std::vector<Float4> flight;
     std::vector<Float4> undisturbed;
+    std::vector<Float4> plainStates;  ///< as PlainBodies, where nobody turns
     std::vector<SolveGroup> groups;
-    std::vector<Cursor> cursors;  ///< by group and colour
+    std::vector<std::int32_t> cursors;  ///< by group and key, see prepareConstraints()
     std::vector<ContactBlock> contactBlocks;
+    std::vector<PlainBlock> plainBlocks;  ///< instead, where nobody turns
     std::vector<BlockLanes> contactLanes;
     std::vector<FixedContactBlock> fixedBlocks;
+    std::vector<PlainFixedBlock> plainFixedBlocks;
     std::vector<BlockLanes> fixedLanes;
     std::vector<BounceBlock> bounces;  ///< beside contactBlocks, where something bounces
     std::vector<ImpactPlace> impacts;  ///< of a group, that may run on
@@ -150,6 +153,8 @@ struct Workspace {
     bool sleepy = false;                                ///< some body has rested for long enough
     DetectionCounts counts;
     std::array<std::uint64_t, kMaxStages> stageRuns{};  ///< by stage: see runsOf()
+    std::uint32_t effectsRun = 0;                       ///< bits of those whose code ran in this step
+    std::array<std::uint64_t, kEffects> effectRuns{};   ///< by effect: steps in which its code ran
     std::vector<IslandHardness> hardness;               ///< by root of an island: see sortByQuality()
 };
 

@@ -1,3 +1,5 @@
+#include "physics/contacts.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -21,7 +23,7 @@ struct ContactPoint {
 template <class Draw>
 void forPoints(const Picture& picture, const Contact& contact, Draw&& draw) {
     for (int i = 0; i < contact.count; ++i) {
-        draw(ContactPoint{picture.place(contact.bodyA, contact.anchors[i].a),
+        draw(ContactPoint{picture.place(contact.bodyA, pointOf(picture.world, contact, i)),
                           std::fabs(i == 0 ? contact.impulse0 : contact.impulse1)});
     }
 }

@@ -72,6 +72,49 @@ struct FixedContactBlock {
     FixedContactBlockPoint points[2];
 };
 
+/// What the solver knows of bodies that nothing turns, by slot: all that a contact needs in one row.
+struct PlainBodies {
+    Float4* state;  ///< m/s, m/s, m, m: velocity x, y; moved since the start of the step
+    // The same as of SolverBodies.
+    const Float4* drive;
+    const Float4* keep;
+    const Float4* flight;
+    Float4* undisturbed;
+};
+
+/// Eight contacts of one colour where nobody turns: one point each, without a lever.
+struct PlainBlock {
+    std::uint32_t a[kLanes];  ///< bytes from the first state to that of a body
+    std::uint32_t b[kLanes];
+    float inverseMassA[kLanes];
+    float inverseMassB[kLanes];
+    float normalX[kLanes];
+    float normalY[kLanes];
+    float separation[kLanes];
+    float gap[kLanes];
+    float mass[kLanes];  ///< kg that both offer to a push along any direction
+    float impulse[kLanes];
+    float friction[kLanes];  ///< the rest only where something rubs
+    float slideSpeed[kLanes];
+    float slideImpulse[kLanes];
+};
+
+/// The same of a body B that can be pushed with a body A that cannot.
+struct PlainFixedBlock {
+    std::uint32_t b[kLanes];
+    float inverseMass[kLanes];
+    float normalX[kLanes];
+    float normalY[kLanes];
+    float separation[kLanes];
+    float gap[kLanes];
+    float approach[kLanes];
+    float mass[kLanes];
+    float impulse[kLanes];
+    float friction[kLanes];
+    float slideSpeed[kLanes];
+    float slideImpulse[kLanes];
+};
+
 /// What bounces of a block, beside it, only where something in the scene bounces.
 struct BounceBlock {
     float bounciness[kLanes];

@@ -30,6 +30,7 @@ struct Limb {
     bool hasOthers = false;     ///< joints that are not of the tree
     double mass = 0.0;          ///< kg
     double inertia = 0.0;       ///< kg m2
+    bool turns = true;          ///< a push can turn it
     double straining = 0.0;     ///< N m: torque by which its joints turn it back, for each radian
     TreePose pose;
     Triple velocity;

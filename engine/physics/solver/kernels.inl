@@ -50,6 +50,14 @@ inline Rows8 rowsOf(const ContactSource& source, const BlockLanes& lanes) {
     return rows;
 }
 
+constexpr int kAhead = 2;  // blocks
+
+/// The rows of the contacts of a block that comes soon: they are far from each other.
+inline void fetch(const Float4* contacts, const BlockLanes& lanes, int line) {
+    for (int i = 0; i < kLanes; ++i)
+        __builtin_prefetch(contacts + lanes.contact[i < lanes.count ? i : 0] * kContactRows + line);
+}
+
 inline void slotsOf(const ContactSource& source, const BlockLanes& lanes, const std::int32_t* body,
                     std::int32_t* slot) {
     for (int i = 0; i < kLanes; ++i) slot[i] = i < lanes.count ? source.slots[body[i]] : source.idleSlot + i;
@@ -63,7 +71,7 @@ struct Side8 {
 inline Side8 sideOf(const ContactSource& source, const std::int32_t* body) {
     Float8 mass[4];
     gather(source.masses, body, mass);
-    return {mass[0], mass[1]};
+    return {mass[0], source.turning ? mass[1] : all(0.0f)};
 }
 
 /// The geometry of eight contacts, turned as their bodies were when the points were found.
@@ -234,6 +242,7 @@ inline Float8 movedAlong(const Float8 (&shift)[4], Two8 normal, Float8 lever, Fl
     return shift[0] * normal.x + shift[1] * normal.y + (shift[2] * lever + shift[3] * turn);
 }
 
+template <bool kRubs>
 void warmStart(const SolverBodies& bodies, const BlockLanes* lanes, ContactBlock* blocks, int begin,
                int end) {
     for (int n = begin; n < end; ++n) {
@@ -241,7 +250,7 @@ void warmStart(const SolverBodies& bodies, const BlockLanes* lanes, ContactBlock
         Body8 a = bodyAt(bodies.velocity, block.a, block.inverseInertiaA);
         Body8 b = bodyAt(bodies.velocity, block.b, block.inverseInertiaB);
         const Float8 push0 = load(block.points[0].impulse), push1 = load(block.points[1].impulse);
-        const Float8 slide = load(block.slideImpulse), push = push0 + push1;
+        const Float8 slide = kRubs ? load(block.slideImpulse) : all(0.0f), push = push0 + push1;
         const Float8 nx = load(block.normalX), ny = load(block.normalY);
         const Two8 impulse{push * nx - slide * ny, push * ny + slide * nx};
         a.push({-impulse.x, -impulse.y},
@@ -254,13 +263,14 @@ void warmStart(const SolverBodies& bodies, const BlockLanes* lanes, ContactBlock
     }
 }
 
+template <bool kRubs>
 void warmStartFixed(const SolverBodies& bodies, const BlockLanes* lanes, FixedContactBlock* blocks, int begin,
                     int end) {
     for (int n = begin; n < end; ++n) {
         const FixedContactBlock& block = blocks[n];
         Body8 b = bodyAt(bodies.velocity, block.b, block.inverseInertia);
         const Float8 push0 = load(block.points[0].impulse), push1 = load(block.points[1].impulse);
-        const Float8 slide = load(block.slideImpulse), push = push0 + push1;
+        const Float8 slide = kRubs ? load(block.slideImpulse) : all(0.0f), push = push0 + push1;
         const Float8 nx = load(block.normalX), ny = load(block.normalY);
         b.push({push * nx - slide * ny, push * ny + slide * nx}, push0 * load(block.points[0].lever) +
                                                                      push1 * load(block.points[1].lever) +
@@ -332,6 +342,7 @@ inline void rub(FixedContactBlock& block, Two8 normal, Float8 pressed, Body8& b)
     b.push({change * along.x, change * along.y}, change * slide);
 }
 
+template <bool kRubs>
 void push(const SolverBodies& bodies, const ContactPass& pass, const BlockLanes* lanes, ContactBlock* blocks,
           int begin, int end) {
     const SoftPush8 soft{pass};
@@ -357,12 +368,14 @@ void push(const SolverBodies& bodies, const ContactPass& pass, const BlockLanes*
             a.push({-pushed.x, -pushed.y}, -(change * leverA));
             b.push(pushed, change * leverB);
         }
-        rub(block, normal, load(block.points[0].impulse) + load(block.points[1].impulse), a, b);
+        if constexpr (kRubs)
+            rub(block, normal, load(block.points[0].impulse) + load(block.points[1].impulse), a, b);
         scatter(bodies.velocity, block.a, a.lane, lanes[n].count);
         scatter(bodies.velocity, block.b, b.lane, lanes[n].count);
     }
 }
 
+template <bool kRubs>
 void pushFixed(const SolverBodies& bodies, const ContactPass& pass, const BlockLanes* lanes,
                FixedContactBlock* blocks, int begin, int end) {
     const SoftPush8 soft{pass};
@@ -385,11 +398,13 @@ void pushFixed(const SolverBodies& bodies, const ContactPass& pass, const BlockL
             store(point.impulse, impulse);
             b.push({change * normal.x, change * normal.y}, change * lever);
         }
-        rub(block, normal, load(block.points[0].impulse) + load(block.points[1].impulse), b);
+        if constexpr (kRubs)
+            rub(block, normal, load(block.points[0].impulse) + load(block.points[1].impulse), b);
         scatter(bodies.velocity, block.b, b.lane, lanes[n].count);
     }
 }
 
+template <bool kRubs>
 void relax(const SolverBodies& bodies, const ContactPass& pass, const BlockLanes* lanes, ContactBlock* blocks,
            int begin, int end) {
     const Float8 substepRate = all(pass.substepRate);
@@ -409,12 +424,13 @@ void relax(const SolverBodies& bodies, const ContactPass& pass, const BlockLanes
             a.push({-pushed.x, -pushed.y}, -(change * leverA));
             b.push(pushed, change * leverB);
         }
-        rub(block, normal, impulses[0] + impulses[1], a, b);
+        if constexpr (kRubs) rub(block, normal, impulses[0] + impulses[1], a, b);
         scatter(bodies.velocity, block.a, a.lane, lanes[n].count);
         scatter(bodies.velocity, block.b, b.lane, lanes[n].count);
     }
 }
 
+template <bool kRubs>
 void relaxFixed(const SolverBodies& bodies, const ContactPass& pass, const BlockLanes* lanes,
                 FixedContactBlock* blocks, int begin, int end) {
     const Float8 substepRate = all(pass.substepRate);
@@ -431,24 +447,26 @@ void relaxFixed(const SolverBodies& bodies, const ContactPass& pass, const Block
             store(point.impulse, impulses[p]);
             b.push({change * normal.x, change * normal.y}, change * lever);
         }
-        rub(block, normal, impulses[0] + impulses[1], b);
+        if constexpr (kRubs) rub(block, normal, impulses[0] + impulses[1], b);
         scatter(bodies.velocity, block.b, b.lane, lanes[n].count);
     }
 }
 
 /// Impulses back to where they start the next step.
-template <class Block>
+template <bool kRubs, class Block>
 void storeImpulses(Float4* contacts, const BlockLanes* lanes, const Block* blocks, int begin, int end) {
     for (int n = begin; n < end; ++n) {
         const Block& block = blocks[n];
         for (int i = 0; i < lanes[n].count; ++i) {
             Float4* rows = contacts + lanes[n].contact[i] * kContactRows;
-            rows[kNormalRow].w = block.slideImpulse[i];
+            if constexpr (kRubs) rows[kNormalRow].w = block.slideImpulse[i];
             rows[kImpulseRow].y = block.points[0].impulse[i];
             rows[kImpulseRow].w = block.points[1].impulse[i];
         }
     }
 }
+
+#include "physics/solver/plain_kernels.inl"
 
 // Bodies.
 
@@ -494,6 +512,7 @@ inline Turn8 turnedBy(Turn8 turn, Float8 angle) {
     return {select(far, slow.sine, near.sine), select(far, slow.versine, near.versine)};
 }
 
+template <bool kTurns>
 void move(const SolverBodies& bodies, float h, int begin, int end) {
     const Float8 step = all(h);
     for (int n = begin; n < end; n += kLanes) {
@@ -505,9 +524,11 @@ void move(const SolverBodies& bodies, float h, int begin, int end) {
         gather(bodies.flight, slots, flight);
         shift[0] += velocity[0] * flight[2] + flight[0];
         shift[1] += velocity[1] * flight[2] + flight[1];
-        const Turn8 turn = turnedBy({shift[2], shift[3]}, velocity[2] * step);
-        shift[2] = turn.sine;
-        shift[3] = turn.versine;
+        if constexpr (kTurns) {
+            const Turn8 turn = turnedBy({shift[2], shift[3]}, velocity[2] * step);
+            shift[2] = turn.sine;
+            shift[3] = turn.versine;
+        }
         scatter(bodies.shift, slots, shift, kLanes);
     }
 }
@@ -537,21 +558,30 @@ void collideBoxes(const BoxPairs& pairs, float speculative, BoxTouches& touches)
 
 }  // namespace
 
+template <bool kRubs>
+constexpr ContactKernels<ContactBlock> kContacts{prepare, warmStart<kRubs>, push<kRubs>, relax<kRubs>,
+                                                 storeImpulses<kRubs, ContactBlock>};
+template <bool kRubs>
+constexpr ContactKernels<FixedContactBlock> kFixedContacts{prepareFixed, warmStartFixed<kRubs>,
+                                                           pushFixed<kRubs>, relaxFixed<kRubs>,
+                                                           storeImpulses<kRubs, FixedContactBlock>};
+template <bool kRubs, class Block>
+constexpr ContactKernels<Block, PlainBodies> kPlain{preparePlain<kRubs>, warmStartPlain<kRubs>,
+                                                    pushPlain<kRubs>, relaxPlain<kRubs>,
+                                                    storePlain<kRubs, Block>};
+
 extern const SolverKernels kKernels;
 const SolverKernels kKernels{
     PLUMB_LANES_NAME,
-    prepare,
-    prepareFixed,
-    warmStart,
-    warmStartFixed,
-    push,
-    pushFixed,
-    relax,
-    relaxFixed,
-    storeImpulses<ContactBlock>,
-    storeImpulses<FixedContactBlock>,
+    {kContacts<false>, kContacts<true>},
+    {kFixedContacts<false>, kFixedContacts<true>},
+    {kPlain<false, PlainBlock>, kPlain<true, PlainBlock>},
+    {kPlain<false, PlainFixedBlock>, kPlain<true, PlainFixedBlock>},
     accelerate,
-    move,
+    move<true>,
+    move<false>,
+    acceleratePlain,
+    movePlain,
     collideBoxes,
 };
 

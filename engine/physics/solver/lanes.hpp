@@ -90,8 +90,12 @@ inline int bits(Mask8 m) {
     return r;
 }
 
+// Left to itself, a compiler that sees many calls of gather() and scatter() makes functions of them, and
+// eight registers go through memory each time.
+
 /// The records at eight indices, turned into one lane set per member.
-inline void gather(const Float4* records, const std::int32_t* index, Float8 (&out)[4]) {
+[[gnu::always_inline]] inline void gather(const Float4* records, const std::int32_t* index,
+                                          Float8 (&out)[4]) {
     PLUMB_EACH_LANE {
         const Float4& record = records[index[i]];
         out[0].lane[i] = record.x;
@@ -101,9 +105,34 @@ inline void gather(const Float4* records, const std::int32_t* index, Float8 (&ou
     }
 }
 /// The reverse, for the first `count` lanes.
-inline void scatter(Float4* records, const std::int32_t* index, const Float8 (&in)[4], int count) {
+[[gnu::always_inline]] inline void scatter(Float4* records, const std::int32_t* index, const Float8 (&in)[4],
+                                           int count) {
     for (int i = 0; i < count; ++i) {
         records[index[i]] = {in[0].lane[i], in[1].lane[i], in[2].lane[i], in[3].lane[i]};
+    }
+}
+
+/// As gather(), where the indices are counted in bytes, which takes fewer instructions.
+[[gnu::always_inline]] inline void gatherAt(const Float4* records, const std::uint32_t* offset,
+                                            Float8 (&out)[4]) {
+    std::int32_t index[kLanes];
+    PLUMB_EACH_LANE index[i] = static_cast<std::int32_t>(offset[i] / sizeof(Float4));
+    gather(records, index, out);
+}
+/// Of each record x and y alone.
+[[gnu::always_inline]] inline void gatherTwoAt(const Float4* records, const std::uint32_t* offset, Float8& x,
+                                               Float8& y) {
+    PLUMB_EACH_LANE {
+        const Float4& record = records[offset[i] / sizeof(Float4)];
+        x.lane[i] = record.x, y.lane[i] = record.y;
+    }
+}
+/// The reverse, for the first `count` lanes.
+[[gnu::always_inline]] inline void scatterTwoAt(Float4* records, const std::uint32_t* offset, Float8 x,
+                                                Float8 y, int count) {
+    for (int i = 0; i < count; ++i) {
+        Float4& record = records[offset[i] / sizeof(Float4)];
+        record.x = x.lane[i], record.y = y.lane[i];
     }
 }
 #undef PLUMB_EACH_LANE
@@ -140,7 +169,7 @@ inline __m256 pairOf(const Float4* records, std::int32_t low, std::int32_t high)
                                 _mm_load_ps(&records[high].x), 1);
 }
 /// Four 4 x 4 blocks turned over, in each half of the registers.
-inline void transpose(__m256& a, __m256& b, __m256& c, __m256& d) {
+[[gnu::always_inline]] inline void transpose(__m256& a, __m256& b, __m256& c, __m256& d) {
     const __m256 ab0 = _mm256_unpacklo_ps(a, b), ab1 = _mm256_unpackhi_ps(a, b);
     const __m256 cd0 = _mm256_unpacklo_ps(c, d), cd1 = _mm256_unpackhi_ps(c, d);
     a = _mm256_shuffle_ps(ab0, cd0, 0x44);
@@ -148,11 +177,13 @@ inline void transpose(__m256& a, __m256& b, __m256& c, __m256& d) {
     c = _mm256_shuffle_ps(ab1, cd1, 0x44);
     d = _mm256_shuffle_ps(ab1, cd1, 0xee);
 }
-inline void gather(const Float4* records, const std::int32_t* index, Float8 (&out)[4]) {
+[[gnu::always_inline]] inline void gather(const Float4* records, const std::int32_t* index,
+                                          Float8 (&out)[4]) {
     for (int i = 0; i < 4; ++i) out[i].v = pairOf(records, index[i], index[i + 4]);
     transpose(out[0].v, out[1].v, out[2].v, out[3].v);
 }
-inline void scatter(Float4* records, const std::int32_t* index, const Float8 (&in)[4], int count) {
+[[gnu::always_inline]] inline void scatter(Float4* records, const std::int32_t* index, const Float8 (&in)[4],
+                                           int count) {
     __m256 row[4] = {in[0].v, in[1].v, in[2].v, in[3].v};
     transpose(row[0], row[1], row[2], row[3]);
     if (count == kLanes) {
@@ -166,6 +197,50 @@ inline void scatter(Float4* records, const std::int32_t* index, const Float8 (&i
         const __m256 from = row[i & 3];
         _mm_store_ps(&records[index[i]].x,
                      i < 4 ? _mm256_castps256_ps128(from) : _mm256_extractf128_ps(from, 1));
+    }
+}
+
+inline const float* rowAt(const Float4* records, std::uint32_t offset) {
+    return reinterpret_cast<const float*>(reinterpret_cast<const char*>(records) + offset);
+}
+inline __m64* twoAt(Float4* records, std::uint32_t offset) {
+    return reinterpret_cast<__m64*>(reinterpret_cast<char*>(records) + offset);
+}
+[[gnu::always_inline]] inline void gatherAt(const Float4* records, const std::uint32_t* offset,
+                                            Float8 (&out)[4]) {
+    for (int i = 0; i < 4; ++i) {
+        out[i].v = _mm256_insertf128_ps(_mm256_castps128_ps256(_mm_load_ps(rowAt(records, offset[i]))),
+                                        _mm_load_ps(rowAt(records, offset[i + 4])), 1);
+    }
+    transpose(out[0].v, out[1].v, out[2].v, out[3].v);
+}
+[[gnu::always_inline]] inline void gatherTwoAt(const Float4* records, const std::uint32_t* offset, Float8& x,
+                                               Float8& y) {
+    const auto pair = [&](int i) {
+        const auto* low = reinterpret_cast<const __m128i*>(rowAt(records, offset[i]));
+        const auto* high = reinterpret_cast<const __m64*>(rowAt(records, offset[i + 1]));
+        return _mm_loadh_pi(_mm_castsi128_ps(_mm_loadl_epi64(low)), high);
+    };
+    const __m256 even = _mm256_insertf128_ps(_mm256_castps128_ps256(pair(0)), pair(4), 1);
+    const __m256 odd = _mm256_insertf128_ps(_mm256_castps128_ps256(pair(2)), pair(6), 1);
+    x.v = _mm256_shuffle_ps(even, odd, 0x88);
+    y.v = _mm256_shuffle_ps(even, odd, 0xdd);
+}
+[[gnu::always_inline]] inline void scatterTwoAt(Float4* records, const std::uint32_t* offset, Float8 x,
+                                                Float8 y, int count) {
+    const __m256 even = _mm256_unpacklo_ps(x.v, y.v), odd = _mm256_unpackhi_ps(x.v, y.v);
+    const __m128 rows[4] = {_mm256_castps256_ps128(even), _mm256_castps256_ps128(odd),
+                            _mm256_extractf128_ps(even, 1), _mm256_extractf128_ps(odd, 1)};
+    if (count == kLanes) {
+        for (int i = 0; i < 4; ++i) {
+            _mm_storel_pi(twoAt(records, offset[2 * i]), rows[i]);
+            _mm_storeh_pi(twoAt(records, offset[2 * i + 1]), rows[i]);
+        }
+        return;
+    }
+    for (int i = 0; i < count; ++i) {
+        (i & 1) == 0 ? _mm_storel_pi(twoAt(records, offset[i]), rows[i / 2])
+                     : _mm_storeh_pi(twoAt(records, offset[i]), rows[i / 2]);
     }
 }
 
@@ -252,7 +327,8 @@ inline Float8 select(Mask8 m, Float8 a, Float8 b) {
 }
 inline int bits(Mask8 m) { return bitsFour(m.low) | bitsFour(m.high) << 4; }
 
-inline void gather(const Float4* records, const std::int32_t* index, Float8 (&out)[4]) {
+[[gnu::always_inline]] inline void gather(const Float4* records, const std::int32_t* index,
+                                          Float8 (&out)[4]) {
     for (int i = 0; i < 4; ++i) {
         out[i].low = loadFour(&records[index[i]].x);
         out[i].high = loadFour(&records[index[i + 4]].x);
@@ -260,12 +336,38 @@ inline void gather(const Float4* records, const std::int32_t* index, Float8 (&ou
     transposeFour(out[0].low, out[1].low, out[2].low, out[3].low);
     transposeFour(out[0].high, out[1].high, out[2].high, out[3].high);
 }
-inline void scatter(Float4* records, const std::int32_t* index, const Float8 (&in)[4], int count) {
+[[gnu::always_inline]] inline void scatter(Float4* records, const std::int32_t* index, const Float8 (&in)[4],
+                                           int count) {
     Four row[8] = {in[0].low,  in[1].low,  in[2].low,  in[3].low,
                    in[0].high, in[1].high, in[2].high, in[3].high};
     transposeFour(row[0], row[1], row[2], row[3]);
     transposeFour(row[4], row[5], row[6], row[7]);
     for (int i = 0; i < count; ++i) storeFour(&records[index[i]].x, row[i]);
+}
+
+[[gnu::always_inline]] inline void gatherAt(const Float4* records, const std::uint32_t* offset,
+                                            Float8 (&out)[4]) {
+    const auto row = [&](int i) {
+        return loadFour(reinterpret_cast<const float*>(reinterpret_cast<const char*>(records) + offset[i]));
+    };
+    for (int i = 0; i < 4; ++i) out[i] = {row(i), row(i + 4)};
+    transposeFour(out[0].low, out[1].low, out[2].low, out[3].low);
+    transposeFour(out[0].high, out[1].high, out[2].high, out[3].high);
+}
+[[gnu::always_inline]] inline void gatherTwoAt(const Float4* records, const std::uint32_t* offset, Float8& x,
+                                               Float8& y) {
+    Float8 all[4];
+    gatherAt(records, offset, all);
+    x = all[0], y = all[1];
+}
+[[gnu::always_inline]] inline void scatterTwoAt(Float4* records, const std::uint32_t* offset, Float8 x,
+                                                Float8 y, int count) {
+    float xs[kLanes], ys[kLanes];
+    store(xs, x), store(ys, y);
+    for (int i = 0; i < count; ++i) {
+        auto* row = reinterpret_cast<float*>(reinterpret_cast<char*>(records) + offset[i]);
+        row[0] = xs[i], row[1] = ys[i];
+    }
 }
 
 #endif

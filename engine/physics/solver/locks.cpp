@@ -12,7 +12,7 @@ void lock(Float4& row, std::uint8_t flags) {
 }  // namespace
 
 void prepareLocks(StepContext& step) {
-    if (!step.world.manifest.runs(Effect::Locks)) return;
+    if (!step.starts(Effect::Locks)) return;
     Workspace& work = step.work;
     work.locks.clear();
     for (std::size_t slot = 0; slot < work.bodyOf.size(); ++slot) {
@@ -27,11 +27,11 @@ void prepareLocks(StepContext& step) {
     }
 }
 
-void lockAxes(StepContext& step, const SolveGroup& group) {
-    if (!step.world.manifest.runs(Effect::Locks)) return;
+void lockAxes(const StepContext& step, const SolveGroup& group, std::vector<Float4>& velocity) {
+    if (!step.runs(Effect::Locks)) return;
     for (const AxisLock& held : step.work.locks) {
         const auto slot = static_cast<std::int32_t>(held.slot);
-        if (slot >= group.begin && slot < group.end) lock(step.work.velocity[held.slot], held.flags);
+        if (slot >= group.begin && slot < group.end) lock(velocity[held.slot], held.flags);
     }
 }
 

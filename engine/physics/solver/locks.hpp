@@ -8,6 +8,7 @@ namespace plumb::physics {
 // where no body is locked.
 
 void prepareLocks(StepContext& step);
-void lockAxes(StepContext& step, const SolveGroup& group);
+/// @param velocity  by slot: x and y of each row
+void lockAxes(const StepContext& step, const SolveGroup& group, std::vector<Float4>& velocity);
 
 }  // namespace plumb::physics

@@ -66,12 +66,12 @@ void bounceBlocks(StepContext& step, std::vector<Block>& blocks, const std::vect
     }
 }
 
-bool bounces(const StepContext& step) { return step.world.manifest.runs(Effect::Restitution); }
+bool bounces(const StepContext& step) { return step.runs(Effect::Restitution); }
 
 }  // namespace
 
 void prepareRestitution(StepContext& step) {
-    if (!bounces(step)) return;
+    if (!step.starts(Effect::Restitution)) return;
     Workspace& work = step.work;
     prepareBlocks(step, work.contactBlocks, work.contactLanes, work.bounces);
     prepareBlocks(step, work.fixedBlocks, work.fixedLanes, work.fixedBounces);

@@ -87,12 +87,12 @@ void storeBlocks(World& world, const std::vector<BlockLanes>& lanes,
     }
 }
 
-bool rolls(const StepContext& step) { return step.world.manifest.runs(Effect::Rolling); }
+bool rolls(const StepContext& step) { return step.runs(Effect::Rolling); }
 
 }  // namespace
 
 void prepareRolling(StepContext& step) {
-    if (!rolls(step)) return;
+    if (!step.starts(Effect::Rolling)) return;
     prepareBlocks(step.world, step.work.contactBlocks, step.work.contactLanes, step.work.rollings);
     prepareBlocks(step.world, step.work.fixedBlocks, step.work.fixedLanes, step.work.fixedRollings);
 }

@@ -203,6 +203,7 @@ void giveTree(const Trees& trees, JointTree& tree) {
             limb.impulse = limb.own * limb.impulse;
         }
         // What trees give is not given again in the next substep: they find it anew, along the arms of then.
+        if (!limb.turns) limb.impulse.turn = 0.0;
         addChange(trees.work.velocity[static_cast<std::size_t>(limb.slot)], limb.impulse);
         addChange(trees.work.undisturbed[static_cast<std::size_t>(limb.slot)], limb.impulse);
         tree.gain += gainOf(limb, limb.impulse);
@@ -345,9 +346,9 @@ void prepareLimb(const World& world, const Workspace& work, Limb& limb) {
     const BodyMass& mass = world.bodies.mass[limb.body];
     limb.slot = work.slots[limb.body];
     limb.mass = 1.0 / std::max(static_cast<double>(mass.inverseMass), 1.0e-30);
-    // What cannot be turned is very hard to.
-    limb.inertia =
-        mass.inverseInertia > 0.0f ? 1.0 / static_cast<double>(mass.inverseInertia) : 1.0e10 * limb.mass;
+    // What cannot be turned is very hard to, and what is left of it is dropped.
+    limb.turns = mass.inverseInertia > 0.0f;
+    limb.inertia = limb.turns ? 1.0 / static_cast<double>(mass.inverseInertia) : 1.0e10 * limb.mass;
 }
 
 }  // namespace

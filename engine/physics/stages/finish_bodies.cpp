@@ -20,17 +20,21 @@ struct Findings {
     bool sleepy = false;
 };
 
-bool isFinite(const Float4& a) { return std::isfinite(a.x) && std::isfinite(a.y) && std::isfinite(a.z); }
+/// Only of what is not finite no part is nothing.
+bool isFinite(const Float4& a) { return 0.0f * a.x + 0.0f * a.y + 0.0f * a.z == 0.0f; }
+
+/// Which of the two zeros a speed of nothing is says how it was worked out: make it the one.
+Vec2 unsigned0(Vec2 a) { return a + Vec2{}; }
 
 void limitSpeed(BodyMotion& motion, float most) {
     const float square = lengthSquared(motion.velocity);
     if (square > most * most) motion.velocity *= most / std::sqrt(square);
 }
 
-/// m/s: the fastest point of the body, about.
-float restlessness(const BodyMotion& motion, const BodyInfo& info) {
-    return std::max(std::sqrt(lengthSquared(motion.velocity)),
-                    std::fabs(motion.angularVelocity) * info.reach);
+/// Whether some point of the body is too fast to rest, about.
+bool isRestless(const BodyMotion& motion, const BodyInfo& info) {
+    return lengthSquared(motion.velocity) > info.sleepSpeed * info.sleepSpeed ||
+           std::fabs(motion.angularVelocity) * info.reach > info.sleepSpeed;
 }
 
 bool inside(const AABB& outer, const AABB& inner) {
@@ -38,11 +42,20 @@ bool inside(const AABB& outer, const AABB& inner) {
            inner.max.y <= outer.max.y;
 }
 
+/// As boundsOf(): boxes along the axes are not worth a call.
+AABB tightBounds(const Shapes& shapes, std::uint32_t shape, const Frame& frame) {
+    const Geometry& outline = shapes.geometry[shape];
+    const bool upright = outline.kind == ShapeKind::Box && frame.rotation == Rot{} && outline.turn == Rot{};
+    if (!upright || outline.radius != 0.0f) return boundsOf(outline, shapes.corners, frame);
+    const Vec2 centre = frame.position + outline.a;
+    return {centre - outline.b, centre + outline.b};
+}
+
 void updateShapes(World& world, std::uint32_t body, Findings& found) {
     const Frame frame = frameOf(world.bodies.pose[body]);
     Shapes& shapes = world.shapes;
     for (std::uint32_t s = world.bodies.info[body].firstShape; s != kNone; s = shapes.info[s].next) {
-        const AABB tight = boundsOf(shapes.geometry[s], shapes.corners, frame);
+        const AABB tight = tightBounds(shapes, s, frame);
         if (inside(shapes.bounds[s], tight)) continue;
         shapes.bounds[s] = grown(tight, shapes.info[s].margin);
         found.left.push_back(s);
@@ -74,20 +87,22 @@ bool takeAlong(StepContext& step, std::size_t slot, std::uint32_t body) {
         return false;
     }
     const Vec2 before = motion.velocity;
-    motion.velocity = {velocity.x, velocity.y};
-    motion.angularVelocity = velocity.z;
+    motion.velocity = unsigned0({velocity.x, velocity.y});
+    motion.angularVelocity = velocity.z + 0.0f;
     limitSpeed(motion, step.world.settings.maxSpeed);
+    const Vec2 way = Vec2{shift.x, shift.y} - overshoot(step, slot, body, motion.velocity - before);
     BodyPose& pose = bodies.pose[body];
-    pose.centre =
-        pose.centre + (Vec2{shift.x, shift.y} - overshoot(step, slot, body, motion.velocity - before));
-    pose.rotation = normalized(Rot{1.0f + shift.w, shift.z} * pose.rotation);
+    pose.centre = pose.centre + unsigned0(way);
+    if (shift.z != 0.0f || shift.w != 0.0f)
+        pose.rotation = normalized(Rot{1.0f + shift.w, shift.z} * pose.rotation);
     return true;
 }
 
 /// A body that has moved by more than its core may have passed through something thin.
 bool isFast(const Float4& shift, const BodyInfo& info) {
-    const float way = std::sqrt(shift.x * shift.x + shift.y * shift.y) + std::fabs(shift.z) * info.reach;
-    return way > 0.5f * info.core;
+    const float turned = std::fabs(shift.z) * info.reach, most = 0.5f * info.core;
+    if (std::fabs(shift.x) + std::fabs(shift.y) + turned <= most) return false;
+    return std::sqrt(shift.x * shift.x + shift.y * shift.y) + turned > most;
 }
 
 void finish(StepContext& step, std::size_t slot, std::uint32_t body, Findings& found) {
@@ -104,7 +119,7 @@ void finish(StepContext& step, std::size_t slot, std::uint32_t body, Findings& f
     if (info.kind == BodyKind::Kinematic) {
         if ((info.flags & kHasTarget) != 0) motion.velocity = {}, motion.angularVelocity = 0.0f;
         info.flags &= static_cast<std::uint8_t>(~kHasTarget);
-    } else if (restlessness(motion, info) > info.sleepSpeed || (info.flags & kCanSleep) == 0) {
+    } else if (isRestless(motion, info) || (info.flags & kCanSleep) == 0) {
         motion.restTime = 0.0f;
     } else {
         motion.restTime += step.dt;

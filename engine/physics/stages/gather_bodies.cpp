@@ -41,7 +41,7 @@ bool isFree(const World& world, const Workspace& work, std::uint32_t body) {
     return work.colourMasks[body] == 0 || isInTree(world, work, body);
 }
 
-void gatherBody(World& world, Workspace& work, std::uint32_t body, std::size_t slot, float h) {
+void gatherBody(World& world, Workspace& work, Vec2 gravity, std::uint32_t body, std::size_t slot, float h) {
     const BodyMotion& motion = world.bodies.motion[body];
     const BodyMass& mass = world.bodies.mass[body];
     BodyDrive& drive = world.bodies.drive[body];
@@ -52,9 +52,7 @@ void gatherBody(World& world, Workspace& work, std::uint32_t body, std::size_t s
     work.drive[slot] = {};
     work.flight[slot] = {0.0f, 0.0f, h, 0.0f};
     if (mass.inverseMass == 0.0f) return;
-    const Vec2 gravity =
-        world.manifest.runs(Effect::Gravity) ? drive.gravityScale * world.settings.gravity : Vec2{};
-    const Vec2 pull = gravity + drive.acceleration + mass.inverseMass * drive.force;
+    const Vec2 pull = drive.gravityScale * gravity + drive.acceleration + mass.inverseMass * drive.force;
     work.drive[slot] = {pull.x, pull.y, mass.inverseInertia * drive.torque, 0.0f};
     drive.force = {};
     drive.torque = 0.0f;
@@ -74,8 +72,9 @@ void applyDrag(const World& world, Workspace& work, std::uint32_t body, std::siz
     work.drive[slot].z *= angular.drive / h;
 }
 
-void makeRoom(World& world, Workspace& work, std::size_t slots) {
-    work.slots.assign(world.bodies.size(), -1);
+void makeRoom(StepContext& step, std::size_t slots) {
+    Workspace& work = step.work;
+    work.slots.assign(step.world.bodies.size(), -1);
     work.bodyOf.assign(slots, kNone);
     // The eight after the last are for lanes without a body.
     const std::size_t count = slots + kLanes;
@@ -83,7 +82,7 @@ void makeRoom(World& world, Workspace& work, std::size_t slots) {
          {&work.velocity, &work.shift, &work.drive, &work.flight, &work.undisturbed}) {
         array->resize(count);
     }
-    work.keep.resize(world.manifest.runs(Effect::Drag) ? count : 0);
+    work.keep.resize(step.starts(Effect::Drag) ? count : 0);
 }
 
 void clearSlot(Workspace& work, std::size_t slot) {
@@ -105,7 +104,8 @@ void gatherBodies(StepContext& step) {
         slots += (static_cast<std::size_t>(group.bodies) + kLanes - 1) / kLanes * kLanes;
         group.end = static_cast<std::int32_t>(slots);
     }
-    makeRoom(world, work, slots);
+    makeRoom(step, slots);
+    const Vec2 gravity = step.starts(Effect::Gravity) ? world.settings.gravity : Vec2{};
     for (std::size_t idle = slots; idle < slots + kLanes; ++idle) clearSlot(work, idle);
     const std::uint32_t* order = work.solveOrder.empty() ? world.awake.data() : work.solveOrder.data();
     for (const SolveGroup& group : work.groups) {
@@ -118,7 +118,7 @@ void gatherBodies(StepContext& step) {
                     clearSlot(work, slot);
                     continue;
                 }
-                gatherBody(world, work, order[i], slot, h);
+                gatherBody(world, work, gravity, order[i], slot, h);
                 if (!work.keep.empty()) applyDrag(world, work, order[i], slot, h);
             }
         });

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <utility>
 
 #include "physics/solver/joint_lanes.hpp"
 
@@ -8,105 +9,123 @@ namespace {
 
 constexpr int kGrain = 32;  // blocks
 
-/// The group that a contact is solved in.
-std::size_t groupOf(const World& world, const Workspace& work, std::size_t contact) {
-    return work.groups.size() == 1 ? 0 : work.groupOf[world.contacts[contact].bodyB];
+/// Keys of contacts without kKeyBegan: those of a group that are alike are solved together.
+constexpr std::size_t kKinds = kKeyColour + kKeyFixed + 1;
+constexpr std::size_t kOfKind = kKinds - 1;
+
+/// Room for so many contacts of a colour at the end of `lanes`.
+/// @param number  how many; then the first's place among all lanes
+void makeRoom(std::vector<BlockLanes>& lanes, std::int32_t& number, int colour) {
+    const std::int32_t contacts = std::exchange(number, static_cast<std::int32_t>(lanes.size()) * kLanes);
+    const int most = colour == kOverflow ? 1 : kLanes;
+    for (std::int32_t left = contacts; left > 0; left -= most)
+        lanes.emplace_back().count = std::min(left, most);
 }
 
-std::int32_t blocksFor(std::int32_t contacts, int colour) {
-    return colour == kOverflow ? contacts : (contacts + kLanes - 1) / kLanes;
-}
-
-void layOut(Workspace& work, const std::vector<Cursor>& counts) {
-    std::int32_t contacts = 0, fixed = 0;
+void layOut(Workspace& work, std::vector<std::int32_t>& cursors) {
+    work.contactLanes.clear();
+    work.fixedLanes.clear();
     for (std::size_t g = 0; g < work.groups.size(); ++g) {
         work.groups[g].contactColours = 0;
         for (int colour = 0; colour <= kColours; ++colour) {
-            const Cursor& count = counts[g * (kColours + 1) + static_cast<std::size_t>(colour)];
+            const auto blocksNow = [&] { return static_cast<std::int32_t>(work.contactLanes.size()); };
+            const auto fixedNow = [&] { return static_cast<std::int32_t>(work.fixedLanes.size()); };
+            std::int32_t& contacts = cursors[g * kKinds + static_cast<std::size_t>(colour)];
+            std::int32_t& fixed = cursors[g * kKinds + static_cast<std::size_t>(colour | kKeyFixed)];
+            if (contacts + fixed > 0) work.groups[g].contactColours |= std::uint64_t{1} << colour;
             ColourBlocks& blocks = work.groups[g].colours[colour];
-            blocks.contactBegin = contacts;
-            blocks.contactEnd = contacts += blocksFor(count.contacts, colour);
-            blocks.fixedBegin = fixed;
-            blocks.fixedEnd = fixed += blocksFor(count.fixed, colour);
-            if (count.contacts + count.fixed > 0) work.groups[g].contactColours |= std::uint64_t{1} << colour;
+            blocks.contactBegin = blocksNow();
+            blocks.fixedBegin = fixedNow();
+            makeRoom(work.contactLanes, contacts, colour);
+            makeRoom(work.fixedLanes, fixed, colour);
+            blocks.contactEnd = blocksNow();
+            blocks.fixedEnd = fixedNow();
         }
     }
-    work.contactBlocks.resize(static_cast<std::size_t>(contacts));
-    work.contactLanes.resize(static_cast<std::size_t>(contacts));
-    work.fixedBlocks.resize(static_cast<std::size_t>(fixed));
-    work.fixedLanes.resize(static_cast<std::size_t>(fixed));
 }
 
-void putIn(std::vector<BlockLanes>& lanes, std::int32_t begin, std::int32_t& number, int colour,
-           int contact) {
-    const std::int32_t lane = colour == kOverflow ? 0 : number % kLanes;
-    const std::int32_t block = begin + (colour == kOverflow ? number : number / kLanes);
-    ++number;
-    BlockLanes& target = lanes[static_cast<std::size_t>(block)];
-    target.contact[lane] = contact;
-    target.count = lane + 1;
-}
-
-template <class Act>
-void forPushing(const World& world, const Workspace& work, Act&& act) {
-    for (std::size_t i = 0; i < work.contactKeys.size(); ++i) {
-        const int key = work.contactKeys[i], colour = key & kKeyColour;
-        if (colour == kKeyIdle) continue;
-        act(groupOf(world, work, i), colour, (key & kKeyFixed) != 0, static_cast<std::int32_t>(i));
+template <class GroupOf, class Act>
+void forPushing(const Workspace& work, GroupOf&& groupOf, Act&& act) {
+    const auto count = static_cast<std::int32_t>(work.contactKeys.size());
+    const std::uint16_t* keys = work.contactKeys.data();
+    for (std::int32_t i = 0; i < count; ++i) {
+        if ((keys[i] & kKeyColour) != kKeyIdle) act(groupOf(i) * kKinds + (keys[i] & kOfKind), i);
     }
 }
 
 /// Which contacts are solved together.
-void fillLanes(World& world, Workspace& work) {
-    std::vector<Cursor>& cursors = work.cursors;
-    cursors.assign(work.groups.size() * (kColours + 1), {});
-    const auto cursorOf = [&](std::size_t group, int colour) -> Cursor& {
-        return cursors[group * (kColours + 1) + static_cast<std::size_t>(colour)];
-    };
-    forPushing(world, work, [&](std::size_t group, int colour, bool fixed, std::int32_t) {
-        Cursor& cursor = cursorOf(group, colour);
-        ++(fixed ? cursor.fixed : cursor.contacts);
-    });
+/// @param groupOf  the group that a contact is solved in
+template <class GroupOf>
+void fillLanes(Workspace& work, GroupOf&& groupOf) {
+    std::vector<std::int32_t>& cursors = work.cursors;
+    cursors.assign(work.groups.size() * kKinds, 0);
+    forPushing(work, groupOf, [&](std::size_t kind, std::int32_t) { ++cursors[kind]; });
     layOut(work, cursors);
-    std::fill(cursors.begin(), cursors.end(), Cursor{});
-    forPushing(world, work, [&](std::size_t group, int colour, bool fixed, std::int32_t contact) {
-        const ColourBlocks& blocks = work.groups[group].colours[colour];
-        Cursor& cursor = cursorOf(group, colour);
-        if (fixed) {
-            putIn(work.fixedLanes, blocks.fixedBegin, cursor.fixed, colour, contact);
-        } else {
-            putIn(work.contactLanes, blocks.contactBegin, cursor.contacts, colour, contact);
-        }
+    BlockLanes* lanes[] = {work.contactLanes.data(), work.fixedLanes.data()};
+    forPushing(work, groupOf, [&](std::size_t kind, std::int32_t contact) {
+        const auto place = static_cast<std::uint32_t>(cursors[kind]);
+        cursors[kind] += (kind & kKeyColour) == kOverflow ? kLanes : 1;
+        lanes[(kind & kKeyFixed) != 0 ? 1 : 0][place / kLanes].contact[place % kLanes] = contact;
     });
 }
 
-ContactSource sourceOf(const World& world, const Workspace& work) {
+void fillLanes(const StepContext& step) {
+    const World& world = step.world;
+    Workspace& work = step.work;
+    if (!step.runs(Effect::Contacts)) {
+        for (std::uint16_t& key : work.contactKeys) key |= kKeyIdle;
+    }
+    if (work.groups.size() == 1) {
+        fillLanes(work, [](std::int32_t) { return std::size_t{0}; });
+    } else {
+        fillLanes(work, [&](std::int32_t contact) {
+            return std::size_t{work.groupOf[world.contacts[static_cast<std::size_t>(contact)].bodyB]};
+        });
+    }
+}
+
+ContactSource sourceOf(const StepContext& step) {
+    const World& world = step.world;
+    const Workspace& work = step.work;
     ContactSource source;
     source.contacts = reinterpret_cast<const Float4*>(world.contacts.data());
     source.masses = reinterpret_cast<const Float4*>(world.bodies.mass.data());
     source.motions = reinterpret_cast<const Float4*>(world.bodies.motion.data());
     source.slots = work.slots.data();
     source.idleSlot = static_cast<std::int32_t>(work.bodyOf.size());
-    source.surfaces = world.manifest.runs(Effect::Conveyor);
-    source.kinematics = world.manifest.runs(Effect::Kinematics);
+    source.turning = step.starts(Effect::Rotation);
+    source.surfaces = step.starts(Effect::Conveyor);
+    source.kinematics = step.starts(Effect::Kinematics);
     return source;
+}
+
+template <class Block, class Bodies>
+void prepareBlocks(const StepContext& step, const ContactSource& source,
+                   const ContactKernels<Block, Bodies>& kernels, const std::vector<BlockLanes>& lanes,
+                   std::vector<Block>& blocks) {
+    blocks.resize(lanes.size());
+    forPieces(step, static_cast<int>(blocks.size()), kGrain, [&](int begin, int end, int) {
+        kernels.prepare(source, lanes.data(), blocks.data(), begin, end);
+    });
 }
 
 }  // namespace
 
 void prepareConstraints(StepContext& step) {
-    World& world = step.world;
     Workspace& work = step.work;
-    fillLanes(world, work);
-    const ContactSource source = sourceOf(world, work);
+    fillLanes(step);
+    const ContactSource source = sourceOf(step);
     const SolverKernels& kernels = solverKernels();
-    forPieces(step, static_cast<int>(work.contactBlocks.size()), kGrain, [&](int begin, int end, int) {
-        kernels.prepare(source, work.contactLanes.data(), work.contactBlocks.data(), begin, end);
-    });
-    forPieces(step, static_cast<int>(work.fixedBlocks.size()), kGrain, [&](int begin, int end, int) {
-        kernels.prepareFixed(source, work.fixedLanes.data(), work.fixedBlocks.data(), begin, end);
-    });
-    if (world.manifest.runs(Effect::Joints)) prepareJoints(step);
+    const std::size_t rubs = step.starts(Effect::Friction) ? 1 : 0;
+    if (step.isPlain()) {
+        prepareBlocks(step, source, kernels.plain[rubs], work.contactLanes, work.plainBlocks);
+        prepareBlocks(step, source, kernels.plainFixed[rubs], work.fixedLanes, work.plainFixedBlocks);
+    } else {
+        prepareBlocks(step, source, kernels.contacts[rubs], work.contactLanes, work.contactBlocks);
+        prepareBlocks(step, source, kernels.fixedContacts[rubs], work.fixedLanes, work.fixedBlocks);
+    }
+    if (step.runs(Effect::Joints)) prepareJoints(step);
+    static_cast<void>(step.starts(Effect::Motors));  // joints with a motor have blocks of their own
 }
 
 }  // namespace plumb::physics

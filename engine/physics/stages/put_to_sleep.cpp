@@ -28,7 +28,7 @@ void keepCarriedAwake(World& world, std::vector<std::uint32_t>& verdict) {
         keepAwake(world.joints.hot[j].bodyA, world.joints.hot[j].bodyB);
 }
 
-/// What is still being eased out of another one (`ease` in contacts.cpp) is slow, but not at rest.
+/// What is still being eased out of another one (easing.hpp) is slow, but not at rest.
 void keepEasedAwake(World& world, std::vector<std::uint32_t>& verdict) {
     for (const Contact& contact : world.contacts) {
         if ((contact.flags & kTouching) == 0 || (contact.flags & kEasing) == 0) continue;

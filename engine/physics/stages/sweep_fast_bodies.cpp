@@ -225,10 +225,10 @@ void sweepFastBodies(StepContext& step) {
     World& world = step.world;
     Workspace& work = step.work;
     const auto count = work.fastBodies.size();
-    if (count == 0 || !world.manifest.runs(Effect::Contacts)) return;  // nothing can stop them
+    if (count == 0 || !step.runs(Effect::Contacts)) return;  // nothing can stop them
     const bool bullets = std::any_of(work.fastBodies.begin(), work.fastBodies.end(),
                                      [&](std::uint32_t body) { return isBullet(world, body); });
-    if (bullets || world.manifest.runs(Effect::Kinematics)) updateBroadPhase(world, work);
+    if (bullets || step.runs(Effect::Kinematics)) updateBroadPhase(world, work);
     work.sweeps.resize(count);
     const auto pieces = static_cast<std::size_t>(piecesOf(static_cast<int>(count), kGrain));
     if (work.sweptPast.size() < pieces) work.sweptPast.resize(pieces);

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <bit>
+
+#include "physics/solver/softness.hpp"
+#include "physics/stages.hpp"
+
+namespace plumb::physics {
+
+// How passes over the bodies and constraints of a group are shared out.
+
+inline constexpr int kBlockGrain = 24;
+inline constexpr int kBodyGrain = 1024;
+inline constexpr int kMostIterations = 64;
+
+/// @param stiffness  ratio to Settings::contactStiffness
+inline ContactPass contactPass(const Settings& settings, float h, float stiffness) {
+    ContactPass pass;
+    pass.substepRate = 1.0f / h;
+    pass.softness = softness(stiffness * settings.contactStiffness / h, settings.contactDampingRatio, h);
+    pass.pushSpeed = settings.pushSpeed;
+    pass.deepPushRate = settings.deepPushRate;
+    return pass;
+}
+
+/// Runs `act(begin, end)` over begin..end-1, in pieces.
+template <class Act>
+void forRange(const StepContext& step, int begin, int end, int grain, Act&& act) {
+    forPieces(step, end - begin, grain, [&](int first, int last, int) { act(begin + first, begin + last); });
+}
+
+template <class Act>
+void forBodies(const StepContext& step, const SolveGroup& group, Act&& act) {
+    forRange(step, group.begin, group.end, kBodyGrain, act);
+}
+
+/// Runs `act(colour, grain)` for each of these colours: who found none first, one after the other.
+template <class Act>
+void forColours(std::uint64_t colours, Act&& act) {
+    if ((colours >> kOverflow & 1) != 0) act(int{kOverflow}, 1 << 30);
+    for (std::uint64_t rest = colours & ((std::uint64_t{1} << kColours) - 1); rest != 0; rest &= rest - 1)
+        act(std::countr_zero(rest), kBlockGrain);
+}
+
+/// Impulses back to the contacts.
+template <class Block, class Kernels>
+void storeImpulses(StepContext& step, const Kernels& kernels, const std::vector<BlockLanes>& lanes,
+                   const std::vector<Block>& blocks) {
+    auto* contacts = reinterpret_cast<Float4*>(step.world.contacts.data());
+    forRange(step, 0, static_cast<int>(lanes.size()), kBlockGrain,
+             [&](int begin, int end) { kernels.store(contacts, lanes.data(), blocks.data(), begin, end); });
+}
+
+}  // namespace plumb::physics

@@ -1,0 +1,304 @@
+// A part of kernels.inl: contacts where nobody turns. Each operation is one of the full kernels, in their
+// order; what they would add besides is zero, so that both give the same numbers.
+
+/// A body of eight contacts that only slides.
+struct Plain8 {
+    Float8 x, y;  // velocity
+    Float8 inverseMass;
+
+    void push(Two8 impulse) {
+        x += inverseMass * impulse.x;
+        y += inverseMass * impulse.y;
+    }
+    void pull(Two8 impulse) {
+        x -= inverseMass * impulse.x;
+        y -= inverseMass * impulse.y;
+    }
+    [[gnu::always_inline]] void put(Float4* state, const std::uint32_t* at, int count) const {
+        scatterTwoAt(state, at, x, y, count);
+    }
+};
+
+[[gnu::always_inline]] inline Plain8 plainAt(const Float4* state, const std::uint32_t* at,
+                                             const float* inverseMass) {
+    Plain8 body;
+    gatherTwoAt(state, at, body.x, body.y);
+    body.inverseMass = load(inverseMass);
+    return body;
+}
+/// @param moved  since the start of the step
+[[gnu::always_inline]] inline Plain8 plainAt(const Float4* state, const std::uint32_t* at,
+                                             const float* inverseMass, Two8& moved) {
+    Float8 lane[4];
+    gatherAt(state, at, lane);
+    moved = {lane[2], lane[3]};
+    return {lane[0], lane[1], load(inverseMass)};
+}
+
+inline Float8 along(const Plain8& body, Two8 direction) {
+    return body.x * direction.x + body.y * direction.y;
+}
+inline Two8 times(Float8 size, Two8 direction) { return {size * direction.x, size * direction.y}; }
+inline Two8 acrossOf(Two8 normal) { return {-normal.y, normal.x}; }
+
+inline void offsetsOf(const ContactSource& source, const BlockLanes& lanes, const std::int32_t* body,
+                      std::uint32_t* offset) {
+    std::int32_t slots[kLanes];
+    slotsOf(source, lanes, body, slots);
+    for (int i = 0; i < kLanes; ++i)
+        offset[i] = static_cast<std::uint32_t>(slots[i]) * std::uint32_t{sizeof(Float4)};
+}
+
+inline Float8 inverseMassOf(const ContactSource& source, const std::int32_t* body) {
+    Float8 mass[4];
+    gather(source.masses, body, mass);
+    return mass[0];
+}
+
+/// What both kinds of blocks keep alike. @return the normals
+template <bool kRubs, class Block>
+Two8 preparePoint(const ContactSource& source, const Rows8& rows, Float8 inverseMass, Block& block) {
+    Float8 first[4], impulses[4];
+    gather(source.contacts + kNormalRow, rows.contact, first);
+    gather(source.contacts + kImpulseRow, rows.contact, impulses);
+    store(block.normalX, first[0]);
+    store(block.normalY, first[1]);
+    store(block.separation, impulses[0]);
+    store(block.gap, impulses[0]);
+    const Float8 impulse = max(impulses[1], all(0.0f)) * rows.used;
+    store(block.impulse, impulse);
+    store(block.mass, rows.used * inverseOrZero(inverseMass));
+    if constexpr (kRubs) {
+        store(block.friction, first[2]);
+        store(block.slideImpulse, first[3] * rows.used);
+        store(block.slideSpeed, surfaceSpeeds(source, rows));
+    }
+    return {first[0], first[1]};
+}
+
+template <bool kRubs>
+void preparePlain(const ContactSource& source, const BlockLanes* lanes, PlainBlock* blocks, int begin,
+                  int end) {
+    for (int n = begin; n < end; ++n) {
+        if (n + kAhead < end) fetch(source.contacts, lanes[n + kAhead], 0);
+        const Rows8 rows = rowsOf(source, lanes[n]);
+        offsetsOf(source, lanes[n], rows.a, blocks[n].a);
+        offsetsOf(source, lanes[n], rows.b, blocks[n].b);
+        const Float8 a = inverseMassOf(source, rows.a), b = inverseMassOf(source, rows.b);
+        store(blocks[n].inverseMassA, a);
+        store(blocks[n].inverseMassB, b);
+        preparePoint<kRubs>(source, rows, a + b, blocks[n]);
+    }
+}
+
+/// The part that a kinematic body's own motion has.
+template <bool kRubs>
+void prepareSurface(const ContactSource& source, const Rows8& rows, Two8 normal, PlainFixedBlock& block) {
+    const Surface8 surface = surfaceOf(source, rows.a);
+    Float8 anchors[4], rounds[4];
+    gather(source.contacts + kAnchorsRow, rows.contact, anchors);
+    gather(source.contacts + kRoundRow, rows.contact, rounds);
+    const Two8 normalInA{rounds[2], rounds[3]};
+    const Two8 arm = turned(dot8(normalInA, normal), cross8(normalInA, normal), anchors[0], anchors[1]);
+    store(block.approach, rows.used * (dot8(surface.velocity, normal) + surface.spin * cross8(arm, normal)));
+    if constexpr (kRubs) {
+        const Float8 across = normal.x * surface.velocity.y - normal.y * surface.velocity.x;
+        store(block.slideSpeed,
+              load(block.slideSpeed) + rows.used * (across + surface.spin * dot8(arm, normal)));
+    }
+}
+
+template <bool kRubs>
+void preparePlain(const ContactSource& source, const BlockLanes* lanes, PlainFixedBlock* blocks, int begin,
+                  int end) {
+    for (int n = begin; n < end; ++n) {
+        if (n + kAhead < end) fetch(source.contacts, lanes[n + kAhead], 0);
+        const Rows8 rows = rowsOf(source, lanes[n]);
+        offsetsOf(source, lanes[n], rows.b, blocks[n].b);
+        const Float8 b = inverseMassOf(source, rows.b);
+        store(blocks[n].inverseMass, b);
+        const Two8 normal = preparePoint<kRubs>(source, rows, b, blocks[n]);
+        store(blocks[n].approach, all(0.0f));
+        if (source.kinematics) prepareSurface<kRubs>(source, rows, normal, blocks[n]);
+    }
+}
+
+/// The impulse that the contact starts with.
+template <bool kRubs, class Block>
+Two8 firstImpulse(const Block& block) {
+    const Float8 push = load(block.impulse), nx = load(block.normalX), ny = load(block.normalY);
+    if constexpr (!kRubs) return {push * nx, push * ny};
+    const Float8 slide = load(block.slideImpulse);
+    return {push * nx - slide * ny, push * ny + slide * nx};
+}
+
+template <bool kRubs>
+void warmStartPlain(const PlainBodies& bodies, const BlockLanes* lanes, PlainBlock* blocks, int begin,
+                    int end) {
+    for (int n = begin; n < end; ++n) {
+        const PlainBlock& block = blocks[n];
+        Plain8 a = plainAt(bodies.state, block.a, block.inverseMassA);
+        Plain8 b = plainAt(bodies.state, block.b, block.inverseMassB);
+        const Two8 impulse = firstImpulse<kRubs>(block);
+        a.pull(impulse);
+        b.push(impulse);
+        a.put(bodies.state, block.a, lanes[n].count);
+        b.put(bodies.state, block.b, lanes[n].count);
+    }
+}
+
+template <bool kRubs>
+void warmStartPlain(const PlainBodies& bodies, const BlockLanes* lanes, PlainFixedBlock* blocks, int begin,
+                    int end) {
+    for (int n = begin; n < end; ++n) {
+        Plain8 b = plainAt(bodies.state, blocks[n].b, blocks[n].inverseMass);
+        b.push(firstImpulse<kRubs>(blocks[n]));
+        b.put(bodies.state, blocks[n].b, lanes[n].count);
+    }
+}
+
+inline void rubPlain(PlainBlock& block, Two8 normal, Float8 pressed, Plain8& a, Plain8& b) {
+    const Two8 across = acrossOf(normal);
+    const Float8 sliding = along(b, across) - along(a, across) - load(block.slideSpeed);
+    const Float8 change =
+        rubbed(sliding, load(block.mass), load(block.friction) * pressed, block.slideImpulse);
+    a.pull(times(change, across));
+    b.push(times(change, across));
+}
+
+inline void rubPlain(PlainFixedBlock& block, Two8 normal, Float8 pressed, Plain8& b) {
+    const Two8 across = acrossOf(normal);
+    const Float8 sliding = along(b, across) - load(block.slideSpeed);
+    b.push(
+        times(rubbed(sliding, load(block.mass), load(block.friction) * pressed, block.slideImpulse), across));
+}
+
+template <bool kRubs>
+void pushPlain(const PlainBodies& bodies, const ContactPass& pass, const BlockLanes* lanes,
+               PlainBlock* blocks, int begin, int end) {
+    const SoftPush8 soft{pass};
+    for (int n = begin; n < end; ++n) {
+        PlainBlock& block = blocks[n];
+        Two8 movedA, movedB;
+        Plain8 a = plainAt(bodies.state, block.a, block.inverseMassA, movedA);
+        Plain8 b = plainAt(bodies.state, block.b, block.inverseMassB, movedB);
+        const Two8 normal{load(block.normalX), load(block.normalY)};
+        const Float8 gap = load(block.separation) + (dot8(movedB, normal) - dot8(movedA, normal));
+        const Float8 speed = along(b, normal) - along(a, normal);
+        Float8 impulse = load(block.impulse);
+        const Float8 change = soft.answer(speed, gap, load(block.mass), impulse);
+        store(block.gap, gap);
+        store(block.impulse, impulse);
+        a.pull(times(change, normal));
+        b.push(times(change, normal));
+        if constexpr (kRubs) rubPlain(block, normal, impulse, a, b);
+        a.put(bodies.state, block.a, lanes[n].count);
+        b.put(bodies.state, block.b, lanes[n].count);
+    }
+}
+
+template <bool kRubs>
+void pushPlain(const PlainBodies& bodies, const ContactPass& pass, const BlockLanes* lanes,
+               PlainFixedBlock* blocks, int begin, int end) {
+    const SoftPush8 soft{pass};
+    const Float8 elapsed = all(pass.elapsed);
+    for (int n = begin; n < end; ++n) {
+        PlainFixedBlock& block = blocks[n];
+        Two8 moved;
+        Plain8 b = plainAt(bodies.state, block.b, block.inverseMass, moved);
+        const Two8 normal{load(block.normalX), load(block.normalY)};
+        const Float8 approach = load(block.approach);
+        const Float8 gap = load(block.separation) + (dot8(moved, normal) - approach * elapsed);
+        const Float8 speed = along(b, normal) - approach;
+        Float8 impulse = load(block.impulse);
+        const Float8 change = soft.answer(speed, gap, load(block.mass), impulse);
+        store(block.gap, gap);
+        store(block.impulse, impulse);
+        b.push(times(change, normal));
+        if constexpr (kRubs) rubPlain(block, normal, impulse, b);
+        b.put(bodies.state, block.b, lanes[n].count);
+    }
+}
+
+template <bool kRubs>
+void relaxPlain(const PlainBodies& bodies, const ContactPass& pass, const BlockLanes* lanes,
+                PlainBlock* blocks, int begin, int end) {
+    const Float8 substepRate = all(pass.substepRate);
+    for (int n = begin; n < end; ++n) {
+        PlainBlock& block = blocks[n];
+        Plain8 a = plainAt(bodies.state, block.a, block.inverseMassA);
+        Plain8 b = plainAt(bodies.state, block.b, block.inverseMassB);
+        const Two8 normal{load(block.normalX), load(block.normalY)};
+        const Float8 speed = along(b, normal) - along(a, normal);
+        Float8 impulse = load(block.impulse);
+        const Float8 change = relaxed(speed, load(block.gap), substepRate, load(block.mass), impulse);
+        store(block.impulse, impulse);
+        a.pull(times(change, normal));
+        b.push(times(change, normal));
+        if constexpr (kRubs) rubPlain(block, normal, impulse, a, b);
+        a.put(bodies.state, block.a, lanes[n].count);
+        b.put(bodies.state, block.b, lanes[n].count);
+    }
+}
+
+template <bool kRubs>
+void relaxPlain(const PlainBodies& bodies, const ContactPass& pass, const BlockLanes* lanes,
+                PlainFixedBlock* blocks, int begin, int end) {
+    const Float8 substepRate = all(pass.substepRate);
+    for (int n = begin; n < end; ++n) {
+        PlainFixedBlock& block = blocks[n];
+        Plain8 b = plainAt(bodies.state, block.b, block.inverseMass);
+        const Two8 normal{load(block.normalX), load(block.normalY)};
+        const Float8 speed = along(b, normal) - load(block.approach);
+        Float8 impulse = load(block.impulse);
+        const Float8 change = relaxed(speed, load(block.gap), substepRate, load(block.mass), impulse);
+        store(block.impulse, impulse);
+        b.push(times(change, normal));
+        if constexpr (kRubs) rubPlain(block, normal, impulse, b);
+        b.put(bodies.state, block.b, lanes[n].count);
+    }
+}
+
+template <bool kRubs, class Block>
+void storePlain(Float4* contacts, const BlockLanes* lanes, const Block* blocks, int begin, int end) {
+    for (int n = begin; n < end; ++n) {
+        for (int i = 0; i < lanes[n].count; ++i) {
+            Float4* rows = contacts + lanes[n].contact[i] * kContactRows;
+            if constexpr (kRubs) rows[kNormalRow].w = blocks[n].slideImpulse[i];
+            rows[kImpulseRow].y = blocks[n].impulse[i];
+        }
+    }
+}
+
+// Bodies: as accelerate() and move().
+
+/// Of rows of a state: velocity.
+alignas(32) constexpr float kIsSpeed[kLanes] = {1.0f, 1.0f, 0.0f, 0.0f, 1.0f, 1.0f, 0.0f, 0.0f};
+
+void acceleratePlain(const PlainBodies& bodies, float h, bool first, int begin, int end) {
+    const Float8 step = all(h);
+    const Mask8 isSpeed = load(kIsSpeed) > all(0.0f);
+    for (int i = 4 * begin; i < 4 * end; i += kLanes) {
+        float* state = &bodies.state[0].x + i;
+        float* undisturbed = &bodies.undisturbed[0].x + i;
+        const Float8 now = load(state);
+        const Float8 kept = bodies.keep != nullptr ? now * load(&bodies.keep[0].x + i) : now;
+        const Float8 driven = kept + load(&bodies.drive[0].x + i) * step;
+        const Float8 velocity = first ? driven : driven + (now - load(undisturbed));
+        store(state, select(isSpeed, velocity, now));
+        store(undisturbed, driven);
+    }
+}
+
+void movePlain(const PlainBodies& bodies, int begin, int end) {
+    for (int n = begin; n < end; n += kLanes) {
+        std::int32_t slots[kLanes];
+        for (int i = 0; i < kLanes; ++i) slots[i] = n + i;
+        Float8 state[4], flight[4];
+        gather(bodies.state, slots, state);
+        gather(bodies.flight, slots, flight);
+        state[2] += state[0] * flight[2] + flight[0];
+        state[3] += state[1] * flight[2] + flight[1];
+        scatter(bodies.state, slots, state, kLanes);
+    }
+}
