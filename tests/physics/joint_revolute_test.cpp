@@ -156,5 +156,23 @@ TEST(RevoluteJoint, breaksUnderMoreThanItsForceAndNotUnderLess) {
     }
 }
 
+/// What a step kept of joints of the step before was looked up in groups that were there no longer. Seen by
+/// builds that check indices (PLUMB_ASSERTS).
+TEST(RevoluteJoint, isForgottenWithItsGroup) {
+    JointWorld scene;
+    scene.disc({5.0, 0.0});
+    const BodyId bob = scene.disc({0.0, -1.0});
+    ASSERT_TRUE(setQuality(scene.world, bob, Quality{4}).ok());
+    JointDefinition definition = scene.define(JointKind::Revolute, scene.ground, bob, {0.0, 0.0});
+    definition.breakForce = 1000.0f;
+    scene.world.settings.directJoints = false;
+    const JointId joint = scene.join(definition);
+    scene.run(3 * JointWorld::kDt);
+    destroyBody(scene.world, bob);
+    scene.run(3 * JointWorld::kDt);
+    EXPECT_FALSE(alive(scene.world, joint));
+    EXPECT_TRUE(scene.world.brokenJoints.empty());
+}
+
 }  // namespace
 }  // namespace plumb::physics

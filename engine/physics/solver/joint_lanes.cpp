@@ -436,6 +436,7 @@ void solveJoints(const StepContext& step, const SolverBodies& bodies, const Join
 }
 
 void noteJointForces(StepContext& step, const SolveGroup& group, float substepRate) {
+    if (!step.world.manifest.runs(Effect::Joints)) return;  // what is left here is of an earlier step
     JointWork& joints = step.work.joints;
     for (BreakableJoint& breakable : joints.breakables) {
         if (breakable.kind == kInTree) noteInTree(step, group, breakable);
