@@ -351,6 +351,21 @@ TEST_P(BroadPhases, everyWidthOfInstructionsFindsTheSame) {
     setSimdWidth(usual);
 }
 
+TEST_P(BroadPhases, boxesMayBeAsWideAsNumbersGo) {
+    ProxyWorld world;
+    for (const float half : {1.0e6f, 1.0e9f, 1.0e15f, 1.0e30f})
+        world.add(boxAt({}, {half, half}), ProxyMotion::Awake);
+    for (int i = 0; i < 40; ++i) {
+        const float x = 0.01f * static_cast<float>(i - 20);
+        world.add(boxAt({x, -x}, {0.002f, 0.002f}), ProxyMotion::Awake);
+    }
+    const auto phase = make();
+    EXPECT_EQ(pairsOf(*phase, world), world.pairsOfChanged());
+    std::vector<std::uint32_t> found;
+    phase->query(world.proxies(), boxAt({2.0e5f, 0.0f}, {1.0f, 1.0f}), 3, found);
+    EXPECT_EQ(found.size(), 4u);
+}
+
 TEST_P(BroadPhases, aSteadyStepAllocatesNothing) {
     Random random = Random::seeded(5);
     ProxyWorld world;

@@ -17,7 +17,9 @@ constexpr std::uint32_t kSortsPerChoice = 32;  // sizes change slowly
 constexpr float kCoarser = 4.0f;               // from level to level
 constexpr float kLeastCell = 0.1f;             // ratio to the spacing: finer ones tell nobody apart
 
-bool fits(const BoxCells& sides) { return sides[2] - sides[0] <= 1 && sides[3] - sides[1] <= 1; }
+bool fits(const BoxCells& sides) {
+    return cellsFrom(sides[0], sides[2]) <= 2 && cellsFrom(sides[1], sides[3]) <= 2;
+}
 
 }  // namespace
 

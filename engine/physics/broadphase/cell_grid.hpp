@@ -111,6 +111,11 @@ inline std::int32_t CellGrid::cellAt(float x, float perMetre) {
     return cell - static_cast<std::int32_t>(scaled < static_cast<float>(cell));
 }
 
+/// How many cells first..last are. They may be further apart than an int counts.
+inline std::uint32_t cellsFrom(std::int32_t first, std::int32_t last) {
+    return static_cast<std::uint32_t>(last) - static_cast<std::uint32_t>(first) + 1;
+}
+
 template <class Visit>
 void CellGrid::visitRow(const Level& level, std::int32_t row, std::int32_t left, std::uint32_t wide,
                         const Visit& visit) const {
@@ -136,8 +141,8 @@ void CellGrid::visitLevel(const Level& level, const AABB& box, std::uint32_t fro
     // One cell to the left and above may hold boxes that reach here.
     const std::int32_t left = cellAt(box.min.x, level.perMetre) - 1;
     const std::int32_t top = cellAt(box.min.y, level.perMetre) - 1;
-    const auto wide = static_cast<std::uint32_t>(cellAt(box.max.x, level.perMetre) - left) + 1;
-    const auto high = static_cast<std::uint32_t>(cellAt(box.max.y, level.perMetre) - top) + 1;
+    const std::uint32_t wide = cellsFrom(left, cellAt(box.max.x, level.perMetre));
+    const std::uint32_t high = cellsFrom(top, cellAt(box.max.y, level.perMetre));
     if (high > level.rows || high > level.count / 8 + 2) return visit(std::max(begin, from), end);
     for (std::uint32_t i = 0; i < high; ++i)
         visitRow(level, top + static_cast<std::int32_t>(i), left, wide,
@@ -147,7 +152,7 @@ void CellGrid::visitLevel(const Level& level, const AABB& box, std::uint32_t fro
 template <class Visit>
 void CellGrid::visitLevelAlong(const Level& level, const LineSweep& sweep, const Visit& visit) const {
     const std::int32_t top = cellAt(sweep.bounds.min.y, level.perMetre) - 1;
-    const auto high = static_cast<std::uint32_t>(cellAt(sweep.bounds.max.y, level.perMetre) - top) + 1;
+    const std::uint32_t high = cellsFrom(top, cellAt(sweep.bounds.max.y, level.perMetre));
     if (high > level.rows || high > level.count / 8 + 2) {
         const std::uint32_t begin = starts_[level.firstCell];
         return visit(begin, starts_[level.firstCell + level.columns * level.rows]);
@@ -158,7 +163,7 @@ void CellGrid::visitLevelAlong(const Level& level, const LineSweep& sweep, const
         // A cell more on each side for what rounding may lose.
         const Vec2 span = alongRow(sweep, (row - 1.0) * size, (row + 3.0) * size);
         const std::int32_t left = cellAt(span.x, level.perMetre) - 2;
-        const auto wide = static_cast<std::uint32_t>(cellAt(span.y, level.perMetre) + 1 - left) + 1;
+        const std::uint32_t wide = cellsFrom(left, cellAt(span.y, level.perMetre) + 1);
         if (span.x <= span.y) visitRow(level, row, left, wide, visit);
     }
 }

@@ -5,8 +5,10 @@ namespace plumb::physics {
 
 void publishEvents(StepContext& step) {
     World& world = step.world;
+    const std::vector<std::uint16_t>& keys = step.work.contactKeys;
     for (std::size_t i = 0; i < world.contacts.size(); ++i) {
-        const bool began = (step.work.contactKeys[i] & kKeyBegan) != 0;
+        // Those of islands that were woken since the narrow phase, as by an explosion, came in without a key.
+        const bool began = i < keys.size() && (keys[i] & kKeyBegan) != 0;
         if (!began && !world.settings.stayEvents) continue;
         const Contact& contact = world.contacts[i];
         if ((contact.flags & kTouching) == 0) continue;
