@@ -351,6 +351,8 @@ TEST_P(BroadPhases, everyWidthOfInstructionsFindsTheSame) {
     setSimdWidth(usual);
 }
 
+/// Numbers of cells that are further apart than an int counts were subtracted as ints. Seen by sanitized
+/// builds.
 TEST_P(BroadPhases, boxesMayBeAsWideAsNumbersGo) {
     ProxyWorld world;
     for (const float half : {1.0e6f, 1.0e9f, 1.0e15f, 1.0e30f})
