@@ -204,10 +204,29 @@ inline void hold(RowLanes& rows, Float8 value, Float8 mass, Line line) {
     line.push(after - before);
 }
 
-template <class Line>
-inline void drive(RowLanes& rows, Float8 mass, Line line) {
-    const Float8 before = load(rows.motorImpulse), most = load(rows.mostMotor);
-    const Float8 after = clamp(before - mass * (line.speed() - load(rows.speed)), -most, most);
+/// How fast a value may go towards a limit: there within the substep, no further, and back from beyond it as
+/// the limit itself pushes it.
+template <bool kPush>
+inline Float8 speedTo(const JointPass& pass, Float8 gap) {
+    const float back = kPush ? pass.rigid.pull / pass.rigid.take : 0.0f;
+    return gap * select(gap > all(0.0f), all(pass.substepRate), all(back));
+}
+
+/// Motors stop at limits, whatever their strength. Against each other both would grow until the limit, which
+/// gives way a little, gave way by a lot. What else pulls is still the limit's to hold: none brakes for it.
+template <bool kPush, class Line>
+inline void drive(RowLanes& rows, const JointPass& pass, Float8 value, Float8 mass, Line line) {
+    const Float8 before = load(rows.motorImpulse), most = load(rows.mostMotor), speed = line.speed();
+    const Float8 wanted = load(rows.speed), zero = all(0.0f);
+    Float8 after = clamp(before - mass * (speed - wanted), -most, most);
+    if ((rows.uses & kLimits) != 0) {
+        const Float8 lowest = -speedTo<kPush>(pass, value - load(rows.lower));
+        const Float8 highest = speedTo<kPush>(pass, load(rows.upper) - value);
+        const Float8 allowed = clamp(wanted, lowest, highest);
+        const Float8 there = clamp(before - mass * (speed - allowed), -most, most);
+        const Mask8 stops = (wanted < lowest) | (wanted > highest);
+        after = select(stops, clamp(there, min(after, zero), max(after, zero)), after);
+    }
     store(rows.motorImpulse, after);
     line.push(after - before);
 }
@@ -229,11 +248,11 @@ inline Float8 limited(const JointPass& pass, Float8 speed, Float8 gap, Float8 ma
 template <bool kPush, class Line>
 inline void answerRows(RowLanes& rows, const JointPass& pass, Float8 value, Float8 mass, Line line) {
     if ((rows.uses & kHolds) != 0) hold<kPush>(rows, value, mass, line);
-    if ((rows.uses & kDrives) != 0) drive(rows, mass, line);
     if ((rows.uses & kLimits) != 0) {
         line.push(limited<kPush>(pass, line.speed(), value - load(rows.lower), mass, rows.lowerImpulse));
         line.push(-limited<kPush>(pass, -line.speed(), load(rows.upper) - value, mass, rows.upperImpulse));
     }
+    if ((rows.uses & kDrives) != 0) drive<kPush>(rows, pass, value, mass, line);
 }
 
 // The angle between two bodies.
