@@ -35,10 +35,6 @@ ProxyMotion motionOf(const World& world, std::uint32_t shape) {
     return info.place == kNone ? ProxyMotion::Asleep : ProxyMotion::Awake;
 }
 
-Frame frameOf(const BodyPose& pose) {
-    return {toVec2(pose.centre) - rotate(pose.rotation, pose.localCentre), pose.rotation};
-}
-
 AABB tightBounds(const World& world, std::uint32_t shape) {
     const Shapes& shapes = world.shapes;
     return boundsOf(shapes.geometry[shape], shapes.corners,

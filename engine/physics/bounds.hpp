@@ -10,7 +10,9 @@ namespace plumb::physics {
 ProxyMotion motionOf(const World& world, std::uint32_t shape);
 
 /// The frame of a body's shapes, near enough to the origin to be float.
-Frame frameOf(const BodyPose& pose);
+inline Frame frameOf(const BodyPose& pose) {
+    return {toVec2(pose.centre) - rotate(pose.rotation, pose.localCentre), pose.rotation};
+}
 
 /// m: the shape where it is now, without a margin.
 AABB tightBounds(const World& world, std::uint32_t shape);

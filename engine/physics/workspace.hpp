@@ -44,6 +44,14 @@ struct SolveGroup {
     ColourBlocks colours[kColours + 1];  ///< the last is kOverflow: one lane a block, in order
 };
 
+/// Who shares a block, which follows from the keys of contacts alone where there is one group.
+struct ContactLayout {
+    std::vector<std::uint16_t> keys;  ///< that it was made for
+    std::uint64_t colours = 0;        ///< as SolveGroup
+    ColourBlocks blocks[kColours + 1];
+    bool isCurrent = false;  ///< the lanes are still those of `keys`
+};
+
 /// What the later stages need to know of a contact to pass it by.
 enum ContactKey : std::uint16_t {
     kKeyColour = 63,  ///< its colour, if it pushes
@@ -55,9 +63,10 @@ enum ContactKey : std::uint16_t {
 inline std::uint16_t keyOf(const Contact& contact) {
     const bool pushes =
         (contact.flags & (kTouching | kTriggered | kDisabled)) == kTouching && contact.colour <= kOverflow;
-    return static_cast<std::uint16_t>((pushes ? int{contact.colour} : int{kKeyIdle}) |
-                                      ((contact.flags & kFixedA) != 0 ? kKeyFixed : 0) |
-                                      ((contact.flags & kBegan) != 0 ? kKeyBegan : 0));
+    const int idle = pushes ? 0 : kKeyIdle;  // all bits of a colour
+    const int fixed = (contact.flags & kFixedA) != 0 ? kKeyFixed : 0;
+    const int began = (contact.flags & kBegan) != 0 ? kKeyBegan : 0;
+    return static_cast<std::uint16_t>((contact.colour & kKeyColour) | idle | fixed | began);
 }
 
 /// A slot whose body does not move along x or y.
@@ -124,6 +133,7 @@ struct Workspace {
     std::vector<Float4> plainStates;  ///< as PlainBodies, where nobody turns
     std::vector<SolveGroup> groups;
     std::vector<std::int32_t> cursors;  ///< by group and key, see prepareConstraints()
+    ContactLayout layout;               ///< of contactLanes and fixedLanes, while contacts stay the same
     std::vector<ContactBlock> contactBlocks;
     std::vector<PlainBlock> plainBlocks;  ///< instead, where nobody turns
     std::vector<BlockLanes> contactLanes;

@@ -124,6 +124,37 @@ TEST(SameBits, aSnapshotPutBackEverySeventhTickChangesNothing) {
     EXPECT_GT(met, 10000);
 }
 
+TEST(SameBits, blocksThatAreKeptWhileContactsRestPushAsThoseLaidOutAnew) {
+    const auto stack = [](Playground& scene, double x) {
+        std::vector<BodyId> crates;
+        for (int i = 0; i < 6; ++i) crates.push_back(scene.crate({x, 0.5 + i}));
+        return crates;
+    };
+    Playground kept, anew;
+    std::vector<BodyId> crates;
+    for (Playground* scene : {&kept, &anew}) {
+        scene->floor();
+        crates = stack(*scene, 0.0);
+        stack(*scene, 5.0);
+    }
+    for (int tick = 0; tick < 200; ++tick) {
+        for (World* world : {&kept.world, &anew.world}) {
+            // From now on there are two groups, for a while.
+            if (tick == 50 || tick == 80) {
+                ASSERT_TRUE(setQuality(*world, crates[0], tick == 50 ? Quality{4} : kQualityOfWorld).ok());
+            }
+            if (tick == 110) world->manifest.pinnedOff = Manifest::bit(Effect::Contacts);
+            if (tick == 112) world->manifest.pinnedOff = 0;
+            if (tick == 140) destroyBody(*world, crates[2]);
+        }
+        anew.world = World{anew.world};  // its workspace is a new one
+        kept.run(1);
+        anew.run(1);
+        ASSERT_EQ(bitsOf(kept.world), bitsOf(anew.world)) << tick;
+    }
+    EXPECT_EQ(touching(kept.world), 11);
+}
+
 TEST(SameBits, islandsOfAnotherQualityKeepTheirs) {
     const auto leftHeap = [](Quality right) {
         Playground scene;

@@ -12,6 +12,8 @@ namespace plumb::physics {
 inline constexpr int kBlockGrain = 24;
 inline constexpr int kBodyGrain = 1024;
 inline constexpr int kMostIterations = 64;
+inline constexpr float kGroundStiffness =
+    2.0f;  ///< ratio to Settings::contactStiffness: it does not give way
 
 /// @param stiffness  ratio to Settings::contactStiffness
 inline ContactPass contactPass(const Settings& settings, float h, float stiffness) {
@@ -41,6 +43,41 @@ void forColours(std::uint64_t colours, Act&& act) {
     for (std::uint64_t rest = colours & ((std::uint64_t{1} << kColours) - 1); rest != 0; rest &= rest - 1)
         act(std::countr_zero(rest), kBlockGrain);
 }
+
+/// Contacts of one kind, and how they are pushed.
+template <class Block, class Bodies>
+struct ContactSet {
+    const ContactKernels<Block, Bodies>& kernels;
+    const std::vector<BlockLanes>& lanes;
+    std::vector<Block>& blocks;
+    ContactPass pass;
+
+    void warmStart(const Bodies& bodies, int begin, int end) const {
+        kernels.warmStart(bodies, lanes.data(), blocks.data(), begin, end);
+    }
+    void push(const Bodies& bodies, int begin, int end) const {
+        kernels.push(bodies, pass, lanes.data(), blocks.data(), begin, end);
+    }
+    void relax(const Bodies& bodies, int begin, int end) const {
+        kernels.relax(bodies, pass, lanes.data(), blocks.data(), begin, end);
+    }
+};
+
+/// Both kinds: between bodies that can be pushed, and with those that cannot.
+template <class Two, class Fixed>
+struct ContactSets {
+    Two two;
+    Fixed fixed;
+
+    /// Runs `act(set, begin, end)` over the blocks of a colour.
+    template <class Act>
+    void forBlocks(const StepContext& step, const ColourBlocks& blocks, int grain, Act&& act) const {
+        forRange(step, blocks.contactBegin, blocks.contactEnd, grain,
+                 [&](int begin, int end) { act(two, begin, end); });
+        forRange(step, blocks.fixedBegin, blocks.fixedEnd, grain,
+                 [&](int begin, int end) { act(fixed, begin, end); });
+    }
+};
 
 /// Impulses back to the contacts.
 template <class Block, class Kernels>

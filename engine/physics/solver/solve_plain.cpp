@@ -9,25 +9,17 @@ namespace plumb::physics {
 
 namespace {
 
-template <class Block>
-struct Contacts {
-    const ContactKernels<Block, PlainBodies>& kernels;
-    const std::vector<BlockLanes>& lanes;
-    std::vector<Block>& blocks;
-};
+using Contacts = ContactSets<ContactSet<PlainBlock, PlainBodies>, ContactSet<PlainFixedBlock, PlainBodies>>;
 
 /// One group, while its substeps are done.
 struct Solver {
     StepContext& step;
     const SolverKernels& kernels;
     const SolveGroup& group;
-    Contacts<PlainBlock> contacts;
-    Contacts<PlainFixedBlock> fixedContacts;
     PlainBodies bodies;
-    ContactPass pass;
-    ContactPass fixedPass;  // stiffer: the ground does not give way
-    float h;                // s
-    int iterations;         // of each substep
+    Contacts contacts;
+    float h;         // s
+    int iterations;  // of each substep
 };
 
 PlainBodies bodiesOf(Workspace& work) {
@@ -35,58 +27,43 @@ PlainBodies bodiesOf(Workspace& work) {
             work.flight.data(), work.undisturbed.data()};
 }
 
-/// Runs `act(contacts, pass, begin, end)` over the blocks of all colours.
+/// Runs `act(contacts, begin, end)` over the blocks of all colours.
 template <class Act>
 void forContacts(Solver& solver, Act&& act) {
     forColours(solver.group.contactColours, [&](int colour, int grain) {
-        const ColourBlocks& blocks = solver.group.colours[colour];
-        forRange(solver.step, blocks.contactBegin, blocks.contactEnd, grain,
-                 [&](int begin, int end) { act(solver.contacts, solver.pass, begin, end); });
-        forRange(solver.step, blocks.fixedBegin, blocks.fixedEnd, grain,
-                 [&](int begin, int end) { act(solver.fixedContacts, solver.fixedPass, begin, end); });
-    });
-}
-
-void warmStart(Solver& solver) {
-    forContacts(solver, [&](auto& contacts, const ContactPass&, int begin, int end) {
-        contacts.kernels.warmStart(solver.bodies, contacts.lanes.data(), contacts.blocks.data(), begin, end);
+        solver.contacts.forBlocks(solver.step, solver.group.colours[colour], grain, act);
     });
 }
 
 void lock(Solver& solver) { lockAxes(solver.step, solver.group, solver.step.work.plainStates); }
 
-void push(Solver& solver) {
+/// The same, as often as asked for.
+template <class Act>
+void iterate(Solver& solver, Act&& act) {
     for (int i = 0; i < solver.iterations; ++i) {
-        forContacts(solver, [&](auto& contacts, const ContactPass& pass, int begin, int end) {
-            contacts.kernels.push(solver.bodies, pass, contacts.lanes.data(), contacts.blocks.data(), begin,
-                                  end);
-        });
-        lock(solver);
-    }
-}
-
-void relax(Solver& solver) {
-    for (int i = 0; i < solver.iterations; ++i) {
-        forContacts(solver, [&](auto& contacts, const ContactPass& pass, int begin, int end) {
-            contacts.kernels.relax(solver.bodies, pass, contacts.lanes.data(), contacts.blocks.data(), begin,
-                                   end);
-        });
+        forContacts(solver, act);
         lock(solver);
     }
 }
 
 void solveGroup(Solver& solver) {
+    const PlainBodies& bodies = solver.bodies;
     for (int i = 0; i < solver.group.substeps; ++i) {
         forBodies(solver.step, solver.group, [&](int begin, int end) {
-            solver.kernels.acceleratePlain(solver.bodies, solver.h, i == 0, begin, end);
+            solver.kernels.acceleratePlain(bodies, solver.h, i == 0, begin, end);
         });
-        if (i == 0) warmStart(solver);
+        if (i == 0) {
+            forContacts(solver, [&](const auto& contacts, int begin, int end) {
+                contacts.warmStart(bodies, begin, end);
+            });
+        }
         lock(solver);
-        solver.fixedPass.elapsed = solver.h * static_cast<float>(i);
-        push(solver);
+        solver.contacts.fixed.pass.elapsed = solver.h * static_cast<float>(i);
+        iterate(solver, [&](const auto& contacts, int begin, int end) { contacts.push(bodies, begin, end); });
         forBodies(solver.step, solver.group,
-                  [&](int begin, int end) { solver.kernels.movePlain(solver.bodies, begin, end); });
-        relax(solver);
+                  [&](int begin, int end) { solver.kernels.movePlain(bodies, begin, end); });
+        iterate(solver,
+                [&](const auto& contacts, int begin, int end) { contacts.relax(bodies, begin, end); });
     }
 }
 
@@ -126,16 +103,16 @@ void solvePlain(StepContext& step) {
     gatherStates(work);
     for (const SolveGroup& group : work.groups) {
         const float h = step.dt / static_cast<float>(group.substeps);
-        Solver solver{step,
-                      kernels,
-                      group,
-                      {kernels.plain[rubs], work.contactLanes, work.plainBlocks},
-                      {kernels.plainFixed[rubs], work.fixedLanes, work.plainFixedBlocks},
-                      bodiesOf(work),
-                      contactPass(settings, h, 1.0f),
-                      contactPass(settings, h, 2.0f),
-                      h,
-                      std::clamp<int>(settings.iterations, 1, kMostIterations)};
+        Solver solver{
+            step,
+            kernels,
+            group,
+            bodiesOf(work),
+            {{kernels.plain[rubs], work.contactLanes, work.plainBlocks, contactPass(settings, h, 1.0f)},
+             {kernels.plainFixed[rubs], work.fixedLanes, work.plainFixedBlocks,
+              contactPass(settings, h, kGroundStiffness)}},
+            h,
+            std::clamp<int>(settings.iterations, 1, kMostIterations)};
         solveGroup(solver);
         if (step.runs(Effect::Kinematics)) turnBodies(solver);
     }

@@ -69,6 +69,22 @@ void fillLanes(Workspace& work, GroupOf&& groupOf) {
     });
 }
 
+/// What rests is solved in the same blocks step after step.
+void fillLanesOfOne(Workspace& work) {
+    ContactLayout& layout = work.layout;
+    SolveGroup& group = work.groups[0];
+    if (layout.isCurrent && layout.keys == work.contactKeys) {
+        group.contactColours = layout.colours;
+        std::copy(std::begin(layout.blocks), std::end(layout.blocks), group.colours);
+        return;
+    }
+    fillLanes(work, [](std::int32_t) { return std::size_t{0}; });
+    layout.keys = work.contactKeys;
+    layout.colours = group.contactColours;
+    std::copy(std::begin(group.colours), std::end(group.colours), layout.blocks);
+    layout.isCurrent = true;
+}
+
 void fillLanes(const StepContext& step) {
     const World& world = step.world;
     Workspace& work = step.work;
@@ -76,8 +92,9 @@ void fillLanes(const StepContext& step) {
         for (std::uint16_t& key : work.contactKeys) key |= kKeyIdle;
     }
     if (work.groups.size() == 1) {
-        fillLanes(work, [](std::int32_t) { return std::size_t{0}; });
+        fillLanesOfOne(work);
     } else {
+        work.layout.isCurrent = false;
         fillLanes(work, [&](std::int32_t contact) {
             return std::size_t{work.groupOf[world.contacts[static_cast<std::size_t>(contact)].bodyB]};
         });

@@ -14,17 +14,16 @@ namespace plumb::physics {
 
 namespace {
 
+using Contacts =
+    ContactSets<ContactSet<ContactBlock, SolverBodies>, ContactSet<FixedContactBlock, SolverBodies>>;
+
 /// One group, while its substeps are done.
 struct Solver {
     StepContext& step;
-    Workspace& work;
     const SolverKernels& kernels;
-    const ContactKernels<ContactBlock>& two;
-    const ContactKernels<FixedContactBlock>& fixed;
     const SolveGroup& group;
     SolverBodies bodies;
-    ContactPass contacts;       // between bodies that can be pushed
-    ContactPass fixedContacts;  // stiffer: the ground does not give way
+    Contacts contacts;
     JointPass joints;
     float h;         // s
     int iterations;  // of each substep
@@ -38,56 +37,30 @@ SolverBodies bodiesOf(Workspace& work) {
 }
 
 /// Runs one pass over all constraints of a group, colour by colour: joints, then contacts.
-template <class Two, class Fixed>
-void forConstraints(Solver& solver, JointAct act, Two&& two, Fixed&& fixed) {
-    forColours(solver.group.contactColours | solver.group.jointColours, [&](int c, int grain) {
-        const ColourBlocks& blocks = solver.group.colours[c];
-        solveJoints(solver.step, solver.bodies, solver.joints, solver.group, c, act);
-        forRange(solver.step, blocks.contactBegin, blocks.contactEnd, grain, two);
-        forRange(solver.step, blocks.fixedBegin, blocks.fixedEnd, grain, fixed);
+template <class Act>
+void forConstraints(Solver& solver, JointAct joints, Act&& act) {
+    forColours(solver.group.contactColours | solver.group.jointColours, [&](int colour, int grain) {
+        solveJoints(solver.step, solver.bodies, solver.joints, solver.group, colour, joints);
+        solver.contacts.forBlocks(solver.step, solver.group.colours[colour], grain, act);
     });
 }
 
 void warmStart(Solver& solver) {
-    Workspace& work = solver.work;
-    forConstraints(
-        solver, JointAct::WarmStart,
-        [&](int begin, int end) {
-            solver.two.warmStart(solver.bodies, work.contactLanes.data(), work.contactBlocks.data(), begin,
-                                 end);
-        },
-        [&](int begin, int end) {
-            solver.fixed.warmStart(solver.bodies, work.fixedLanes.data(), work.fixedBlocks.data(), begin,
-                                   end);
-        });
+    forConstraints(solver, JointAct::WarmStart, [&](const auto& contacts, int begin, int end) {
+        contacts.warmStart(solver.bodies, begin, end);
+    });
 }
 
 void push(Solver& solver) {
-    Workspace& work = solver.work;
-    forConstraints(
-        solver, JointAct::Push,
-        [&](int begin, int end) {
-            solver.two.push(solver.bodies, solver.contacts, work.contactLanes.data(),
-                            work.contactBlocks.data(), begin, end);
-        },
-        [&](int begin, int end) {
-            solver.fixed.push(solver.bodies, solver.fixedContacts, work.fixedLanes.data(),
-                              work.fixedBlocks.data(), begin, end);
-        });
+    forConstraints(solver, JointAct::Push, [&](const auto& contacts, int begin, int end) {
+        contacts.push(solver.bodies, begin, end);
+    });
 }
 
 void relax(Solver& solver) {
-    Workspace& work = solver.work;
-    forConstraints(
-        solver, JointAct::Relax,
-        [&](int begin, int end) {
-            solver.two.relax(solver.bodies, solver.contacts, work.contactLanes.data(),
-                             work.contactBlocks.data(), begin, end);
-        },
-        [&](int begin, int end) {
-            solver.fixed.relax(solver.bodies, solver.fixedContacts, work.fixedLanes.data(),
-                               work.fixedBlocks.data(), begin, end);
-        });
+    forConstraints(solver, JointAct::Relax, [&](const auto& contacts, int begin, int end) {
+        contacts.relax(solver.bodies, begin, end);
+    });
 }
 
 /// Velocities that keep constraints, and close what is open of them.
@@ -95,7 +68,7 @@ void pushOften(Solver& solver, int substep) {
     for (int turn = 0; turn < solver.iterations; ++turn) {
         if (solver.hasTrees) pushTrees(solver.step, solver.group, solver.h, substep, turn > 0);
         push(solver);
-        lockAxes(solver.step, solver.group, solver.work.velocity);
+        lockAxes(solver.step, solver.group, solver.step.work.velocity);
     }
 }
 
@@ -105,7 +78,7 @@ void relaxOften(Solver& solver, int substep) {
         if (solver.hasTrees) relaxTrees(solver.step, solver.group, solver.h, substep, turn > 0);
         relax(solver);
         relaxRolling(solver.step, solver.group);
-        lockAxes(solver.step, solver.group, solver.work.velocity);
+        lockAxes(solver.step, solver.group, solver.step.work.velocity);
     }
 }
 
@@ -126,8 +99,8 @@ void solveGroup(Solver& solver) {
             warmStart(solver);
             warmStartRolling(solver.step, solver.group);
         }
-        lockAxes(solver.step, solver.group, solver.work.velocity);
-        solver.fixedContacts.elapsed = solver.h * static_cast<float>(i);
+        lockAxes(solver.step, solver.group, solver.step.work.velocity);
+        solver.contacts.fixed.pass.elapsed = solver.h * static_cast<float>(i);
         pushOften(solver, i);
         forBodies(solver.step, solver.group,
                   [&](int begin, int end) { move(solver.bodies, solver.h, begin, end); });
@@ -136,7 +109,7 @@ void solveGroup(Solver& solver) {
         noteJointForces(solver.step, solver.group, 1.0f / solver.h);
     }
     applyRestitution(solver.step, solver.group);
-    lockAxes(solver.step, solver.group, solver.work.velocity);
+    lockAxes(solver.step, solver.group, solver.step.work.velocity);
 }
 
 }  // namespace
@@ -146,24 +119,24 @@ void solve(StepContext& step) {
     const SolverKernels& kernels = solverKernels();
     const std::size_t rubs = step.runs(Effect::Friction) ? 1 : 0;
     Workspace& work = step.work;
+    const Settings& settings = step.world.settings;
     prepareRestitution(step);
     prepareRolling(step);
     prepareLocks(step);
     for (const SolveGroup& group : work.groups) {
         const float h = step.dt / static_cast<float>(group.substeps);
-        Solver solver{step,
-                      work,
-                      kernels,
-                      kernels.contacts[rubs],
-                      kernels.fixedContacts[rubs],
-                      group,
-                      bodiesOf(work),
-                      contactPass(step.world.settings, h, 1.0f),
-                      contactPass(step.world.settings, h, 2.0f),
-                      jointPass(step.world.settings, h),
-                      h,
-                      std::clamp<int>(step.world.settings.iterations, 1, kMostIterations),
-                      solvesTrees(step.world, work)};
+        Solver solver{
+            step,
+            kernels,
+            group,
+            bodiesOf(work),
+            {{kernels.contacts[rubs], work.contactLanes, work.contactBlocks, contactPass(settings, h, 1.0f)},
+             {kernels.fixedContacts[rubs], work.fixedLanes, work.fixedBlocks,
+              contactPass(settings, h, kGroundStiffness)}},
+            jointPass(settings, h),
+            h,
+            std::clamp<int>(settings.iterations, 1, kMostIterations),
+            solvesTrees(step.world, work)};
         solveGroup(solver);
     }
     storeImpulses(step, kernels.contacts[rubs], work.contactLanes, work.contactBlocks);

@@ -13,6 +13,7 @@ namespace plumb::physics {
 namespace {
 
 constexpr int kGrain = 256;
+constexpr int kAtOnce = 128;  // contacts: as many as the fastest cache holds beside their shapes
 
 bool touches(const Contact& contact) {
     if (contact.count == 0) return false;
@@ -23,6 +24,33 @@ bool touches(const Contact& contact) {
 bool mayMeet(const World& world, const Contact& contact) {
     return meet(world.shapes.filter[contact.shapeA], world.shapes.filter[contact.shapeB]) &&
            !keptApart(world, contact.bodyA, contact.bodyB);
+}
+
+/// What one piece of work looks with.
+struct Look {
+    StepContext& step;
+    std::vector<std::uint32_t>& changed;  // those that began, ended or are gone
+    DetectionCounts& counts;
+    bool asked;  // filters have changed: who may meet is asked again
+};
+
+void lookAt(Look& look, std::size_t first, std::size_t count) {
+    World& world = look.step.world;
+    const std::span<Contact> contacts = std::span{world.contacts}.subspan(first, count);
+    for (Contact& contact : contacts)
+        contact.flags &= static_cast<std::uint16_t>(~(kBegan | kGone | kDisabled));
+    findTouches(world, contacts, look.step.dt, look.counts);
+    std::uint16_t* keys = look.step.work.contactKeys.data() + first;
+    for (std::size_t i = 0; i < count; ++i) {
+        Contact& contact = contacts[i];
+        if (look.asked && !mayMeet(world, contact)) contact.flags |= kGone;
+        const bool before = (contact.flags & kTouching) != 0;
+        if ((contact.flags & kGone) != 0 || touches(contact) != before) {
+            look.changed.push_back(static_cast<std::uint32_t>(first + i));
+        } else {
+            keys[i] = keyOf(contact);
+        }
+    }
 }
 
 /// Looks at every contact; lists those that began, ended or are gone.
@@ -38,23 +66,11 @@ void lookAtAll(StepContext& step) {
     work.contactKeys.resize(world.contacts.size());
     const bool asked = std::exchange(world.filtersStale, false);
     forPieces(step, count, kGrain, [&](int begin, int end, int piece) {
-        std::vector<std::uint32_t>& changed = work.changedContacts[static_cast<std::size_t>(piece)];
-        DetectionCounts& counts = work.countsOfPiece[static_cast<std::size_t>(piece)];
-        const auto first = static_cast<std::size_t>(begin), size = static_cast<std::size_t>(end - begin);
-        const std::span<Contact> contacts = std::span{world.contacts}.subspan(first, size);
-        for (Contact& contact : contacts)
-            contact.flags &= static_cast<std::uint16_t>(~(kBegan | kGone | kDisabled));
-        findTouches(world, contacts, step.dt, counts);
-        for (std::size_t i = 0; i < size; ++i) {
-            Contact& contact = contacts[i];
-            if (asked && !mayMeet(world, contact)) contact.flags |= kGone;
-            const bool before = (contact.flags & kTouching) != 0;
-            if ((contact.flags & kGone) != 0 || touches(contact) != before) {
-                changed.push_back(static_cast<std::uint32_t>(first + i));
-            } else {
-                work.contactKeys[first + i] = keyOf(contact);
-            }
-        }
+        const auto p = static_cast<std::size_t>(piece);
+        Look look{step, work.changedContacts[p], work.countsOfPiece[p], asked};
+        for (int first = begin; first < end; first += kAtOnce)
+            lookAt(look, static_cast<std::size_t>(first),
+                   static_cast<std::size_t>(std::min(end - first, kAtOnce)));
     });
     work.counts = {};
     for (const DetectionCounts& counts : work.countsOfPiece) work.counts += counts;
