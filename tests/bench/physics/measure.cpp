@@ -11,6 +11,7 @@ namespace plumb::scenes {
 namespace {
 
 constexpr int kContactSample = 16;  // steps between two counts of contacts
+constexpr int kErrorSamples = 16;   // of the second half
 constexpr int kLostSample = 8;      // steps between two looks for what no engine could go on with
 constexpr double kLeastTime = 0.3;  // s: small scenes run until they have used it
 constexpr int kMostRuns = 200;
@@ -48,14 +49,51 @@ private:
     double sum_ = 0.0;
 };
 
-void judge(Lane& lane, const SceneBuilder& world, double contacts) {
+/// Errors over the second half of a run: where things tumble, those of one moment are chance.
+class ErrorMean {
+public:
+    explicit ErrorMean(int steps) : next_{steps / 2}, pause_{std::max(steps / (2 * kErrorSamples), 1)} {}
+
+    void look(const SceneBuilder& world, int step) {
+        if (step < next_) return;
+        next_ = step + pause_;
+        add(errorOf(world));
+    }
+    /// @param last  at the end
+    [[nodiscard]] SceneError mean(const SceneError& last) {
+        add(last);
+        sum_.maxPenetration /= count_;
+        sum_.meanPenetration /= count_;
+        sum_.overlaps = last.overlaps;
+        sum_.maxJointError /= count_;
+        sum_.meanJointError /= count_;
+        return sum_;
+    }
+
+private:
+    void add(const SceneError& error) {
+        sum_.maxPenetration += error.maxPenetration;
+        sum_.meanPenetration += error.meanPenetration;
+        sum_.maxJointError += error.maxJointError;
+        sum_.meanJointError += error.meanJointError;
+        sum_.finite = sum_.finite && error.finite;
+        ++count_;
+    }
+
+    int next_;
+    int pause_;
+    int count_ = 0;
+    SceneError sum_;
+};
+
+void judge(Lane& lane, const SceneBuilder& world, double contacts, ErrorMean& errors) {
     Measurement& result = lane.measurement;
     result.contacts = contacts;
     result.lastContacts = world.contactCount();
     const auto bodies = world.bodies();
     result.bodies = static_cast<std::size_t>(
         std::count_if(bodies.begin(), bodies.end(), [](const auto& body) { return body.alive; }));
-    result.error = errorOf(world);
+    result.error = errors.mean(errorOf(world));
 }
 
 void keepStages(Lane& lane, const SceneBuilder& world, int steps) {
@@ -82,6 +120,7 @@ bool runOnce(const Scene& scene, Lane& lane, int steps, bool profiled) {
     for (int i = 0; i < scene.warmUp; ++i) world->step(kStep);
     lane.samples.clear();
     ContactMean contacts;
+    ErrorMean errors{steps};
     for (int step = 0; step < steps; step += scene.batch) {
         const double start = wallSeconds();
         for (int i = step; i < step + scene.batch; ++i) {
@@ -90,12 +129,13 @@ bool runOnce(const Scene& scene, Lane& lane, int steps, bool profiled) {
         }
         lane.samples.push_back((wallSeconds() - start) / scene.batch);
         contacts.look(*world, step);
+        if (lane.runs == 0) errors.look(*world, step);
         if (step % kLostSample < scene.batch && isLost(*world)) {
             steps = step + scene.batch;
             lane.measurement.lostAfter = steps;
         }
     }
-    if (lane.runs == 0) judge(lane, *world, contacts.mean());
+    if (lane.runs == 0) judge(lane, *world, contacts.mean(), errors);
     keepStages(lane, *world, steps);
     lane.seconds += wallSeconds() - opened;
     return true;

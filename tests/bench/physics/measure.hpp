@@ -39,7 +39,7 @@ struct Measurement {
     std::size_t bodies = 0;  ///< at the end
     double contacts = 0.0;   ///< pairs of shapes near each other, mean
     std::size_t lastContacts = 0;
-    SceneError error;                   ///< at the end
+    SceneError error;                   ///< each the mean of several moments of the second half
     std::vector<Profile::Zone> stages;  ///< ms per step
 };
 
