@@ -33,6 +33,26 @@ TEST(Iterations, areOneAtLeastAndSixtyFourAtMost) {
     EXPECT_NE(stretchAfter(2, 0.5f), stretchAfter(1, 0.5f));
 }
 
+TEST(Iterations, giveAPendulumNoEnergyWhateverHoldsIt) {
+    for (const JointKind kind : {JointKind::Revolute, JointKind::Distance}) {
+        for (const int iterations : {2, 8}) {
+            SCOPED_TRACE(testing::Message() << static_cast<int>(kind) << " with " << iterations);
+            JointWorld scene;
+            scene.world.settings.directJoints = false;  // the lanes
+            scene.world.settings.iterations = static_cast<std::uint8_t>(iterations);
+            const BodyId bob = scene.disc({1.0, 0.0});
+            JointDefinition definition = scene.define(kind, scene.ground, bob, {});
+            if (kind == JointKind::Distance) definition.anchorB = {};
+            (void)scene.join(definition);
+            const double before = scene.energyOf(bob);
+            for (int i = 0; i < 600; ++i) {
+                scene.run(JointWorld::kDt);
+                ASSERT_NEAR(scene.energyOf(bob), before, 0.1) << i;  // of 10 J that go to and fro
+            }
+        }
+    }
+}
+
 TEST(Iterations, solveNothingTwiceInTrees) {
     for (const int iterations : {1, 2, 8}) {
         SCOPED_TRACE(iterations);

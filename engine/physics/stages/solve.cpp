@@ -66,6 +66,7 @@ void relax(Solver& solver) {
 /// Velocities that keep constraints, and close what is open of them.
 void pushOften(Solver& solver, int substep) {
     for (int turn = 0; turn < solver.iterations; ++turn) {
+        solver.joints.first = turn == 0;
         if (solver.hasTrees) pushTrees(solver.step, solver.group, solver.h, substep, turn > 0);
         push(solver);
         lockAxes(solver.step, solver.group, solver.step.work.velocity);
@@ -75,6 +76,7 @@ void pushOften(Solver& solver, int substep) {
 /// The same without what only closed.
 void relaxOften(Solver& solver, int substep) {
     for (int turn = 0; turn < solver.iterations; ++turn) {
+        solver.joints.first = turn == 0;
         if (solver.hasTrees) relaxTrees(solver.step, solver.group, solver.h, substep, turn > 0);
         relax(solver);
         relaxRolling(solver.step, solver.group);
