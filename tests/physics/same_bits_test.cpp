@@ -175,5 +175,49 @@ TEST(SameBits, islandsOfAnotherQualityKeepTheirs) {
     EXPECT_EQ(leftHeap(5), expected);
 }
 
+/// Boxes that fly fast among many thin walls, where several are in the way of each at once.
+World hailAmongWalls(std::uint64_t seed, BroadPhaseKind kind) {
+    World world;
+    world.settings.broadPhase = kind;
+    world.settings.sleeping = false;
+    Random random = Random::seeded(seed);
+    const auto place = [&] { return Place{random.between(-10.0f, 10.0f), random.between(-10.0f, 10.0f)}; };
+    for (int i = 0; i < 60; ++i) {
+        const BodyId wall = addBody(world, BodyKind::Static, place(), random.between(-3.0f, 3.0f));
+        static_cast<void>(createShape(world, wall, box({random.between(0.2f, 2.0f), 0.1f})));
+    }
+    for (int i = 0; i < 60; ++i) {
+        const BodyId body = addBody(world, BodyKind::Dynamic, place(), random.between(-3.0f, 3.0f));
+        static_cast<void>(
+            createShape(world, body, box({random.between(0.05f, 0.3f), random.between(0.05f, 0.3f)})));
+        static_cast<void>(
+            setVelocity(world, body, {random.between(-100.0f, 100.0f), random.between(-100.0f, 100.0f)}));
+        static_cast<void>(setAngularVelocity(world, body, random.between(-20.0f, 20.0f)));
+        setBullet(world, body, i % 4 == 0);
+    }
+    return world;
+}
+
+TEST(SameBits, fastBodiesStopAtTheSamePlacesInWhateverOrderABroadPhaseFindsWalls) {
+    for (std::uint64_t seed = 0; seed < 50; ++seed) {
+        SCOPED_TRACE(seed);
+        World tree = hailAmongWalls(seed, BroadPhaseKind::Tree);
+        World quadtree = hailAmongWalls(seed, BroadPhaseKind::Quadtree);
+        World grid = hailAmongWalls(seed, BroadPhaseKind::Grid);
+        World restored = tree;
+        for (int i = 0; i < 20; ++i) {
+            step(tree, kTick);
+            step(quadtree, kTick);
+            step(grid, kTick);
+            const World snapshot = restored;
+            restored = snapshot;
+            step(restored, kTick);
+            ASSERT_EQ(bitsOf(quadtree), bitsOf(tree)) << i;
+            ASSERT_EQ(bitsOf(grid), bitsOf(tree)) << i;
+            ASSERT_EQ(bitsOf(restored), bitsOf(tree)) << i;
+        }
+    }
+}
+
 }  // namespace
 }  // namespace plumb::physics

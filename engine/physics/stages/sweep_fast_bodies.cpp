@@ -128,6 +128,8 @@ float stopOfBody(const World& world, const Sweep& sweep, std::uint32_t body, con
     return latest;
 }
 
+/// Shapes near the way of a body, in the order of their numbers: where it stops depends on whom it asks
+/// first, and a broad phase gives them in an order of its own.
 void findOnWay(const StepContext& step, const Sweep& sweep, std::uint32_t body, Among among,
                std::vector<std::uint32_t>& found) {
     const Vec2 from = toVec2(sweep.start);
@@ -137,6 +139,7 @@ void findOnWay(const StepContext& step, const Sweep& sweep, std::uint32_t body, 
     found.clear();
     step.work.broadPhase->cast(proxiesOf(step.world), from, sweep.way, {reach, reach}, 0xffffffffu, found,
                                among);
+    std::sort(found.begin(), found.end());
 }
 
 /// Lets a sweep end at the first shape that never yields.
