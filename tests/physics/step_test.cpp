@@ -44,6 +44,19 @@ TEST(Step, dragFollowsItsExponential) {
     EXPECT_NEAR(scene.x(*made), 10.0 / 0.7 * (1.0 - std::exp(-0.7)), 1.0e-3);
 }
 
+TEST(Step, dragSlowsNobodyWhomItsOwnerMoves) {
+    Playground scene;
+    const BodyId platform = *createBody(scene.world, {.kind = BodyKind::Kinematic,
+                                                      .velocity = {1.0f, 0.0f},
+                                                      .angularVelocity = 1.0f,
+                                                      .linearDrag = 1.0f,
+                                                      .angularDrag = 1.0f});
+    static_cast<void>(*createBody(scene.world, {.linearDrag = 1.0f}));  // drag runs
+    scene.run(60);
+    EXPECT_EQ(scene.velocity(platform), (Vec2{1.0f, 0.0f}));
+    EXPECT_EQ(angularVelocityOf(scene.world, platform), 1.0f);
+}
+
 TEST(Step, aBodyTurnsByItsAngularVelocityEvenWhenItSpinsFast) {
     for (const float spin : {1.0f, 10.0f, 100.0f, 1000.0f}) {
         Playground scene;

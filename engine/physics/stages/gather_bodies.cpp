@@ -63,6 +63,7 @@ void applyDrag(const World& world, Workspace& work, std::uint32_t body, std::siz
     const BodyDrive& drive = world.bodies.drive[body];
     work.keep[slot] = {1.0f, 1.0f, 1.0f, 1.0f};
     if (drive.linearDrag <= 0.0f && drive.angularDrag <= 0.0f) return;
+    if (world.bodies.mass[body].inverseMass == 0.0f) return;  // its owner moves it, and nothing slows it
     const Decay linear = decayOf(drive.linearDrag, h), angular = decayOf(drive.angularDrag, h);
     if (isFree(world, work, body))
         work.flight[slot] = flightOf(work.drive[slot], linear, drive.linearDrag, h);
