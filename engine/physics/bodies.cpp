@@ -1,5 +1,6 @@
 #include "physics/bodies.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -162,6 +163,8 @@ Place positionOf(const World& world, BodyId body) {
 bool isAwake(const World& world, BodyId body) { return world.bodies.info[body.index].place != kNone; }
 
 Frame predictTransform(const World& world, BodyId body, float dt) {
+    constexpr float kFarthestAhead = 1.0e6f;  // s
+    dt = std::isnan(dt) ? 0.0f : std::clamp(dt, -kFarthestAhead, kFarthestAhead);
     const BodyMotion& motion = world.bodies.motion[body.index];
     const BodyDrive& drive = world.bodies.drive[body.index];
     const BodyPose& pose = world.bodies.pose[body.index];
@@ -244,6 +247,7 @@ Result<Done> setMass(World& world, BodyId body, float mass) {
     const auto checked =
         firstOf(checkAlive("setMass", world, body), checkNumber("setMass", mass, 0.0, kStrongest));
     if (!checked) return checked;
+    if (mass != world.bodies.info[body.index].setMass) wake(world, body.index);
     world.bodies.info[body.index].setMass = mass;
     updateMass(world, body.index);
     return Done{};
@@ -332,11 +336,14 @@ void setAwake(World& world, BodyId body, bool awake) {
 
 void setFixedRotation(World& world, BodyId body, bool fixed) {
     if (!alive(world, body)) return;
+    BodyInfo& info = world.bodies.info[body.index];
+    if (fixed == ((info.flags & kFixedRotation) != 0)) return;
     change(world, body, [&] {
-        std::uint8_t& flags = world.bodies.info[body.index].flags;
-        flags = static_cast<std::uint8_t>(fixed ? flags | kFixedRotation : flags & ~kFixedRotation);
+        info.flags =
+            static_cast<std::uint8_t>(fixed ? info.flags | kFixedRotation : info.flags & ~kFixedRotation);
     });
-    world.bodies.motion[body.index].angularVelocity = 0.0f;
+    wake(world, body.index);
+    if (isHeldUpright(info)) world.bodies.motion[body.index].angularVelocity = 0.0f;
     updateMass(world, body.index);
     refreshContactsOf(world, body.index);
 }

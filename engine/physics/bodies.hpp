@@ -34,7 +34,8 @@ void destroyBody(World& world, BodyId body);
     return world.bodies.mass[body.index].mass;
 }
 [[nodiscard]] bool isAwake(const World& world, BodyId body);
-/// Where it would be after dt (s) if nothing but gravity and its own acceleration acted on it.
+/// Where it would be after dt (s) if nothing but gravity, its own acceleration and the forces that wait for
+/// the next step acted on it. Looks a million seconds ahead at most; a dt that is no number is none.
 [[nodiscard]] Frame predictTransform(const World& world, BodyId body, float dt);
 
 // Setters refuse what is not finite, with a message, and change nothing then. What moves or drives a body

@@ -69,6 +69,19 @@ TEST(Sleep, setVelocityWakes) {
     EXPECT_GT(scene.y(crate), 1.0);
 }
 
+TEST(Sleep, anotherMassAndLeaveToTurnWakeABodyOnce) {
+    Playground scene;
+    const BodyId crate = scene.sleeper();
+    ASSERT_TRUE(setMass(scene.world, crate, 5.0f).ok());
+    EXPECT_TRUE(isAwake(scene.world, crate));
+    setAwake(scene.world, crate, false);
+    ASSERT_TRUE(setMass(scene.world, crate, 5.0f).ok());
+    setFixedRotation(scene.world, crate, false);
+    EXPECT_FALSE(isAwake(scene.world, crate)) << "nothing is new";
+    setFixedRotation(scene.world, crate, true);
+    EXPECT_TRUE(isAwake(scene.world, crate));
+}
+
 TEST(Sleep, aPlatformThatStartsToMoveWakesWhatLiesOnItAndWhatHangsFromIt) {
     Sleepy scene;
     const BodyId platform = scene.body(BodyKind::Kinematic, {0.0, 0.0});
