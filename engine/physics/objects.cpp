@@ -70,7 +70,8 @@ Result<Done> Physics::add(std::unique_ptr<Collider> collider, RigidBody* body) {
 }
 
 void Physics::destroy(Collider& collider) {
-    if (std::exchange(collider.destroyed_, true)) return;
+    if (!has(collider)) return;
+    collider.destroyed_ = true;
     destroyShape(world_, collider.shape_);
     destroyBody(world_, collider.own_);
     if (collider.body_ != nullptr) std::erase(collider.body_->colliders_, &collider);
@@ -79,7 +80,7 @@ void Physics::destroy(Collider& collider) {
 }
 
 void Physics::destroy(RigidBody& body) {
-    if (!alive(world_, body.id_)) return;
+    if (&body.world_ != &world_ || !alive(world_, body.id_)) return;
     while (!body.colliders_.empty()) destroy(*body.colliders_.back());
     destroyBody(world_, body.id_);
     goneBodies_.push_back(std::move(bodies_[body.id_.index]));
@@ -93,6 +94,11 @@ Collider* Physics::find(ShapeId shape) const {
     const auto gone = std::find_if(gone_.begin(), gone_.end(),
                                    [&](const auto& collider) { return collider->shape_ == shape; });
     return gone != gone_.end() ? gone->get() : nullptr;
+}
+
+/// Not of those that were destroyed, were never put into a world, or are in another one.
+bool Physics::has(const Collider& collider) const {
+    return !collider.destroyed_ && find(collider.shape_) == &collider;
 }
 
 void Physics::collectCalls() {
@@ -141,7 +147,7 @@ void Physics::update(float dt, const StepOptions& options) {
 }
 
 bool Physics::isTouching(const Collider& a, const Collider& b) const {
-    if (a.destroyed_ || b.destroyed_) return false;
+    if (!has(a) || !has(b)) return false;
     return touching_.has(pairKey(a.shape_.index, b.shape_.index));
 }
 

@@ -154,7 +154,8 @@ public:
         return create<Kind, Size, const ColliderSettings&>(body, std::forward<Size>(size), settings);
     }
 
-    /// Removes a body with its colliders. Those who touched it hear of it in the next update.
+    /// Removes a body with its colliders. Those who touched it hear of it in the next update. What is in
+    /// another Physics, or in none, is left alone.
     void destroy(RigidBody& body);
     void destroy(Collider& collider);
 
@@ -181,6 +182,7 @@ private:
 
     Result<Done> add(std::unique_ptr<Collider> collider, RigidBody* body);
     [[nodiscard]] Collider* find(ShapeId shape) const;
+    [[nodiscard]] bool has(const Collider& collider) const;
     void collectCalls();
     void call(const Call& now);
     static void tell(Collider& to, Collider& other, ContactPhase phase);

@@ -51,6 +51,32 @@ TEST(Objects, aCubeThatLandsEntersStaysAndLeavesWhenItJumps) {
     EXPECT_FALSE(physics.isTouching(*floor, *cube));
 }
 
+TEST(Objects, whatIsInAnotherPhysicsOrInNoneIsLeftAlone) {
+    Physics physics, other;
+    RigidBody* const body = *physics.createBody({0.0, 0.0});
+    BoxCollider* const cube = *physics.create<BoxCollider>(body, Vec2{0.5f, 0.5f});
+    BoxCollider* const floor =
+        *physics.create<BoxCollider>(nullptr, Vec2{5.0f, 0.5f}, {.position = {0.0, 0.9}});
+    RigidBody* const stranger = *other.createBody({0.0, 0.0});
+    BoxCollider* const theirs = *other.create<BoxCollider>(stranger, Vec2{0.5f, 0.5f});
+    BoxCollider* const theirFloor =
+        *other.create<BoxCollider>(nullptr, Vec2{5.0f, 0.5f}, {.position = {0.0, 9.0}});
+    BoxCollider unborn{Vec2{0.5f, 0.5f}};
+    physics.update(kTick);
+    other.update(kTick);
+    ASSERT_TRUE(physics.isTouching(*cube, *floor));
+    EXPECT_FALSE(physics.isTouching(*theirs, *theirFloor));
+    EXPECT_FALSE(physics.isTouching(unborn, *floor));
+    physics.destroy(unborn);
+    physics.destroy(*theirs);
+    physics.destroy(*stranger);
+    EXPECT_FALSE(cube->destroyed());
+    EXPECT_FALSE(theirs->destroyed());
+    EXPECT_EQ(physics.colliderOf(cube->shape()), cube);
+    EXPECT_TRUE(alive(physics.world(), body->id()));
+    EXPECT_TRUE(alive(other.world(), stranger->id()));
+}
+
 TEST(Objects, callbacksMayDestroyWhatTouchesAndThemselves) {
     Physics physics;
     Mine* const mine = *physics.create<Mine>(nullptr, physics, 1.0f, ColliderSettings{.isTrigger = true});
