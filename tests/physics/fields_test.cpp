@@ -87,6 +87,19 @@ TEST(Wind, carriesALightBodyNoFasterThanItself) {
     EXPECT_NEAR(velocityOf(world, leaf).x, 30.0f, 0.1f);
 }
 
+TEST(Wind, doesNotFillTriggers) {
+    World world = makeSpace();
+    FieldDefinition air = fieldOf(FieldKind::Wind);
+    air.velocity = {10.0f, 0.0f};
+    ASSERT_TRUE(createField(world, air).ok());
+    const BodyId ball = addBody(world, BodyKind::Dynamic, {0.0, 0.0}, circle(0.5f));
+    const BodyId guard = addBody(world, BodyKind::Dynamic, {0.0, 50.0}, circle(0.5f));
+    ASSERT_TRUE(createShape(world, guard, circle(5.0f), {.density = 0.0f, .isTrigger = true}).ok());
+    run(world, 30);
+    EXPECT_GT(velocityOf(world, ball).x, 1.0f);
+    EXPECT_EQ(velocityOf(world, guard), velocityOf(world, ball));
+}
+
 TEST(Wind, gustsFollowFromTheSeedAndTheStepAlone) {
     const auto flight = [](std::uint32_t seed) {
         World world = makeSpace();

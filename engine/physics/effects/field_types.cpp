@@ -77,7 +77,8 @@ float widthAcross(const World& world, std::uint32_t body, Rot rotation, Vec2 dir
     const Vec2 local = unrotate(rotation, direction);
     float width = 0.0f;
     for (std::uint32_t s = world.bodies.info[body].firstShape; s != kNone; s = world.shapes.info[s].next) {
-        width += widthAcross(world.shapes.geometry[s], world.shapes.corners, local);
+        if ((world.shapes.info[s].flags & kTrigger) == 0)
+            width += widthAcross(world.shapes.geometry[s], world.shapes.corners, local);
     }
     return width;
 }

@@ -66,7 +66,8 @@ Acceleration spring(const FieldView&, const FieldDefinition&, std::uint32_t, con
 
 /// m: how wide a shape looks from the side, across a direction of length 1 in the shape's own frame.
 [[nodiscard]] float widthAcross(const Geometry& geometry, std::span<const Corner> corners, Vec2 direction);
-/// m: the same of a whole body, for a direction in the world. Shapes behind each other count once each.
+/// m: the same of a whole body, for a direction in the world. Shapes behind each other count once each,
+/// triggers not at all.
 [[nodiscard]] float widthAcross(const World& world, std::uint32_t body, Rot rotation, Vec2 direction);
 
 }  // namespace plumb::physics
