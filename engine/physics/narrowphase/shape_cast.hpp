@@ -16,7 +16,7 @@ struct ConvexHit {
 
 /// Moves B straight along `way`, without turning, until it touches A. In A's frame. What overlaps from the
 /// beginning is hit at 0; what only touches is not hit by a way that leads off it or along it.
-/// Source: conservative advancement, see time_of_impact.hpp; along a straight way it doubles its digits
+/// Source: conservative advancement, see sweep.hpp; along a straight way it doubles its digits
 std::optional<ConvexHit> castShape(const Convex& a, const Convex& b, const Frame& bInA, Vec2 way);
 
 }  // namespace plumb::physics

@@ -10,31 +10,31 @@ namespace plumb::physics {
 // One contact of a block at a time, for what is too rare to be done eight at once.
 
 /// A body's part in one point of a contact.
-struct Side {
+struct ContactSide {
     Float4* velocity;
     float inverseInertia;
     float lever;
 };
 
-inline float speedAlong(const Side& side, float nx, float ny) {
+inline float speedAlong(const ContactSide& side, float nx, float ny) {
     return side.velocity->x * nx + side.velocity->y * ny + side.velocity->z * side.lever;
 }
 
-inline void pushAlong(const Side& side, float impulse, float nx, float ny) {
+inline void pushAlong(const ContactSide& side, float impulse, float nx, float ny) {
     side.velocity->x += side.velocity->w * (impulse * nx);
     side.velocity->y += side.velocity->w * (impulse * ny);
     side.velocity->z += side.inverseInertia * (impulse * side.lever);
 }
 
-inline Side sideA(Workspace& work, const ContactBlock& block, int p, int i) {
+inline ContactSide sideA(Workspace& work, const ContactBlock& block, int p, int i) {
     return {&work.velocity[static_cast<std::size_t>(block.a[i])], block.inverseInertiaA[i],
             block.points[p].leverA[i]};
 }
-inline Side sideB(Workspace& work, const ContactBlock& block, int p, int i) {
+inline ContactSide sideB(Workspace& work, const ContactBlock& block, int p, int i) {
     return {&work.velocity[static_cast<std::size_t>(block.b[i])], block.inverseInertiaB[i],
             block.points[p].leverB[i]};
 }
-inline Side sideB(Workspace& work, const FixedContactBlock& block, int p, int i) {
+inline ContactSide sideB(Workspace& work, const FixedContactBlock& block, int p, int i) {
     return {&work.velocity[static_cast<std::size_t>(block.b[i])], block.inverseInertia[i],
             block.points[p].lever[i]};
 }
