@@ -109,21 +109,33 @@ void add(LaneHasher& hash, const JointDefinition& definition) {
 }
 
 void add(LaneHasher& hash, const Field& field) {
-    const FieldDefinition& d = field.definition;
-    Values{hash}(d.kind, d.region, d.replacesGravity, d.linear, d.layers, d.place.x, d.place.y, d.half,
-                 d.radius, d.acceleration, d.velocity, d.strength, d.damping, d.length, d.density,
-                 d.linearDrag, d.angularDrag, d.gust, d.gustSteps, d.seed, d.a, d.b, d.anchorA, d.anchorB,
-                 field.generation, field.isAlive);
+    const auto& [definition, fieldGeneration, fieldIsAlive] = field;
+    const auto& [kind, region, replacesGravity, linear, layers, place, half, radius, acceleration, velocity,
+                 strength, damping, length, density, linearDrag, angularDrag, gust, gustSteps, seed, a, b,
+                 anchorA, anchorB] = definition;
+    Values{hash}(kind, region, replacesGravity, linear, layers, place.x, place.y, half, radius, acceleration,
+                 velocity, strength, damping, length, density, linearDrag, angularDrag, gust, gustSteps, seed,
+                 a, b, anchorA, anchorB, fieldGeneration, fieldIsAlive);
+}
+
+void add(LaneHasher& hash, const SoftParticle& particle) {
+    const auto& [place, before, velocity, inverseMass, mass] = particle;
+    Values{hash}(place.x, place.y, before.x, before.y, velocity, inverseMass, mass);
+}
+
+void add(LaneHasher& hash, const SoftLink& link) {
+    const auto& [a, b, length, compliance] = link;
+    Values{hash}(a, b, length, compliance);
 }
 
 void add(LaneHasher& hash, const SoftBody& soft) {
-    for (const SoftParticle& p : soft.particles) {
-        Values{hash}(p.place.x, p.place.y, p.before.x, p.before.y, p.velocity, p.inverseMass, p.mass);
-    }
-    for (const SoftLink& link : soft.links) Values{hash}(link.a, link.b, link.length, link.compliance);
-    add(hash, soft.ring);
-    Values{hash}(soft.area, soft.areaCompliance, soft.radius, soft.damping, soft.friction, soft.layers,
-                 soft.mask, soft.generation, soft.substeps, soft.isAlive);
+    const auto& [particles, links, ring, area, areaCompliance, radius, damping, friction, layers, mask,
+                 generation, substeps, isAlive] = soft;
+    for (const SoftParticle& particle : particles) add(hash, particle);
+    for (const SoftLink& link : links) add(hash, link);
+    add(hash, ring);
+    Values{hash}(area, areaCompliance, radius, damping, friction, layers, mask, generation, substeps,
+                 isAlive);
 }
 
 void add(LaneHasher& hash, const Shapes& shapes) {
