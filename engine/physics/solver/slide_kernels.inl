@@ -1,0 +1,186 @@
+// A part of joint_kernels.inl: joints that act along a direction, rods and sliders.
+
+// Lengths along a direction.
+
+struct SlideLine8 {
+    Couple8& couple;
+    Two8 axis;
+    Float8 leverA, leverB;
+
+    [[nodiscard]] Float8 speed() const {
+        return speedAlong(couple.b, axis, leverB) - speedAlong(couple.a, axis, leverA);
+    }
+    void push(Float8 impulse) { couple.push(impulse * axis, impulse * leverA, impulse * leverB); }
+    [[nodiscard]] Float8 inverseMass() const {
+        return couple.a.lane[3] + couple.b.lane[3] +
+               (couple.a.inverseInertia * leverA * leverA + couple.b.inverseInertia * leverB * leverB);
+    }
+};
+
+/// All impulses of a block, along the directions of now.
+struct Carry8 {
+    Two8 impulse;
+    Float8 turnA, turnB;
+
+    void add(const SlideLine8& line, Float8 size) {
+        impulse = impulse + size * line.axis;
+        turnA += size * line.leverA;
+        turnB += size * line.leverB;
+    }
+};
+
+inline void makeUp(Couple8& couple, const CarryLanes& carry) {
+    couple.push(load2(carry.x, carry.y), load(carry.turnA), load(carry.turnB));
+}
+inline void note(CarryLanes& lanes, const Carry8& carry) {
+    store2(lanes.x, lanes.y, carry.impulse);
+    store(lanes.turnA, carry.turnA);
+    store(lanes.turnB, carry.turnB);
+}
+inline void noteLack(CarryLanes& lanes, const Carry8& carry) {
+    store2(lanes.x, lanes.y, carry.impulse - load2(lanes.x, lanes.y));
+    store(lanes.turnA, carry.turnA - load(lanes.turnA));
+    store(lanes.turnB, carry.turnB - load(lanes.turnB));
+}
+
+inline Float8 totalOf(const RowLanes& rows) {
+    return (load(rows.holdImpulse) + load(rows.motorImpulse)) +
+           (load(rows.lowerImpulse) - load(rows.upperImpulse));
+}
+inline Carry8 carryOf(const SlideLine8& line, Float8 size) {
+    return {size * line.axis, size * line.leverA, size * line.leverB};
+}
+
+// Rods.
+
+struct Rod8 {
+    SlideLine8 line;
+    Float8 length;
+};
+
+inline Rod8 rodAt(Couple8& couple, const Anchors8& at) {
+    const Float8 length = sqrt(dot8(at.apart, at.apart));
+    const Two8 axis = inverseOrZero(length) * at.apart;
+    return {{couple, axis, cross8(at.armA, axis), cross8(at.armB, axis)}, length};
+}
+
+template <bool kOneSided>
+void warmStartRods(const SolverBodies& bodies, const JointPass&, const JointLanes* lanes, RodBlock* blocks,
+                   int begin, int end) {
+    for (int n = begin; n < end; ++n) {
+        Couple8 couple = coupleOf(bodies, blocks[n].bodies);
+        warmStartRows(blocks[n].along, rodAt(couple, anchorsAt(blocks[n].anchors, couple)).line);
+        write<kOneSided>(bodies, blocks[n].bodies, couple, lanes[n].count);
+    }
+}
+
+template <bool kPush, bool kOneSided>
+void answerRods(const SolverBodies& bodies, const JointPass& pass, const JointLanes* lanes, RodBlock* blocks,
+                int begin, int end) {
+    for (int n = begin; n < end; ++n) {
+        RodBlock& block = blocks[n];
+        Couple8 couple = coupleOf(bodies, block.bodies);
+        const Rod8 rod = rodAt(couple, anchorsAt(block.anchors, couple));
+        const SlideLine8& line = rod.line;
+        if constexpr (kPush) {
+            if (pass.first) makeUp(couple, block.carry);
+            store(block.along.value, rod.length);
+        } else if (pass.first) {
+            noteLack(block.carry, carryOf(line, totalOf(block.along)));
+        }
+        answerRows<kPush>(block.along, pass, load(block.along.value), inverseOrZero(line.inverseMass()),
+                          line);
+        if constexpr (kPush) note(block.carry, carryOf(line, totalOf(block.along)));
+        write<kOneSided>(bodies, block.bodies, couple, lanes[n].count);
+    }
+}
+
+// Sliders.
+
+struct Slider8 {
+    SlideLine8 along, across;
+    Float8 way;     // of B's anchor along the axis
+    Float8 offWay;  // and across
+};
+
+inline Slider8 sliderAt(Couple8& couple, const SliderBlock& block) {
+    const Anchors8 at = anchorsAt(block.anchors, couple);
+    const Two8 start = load2(block.axisX, block.axisY);
+    const Two8 axis = start + changeOf(start, couple.shiftA);
+    const Two8 across{-axis.y, axis.x};
+    const Two8 armA = at.armA + at.apart;
+    return {{couple, axis, cross8(armA, axis), cross8(at.armB, axis)},
+            {couple, across, cross8(armA, across), cross8(at.armB, across)},
+            dot8(at.apart, axis),
+            dot8(at.apart, across)};
+}
+
+inline Carry8 carryOf(const Slider8& slider, const SliderBlock& block) {
+    Carry8 carry = carryOf(slider.along, totalOf(block.along));
+    carry.add(slider.across, load(block.acrossImpulse));
+    return carry;
+}
+
+template <bool kOneSided>
+void warmStartSliders(const SolverBodies& bodies, const JointPass&, const JointLanes* lanes,
+                      SliderBlock* blocks, int begin, int end) {
+    for (int n = begin; n < end; ++n) {
+        SliderBlock& block = blocks[n];
+        Couple8 couple = coupleOf(bodies, block.bodies);
+        const Carry8 carry = carryOf(sliderAt(couple, block), block);
+        couple.push(carry.impulse, carry.turnA, carry.turnB);
+        couple.turn(load(block.angleImpulse) + load(block.spinImpulse));
+        write<kOneSided>(bodies, block.bodies, couple, lanes[n].count);
+    }
+}
+
+inline void spin(SliderBlock& block, Couple8& couple) {
+    const Float8 before = load(block.spinImpulse), most = load(block.mostSpin);
+    const Float8 after = clamp(before - angleMass(couple) * (couple.spin() - load(block.spin)), -most, most);
+    store(block.spinImpulse, after);
+    couple.turn(after - before);
+}
+
+/// Across the axis, and the angle where it is held: two rows at once.
+inline void keepOnWay(SliderBlock& block, Couple8& couple, const Slider8& slider, const Grip& grip) {
+    const SlideLine8& across = slider.across;
+    const Mask8 held = load(block.holdsAngle) > all(0.5f);
+    const Float8 zero = all(0.0f), turnA = couple.a.inverseInertia, turnB = couple.b.inverseInertia;
+    const Float8 ww = across.inverseMass();
+    const Float8 wa = select(held, turnA * across.leverA + turnB * across.leverB, zero);
+    const Mask8 turns = held & (turnA + turnB > zero);
+    const Float8 aa = select(turns, turnA + turnB, all(1.0f));
+    const Float8 offAngle = load(block.angle) + turnBetween(couple);
+    const Float8 way = all(grip.take) * across.speed() + all(grip.pull) * slider.offWay;
+    const Float8 angle = select(turns, all(grip.take) * couple.spin() + all(grip.pull) * offAngle, zero);
+    const Float8 inverse = inverseOrZero(ww * aa - wa * wa);
+    const Float8 wayBefore = load(block.acrossImpulse), angleBefore = load(block.angleImpulse);
+    const Float8 wayChange = -(inverse * (aa * way - wa * angle) + all(grip.give) * wayBefore);
+    const Float8 angleChange = -(inverse * (ww * angle - wa * way) + all(grip.give) * angleBefore);
+    store(block.acrossImpulse, wayBefore + wayChange);
+    store(block.angleImpulse, angleBefore + angleChange);
+    couple.push(wayChange * across.axis, wayChange * across.leverA, wayChange * across.leverB);
+    couple.turn(angleChange);
+}
+
+template <bool kPush, bool kOneSided>
+void answerSliders(const SolverBodies& bodies, const JointPass& pass, const JointLanes* lanes,
+                   SliderBlock* blocks, int begin, int end) {
+    for (int n = begin; n < end; ++n) {
+        SliderBlock& block = blocks[n];
+        Couple8 couple = coupleOf(bodies, block.bodies);
+        const Slider8 slider = sliderAt(couple, block);
+        if constexpr (kPush) {
+            if (pass.first) makeUp(couple, block.carry);
+            store(block.along.value, slider.way);
+        } else if (pass.first) {
+            noteLack(block.carry, carryOf(slider, block));
+        }
+        answerRows<kPush>(block.along, pass, load(block.along.value),
+                          inverseOrZero(slider.along.inverseMass()), slider.along);
+        if (block.spins != 0) spin(block, couple);
+        keepOnWay(block, couple, slider, kPush ? pass.rigid : kRelaxed);
+        if constexpr (kPush) note(block.carry, carryOf(slider, block));
+        write<kOneSided>(bodies, block.bodies, couple, lanes[n].count);
+    }
+}
