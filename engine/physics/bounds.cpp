@@ -20,7 +20,8 @@ float roundingAt(const AABB& box) {
 
 float marginOf(const AABB& tight, const Settings& settings) {
     const Vec2 size = tight.size();
-    return std::min(settings.boundsMargin, 0.125f * std::max(size.x, size.y));
+    // In this order a margin that is no number is not taken.
+    return std::max(std::min(0.125f * std::max(size.x, size.y), settings.boundsMargin), 0.0f);
 }
 
 }  // namespace

@@ -27,7 +27,7 @@ void noteChanged(World& world, std::uint32_t shape);
 /// The broad phase has to look for pairs of the shape in the next step.
 void noteMoved(World& world, std::uint32_t shape);
 
-/// Something that contacts copied from the shape has changed: material or filter.
+/// Something that contacts copied from the shape has changed.
 void refreshContacts(World& world, std::uint32_t shape);
 /// The same for all shapes of a body that turns otherwise than before.
 void refreshContactsOf(World& world, std::uint32_t body);

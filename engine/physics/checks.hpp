@@ -3,17 +3,12 @@
 #include <string>
 
 #include "core/result.hpp"
+#include "physics/ranges.hpp"
 #include "physics/world.hpp"
 
 namespace plumb::physics {
 
 // What the world's setters accept. Each gives the Error to answer with, or Done.
-
-inline constexpr double kFarthest = 1.0e9;  ///< m from the origin
-inline constexpr float kLargest = 1.0e6f;   ///< m, of a shape
-inline constexpr float kSmallest = 1.0e-4f;
-inline constexpr float kFastest = 1.0e6f;     ///< m/s, rad/s
-inline constexpr float kStrongest = 1.0e15f;  ///< N, N m, N s, kg
 
 Error wrong(const char* where, const std::string& what, const char* remedy);
 

@@ -29,7 +29,6 @@ Result<Done> checkEnds(const World& world, const FieldDefinition& d) {
 
 Result<Done> check(const World& world, const FieldDefinition& d) {
     return firstOf(checkKinds(d), checkPlace("FieldDefinition.place", d.place),
-                   checkVector("FieldDefinition.half", d.half, 1.0e9f),
                    checkNumber("FieldDefinition.half.x", d.half.x, 0.0, kFarthest),
                    checkNumber("FieldDefinition.half.y", d.half.y, 0.0, kFarthest),
                    checkNumber("FieldDefinition.radius", d.radius, 0.0, kFarthest),

@@ -10,7 +10,8 @@ namespace plumb::physics {
 /// How velocities and positions are made from each other and from forces.
 enum class IntegratorKind : std::uint8_t { ExplicitEuler, SemiImplicitEuler, Verlet, Rk4, Count };
 
-/// Every tolerance of the simulation. Part of the world and its snapshot.
+/// Every tolerance of the simulation. Part of the world and its snapshot. Numbers that make no sense are
+/// brought into their range by the next step: see bringIntoRange().
 struct Settings {
     Vec2 gravity{0.0f, 10.0f};  ///< m/s2
 
@@ -59,5 +60,8 @@ struct Settings {
     bool sleeping = true;
     bool stayEvents = false;  ///< a contact that goes on is an event in each step
 };
+
+/// What is below 0 or absurdly large becomes the nearest that is not, and what is no number the default.
+void bringIntoRange(Settings& settings);
 
 }  // namespace plumb::physics

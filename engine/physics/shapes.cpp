@@ -9,6 +9,7 @@
 #include "physics/checks.hpp"
 #include "physics/mass.hpp"
 #include "physics/polygon_store.hpp"
+#include "physics/shapes/shape_types.hpp"
 #include "physics/sleeping.hpp"
 
 namespace plumb::physics {
@@ -17,43 +18,17 @@ namespace {
 
 Result<Done> check(const ShapeDefinition& definition) {
     return firstOf(checkNumber("ShapeDefinition.density", definition.density, 0.0, 1.0e9),
-                   checkNumber("ShapeDefinition.friction", definition.friction, 0.0, 100.0),
+                   checkNumber("ShapeDefinition.friction", definition.friction, 0.0, kRoughest),
                    checkNumber("ShapeDefinition.bounciness", definition.bounciness, 0.0, 1.0),
                    checkNumber("ShapeDefinition.rollingResistance", definition.rollingResistance, 0.0, 100.0),
                    checkNumber("ShapeDefinition.surfaceSpeed", definition.surfaceSpeed, -kFastest, kFastest),
                    checkVector("ShapeDefinition.oneWayDirection", definition.oneWayDirection, kLargest));
 }
 
-Result<Done> checkSize(const char* where, float size) {
-    return checkNumber(where, size, kSmallest, kLargest);
-}
-
+/// Polygons are not in World::corners before createPolygon() puts them there.
 Result<Done> check(const Geometry& geometry) {
-    const auto placed = firstOf(checkVector("Geometry.a", geometry.a, kLargest),
-                                checkVector("Geometry.b", geometry.b, kLargest),
-                                checkNumber("Geometry.radius", geometry.radius, 0.0, kLargest));
-    if (!placed) return placed;
-    switch (geometry.kind) {
-        case ShapeKind::Circle:
-        case ShapeKind::Capsule: return checkSize("Geometry.radius", geometry.radius);
-        case ShapeKind::Box: {
-            const float turn = geometry.turn.cos * geometry.turn.cos + geometry.turn.sin * geometry.turn.sin;
-            return firstOf(checkSize("Geometry.b.x", geometry.b.x), checkSize("Geometry.b.y", geometry.b.y),
-                           checkNumber("Geometry.turn length", turn, 0.999, 1.001));
-        }
-        case ShapeKind::ChainSegment:
-            if (const auto ends = firstOf(checkVector("Geometry.before", geometry.before, kLargest),
-                                          checkVector("Geometry.after", geometry.after, kLargest));
-                !ends) {
-                return ends;
-            }
-            [[fallthrough]];
-        case ShapeKind::Segment:
-            return checkSize("Geometry segment length", distance(geometry.a, geometry.b));
-        case ShapeKind::Polygon:
-        case ShapeKind::Count: break;
-    }
-    return wrong("createShape", "expected a circle, capsule, box or segment, found another kind",
+    if (geometry.kind != ShapeKind::Polygon) return checkGeometry(geometry, {});
+    return wrong("createShape", "expected a circle, capsule, box or segment, found a polygon",
                  "use createPolygon for polygons");
 }
 
@@ -133,6 +108,14 @@ void remove(World& world, std::uint32_t shape) {
     shapes.motion[shape] = ProxyMotion::Gone;
     shapes.dying.push_back(shape);
     noteChanged(world, shape);
+}
+
+/// Changes something of its surface that effects depend on.
+void change(World& world, ShapeId shape, float ShapeInfo::*member, float value) {
+    callFor(world, shape.index, -1);
+    world.shapes.info[shape.index].*member = value;
+    callFor(world, shape.index, 1);
+    refreshContacts(world, shape.index);
 }
 
 Error stale() {
@@ -254,34 +237,25 @@ void destroyShapes(World& world, BodyId body) {
 }
 
 Result<Done> setFriction(World& world, ShapeId shape, float friction) {
-    const auto checked = checkNumber("setFriction", friction, 0.0, 100.0);
+    const auto checked = checkNumber("setFriction", friction, 0.0, kRoughest);
     if (!checked || !alive(world, shape)) return checked;
-    callFor(world, shape.index, -1);
-    world.shapes.info[shape.index].friction = friction;
-    callFor(world, shape.index, 1);
+    change(world, shape, &ShapeInfo::friction, friction);
     wakeTouching(world, world.shapes.info[shape.index].body);
-    refreshContacts(world, shape.index);
     return Done{};
 }
 
 Result<Done> setBounciness(World& world, ShapeId shape, float bounciness) {
     const auto checked = checkNumber("setBounciness", bounciness, 0.0, 1.0);
     if (!checked || !alive(world, shape)) return checked;
-    callFor(world, shape.index, -1);
-    world.shapes.info[shape.index].bounciness = bounciness;
-    callFor(world, shape.index, 1);
-    refreshContacts(world, shape.index);
+    change(world, shape, &ShapeInfo::bounciness, bounciness);
     return Done{};
 }
 
 Result<Done> setSurfaceSpeed(World& world, ShapeId shape, float speed) {
     const auto checked = checkNumber("setSurfaceSpeed", speed, -kFastest, kFastest);
     if (!checked || !alive(world, shape)) return checked;
-    callFor(world, shape.index, -1);
-    world.shapes.info[shape.index].surfaceSpeed = speed;
-    callFor(world, shape.index, 1);
+    change(world, shape, &ShapeInfo::surfaceSpeed, speed);
     wakeTouching(world, world.shapes.info[shape.index].body);
-    refreshContacts(world, shape.index);
     return Done{};
 }
 
@@ -293,7 +267,6 @@ void setFilter(World& world, ShapeId shape, std::uint32_t layers, std::uint32_t 
     wakeTouching(world, world.shapes.info[shape.index].body);
     noteChanged(world, shape.index);
     noteMoved(world, shape.index);
-    refreshContacts(world, shape.index);
 }
 
 }  // namespace plumb::physics

@@ -126,6 +126,7 @@ void step(World& world, float dt, const StepOptions& options) {
     world.brokenJoints.clear();
     world.quarantined.clear();
     if (!(dt > 0.0f) || !std::isfinite(dt)) return;
+    bringIntoRange(world.settings);
     ++world.steps;
     if (nothingToDo(world)) return;
     StepContext context{world, world.work.get(), dt, options.pool, options.hooks, effectsOf(world)};

@@ -13,7 +13,7 @@ Result<Done> check(const SoftMaterial& material) {
                    checkNumber("SoftMaterial.bendCompliance", material.bendCompliance, -1.0, 1.0e9),
                    checkNumber("SoftMaterial.areaCompliance", material.areaCompliance, 0.0, 1.0e9),
                    checkNumber("SoftMaterial.damping", material.damping, 0.0, kFastest),
-                   checkNumber("SoftMaterial.friction", material.friction, 0.0, 100.0),
+                   checkNumber("SoftMaterial.friction", material.friction, 0.0, kRoughest),
                    checkNumber("SoftMaterial.substeps", material.substeps, 1.0, 64.0));
 }
 

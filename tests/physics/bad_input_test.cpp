@@ -134,6 +134,7 @@ std::vector<Named> creators() {
         PLUMB_OUTLINE(capsule({}, {1.0f, 0.0f}, 1.0f), b.y),
         PLUMB_OUTLINE(segment({}, {1.0f, 0.0f}), a.y),
         PLUMB_OUTLINE(segment({}, {1.0f, 0.0f}), b.x),
+        PLUMB_OUTLINE(segment({}, {1.0f, 0.0f}), radius),
         PLUMB_SPOIL(joint, JointDefinition, anchorA.x),
         PLUMB_SPOIL(joint, JointDefinition, anchorB.y),
         PLUMB_SPOIL(joint, JointDefinition, axis.x),
@@ -251,7 +252,7 @@ TEST(BadInput, messagesHaveNumbersAsTheyWereWritten) {
     Patient patient;
     const auto made = createShape(patient.world, patient.body, circle(0.00003f));
     ASSERT_FALSE(made.ok());
-    EXPECT_EQ(made.error().what, "expected a number from 1e-04 to 1e+06, found 3e-05");
+    EXPECT_EQ(made.error().what, "expected 5e-05 to 1e+06 m, found 3e-05");
 }
 
 TEST(BadInput, numbersNextToNothingDoNotBlowUp) {
@@ -273,6 +274,65 @@ TEST(BadInput, numbersNextToNothingDoNotBlowUp) {
         EXPECT_TRUE(std::isfinite(world.bodies.mass[set.index].inverseMass));
         EXPECT_TRUE(std::isfinite(world.bodies.mass[light.index].inverseInertia));
     }
+}
+
+TEST(BadInput, settingsThatMakeNoSenseAreBroughtIntoTheirRange) {
+    float Settings::*const members[] = {&Settings::contactStiffness,
+                                        &Settings::jointStiffness,
+                                        &Settings::contactDampingRatio,
+                                        &Settings::jointDampingRatio,
+                                        &Settings::pushSpeed,
+                                        &Settings::deepPushRate,
+                                        &Settings::slop,
+                                        &Settings::boundsMargin,
+                                        &Settings::speculativeDistance,
+                                        &Settings::recycleDistance,
+                                        &Settings::bounceSpeed,
+                                        &Settings::sleepTime,
+                                        &Settings::maxSpeed};
+    for (const double bad : {kNan, kInf, -kInf, -1.0}) {
+        SCOPED_TRACE(bad);
+        for (float Settings::*const member : members) {
+            World world = makePit(6, 1);
+            static_cast<void>(*createJoint(world, {.a = {1, 1}, .b = {2, 1}}));
+            world.settings.*member = static_cast<float>(bad);
+            for (int i = 0; i < 30; ++i) step(world, kTick);
+            EXPECT_GE(world.settings.*member, 0.0f);
+            EXPECT_TRUE(std::isfinite(world.settings.*member));
+            EXPECT_TRUE(isSound(world));
+            EXPECT_TRUE(world.quarantined.empty());
+        }
+        World world = makePit(6, 1);
+        world.settings.gravity = {static_cast<float>(bad), static_cast<float>(bad)};
+        step(world, kTick);
+        EXPECT_TRUE(isFinite(world.settings.gravity));
+    }
+}
+
+TEST(BadInput, aQualityThatThereIsNotIsTheNearest) {
+    for (const int bad : {-128, -1, 7, 127}) {
+        SCOPED_TRACE(bad);
+        World asked = makePit(6, 1), meant = makePit(6, 1);
+        for (World* world : {&asked, &meant})
+            ASSERT_TRUE(setQuality(*world, {1, 1}, 1).ok());  // islands have qualities of their own
+        asked.settings.quality = static_cast<Quality>(bad);
+        meant.settings.quality = bad < 0 ? Quality{0} : kMaxQuality;
+        for (int i = 0; i < 5; ++i) step(asked, kTick), step(meant, kTick);
+        EXPECT_EQ(hashOf(asked), hashOf(meant));
+    }
+}
+
+TEST(BadInput, predictionsAreFiniteWhateverTheTime) {
+    Playground scene;
+    const BodyId crate = scene.crate({1.0, 2.0});
+    ASSERT_TRUE(setAngularVelocity(scene.world, crate, 3.0f).ok());
+    ASSERT_TRUE(setVelocity(scene.world, crate, {5.0f, 5.0f}).ok());
+    for (const double bad : {kNan, kInf, -kInf, 1.0e30}) {
+        const Frame ahead = predictTransform(scene.world, crate, static_cast<float>(bad));
+        EXPECT_TRUE(isFinite(ahead.position)) << bad;
+        EXPECT_TRUE(std::isfinite(ahead.rotation.cos) && std::isfinite(ahead.rotation.sin)) << bad;
+    }
+    EXPECT_EQ(predictTransform(scene.world, crate, static_cast<float>(kNan)).position, (Vec2{1.0f, 2.0f}));
 }
 
 TEST(BadInput, kindsThatDoNotExistAreRefused) {

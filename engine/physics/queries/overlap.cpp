@@ -10,14 +10,6 @@
 
 namespace plumb::physics {
 
-namespace {
-
-const BodyPose& poseOf(const World& world, std::uint32_t shape) {
-    return world.bodies.pose[world.shapes.info[shape].body];
-}
-
-}  // namespace
-
 void overlapShape(World& world, const QueryShape& shape, const QueryFilter& filter,
                   std::vector<ShapeId>& found) {
     found.clear();

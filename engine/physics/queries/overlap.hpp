@@ -12,7 +12,7 @@ namespace plumb::physics {
 /// Shapes that overlap an outline.
 void overlapShape(World& world, const QueryShape& shape, const QueryFilter& filter,
                   std::vector<ShapeId>& found);
-/// Shapes that overlap an upright box between two corners (m).
+/// Shapes that overlap an upright box between its lowest and its highest corner (m).
 void overlapBox(World& world, Place low, Place high, const QueryFilter& filter, std::vector<ShapeId>& found);
 void overlapCircle(World& world, Place centre, float radius, const QueryFilter& filter,
                    std::vector<ShapeId>& found);

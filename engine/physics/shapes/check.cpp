@@ -1,6 +1,7 @@
 #include "physics/shapes/check.hpp"
 
 #include "core/text.hpp"
+#include "physics/ranges.hpp"
 
 namespace plumb::physics {
 
@@ -8,19 +9,18 @@ namespace {
 
 using Corners = std::span<const Corner>;
 
-bool isPlace(Vec2 v) { return std::fabs(v.x) <= kLargestShape && std::fabs(v.y) <= kLargestShape; }
+bool isPlace(Vec2 v) { return std::fabs(v.x) <= kLargest && std::fabs(v.y) <= kLargest; }
 
 Error badPlace(const char* where, Vec2 found) {
-    return {
-        where,
-        format("expected a place within {} m of the body, found ({}, {})", kLargestShape, found.x, found.y),
-        "write metres, not pixels, and move the body rather than its shapes"};
+    return {where,
+            format("expected a place within {} m of the body, found ({}, {})", kLargest, found.x, found.y),
+            "write metres, not pixels, and move the body rather than its shapes"};
 }
 
 /// @param least  m; 0 for what may be missing
 Result<Done> checkSize(const char* where, float found, float least) {
-    if (found >= least && found <= kLargestShape) return Done{};
-    return Error{where, format("expected {} to {} m, found {}", least, kLargestShape, found),
+    if (found >= least && found <= kLargest) return Done{};
+    return Error{where, format("expected {} to {} m, found {}", least, kLargest, found),
                  "write metres; give the shape a size that can be seen"};
 }
 
@@ -41,20 +41,20 @@ bool isConvex(Corners corners) {
             if (dot(face.normal, corner.point - face.point) > slack) return false;
         }
     }
-    return size >= kSmallestShape;
+    return size >= kSmallest;
 }
 
 }  // namespace
 
 Result<Done> checkCircle(const Geometry& geometry, Corners) {
     if (!isPlace(geometry.a)) return badPlace("circle.a", geometry.a);
-    return checkSize("circle.radius", geometry.radius, 0.5f * kSmallestShape);
+    return checkSize("circle.radius", geometry.radius, 0.5f * kSmallest);
 }
 
 Result<Done> checkCapsule(const Geometry& geometry, Corners) {
     if (!isPlace(geometry.a)) return badPlace("capsule.a", geometry.a);
     if (!isPlace(geometry.b)) return badPlace("capsule.b", geometry.b);
-    return checkSize("capsule.radius", geometry.radius, 0.5f * kSmallestShape);
+    return checkSize("capsule.radius", geometry.radius, 0.5f * kSmallest);
 }
 
 Result<Done> checkBox(const Geometry& geometry, Corners) {
@@ -65,8 +65,8 @@ Result<Done> checkBox(const Geometry& geometry, Corners) {
                      "use rotFromAngle()"};
     }
     if (auto checked = checkSize("box.radius", geometry.radius, 0.0f); !checked) return checked;
-    if (auto checked = checkSize("box.b.x", geometry.b.x, 0.5f * kSmallestShape); !checked) return checked;
-    return checkSize("box.b.y", geometry.b.y, 0.5f * kSmallestShape);
+    if (auto checked = checkSize("box.b.x", geometry.b.x, 0.5f * kSmallest); !checked) return checked;
+    return checkSize("box.b.y", geometry.b.y, 0.5f * kSmallest);
 }
 
 Result<Done> checkPolygon(const Geometry& geometry, Corners pool) {
@@ -95,7 +95,11 @@ Result<Done> checkSegment(const Geometry& geometry, Corners) {
     if (!isPlace(geometry.b)) return badPlace("segment.b", geometry.b);
     if (!isPlace(geometry.before)) return badPlace("segment.before", geometry.before);
     if (!isPlace(geometry.after)) return badPlace("segment.after", geometry.after);
-    return checkSize("segment length", distance(geometry.a, geometry.b), kSmallestShape);
+    if (geometry.radius != 0.0f) {
+        return Error{"segment.radius", format("expected none, found {} m", geometry.radius),
+                     "use capsule() for a round one"};
+    }
+    return checkSize("segment length", distance(geometry.a, geometry.b), kSmallest);
 }
 
 }  // namespace plumb::physics

@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "core/text.hpp"
-#include "physics/shapes/check.hpp"
+#include "physics/ranges.hpp"
 #include "physics/shapes/exact.hpp"
 
 namespace plumb::physics {
@@ -159,8 +159,8 @@ Result<std::vector<Hull>> decompose(std::span<const Vec2> outline) {
                      "leave out some");
     }
     for (const Vec2 point : outline) {
-        if (std::fabs(point.x) <= kLargestShape && std::fabs(point.y) <= kLargestShape) continue;
-        return error(format("the point {} is not within {} m", text(point), kLargestShape), "write metres");
+        if (std::fabs(point.x) <= kLargest && std::fabs(point.y) <= kLargest) continue;
+        return error(format("the point {} is not within {} m", text(point), kLargest), "write metres");
     }
     Loop loop = cleaned(outline);
     if (loop.size() < 3)

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "core/text.hpp"
-#include "physics/shapes/check.hpp"
+#include "physics/ranges.hpp"
 #include "physics/shapes/exact.hpp"
 
 namespace plumb::physics {
@@ -89,8 +89,8 @@ Result<Hull> makeHull(std::span<const Vec2> points) {
     };
     for (std::size_t i = 0; i < points.size(); ++i) {
         const Vec2 point = points[i];
-        if (std::fabs(point.x) <= kLargestShape && std::fabs(point.y) <= kLargestShape) continue;
-        return error(format("point {} is ({}, {}), not within {} m", i, point.x, point.y, kLargestShape),
+        if (std::fabs(point.x) <= kLargest && std::fabs(point.y) <= kLargest) continue;
+        return error(format("point {} is ({}, {}), not within {} m", i, point.x, point.y, kLargest),
                      "write metres, near the body's own origin");
     }
     std::vector<Vec2> loop = loopAround({points.begin(), points.end()});
@@ -105,7 +105,7 @@ Result<Hull> makeHull(std::span<const Vec2> points) {
         return around;
     }();
     const float size = std::max(box.size().x, box.size().y);
-    if (!(size >= kSmallestShape)) {
+    if (!(size >= kSmallest)) {
         return error(format("it is only {} m large", size), "make it at least 0.1 mm large");
     }
     if (loop.size() <= kAbsurd) dropFlat(loop, kFlat * static_cast<double>(size));

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/assert.hpp"
+#include "physics/checks.hpp"
 
 namespace plumb::physics {
 
@@ -192,11 +193,11 @@ Result<TileForm> TilePalette::withOneWay(TileForm form, OneWay oneWay) {
 }
 
 Result<std::uint8_t> TilePalette::addMaterial(const TileMaterial& material) {
-    if (!(material.friction >= 0.0f) || !std::isfinite(material.friction) || !(material.bounciness >= 0.0f) ||
-        !(material.bounciness <= 1.0f) || !std::isfinite(material.surfaceSpeed)) {
-        return Error{"TilePalette::addMaterial", "a number of the material is out of its range",
-                     "use a friction of 0 or more, a bounciness of 0 to 1 and a finite surface speed"};
-    }
+    const auto checked =
+        firstOf(checkNumber("TileMaterial.friction", material.friction, 0.0, kRoughest),
+                checkNumber("TileMaterial.bounciness", material.bounciness, 0.0, 1.0),
+                checkNumber("TileMaterial.surfaceSpeed", material.surfaceSpeed, -kFastest, kFastest));
+    if (!checked) return checked.error();
     const auto known = std::find(materials_.begin(), materials_.end(), material);
     const auto number = static_cast<std::uint8_t>(known - materials_.begin());
     if (known != materials_.end()) return number;

@@ -41,7 +41,7 @@ constexpr GridPoint directionOf(OneWay side) {
 
 /// What the surface of cells is like.
 struct TileMaterial {
-    float friction = 0.6f;      ///< Coulomb coefficient, 0 or more
+    float friction = 0.6f;      ///< Coulomb coefficient, 0..100
     float bounciness = 0.0f;    ///< ratio of speed kept by a bounce, 0..1
     float surfaceSpeed = 0.0f;  ///< m/s along the surface, in the direction of its segments
     std::uint32_t user = 0;     ///< the owner's own number, e.g. of a sound

@@ -1,0 +1,33 @@
+#include "physics/settings.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace plumb::physics {
+
+namespace {
+
+constexpr float kStrongest = 1.0e6f;  // m/s2
+constexpr float kMost = 1.0e9f;       // of all else, whatever its unit
+
+float usable(float value, float low, float high, float usual) {
+    return std::isnan(value) ? usual : std::clamp(value, low, high);
+}
+
+}  // namespace
+
+void bringIntoRange(Settings& settings) {
+    const Settings usual;
+    settings.gravity = {usable(settings.gravity.x, -kStrongest, kStrongest, usual.gravity.x),
+                        usable(settings.gravity.y, -kStrongest, kStrongest, usual.gravity.y)};
+    settings.quality = std::clamp(settings.quality, Quality{0}, kMaxQuality);
+    for (float Settings::*const member :
+         {&Settings::contactStiffness, &Settings::jointStiffness, &Settings::contactDampingRatio,
+          &Settings::jointDampingRatio, &Settings::pushSpeed, &Settings::deepPushRate, &Settings::slop,
+          &Settings::speculativeDistance, &Settings::recycleDistance, &Settings::boundsMargin,
+          &Settings::bounceSpeed, &Settings::sleepTime, &Settings::maxSpeed}) {
+        settings.*member = usable(settings.*member, 0.0f, kMost, usual.*member);
+    }
+}
+
+}  // namespace plumb::physics
