@@ -1,4 +1,4 @@
-#include "physics/state_bytes.hpp"
+#include "physics/simulation.hpp"
 
 namespace plumb::physics {
 

@@ -3,7 +3,6 @@
 #include "core/task_pool.hpp"
 #include "joint_world.hpp"
 #include "physics/simulation.hpp"
-#include "physics/state_bytes.hpp"
 #include "physics/workspace.hpp"
 #include "tests/physics/golden_scenes.hpp"
 #include "tests/support/allocations.hpp"

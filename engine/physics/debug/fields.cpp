@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "physics/bodies.hpp"
 #include "physics/debug/picture.hpp"
 
 namespace plumb::physics {
@@ -13,15 +14,9 @@ constexpr float kSpringEnd = 0.06f;   // m
 
 bool isTied(const FieldDefinition& field) { return field.kind == FieldKind::Spring; }
 
-bool exists(const Picture& picture, BodyId body) {
-    return body.index < picture.world.bodies.size() &&
-           picture.world.bodies.info[body.index].generation == body.generation &&
-           picture.world.bodies.info[body.index].kind != BodyKind::None;
-}
-
 /// Where a spring is tied to a body, or the place itself.
 Vec2 endOf(const Picture& picture, BodyId body, Vec2 anchor, Place place) {
-    return exists(picture, body) ? apply(picture.frame(body.index), anchor) : picture.seen(place);
+    return alive(picture.world, body) ? apply(picture.frame(body.index), anchor) : picture.seen(place);
 }
 
 void drawSpring(const Picture& picture, const FieldDefinition& field) {
@@ -67,7 +62,7 @@ void drawPull(const Picture& picture, Vec2 centre, bool inwards) {
 void drawField(const Picture& picture, const FieldDefinition& field) {
     if (isTied(field)) return drawSpring(picture, field);
     drawRegion(picture, field);
-    const Vec2 centre = field.kind == FieldKind::Attractor && exists(picture, field.a)
+    const Vec2 centre = field.kind == FieldKind::Attractor && alive(picture.world, field.a)
                             ? picture.centre(field.a.index)
                             : picture.seen(field.place);
     if (const Vec2 way = arrowOf(field); way != Vec2{})
@@ -79,7 +74,9 @@ bool isShown(const Picture& picture, std::size_t field) {
     const DebugChoice& choice = picture.choice;
     if (!choice.chosenOnly || (field < choice.fields.size() && choice.fields[field] != 0)) return true;
     const FieldDefinition& definition = picture.world.fields.all[field].definition;
-    const auto isChosen = [&](BodyId body) { return exists(picture, body) && picture.shows(body.index); };
+    const auto isChosen = [&](BodyId body) {
+        return alive(picture.world, body) && picture.shows(body.index);
+    };
     return isTied(definition) && (isChosen(definition.a) || isChosen(definition.b));
 }
 

@@ -61,6 +61,12 @@ std::span<const std::uint32_t> candidatesAlong(World& world, Place from, Vec2 wa
     return choose(world, filter);
 }
 
+void sortByFraction(std::vector<CastHit>& hits) {
+    std::sort(hits.begin(), hits.end(), [](const CastHit& a, const CastHit& b) {
+        return a.fraction != b.fraction ? a.fraction < b.fraction : a.shape.index < b.shape.index;
+    });
+}
+
 Vec2 seenFrom(const BodyPose& body, Place place) {
     return body.localCentre + unrotate(body.rotation, place - body.centre);
 }

@@ -16,6 +16,12 @@ std::span<const std::uint32_t> candidatesIn(World& world, Place low, Place high,
 std::span<const std::uint32_t> candidatesAlong(World& world, Place from, Vec2 way, Vec2 half,
                                                const QueryFilter& filter);
 
+[[nodiscard]] inline const BodyPose& poseOf(const World& world, std::uint32_t shape) {
+    return world.bodies.pose[world.shapes.info[shape].body];
+}
+/// Nearest first, of equals the lowest number first.
+void sortByFraction(std::vector<CastHit>& hits);
+
 /// A place as the shapes of a body see it: differences are taken first, so it is as exact far from the
 /// origin.
 [[nodiscard]] Vec2 seenFrom(const BodyPose& body, Place place);

@@ -10,10 +10,6 @@ namespace plumb::physics {
 
 namespace {
 
-const BodyPose& poseOf(const World& world, std::uint32_t shape) {
-    return world.bodies.pose[world.shapes.info[shape].body];
-}
-
 std::span<const std::uint32_t> candidatesOf(World& world, Place from, Vec2 way, const QueryFilter& filter) {
     if (!isUsable(from) || !isUsable(way)) return {};
     return candidatesAlong(world, from, way, {}, filter);
@@ -63,9 +59,7 @@ void castRayAll(World& world, Place from, Vec2 way, const QueryFilter& filter, s
         if (const auto hit = hitOf(world, shape, from, way))
             hits.push_back(describe(world, shape, from, way, *hit));
     }
-    std::sort(hits.begin(), hits.end(), [](const CastHit& a, const CastHit& b) {
-        return a.fraction != b.fraction ? a.fraction < b.fraction : a.shape.index < b.shape.index;
-    });
+    sortByFraction(hits);
 }
 
 }  // namespace plumb::physics

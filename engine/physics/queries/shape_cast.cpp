@@ -1,7 +1,5 @@
 #include "physics/queries/shape_cast.hpp"
 
-#include <algorithm>
-
 #include "physics/queries/candidates.hpp"
 #include "physics/queries/moving_outline.hpp"
 
@@ -16,7 +14,7 @@ std::span<const std::uint32_t> candidatesOf(World& world, const QueryShape& shap
 }
 
 std::optional<CastHit> hitOf(const World& world, std::uint32_t shape, const MovingOutline& moving) {
-    return meet(world, shape, world.bodies.pose[world.shapes.info[shape].body], moving);
+    return meet(world, shape, poseOf(world, shape), moving);
 }
 
 MovingOutline outlineOf(const World& world, const QueryShape& shape, Vec2 way) {
@@ -44,9 +42,7 @@ void castShapeAll(World& world, const QueryShape& shape, Vec2 way, const QueryFi
     for (const std::uint32_t other : candidatesOf(world, shape, way, filter)) {
         if (const auto hit = hitOf(world, other, moving)) hits.push_back(*hit);
     }
-    std::sort(hits.begin(), hits.end(), [](const CastHit& a, const CastHit& b) {
-        return a.fraction != b.fraction ? a.fraction < b.fraction : a.shape.index < b.shape.index;
-    });
+    sortByFraction(hits);
 }
 
 }  // namespace plumb::physics

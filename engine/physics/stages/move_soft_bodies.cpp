@@ -3,7 +3,7 @@
 #include <limits>
 
 #include "math/portable.hpp"
-#include "physics/bounds.hpp"
+#include "physics/broadphase_update.hpp"
 #include "physics/effects/field_types.hpp"
 #include "physics/shapes/shape_types.hpp"
 #include "physics/sleeping.hpp"
@@ -187,8 +187,7 @@ void findShapes(StepContext& step, const SoftBody& body, std::vector<std::uint32
     const Shapes& shapes = step.world.shapes;
     found.clear();
     if (step.work.broadPhase == nullptr) return;
-    step.work.broadPhase->query({shapes.bounds, shapes.filter, shapes.motion}, boundsOf(body, step.dt),
-                                body.mask, found);
+    step.work.broadPhase->query(proxiesOf(step.world), boundsOf(body, step.dt), body.mask, found);
     std::erase_if(found, [&](std::uint32_t shape) {
         return (shapes.info[shape].flags & kTrigger) != 0 || (shapes.filter[shape].mask & body.layers) == 0;
     });

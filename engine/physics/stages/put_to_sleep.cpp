@@ -42,7 +42,7 @@ void keepEasedAwake(World& world, std::vector<std::uint32_t>& verdict) {
 
 void putToSleep(StepContext& step) {
     World& world = step.world;
-    if (!step.work.sleepy || !world.settings.sleeping) return;
+    if (!step.work.sleepy) return;
     if (world.islandsStale && world.steps % kStepsBetweenRebuilds == 0) rebuildIslands(world);
     // An island sleeps when the most restless of its bodies has rested long enough.
     std::vector<std::uint32_t>& verdict = step.work.bodyScratch;  // by root

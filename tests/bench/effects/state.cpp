@@ -1,6 +1,6 @@
 #include <cstdio>
 
-#include "physics/state_bytes.hpp"
+#include "physics/simulation.hpp"
 #include "tests/bench/bench.hpp"
 #include "tests/bench/effects/effects_bench.hpp"
 
