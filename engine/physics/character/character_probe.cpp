@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "physics/effects/one_way.hpp"
 #include "physics/narrowphase/collide.hpp"
 #include "physics/narrowphase/distance.hpp"
 #include "physics/queries/candidates.hpp"
@@ -13,8 +14,6 @@ namespace plumb::physics {
 
 namespace {
 
-/// Cosine of the angle between the open direction of a one-way shape and a normal that is its solid side.
-constexpr float kSolidSide = 0.7f;
 constexpr float kSameNormal = 0.9999f;  // cosine
 /// Ratio: a way that comes nearer by less than this of its length leads along a surface.
 constexpr float kAlong = 1.0e-3f;

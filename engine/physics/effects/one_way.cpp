@@ -11,8 +11,6 @@ namespace {
 
 /// Parts of a slop: overlap that counts as lying on it. More than what solid contacts rest with.
 constexpr float kOnTop = 4.0f;
-/// Cosine of the angle between the open direction and a contact's normal that still is its solid side.
-constexpr float kSolidSide = 0.7f;
 
 Vec2 openDirection(const World& world, std::uint32_t shape) {
     const ShapeInfo& info = world.shapes.info[shape];
@@ -47,17 +45,19 @@ float heightBefore(const World& world, const Contact& contact, bool platformIsA,
 
 }  // namespace
 
-bool passesThrough(const World& world, const Contact& contact, float dt) {
-    const float on = -kOnTop * world.settings.slop;
-    const auto drops = [&](std::uint32_t body) {
+bool dropsThrough(const World& world, const Contact& contact) {
+    const auto asks = [&](std::uint32_t body) {
         return (world.bodies.info[body].flags & kDropsThrough) != 0;
     };
-    if ((contact.flags & kOneWayA) != 0 &&
-        (drops(contact.bodyB) || heightBefore(world, contact, true, dt) < on)) {
-        return true;
-    }
-    return (contact.flags & kOneWayB) != 0 &&
-           (drops(contact.bodyA) || heightBefore(world, contact, false, dt) < on);
+    return ((contact.flags & kOneWayA) != 0 && asks(contact.bodyB)) ||
+           ((contact.flags & kOneWayB) != 0 && asks(contact.bodyA));
+}
+
+bool passesThrough(const World& world, const Contact& contact, float dt) {
+    const float on = -kOnTop * world.settings.slop;
+    return dropsThrough(world, contact) ||
+           ((contact.flags & kOneWayA) != 0 && heightBefore(world, contact, true, dt) < on) ||
+           ((contact.flags & kOneWayB) != 0 && heightBefore(world, contact, false, dt) < on);
 }
 
 bool passesThrough(const World& world, std::uint32_t oneWayShape, Vec2 way) {

@@ -7,14 +7,6 @@ namespace plumb::physics {
 
 namespace {
 
-bool drops(const World& world, const Contact& contact) {
-    const auto flagged = [&](std::uint32_t body) {
-        return (world.bodies.info[body].flags & kDropsThrough) != 0;
-    };
-    return ((contact.flags & kOneWayA) != 0 && flagged(contact.bodyB)) ||
-           ((contact.flags & kOneWayB) != 0 && flagged(contact.bodyA));
-}
-
 /// Whether it lets through is decided when a contact begins, and kept until it ends: who is half through
 /// must not be caught.
 void decideOneWay(StepContext& step, Contact& contact) {
@@ -23,7 +15,7 @@ void decideOneWay(StepContext& step, Contact& contact) {
     if ((contact.flags & kBegan) != 0) {
         contact.flags &= static_cast<std::uint16_t>(~kPassing);
         if (passesThrough(world, contact, step.dt)) contact.flags |= kPassing;
-    } else if ((contact.flags & kPassing) == 0 && drops(world, contact)) {
+    } else if ((contact.flags & kPassing) == 0 && dropsThrough(world, contact)) {
         report(world, step.work, contact, ContactPhase::Ended);
         contact.flags |= kPassing;
     }
