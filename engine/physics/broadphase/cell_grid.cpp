@@ -11,11 +11,8 @@ namespace plumb::physics {
 
 namespace {
 
-constexpr std::uint32_t kFew = 32;             // are searched without cells
-constexpr std::uint64_t kTestsPerSort = 8;     // what sorting one costs, in tests of eight boxes
-constexpr std::uint32_t kSortsPerChoice = 32;  // sizes change slowly
-constexpr float kCoarser = 4.0f;               // from level to level
-constexpr float kLeastCell = 0.1f;             // ratio to the spacing: finer ones tell nobody apart
+constexpr float kCoarser = 4.0f;    // from level to level
+constexpr float kLeastCell = 0.1f;  // ratio to the spacing: finer ones tell nobody apart
 
 bool fits(const BoxCells& sides) {
     return cellsFrom(sides[0], sides[2]) <= 2 && cellsFrom(sides[1], sides[3]) <= 2;
@@ -70,21 +67,14 @@ void CellGrid::visitRegions(RegionVisitor& visitor) const {
 }
 
 void CellGrid::clear() {
-    rows_.reset(0);
+    clearRows();
     cells_.clear();
     for (Level& level : levels_) level.count = 0;
-    sorted_ = sortedSize_ = 0;
-    lost_ = 0;
 }
 
 /// For those in order_, if they are others than the last time or long ago.
 void CellGrid::chooseSizes(const Proxies& proxies) {
-    const std::size_t before = chosenFor_;
-    const std::size_t now = order_.size();
-    const bool alike = now <= before + before / 8 && before <= now + now / 8;
-    if (alike && sortsSince_++ < kSortsPerChoice) return;
-    chosenFor_ = now;
-    sortsSince_ = 0;
+    if (!choiceIsDue()) return;
     const Spread spread = spreadOf(proxies, order_);
     aspect_ = spread.aspect;
     float extent = std::max(spread.extent, spread.spacing * kLeastCell);
@@ -130,9 +120,7 @@ void CellGrid::sort(const Proxies& proxies, std::uint32_t spare, std::span<std::
     chooseCells(proxies);
     for (const Cell& cell : orderCells_) ++starts_[indexOf(cell) + 1];
     for (std::size_t i = 1; i < starts_.size(); ++i) starts_[i] += starts_[i - 1] + spare;
-    sorted_ = starts_.back();
-    sortedSize_ = static_cast<std::uint32_t>(order_.size());
-    lost_ = 0;
+    noteSorted(starts_.back());
     rows_.reset(sorted_);
     cells_.resize(sorted_);
     // starts_[c] runs from the first place of a cell to its first spare one while it is filled.
@@ -159,12 +147,6 @@ std::uint32_t CellGrid::placeIn(const Cell& cell) {
     return rows_.addPlace();
 }
 
-bool CellGrid::isDue(std::size_t arrivals) const {
-    const std::size_t behind = rows_.count - sorted_ + arrivals;
-    return lost_ > kTestsPerSort * rows_.size() || behind > sorted_ / 2 + kFew ||
-           rows_.size() < sortedSize_ / 4;
-}
-
 bool CellGrid::take(const Proxies& proxies, std::span<std::uint32_t> arrivals, std::uint32_t moving,
                     std::span<std::uint32_t> places, std::uint32_t first) {
     const bool mostMove = moving > rows_.size() / 4 && rows_.size() > kFew;
@@ -177,11 +159,7 @@ bool CellGrid::take(const Proxies& proxies, std::span<std::uint32_t> arrivals, s
         }
         return false;
     }
-    order_.clear();
-    for (std::uint32_t place = 0; place < rows_.count; ++place) {
-        if (!rows_.isFree(place)) order_.push_back(rows_.ids[place]);
-    }
-    order_.insert(order_.end(), arrivals.begin(), arrivals.end());
+    collect(arrivals);
     // Where most move all are sorted in each step anyway.
     sort(proxies, mostMove ? 0 : 1, places, first);
     return true;
@@ -197,12 +175,6 @@ std::uint32_t CellGrid::move(const Proxies& proxies, std::uint32_t place) {
     }
     rows_.write(proxies, place, id, box);
     return place;
-}
-
-void CellGrid::settle(std::size_t searches) {
-    while (rows_.count > sorted_ && rows_.isFree(rows_.count - 1)) rows_.dropPlace();
-    const std::uint32_t behind = rows_.count - sorted_;
-    if (behind > kFew) lost_ += searches * (behind / 8);
 }
 
 }  // namespace plumb::physics

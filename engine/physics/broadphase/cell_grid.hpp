@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "physics/broadphase/box_searches.hpp"
+#include "physics/broadphase/ordered_rows.hpp"
 
 namespace plumb::physics {
 
@@ -15,25 +16,18 @@ class RegionVisitor;
 /// of which it needs no more than two cells each way, in the cell of its left top corner. Cells repeat: a
 /// grid is rolled up to a torus of about as many cells as it has boxes, so no world is too large, and
 /// strangers in a cell are told apart by their boxes. Cells have a free place or two; who finds none in its
-/// new cell goes behind all cells, where every search looks, until sorting everybody anew costs less.
+/// new cell goes behind all cells.
 /// Source: C. Ericson, "Real-Time Collision Detection", 2005, 7.1.3 (hashed storage) and 7.2 (hierarchical
 /// grids)
-class CellGrid {
+class CellGrid : public OrderedRows {
 public:
     // What PartedProxies asks of a part.
     bool take(const Proxies& proxies, std::span<std::uint32_t> arrivals, std::uint32_t moving,
               std::span<std::uint32_t> places, std::uint32_t first);
-    void erase(std::uint32_t place) { rows_.erase(place); }
     std::uint32_t move(const Proxies& proxies, std::uint32_t place);
-    void settle(std::size_t searches);
-    [[nodiscard]] bool isDue(std::size_t arrivals) const;
-    [[nodiscard]] std::uint32_t places() const { return rows_.count; }
-    [[nodiscard]] std::uint32_t size() const { return rows_.size(); }
-    [[nodiscard]] std::uint32_t idAt(std::uint32_t place) const { return rows_.ids[place]; }
     void clear();
     void visitRegions(RegionVisitor& visitor) const;
 
-    [[nodiscard]] const BoxRows& rows() const { return rows_; }
     [[nodiscard]] bool areNear(std::uint32_t a, std::uint32_t b) const {
         return b < sorted_ && cells_[a].level == cells_[b].level && cells_[a].y == cells_[b].y &&
                static_cast<std::uint32_t>(cells_[b].x - cells_[a].x) <= kNearCells;
@@ -86,17 +80,10 @@ private:
 
     Level levels_[kLevels];
     std::vector<std::uint32_t> starts_;  ///< by cell: its first place; and one more
-    BoxRows rows_;
-    std::vector<Cell> cells_;       ///< by place
-    std::uint32_t sorted_ = 0;      ///< places that are in cells
-    std::uint32_t sortedSize_ = 0;  ///< boxes, then
-    std::uint64_t lost_ = 0;        ///< tests that searches have made behind the cells
-    float aspect_ = 1.0f;           ///< how much wider than high all are together
-    std::size_t chosenFor_ = 0;     ///< boxes, when the sizes of cells were chosen
-    std::uint32_t sortsSince_ = 0;
+    std::vector<Cell> cells_;            ///< by place
+    float aspect_ = 1.0f;                ///< how much wider than high all are together
 
-    std::vector<std::uint32_t> order_;
-    std::vector<AABB> orderBoxes_;
+    std::vector<AABB> orderBoxes_;  ///< as order_
     std::vector<BoxCells> orderSides_;
     std::vector<Cell> orderCells_;
     const RowSearches& searches_ = boxSearchesFor(simdWidth()).rows;

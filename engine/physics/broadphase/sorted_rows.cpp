@@ -12,13 +12,10 @@ namespace plumb::physics {
 
 namespace {
 
-constexpr std::uint32_t kFew = 32;             // are searched without an order
-constexpr std::uint64_t kTestsPerSort = 8;     // what sorting one costs, in tests of eight boxes
-constexpr std::uint32_t kSortsPerChoice = 32;  // the axis changes seldom
-constexpr float kLonger = 4.0f;                // from segment to segment
-constexpr float kStray = 0.25f;                // of the usual length
-constexpr float kRounding = 1e-6f;             // ratio: eight times the last bit of a float
-constexpr std::size_t kMostShifts = 16;        // per key: more, and the keys are not nearly sorted
+constexpr float kLonger = 4.0f;          // from segment to segment
+constexpr float kStray = 0.25f;          // of the usual length
+constexpr float kRounding = 1e-6f;       // ratio: eight times the last bit of a float
+constexpr std::size_t kMostShifts = 16;  // per key: more, and the keys are not nearly sorted
 
 /// A number that sorts as the float does. No NaN.
 std::uint32_t sortable(float x) {
@@ -65,21 +62,14 @@ void SortedRows::visitRegions(RegionVisitor& visitor) const {
 }
 
 void SortedRows::clear() {
-    rows_.reset(0);
+    clearRows();
     starts_.clear();
     for (Segment& segment : segments_) segment = {};
-    sorted_ = sortedSize_ = 0;
-    lost_ = 0;
 }
 
 /// For those in order_, if they are others than the last time or long ago.
 void SortedRows::chooseAxis(const Proxies& proxies) {
-    const std::size_t before = chosenFor_;
-    const std::size_t now = order_.size();
-    const bool alike = now <= before + before / 8 && before <= now + now / 8;
-    if (alike && sortsSince_++ < kSortsPerChoice) return;
-    chosenFor_ = now;
-    sortsSince_ = 0;
+    if (!choiceIsDue()) return;
     const Spread spread = spreadOf(proxies, order_);
     axis_ = spread.aspect >= 1.0f ? 0 : 1;
     usual_ = spread.extent;
@@ -123,8 +113,7 @@ void SortedRows::sort(const Proxies& proxies, std::span<std::uint32_t> places, s
         }
         segments_[i].end = place;
     }
-    sorted_ = sortedSize_ = place;
-    lost_ = 0;
+    noteSorted(place);
 }
 
 /// The first place from `begin` on whose start is above x.
@@ -155,12 +144,6 @@ Stretch SortedRows::findStarts(const Segment& segment, const AABB& box, std::uin
     return {begin, firstAbove(high, begin, segment.end)};
 }
 
-bool SortedRows::isDue(std::size_t arrivals) const {
-    const std::size_t behind = rows_.count - sorted_ + arrivals;
-    return lost_ > kTestsPerSort * rows_.size() || behind > sorted_ / 2 + kFew ||
-           rows_.size() < sortedSize_ / 4;
-}
-
 bool SortedRows::take(const Proxies& proxies, std::span<std::uint32_t> arrivals, std::uint32_t moving,
                       std::span<std::uint32_t> places, std::uint32_t first) {
     const bool mostMove = moving > rows_.size() / 2 && rows_.size() > kFew;
@@ -172,11 +155,7 @@ bool SortedRows::take(const Proxies& proxies, std::span<std::uint32_t> arrivals,
         }
         return false;
     }
-    order_.clear();
-    for (std::uint32_t place = 0; place < rows_.count; ++place) {
-        if (!rows_.isFree(place)) order_.push_back(rows_.ids[place]);
-    }
-    order_.insert(order_.end(), arrivals.begin(), arrivals.end());
+    collect(arrivals);
     sort(proxies, places, first);
     return true;
 }
@@ -195,12 +174,6 @@ std::uint32_t SortedRows::move(const Proxies& proxies, std::uint32_t place) {
     }
     rows_.write(proxies, place, id, box);
     return place;
-}
-
-void SortedRows::settle(std::size_t searches) {
-    while (rows_.count > sorted_ && rows_.isFree(rows_.count - 1)) rows_.dropPlace();
-    const std::uint32_t behind = rows_.count - sorted_;
-    if (behind > kFew) lost_ += searches * (behind / 8);
 }
 
 }  // namespace plumb::physics

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "physics/broadphase/box_rows.hpp"
+#include "physics/broadphase/ordered_rows.hpp"
 
 namespace plumb::physics {
 
@@ -13,26 +13,19 @@ class RegionVisitor;
 /// Boxes sorted by where they begin along one axis, that along which they are spread out further. Who is much
 /// longer than most is in another segment, so that each segment knows how far before a box those begin that
 /// reach it. A box may stray a little from where it was sorted to; who strays further goes behind all
-/// segments, where every search looks, until sorting everybody anew costs less.
+/// segments.
 /// Source: D. Baraff, "Dynamic Simulation of Non-Penetrating Rigid Bodies", thesis, 1992 (sorted intervals
 /// that stay nearly sorted); C. Ericson, "Real-Time Collision Detection", 2005, 7.5
-class SortedRows {
+class SortedRows : public OrderedRows {
 public:
     // What PartedProxies asks of a part.
     bool take(const Proxies& proxies, std::span<std::uint32_t> arrivals, std::uint32_t moving,
               std::span<std::uint32_t> places, std::uint32_t first);
-    void erase(std::uint32_t place) { rows_.erase(place); }
     std::uint32_t move(const Proxies& proxies, std::uint32_t place);
-    void settle(std::size_t searches);
-    [[nodiscard]] bool isDue(std::size_t arrivals) const;
-    [[nodiscard]] std::uint32_t places() const { return rows_.count; }
-    [[nodiscard]] std::uint32_t size() const { return rows_.size(); }
-    [[nodiscard]] std::uint32_t idAt(std::uint32_t place) const { return rows_.ids[place]; }
     void clear();
     void visitRegions(RegionVisitor& visitor) const;
 
     // What RowBroadPhase asks of it.
-    [[nodiscard]] const BoxRows& rows() const { return rows_; }
     [[nodiscard]] bool areNear(std::uint32_t a, std::uint32_t b) const {
         return b - a < kNear && b < sorted_;
     }
@@ -64,18 +57,11 @@ private:
     [[nodiscard]] Stretch findStarts(const Segment& segment, const AABB& box, std::uint32_t from) const;
 
     Segment segments_[kSegments];
-    BoxRows rows_;
-    std::vector<float> starts_;     ///< m: by place, where each was sorted to
-    int axis_ = 0;                  ///< 0 is x
-    float usual_ = 0.0f;            ///< m: what most are not longer than
-    float stray_ = 0.0f;            ///< m: how far a box may be from where it was sorted to
-    std::uint32_t sorted_ = 0;      ///< places that are in segments
-    std::uint32_t sortedSize_ = 0;  ///< boxes, then
-    std::uint64_t lost_ = 0;        ///< tests that searches have made behind the segments
-    std::size_t chosenFor_ = 0;     ///< boxes, when the axis was chosen
-    std::uint32_t sortsSince_ = 0;
+    std::vector<float> starts_;  ///< m: by place, where each was sorted to
+    int axis_ = 0;               ///< 0 is x
+    float usual_ = 0.0f;         ///< m: what most are not longer than
+    float stray_ = 0.0f;         ///< m: how far a box may be from where it was sorted to
 
-    std::vector<std::uint32_t> order_;
     std::vector<AABB> boxes_;  ///< as order_
     std::vector<Key> keys_[kSegments];
     std::vector<Key> spare_;
