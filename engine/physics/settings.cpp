@@ -3,12 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "physics/ranges.hpp"
+
 namespace plumb::physics {
 
 namespace {
 
-constexpr float kStrongest = 1.0e6f;  // m/s2
-constexpr float kMost = 1.0e9f;       // of all else, whatever its unit
+constexpr float kMost = 1.0e9f;  // of all but gravity, whatever its unit
 
 float usable(float value, float low, float high, float usual) {
     return std::isnan(value) ? usual : std::clamp(value, low, high);
@@ -18,8 +19,8 @@ float usable(float value, float low, float high, float usual) {
 
 void bringIntoRange(Settings& settings) {
     const Settings usual;
-    settings.gravity = {usable(settings.gravity.x, -kStrongest, kStrongest, usual.gravity.x),
-                        usable(settings.gravity.y, -kStrongest, kStrongest, usual.gravity.y)};
+    settings.gravity = {usable(settings.gravity.x, -kFastest, kFastest, usual.gravity.x),
+                        usable(settings.gravity.y, -kFastest, kFastest, usual.gravity.y)};
     settings.quality = std::clamp(settings.quality, Quality{0}, kMaxQuality);
     for (float Settings::*const member :
          {&Settings::contactStiffness, &Settings::jointStiffness, &Settings::contactDampingRatio,
