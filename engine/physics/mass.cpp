@@ -8,29 +8,36 @@ namespace plumb::physics {
 
 namespace {
 
-/// The masses of all shapes together, about the origin of the body's frame.
+/// The masses of all shapes together.
 struct Sum {
     float mass = 0.0f;
     Vec2 centre;
     float inertia = 0.0f;  // about `centre`
 };
 
-Sum sumOfShapes(const World& world, std::uint32_t body) {
+/// Calls act(part) with each shape that has a mass.
+template <class Act>
+void forParts(const World& world, std::uint32_t body, Act&& act) {
     const Shapes& shapes = world.shapes;
+    for (std::uint32_t s = world.bodies.info[body].firstShape; s != kNone; s = shapes.info[s].next) {
+        const float density = shapes.info[s].density;
+        if (density > 0.0f) act(massProperties(shapes.geometry[s], shapes.corners, density));
+    }
+}
+
+Sum sumOfShapes(const World& world, std::uint32_t body) {
     Sum sum;
     Vec2 moment;
-    float aboutOrigin = 0.0f;
-    for (std::uint32_t s = world.bodies.info[body].firstShape; s != kNone; s = shapes.info[s].next) {
-        if (shapes.info[s].density <= 0.0f) continue;
-        const MassProperties part =
-            massProperties(shapes.geometry[s], shapes.corners, shapes.info[s].density);
+    forParts(world, body, [&](const MassProperties& part) {
         sum.mass += part.mass;
         moment += part.mass * part.centre;
-        aboutOrigin += part.inertia + part.mass * lengthSquared(part.centre);
-    }
+    });
     if (sum.mass <= 0.0f) return {};
     sum.centre = moment / sum.mass;
-    sum.inertia = std::max(aboutOrigin - sum.mass * lengthSquared(sum.centre), 0.0f);
+    // About the centre at once: the difference of two large moments would lose that of a small thing far out.
+    forParts(world, body, [&](const MassProperties& part) {
+        sum.inertia += part.inertia + part.mass * lengthSquared(part.centre - sum.centre);
+    });
     return sum;
 }
 
