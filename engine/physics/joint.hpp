@@ -59,7 +59,7 @@ struct JointDefinition {
     float referenceAngle = 0.0f;  ///< rad: angle of B minus angle of A that counts as 0
     float length = 1.0f;          ///< m: of Distance; total of Pulley
     float ratio = 1.0f;           ///< of Gear and Pulley
-    Vec2 groundA{};               ///< m, world, near the origin of the step: fixed ends of Pulley
+    Vec2 groundA{};               ///< m, world, near enough to the origin to be float: fixed ends of Pulley
     Vec2 groundB{};
     Place target{};    ///< m: of Mouse
     Vec2 offset{};     ///< m, in A's frame: of Motor
