@@ -8,36 +8,29 @@ namespace plumb::physics {
 
 namespace {
 
-/// The masses of all shapes together.
+/// The masses of all shapes together, about the origin of the body's frame.
 struct Sum {
     float mass = 0.0f;
     Vec2 centre;
     float inertia = 0.0f;  // about `centre`
 };
 
-/// Calls act(part) with each shape that has a mass.
-template <class Act>
-void forParts(const World& world, std::uint32_t body, Act&& act) {
-    const Shapes& shapes = world.shapes;
-    for (std::uint32_t s = world.bodies.info[body].firstShape; s != kNone; s = shapes.info[s].next) {
-        const float density = shapes.info[s].density;
-        if (density > 0.0f) act(massProperties(shapes.geometry[s], shapes.corners, density));
-    }
-}
-
 Sum sumOfShapes(const World& world, std::uint32_t body) {
+    const Shapes& shapes = world.shapes;
     Sum sum;
     Vec2 moment;
-    forParts(world, body, [&](const MassProperties& part) {
+    float aboutOrigin = 0.0f;
+    for (std::uint32_t s = world.bodies.info[body].firstShape; s != kNone; s = shapes.info[s].next) {
+        if (shapes.info[s].density <= 0.0f) continue;
+        const MassProperties part =
+            massProperties(shapes.geometry[s], shapes.corners, shapes.info[s].density);
         sum.mass += part.mass;
         moment += part.mass * part.centre;
-    });
+        aboutOrigin += part.inertia + part.mass * lengthSquared(part.centre);
+    }
     if (sum.mass <= 0.0f) return {};
     sum.centre = moment / sum.mass;
-    // About the centre at once: the difference of two large moments would lose that of a small thing far out.
-    forParts(world, body, [&](const MassProperties& part) {
-        sum.inertia += part.inertia + part.mass * lengthSquared(part.centre - sum.centre);
-    });
+    sum.inertia = std::max(aboutOrigin - sum.mass * lengthSquared(sum.centre), 0.0f);
     return sum;
 }
 

@@ -44,16 +44,6 @@ TEST(Step, dragFollowsItsExponential) {
     EXPECT_NEAR(scene.x(*made), 10.0 / 0.7 * (1.0 - std::exp(-0.7)), 1.0e-3);
 }
 
-TEST(Step, aCrateTurnsAsHardWhereverItsShapeIsInItsFrame) {
-    Playground scene;
-    const float here = scene.world.bodies.mass[scene.crate({}, {0.05f, 0.05f}).index].inertia;
-    for (const float away : {1.0f, 10.0f, 100.0f}) {
-        const BodyId body = scene.body(BodyKind::Dynamic, {});
-        scene.shape(body, box({0.05f, 0.05f}, {away, 0.0f}));
-        EXPECT_NEAR(scene.world.bodies.mass[body.index].inertia, here, 1e-3f * here) << away;
-    }
-}
-
 TEST(Step, dragSlowsNobodyWhomItsOwnerMoves) {
     Playground scene;
     const BodyId platform = *createBody(scene.world, {.kind = BodyKind::Kinematic,
