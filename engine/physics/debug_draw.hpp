@@ -85,8 +85,9 @@ struct DebugChoice {
     float behind = 0.0f;  ///< s: bodies that move are drawn as they were so long ago, between two steps
     const Workspace* lastStep = nullptr;  ///< see lastStepOf(); without it no ways and regions are drawn
     bool chosenOnly = false;  ///< what follows says who is drawn; what ties two bodies is drawn with either
-    std::span<const std::uint8_t> bodies = {};  ///< by BodyId::index: nonzero for those; may be short
-    std::span<const std::uint8_t> fields = {};  ///< by FieldId::index
+    std::span<const std::uint8_t> bodies = {};      ///< by BodyId::index: nonzero for those; may be short
+    std::span<const std::uint8_t> fields = {};      ///< by FieldId::index
+    std::span<const std::uint8_t> softBodies = {};  ///< by SoftBodyId::index
 };
 
 /// What the last step of a world left behind, or null when that was not of this world: it was copied or

@@ -129,6 +129,7 @@ void step(World& world, float dt, const StepOptions& options) {
     bringIntoRange(world.settings);
     ++world.steps;
     if (nothingToDo(world)) return;
+    world.stepLength = dt;
     StepContext context{world, world.work.get(), dt, options.pool, options.hooks, effectsOf(world)};
     context.work.effectsRun = 0;
     for (const Stage& stage : kStages) {

@@ -227,7 +227,8 @@ struct World {
     bool islandsStale = false;  ///< a contact or joint ended: islands may be larger than need be
     Manifest manifest;
     std::uint64_t steps = 0;
-    WorkspaceHolder work;  ///< follows from the rest: neither copied nor hashed
+    float stepLength = 1.0f / 60.0f;  ///< s: of the step that contacts have their impulses of
+    WorkspaceHolder work;             ///< follows from the rest: neither copied nor hashed
 };
 
 }  // namespace plumb::physics

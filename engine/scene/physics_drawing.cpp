@@ -178,11 +178,18 @@ void PhysicsDrawing::choose(const PhysicsState& state, std::span<const EntityId>
     chosenBodies_.assign(bodies.size(), 0);
     for (std::size_t body = 0; body < bodies.size(); ++body)
         chosenBodies_[body] = isSelected(bodies.info[body].user) ? 1 : 0;
-    chosenFields_.assign(state.world.fields.all.size(), 0);
-    for (const FieldLinkage& link : state.fields) {
-        if (link.field.index < chosenFields_.size() && isSelected(userOf(link.entity)))
-            chosenFields_[link.field.index] = 1;
-    }
+    const auto chooseFrom = [&](const auto& links, std::size_t count, auto idOf, auto& chosen) {
+        chosen.assign(count, 0);
+        for (const auto& link : links) {
+            if (idOf(link).index < count && isSelected(userOf(link.entity))) chosen[idOf(link).index] = 1;
+        }
+    };
+    chooseFrom(
+        state.fields, state.world.fields.all.size(), [](const FieldLinkage& link) { return link.field; },
+        chosenFields_);
+    chooseFrom(
+        state.softBodies, state.world.softBodies.all.size(),
+        [](const SoftLinkage& link) { return link.body; }, chosenSoft_);
 }
 
 void PhysicsDrawing::draw(World& world, const PhysicsShown& shown, float behind, float pixel,
@@ -203,6 +210,7 @@ void PhysicsDrawing::draw(World& world, const PhysicsShown& shown, float behind,
     choice.chosenOnly = true;
     choice.bodies = chosenBodies_;
     choice.fields = chosenFields_;
+    choice.softBodies = chosenSoft_;
     debugDraw(state->world, canvas, choice);
 }
 

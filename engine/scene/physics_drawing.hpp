@@ -31,6 +31,7 @@ private:
     std::vector<std::uint64_t> users_;        ///< of the selected ones, rising
     std::vector<std::uint8_t> chosenBodies_;  ///< by body
     std::vector<std::uint8_t> chosenFields_;  ///< by field
+    std::vector<std::uint8_t> chosenSoft_;    ///< by soft body
 };
 
 /// Says what the colours of those layers stand for, and the times and counts that are among them.

@@ -208,6 +208,21 @@ TEST(DebugDraw, anImpulseIsTheWholeStepsWhateverTheQuality) {
     }
 }
 
+TEST(DebugDraw, anImpulseIsAsLongHoweverLongTheStepIs) {
+    for (const float dt : {1.0f / 30.0f, 1.0f / 60.0f, 1.0f / 240.0f}) {
+        SCOPED_TRACE(dt);
+        Playground scene;
+        scene.floor();
+        scene.crate({0.0, 0.5});
+        for (float time = 0.0f; time < 2.0f; time += dt) step(scene.world, dt);
+        const Recording picture = drawn(scene.world, kDrawImpulses);
+        ASSERT_EQ(picture.arrows.size(), 2u);
+        EXPECT_NEAR(picture.arrows[0] + picture.arrows[1], 0.2f, 0.002f);  // 0.02 m for each m/s2
+        World copied = scene.world;
+        EXPECT_EQ(drawn(copied, kDrawImpulses).arrows, picture.arrows);
+    }
+}
+
 TEST(DebugDraw, whatLiesOnASlopeIsHeldByFrictionAlongIt) {
     const float slope = 0.3f;  // rad
     World world;
@@ -395,6 +410,23 @@ TEST(DebugDraw, aRopeIsDrawnLinkByLink) {
     const Recording picture = drawn(world, kDrawShapes);
     EXPECT_EQ(picture.count(DebugRole::Soft, 'l'), links);
     EXPECT_GE(links, 4u);
+}
+
+TEST(DebugDraw, ofSomeSoftBodiesOnlyTheseAreDrawn) {
+    World world;
+    const SoftBodyId ropes[] = {*createRope(world, {0.0, 0.0}, {1.0, 0.0}, 5),
+                                *createRope(world, {0.0, 2.0}, {1.0, 2.0}, 8)};
+    for (const SoftBodyId rope : ropes) {
+        std::vector<std::uint8_t> chosen(rope.index + 1);  // short where it is the first
+        chosen[rope.index] = 1;
+        Recording picture;
+        debugDraw(world, picture, {.parts = kDrawShapes, .chosenOnly = true, .softBodies = chosen});
+        EXPECT_EQ(picture.count(), softBodyOf(world, rope).links.size());
+        EXPECT_EQ(picture.last.back().y, static_cast<float>(particlesOf(world, rope)[0].place.y));
+    }
+    Recording none;
+    debugDraw(world, none, {.parts = kDrawShapes, .chosenOnly = true});
+    EXPECT_EQ(none.count(), 0u);
 }
 
 TEST(DebugDraw, ofSomeBodiesOnlyTheirsIsDrawn) {

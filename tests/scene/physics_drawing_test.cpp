@@ -269,6 +269,25 @@ TEST(PhysicsDrawing, ofWhoIsSelectedOnlyTheirsIsDrawn) {
     EXPECT_EQ(drawn(world, {0, shapes, {}}).items().size(), 0u);
 }
 
+TEST(PhysicsDrawing, aSoftBodyIsDrawnWithTheEntityThatIsSelected) {
+    World world;
+    fill(world);
+    std::vector<EntityId> selected;
+    for (const float x : {300.0f, 400.0f}) {
+        Entity rope = world.createEntity();
+        rope.addComponent<Transform>(x, 40.0f);
+        rope.addComponent<Rope>().to = {0.0f, 100.0f};
+        selected.assign(1, rope.id());
+    }
+    run(world, 1);
+    const DrawList list = drawn(world, {0, layerNamed("shapes").bit, selected});
+    EXPECT_GT(list.instances().size(), 20u);
+    for (const SpriteInstance& line : list.instances()) {
+        EXPECT_NEAR(line.center.x, 400.0f, 2.0f);
+        EXPECT_NEAR(line.center.y, 90.0f, 50.0f);
+    }
+}
+
 TEST(PhysicsDrawing, linesAreAsWideOnTheScreenAtAnyZoom) {
     World world;
     fill(world);

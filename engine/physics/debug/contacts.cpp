@@ -12,8 +12,6 @@ namespace plumb::physics {
 namespace {
 
 constexpr float kNormalLength = 0.2f;  // m
-constexpr float kArrowPerSpeed =
-    kArrowPerAcceleration * 60.0f;  // s: of what is done in a sixtieth of a second
 
 struct ContactPoint {
     Vec2 place;
@@ -41,12 +39,13 @@ float partsOfStep(const Picture& picture, const Contact& contact) {
     return static_cast<float>(substepsOf(std::max(wished, picture.world.settings.quality)));
 }
 
-/// m: of the arrow of an impulse, by the speed that it gives the lighter body.
+/// m: of the arrow of an impulse, by how fast it makes the lighter body faster over the whole step.
 float lengthOf(const Picture& picture, const Contact& contact, float impulse) {
     const auto& masses = picture.world.bodies.mass;
     const float lightest = std::max(masses[contact.bodyA].inverseMass, masses[contact.bodyB].inverseMass);
     const float speed = impulse * lightest * partsOfStep(picture, contact);
-    return std::clamp(kArrowPerSpeed * speed, -kLongestArrow, kLongestArrow);
+    return std::clamp(kArrowPerAcceleration * speed / picture.world.stepLength, -kLongestArrow,
+                      kLongestArrow);
 }
 
 }  // namespace

@@ -71,8 +71,7 @@ void drawField(const Picture& picture, const FieldDefinition& field) {
 }
 
 bool isShown(const Picture& picture, std::size_t field) {
-    const DebugChoice& choice = picture.choice;
-    if (!choice.chosenOnly || (field < choice.fields.size() && choice.fields[field] != 0)) return true;
+    if (picture.isAmong(picture.choice.fields, field)) return true;
     const FieldDefinition& definition = picture.world.fields.all[field].definition;
     const auto isChosen = [&](BodyId body) {
         return alive(picture.world, body) && picture.shows(body.index);

@@ -50,8 +50,10 @@ struct Picture {
     [[nodiscard]] bool isStatic(std::uint32_t body) const {
         return world.bodies.info[body].kind == BodyKind::Static;
     }
-    [[nodiscard]] bool shows(std::uint32_t body) const {
-        return !choice.chosenOnly || (body < choice.bodies.size() && choice.bodies[body] != 0);
+    [[nodiscard]] bool shows(std::uint32_t body) const { return isAmong(choice.bodies, body); }
+    /// Whether a thing is among the chosen ones of its kind, if only these are shown.
+    [[nodiscard]] bool isAmong(std::span<const std::uint8_t> chosen, std::size_t index) const {
+        return !choice.chosenOnly || (index < chosen.size() && chosen[index] != 0);
     }
 
     /// Calls draw(body) for all that are shown.

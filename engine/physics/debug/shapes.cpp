@@ -28,8 +28,10 @@ DebugRole roleOf(ProxyMotion motion) {
 }
 
 void drawSoftBodies(const Picture& picture) {
-    for (const SoftBody& soft : picture.world.softBodies.all) {
-        if (!soft.isAlive || picture.choice.chosenOnly) continue;
+    const std::vector<SoftBody>& all = picture.world.softBodies.all;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        const SoftBody& soft = all[i];
+        if (!soft.isAlive || !picture.isAmong(picture.choice.softBodies, i)) continue;
         for (const SoftLink& link : soft.links) {
             picture.canvas.line(picture.seen(soft.particles[link.a].place),
                                 picture.seen(soft.particles[link.b].place), DebugRole::Soft);
