@@ -4,6 +4,8 @@
 
 #include "core/text.hpp"
 #include "physics/bodies.hpp"
+#include "physics/joints.hpp"
+#include "physics/shapes.hpp"
 
 namespace plumb::physics {
 
@@ -39,10 +41,24 @@ Result<Done> checkQuality(const char* where, int quality) {
     return checkNumber(where, quality, kQualityOfWorld, kMaxQuality);
 }
 
+namespace {
+
+Result<Done> checkAlive(const char* where, bool lives, const std::string& what) {
+    if (lives) return Done{};
+    return wrong(where, "expected a living " + what + ", found one that was destroyed or never made",
+                 "ask alive() first, or forget the id when it goes");
+}
+
+}  // namespace
+
 Result<Done> checkAlive(const char* where, const World& world, BodyId body) {
-    if (alive(world, body)) return Done{};
-    return wrong(where, "expected a living body, found one that was destroyed or never made",
-                 "ask alive(world, body) first, or forget the id when the body goes");
+    return checkAlive(where, alive(world, body), "body");
+}
+Result<Done> checkAlive(const char* where, const World& world, ShapeId shape) {
+    return checkAlive(where, alive(world, shape), "shape");
+}
+Result<Done> checkAlive(const char* where, const World& world, JointId joint) {
+    return checkAlive(where, alive(world, joint), "joint");
 }
 
 }  // namespace plumb::physics

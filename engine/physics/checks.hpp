@@ -18,6 +18,8 @@ Result<Done> checkVector(const char* where, Vec2 value, float most);
 Result<Done> checkPlace(const char* where, Place value);
 Result<Done> checkQuality(const char* where, int quality);
 Result<Done> checkAlive(const char* where, const World& world, BodyId body);
+Result<Done> checkAlive(const char* where, const World& world, ShapeId shape);
+Result<Done> checkAlive(const char* where, const World& world, JointId joint);
 
 /// The first Error of several checks, or Done.
 template <class... Checks>

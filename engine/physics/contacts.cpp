@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "physics/broadphase/overlap.hpp"
 #include "physics/easing.hpp"
 #include "physics/narrowphase/collide.hpp"
 #include "physics/narrowphase/upright.hpp"
@@ -13,10 +14,6 @@
 namespace plumb::physics {
 
 namespace {
-
-bool overlap(const AABB& a, const AABB& b) {
-    return a.max.x >= b.min.x && a.min.x <= b.max.x && a.max.y >= b.min.y && a.min.y <= b.max.y;
-}
 
 /// Both bodies at the moment, B seen from A's centre of mass.
 struct Encounter {
@@ -251,7 +248,7 @@ void touchUpright(const World& world, Contact& contact, DetectionCounts& counts)
     }
     const Manifold manifold = manifoldOf(world, pair);
     if (manifold.count == 0 &&
-        !overlap(world.shapes.bounds[contact.shapeA], world.shapes.bounds[contact.shapeB])) {
+        !touch(world.shapes.bounds[contact.shapeA], world.shapes.bounds[contact.shapeB])) {
         ++counts.apartByBounds;
         contact.flags |= kGone;
         return;
@@ -267,7 +264,7 @@ bool isSettled(const World& world, Contact& contact, const Encounter& now, Detec
         if ((contact.flags & kEasing) != 0) ease(world, contact);
         return true;
     }
-    if (!overlap(world.shapes.bounds[contact.shapeA], world.shapes.bounds[contact.shapeB])) {
+    if (!touch(world.shapes.bounds[contact.shapeA], world.shapes.bounds[contact.shapeB])) {
         ++counts.apartByBounds;
         contact.flags |= kGone;
         return true;

@@ -62,9 +62,14 @@ Result<Done> check(const World& world, const JointDefinition& d) {
         return wrong("createJoint", "expected b to be dynamic, as it is what a mouse joint pulls",
                      "give the body that is pulled as b");
     }
-    if (d.kind == JointKind::Gear && (!alive(world, d.jointA) || !alive(world, d.jointB))) {
-        return wrong("createJoint", "expected two living joints to gear together",
-                     "create the two revolute or prismatic joints first");
+    const auto gears = [&](JointId joint) {
+        if (!alive(world, joint)) return false;
+        const JointKind kind = world.joints.hot[joint.index].kind;
+        return kind == JointKind::Revolute || kind == JointKind::Prismatic;
+    };
+    if (d.kind == JointKind::Gear && !(gears(d.jointA) && gears(d.jointB))) {
+        return wrong("createJoint", "expected two living revolute or prismatic joints to gear together",
+                     "create the two first, and give their ids as jointA and jointB");
     }
     return checkNumbers(d);
 }
@@ -187,8 +192,9 @@ float jointTorque(const World& world, JointId joint) {
 }
 
 Result<Done> setMotorSpeed(World& world, JointId id, float speed) {
-    const auto checked = checkNumber("setMotorSpeed", speed, -kFastest, kFastest);
-    if (!checked || !alive(world, id)) return checked;
+    const auto checked = firstOf(checkAlive("setMotorSpeed", world, id),
+                                 checkNumber("setMotorSpeed", speed, -kFastest, kFastest));
+    if (!checked) return checked;
     world.joints.definition[id.index].motor.speed = speed;
     wake(world, world.joints.hot[id.index].bodyB);
     wake(world, world.joints.hot[id.index].bodyA);
@@ -196,8 +202,8 @@ Result<Done> setMotorSpeed(World& world, JointId id, float speed) {
 }
 
 Result<Done> setTarget(World& world, JointId id, Place target) {
-    const auto checked = checkPlace("setTarget", target);
-    if (!checked || !alive(world, id)) return checked;
+    const auto checked = firstOf(checkAlive("setTarget", world, id), checkPlace("setTarget", target));
+    if (!checked) return checked;
     world.joints.definition[id.index].target = target;
     wake(world, world.joints.hot[id.index].bodyB);
     return Done{};

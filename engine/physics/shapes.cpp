@@ -237,23 +237,26 @@ void destroyShapes(World& world, BodyId body) {
 }
 
 Result<Done> setFriction(World& world, ShapeId shape, float friction) {
-    const auto checked = checkNumber("setFriction", friction, 0.0, kRoughest);
-    if (!checked || !alive(world, shape)) return checked;
+    const auto checked = firstOf(checkAlive("setFriction", world, shape),
+                                 checkNumber("setFriction", friction, 0.0, kRoughest));
+    if (!checked) return checked;
     change(world, shape, &ShapeInfo::friction, friction);
     wakeTouching(world, world.shapes.info[shape.index].body);
     return Done{};
 }
 
 Result<Done> setBounciness(World& world, ShapeId shape, float bounciness) {
-    const auto checked = checkNumber("setBounciness", bounciness, 0.0, 1.0);
-    if (!checked || !alive(world, shape)) return checked;
+    const auto checked = firstOf(checkAlive("setBounciness", world, shape),
+                                 checkNumber("setBounciness", bounciness, 0.0, 1.0));
+    if (!checked) return checked;
     change(world, shape, &ShapeInfo::bounciness, bounciness);
     return Done{};
 }
 
 Result<Done> setSurfaceSpeed(World& world, ShapeId shape, float speed) {
-    const auto checked = checkNumber("setSurfaceSpeed", speed, -kFastest, kFastest);
-    if (!checked || !alive(world, shape)) return checked;
+    const auto checked = firstOf(checkAlive("setSurfaceSpeed", world, shape),
+                                 checkNumber("setSurfaceSpeed", speed, -kFastest, kFastest));
+    if (!checked) return checked;
     change(world, shape, &ShapeInfo::surfaceSpeed, speed);
     wakeTouching(world, world.shapes.info[shape.index].body);
     return Done{};

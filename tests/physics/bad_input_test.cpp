@@ -384,13 +384,31 @@ TEST(BadInput, namesOfWhatIsGoneDoNothing) {
         setBullet(world, id, true);
         destroyBody(world, id);
     }
-    static_cast<void>(setFriction(world, patient.shape, 1.0f));
-    static_cast<void>(setBounciness(world, patient.shape, 1.0f));
+    EXPECT_FALSE(setFriction(world, patient.shape, 1.0f).ok());
+    EXPECT_FALSE(setBounciness(world, patient.shape, 1.0f).ok());
+    EXPECT_FALSE(setSurfaceSpeed(world, patient.shape, 1.0f).ok());
     setFilter(world, patient.shape, 1, 1, 0);
     destroyShape(world, patient.shape);
     destroyJoint(world, patient.joint);
-    static_cast<void>(setMotorSpeed(world, patient.joint, 1.0f));
+    EXPECT_FALSE(setMotorSpeed(world, patient.joint, 1.0f).ok());
+    EXPECT_FALSE(setTarget(world, patient.joint, {}).ok());
     EXPECT_EQ(hashOf(world), before);
+}
+
+TEST(BadInput, gearsWithoutTeethAreRefused) {
+    Patient patient;
+    const auto jointOf = [&](JointKind kind) {
+        return *createJoint(patient.world, {.kind = kind, .a = patient.body, .b = patient.other});
+    };
+    const JointId hinge = jointOf(JointKind::Revolute), slider = jointOf(JointKind::Prismatic);
+    const auto gear = [&](JointId a, JointId b) {
+        return createJoint(
+            patient.world,
+            {.kind = JointKind::Gear, .a = patient.body, .b = patient.other, .jointA = a, .jointB = b});
+    };
+    EXPECT_TRUE(gear(hinge, slider).ok());
+    EXPECT_FALSE(gear(hinge, jointOf(JointKind::Distance)).ok());
+    EXPECT_FALSE(gear(*gear(hinge, slider), slider).ok());
 }
 
 TEST(BadInput, thingsMayBeDestroyedInAnyOrder) {
