@@ -42,7 +42,6 @@ std::uint32_t takePlace(World& world) {
     bodies.pose.resize(count);
     bodies.motion.resize(count);
     bodies.mass.resize(count);
-    bodies.drive.resize(count);
     bodies.info.resize(count);
     world.sleepers.nextBody.resize(count, kNone);
     world.sleepers.islandOf.resize(count, kNone);
@@ -56,10 +55,19 @@ std::uint8_t flagsOf(const BodyDefinition& definition) {
                                      (definition.lockX ? kLockX : 0) | (definition.lockY ? kLockY : 0));
 }
 
+BodyDrive driveOf(const BodyDefinition& definition) {
+    BodyDrive drive;
+    drive.acceleration = definition.acceleration;
+    drive.gravityScale = definition.gravityScale;
+    drive.linearDrag = definition.linearDrag;
+    drive.angularDrag = definition.angularDrag;
+    return drive;
+}
+
 /// The effects that a body calls for by itself.
 void callFor(World& world, std::uint32_t body, int times) {
     const BodyInfo& info = world.bodies.info[body];
-    const BodyDrive& drive = world.bodies.drive[body];
+    const BodyDrive& drive = world.bodies.driveOf(body);
     const bool dynamic = info.kind == BodyKind::Dynamic;
     Manifest& manifest = world.manifest;
     manifest.call(Effect::Gravity, dynamic && drive.gravityScale != 0.0f, times);
@@ -120,12 +128,8 @@ Result<BodyId> createBody(World& world, const BodyDefinition& definition) {
     info.user = definition.user;
     bodies.pose[index] = {definition.position, rotFromAngle(definition.angle), {}};
     bodies.motion[index] = {definition.velocity, definition.angularVelocity, 0.0f};
-    bodies.drive[index] = {{},
-                           definition.acceleration,
-                           0.0f,
-                           definition.gravityScale,
-                           definition.linearDrag,
-                           definition.angularDrag};
+    const BodyDrive drive = driveOf(definition);
+    if (!(drive == BodyDrive{})) bodies.ownDriveOf(index) = drive;
     if (definition.kind == BodyKind::Static) bodies.motion[index] = {};
     if (isHeldUpright(info)) bodies.motion[index].angularVelocity = 0.0f;
     updateMass(world, index);
@@ -150,6 +154,7 @@ void destroyBody(World& world, BodyId body) {
     callFor(world, body.index, -1);
     removeAwake(world, body.index);
     info.kind = BodyKind::None;
+    world.bodies.drives.release(info.drive);
     world.bodies.mass[body.index] = {};
     world.bodies.motion[body.index] = {};
     world.bodies.dying.push_back(body.index);
@@ -166,7 +171,7 @@ Frame predictTransform(const World& world, BodyId body, float dt) {
     constexpr float kFarthestAhead = 1.0e6f;  // s
     dt = std::isnan(dt) ? 0.0f : std::clamp(dt, -kFarthestAhead, kFarthestAhead);
     const BodyMotion& motion = world.bodies.motion[body.index];
-    const BodyDrive& drive = world.bodies.drive[body.index];
+    const BodyDrive& drive = world.bodies.driveOf(body.index);
     const BodyPose& pose = world.bodies.pose[body.index];
     Vec2 way = motion.velocity * dt;
     if (isDynamic(world, body)) {
@@ -217,8 +222,9 @@ Result<Done> setAcceleration(World& world, BodyId body, Vec2 acceleration) {
     const auto checked = firstOf(checkAlive("setAcceleration", world, body),
                                  checkVector("setAcceleration", acceleration, kFastest));
     if (!checked) return checked;
-    if (acceleration != world.bodies.drive[body.index].acceleration) wake(world, body.index);
-    world.bodies.drive[body.index].acceleration = acceleration;
+    if (acceleration == world.bodies.driveOf(body.index).acceleration) return Done{};
+    wake(world, body.index);
+    world.bodies.ownDriveOf(body.index).acceleration = acceleration;
     return Done{};
 }
 
@@ -226,8 +232,9 @@ Result<Done> setGravityScale(World& world, BodyId body, float scale) {
     const auto checked = firstOf(checkAlive("setGravityScale", world, body),
                                  checkNumber("setGravityScale", scale, -kFastest, kFastest));
     if (!checked) return checked;
-    if (scale != world.bodies.drive[body.index].gravityScale) wake(world, body.index);
-    change(world, body, [&] { world.bodies.drive[body.index].gravityScale = scale; });
+    if (scale == world.bodies.driveOf(body.index).gravityScale) return Done{};
+    wake(world, body.index);
+    change(world, body, [&] { world.bodies.ownDriveOf(body.index).gravityScale = scale; });
     return Done{};
 }
 
@@ -236,9 +243,12 @@ Result<Done> setDrag(World& world, BodyId body, float linear, float angular) {
         firstOf(checkAlive("setDrag", world, body), checkNumber("setDrag linear", linear, 0.0, kFastest),
                 checkNumber("setDrag angular", angular, 0.0, kFastest));
     if (!checked) return checked;
+    const BodyDrive& drive = world.bodies.driveOf(body.index);
+    if (linear == drive.linearDrag && angular == drive.angularDrag) return Done{};
     change(world, body, [&] {
-        world.bodies.drive[body.index].linearDrag = linear;
-        world.bodies.drive[body.index].angularDrag = angular;
+        BodyDrive& own = world.bodies.ownDriveOf(body.index);
+        own.linearDrag = linear;
+        own.angularDrag = angular;
     });
     return Done{};
 }
@@ -247,8 +257,12 @@ Result<Done> setMass(World& world, BodyId body, float mass) {
     const auto checked =
         firstOf(checkAlive("setMass", world, body), checkNumber("setMass", mass, 0.0, kStrongest));
     if (!checked) return checked;
-    if (mass != world.bodies.info[body.index].setMass) wake(world, body.index);
-    world.bodies.info[body.index].setMass = mass;
+    if (!isDynamic(world, body)) return Done{};
+    BodyInfo& info = world.bodies.info[body.index];
+    const float wanted = mass > 0.0f ? std::max(mass, kLightest) : 0.0f;
+    if (wanted != (info.hasSetMass ? massOf(world, body) : 0.0f)) wake(world, body.index);
+    info.hasSetMass = wanted > 0.0f;
+    world.bodies.mass[body.index].mass = wanted;
     updateMass(world, body.index);
     return Done{};
 }
@@ -266,7 +280,7 @@ Result<Done> applyForce(World& world, BodyId body, Vec2 force) {
     if (!checked) return checked;
     if (!isDynamic(world, body)) return Done{};
     wake(world, body.index);
-    world.bodies.drive[body.index].force += force;
+    world.bodies.ownDriveOf(body.index).force += force;
     return Done{};
 }
 
@@ -274,7 +288,7 @@ Result<Done> applyForceAt(World& world, BodyId body, Vec2 force, Place point) {
     if (const auto checked = checkPlace("applyForceAt point", point); !checked) return checked;
     const Result<Done> applied = applyForce(world, body, force);
     if (!applied || !isDynamic(world, body)) return applied;
-    world.bodies.drive[body.index].torque += cross(point - world.bodies.pose[body.index].centre, force);
+    world.bodies.ownDriveOf(body.index).torque += cross(point - world.bodies.pose[body.index].centre, force);
     return applied;
 }
 
@@ -284,7 +298,7 @@ Result<Done> applyTorque(World& world, BodyId body, float torque) {
     if (!checked) return checked;
     if (!isDynamic(world, body)) return Done{};
     wake(world, body.index);
-    world.bodies.drive[body.index].torque += torque;
+    world.bodies.ownDriveOf(body.index).torque += torque;
     return Done{};
 }
 

@@ -354,9 +354,11 @@ void copyMaterials(const World& world, Contact& contact) {
     const Geometry& outlineB = world.shapes.geometry[contact.shapeB];
     contact.friction = std::sqrt(a.friction * b.friction);
     contact.bounciness = std::max(a.bounciness, b.bounciness);
-    contact.rollingResistance =
-        std::max(a.rollingResistance, b.rollingResistance) * std::max(outlineA.radius, outlineB.radius);
-    contact.surfaceSpeed = a.surfaceSpeed + b.surfaceSpeed;
+    const ShapeExtras& moreA = world.shapes.extras[a.extras];
+    const ShapeExtras& moreB = world.shapes.extras[b.extras];
+    contact.rollingResistance = std::max(moreA.rollingResistance, moreB.rollingResistance) *
+                                std::max(outlineA.radius, outlineB.radius);
+    contact.surfaceSpeed = moreA.surfaceSpeed + moreB.surfaceSpeed;
     const bool triggered = ((a.flags | b.flags) & kTrigger) != 0;
     const bool reports = ((a.flags | b.flags) & kReportsContacts) != 0;
     const bool fixed = world.bodies.info[contact.bodyA].kind != BodyKind::Dynamic;
@@ -374,7 +376,7 @@ void copyMaterials(const World& world, Contact& contact) {
 
 bool comesTo(const World& world, std::uint32_t shapeA, std::uint32_t shapeB) {
     const Shapes& shapes = world.shapes;
-    const auto isStopped = [&](const ShapeInfo& border, const Filter& other) {
+    const auto isStopped = [&](const ShapeExtras& border, const Filter& other) {
         return (border.frontLayers & other.mask) != 0 && (border.frontMask & other.layers) != 0;
     };
     const BodyInfo& a = world.bodies.info[shapes.info[shapeA].body];
@@ -385,8 +387,8 @@ bool comesTo(const World& world, std::uint32_t shapeA, std::uint32_t shapeB) {
         const bool pushed = a.kind == BodyKind::Dynamic || b.kind == BodyKind::Dynamic;
         if ((!pushed && !trigger) || (a.place == kNone && b.place == kNone)) return false;
     }
-    return !isStopped(shapes.info[shapeA], shapes.filter[shapeB]) &&
-           !isStopped(shapes.info[shapeB], shapes.filter[shapeA]);
+    return !isStopped(shapes.extrasOf(shapeA), shapes.filter[shapeB]) &&
+           !isStopped(shapes.extrasOf(shapeB), shapes.filter[shapeA]);
 }
 
 Contact makeContact(const World& world, std::uint32_t shapeA, std::uint32_t shapeB) {

@@ -49,7 +49,7 @@ struct Corner {
 ///   Box      | centre          | half size  | of the box| of round corners  |
 ///   Polygon  | centroid        |            |           | of round corners  | its corners in World::corners
 ///   Segment  | start           | end        |           | 0                 |
-///   ChainSegment as Segment, and the neighbours' far ends are `before` and `after`; solid on the side of
+///   ChainSegment as Segment, and the neighbours' far ends are beforeOf() and `after`; solid on the side of
 ///   its normal only, which is perpendicular(b - a) turned back: to the right hand of the way from a to b
 ///   when y points up, to the left hand on a screen with y down. See normalOfChain(). A neighbour whose far
 ///   end is no further than the common one does not exist: there the chain ends.
@@ -62,14 +62,16 @@ struct Geometry {
     float radius = 0.0f;
     Vec2 a{};
     Vec2 b{0.5f, 0.5f};
-    Rot turn{};
-    Vec2 before{};
+    Rot turn{};  ///< of a chain segment its `before`: see beforeOf()
     Vec2 after{};
 
     friend constexpr bool operator==(const Geometry&, const Geometry&) = default;
 };
 
 inline constexpr int kMaxCorners = 32;  ///< of one polygon; World::corners has them in a row
+
+/// Where a chain segment's chain comes from. It has no turn, so this place is written there: shapes are many.
+constexpr Vec2 beforeOf(const Geometry& segment) { return {segment.turn.cos, segment.turn.sin}; }
 
 /// The solid side of a chain segment.
 inline Vec2 normalOfChain(const Geometry& segment) {
@@ -91,7 +93,8 @@ constexpr Geometry segment(Vec2 start, Vec2 end) {
 }
 /// From `start` to `end`, in a chain that comes from `before` and goes on to `after`.
 constexpr Geometry chainSegment(Vec2 before, Vec2 start, Vec2 end, Vec2 after) {
-    return {.kind = ShapeKind::ChainSegment, .a = start, .b = end, .before = before, .after = after};
+    return {
+        .kind = ShapeKind::ChainSegment, .a = start, .b = end, .turn = {before.x, before.y}, .after = after};
 }
 
 }  // namespace plumb::physics

@@ -19,20 +19,19 @@ static_assert(isDense(&BodyMass::inverseMass, &BodyMass::inverseInertia, &BodyMa
 static_assert(isDense(&BodyDrive::force, &BodyDrive::acceleration, &BodyDrive::torque,
                       &BodyDrive::gravityScale, &BodyDrive::linearDrag, &BodyDrive::angularDrag));
 static_assert(isDense(&BodyInfo::generation, &BodyInfo::kind, &BodyInfo::flags, &BodyInfo::quality,
-                      &BodyInfo::reserved, &BodyInfo::firstShape, &BodyInfo::firstJoint, &BodyInfo::place,
-                      &BodyInfo::island, &BodyInfo::sleepSpeed, &BodyInfo::setMass, &BodyInfo::reach,
+                      &BodyInfo::hasSetMass, &BodyInfo::firstShape, &BodyInfo::firstJoint, &BodyInfo::place,
+                      &BodyInfo::island, &BodyInfo::sleepSpeed, &BodyInfo::drive, &BodyInfo::reach,
                       &BodyInfo::core, &BodyInfo::user));
 static_assert(isDense(&Geometry::kind, &Geometry::count, &Geometry::reserved, &Geometry::first,
-                      &Geometry::radius, &Geometry::a, &Geometry::b, &Geometry::turn, &Geometry::before,
-                      &Geometry::after));
+                      &Geometry::radius, &Geometry::a, &Geometry::b, &Geometry::turn, &Geometry::after));
 static_assert(isDense(&Corner::point, &Corner::normal));
 static_assert(isDense(&AABB::min, &AABB::max));
 static_assert(isDense(&Filter::layers, &Filter::mask, &Filter::group, &Filter::body));
 static_assert(isDense(&ShapeInfo::generation, &ShapeInfo::body, &ShapeInfo::next, &ShapeInfo::flags,
                       &ShapeInfo::reserved, &ShapeInfo::density, &ShapeInfo::friction, &ShapeInfo::bounciness,
-                      &ShapeInfo::rollingResistance, &ShapeInfo::surfaceSpeed, &ShapeInfo::margin,
-                      &ShapeInfo::oneWayDirection, &ShapeInfo::user, &ShapeInfo::surface,
-                      &ShapeInfo::frontLayers, &ShapeInfo::frontMask, &ShapeInfo::reserved2));
+                      &ShapeInfo::margin, &ShapeInfo::user, &ShapeInfo::surface, &ShapeInfo::extras));
+static_assert(isDense(&ShapeExtras::rollingResistance, &ShapeExtras::surfaceSpeed,
+                      &ShapeExtras::oneWayDirection, &ShapeExtras::frontLayers, &ShapeExtras::frontMask));
 static_assert(isDense(&Contact::shapeA, &Contact::shapeB, &Contact::bodyA, &Contact::bodyB, &Contact::flags,
                       &Contact::colour, &Contact::count, &Contact::bounciness, &Contact::rollingResistance,
                       &Contact::surfaceSpeed, &Contact::normal, &Contact::friction, &Contact::frictionImpulse,
@@ -139,8 +138,8 @@ void add(LaneHasher& hash, const SoftBody& soft) {
 }
 
 void add(LaneHasher& hash, const Shapes& shapes) {
-    addAll(hash, shapes.geometry, shapes.bounds, shapes.filter, shapes.motion, shapes.info, shapes.free,
-           shapes.dying, shapes.corners);
+    addAll(hash, shapes.geometry, shapes.bounds, shapes.filter, shapes.motion, shapes.info,
+           shapes.extras.rows, shapes.extras.free, shapes.free, shapes.dying, shapes.corners);
     for (const std::vector<std::uint32_t>& free : shapes.freeCorners) add(hash, free);
 }
 
@@ -156,8 +155,8 @@ std::uint64_t hashOf(const World& world) {
     const Bodies& bodies = world.bodies;
     const Sleepers& sleepers = world.sleepers;
     add(hash, world.settings);
-    addAll(hash, bodies.pose, bodies.motion, bodies.mass, bodies.drive, bodies.info, bodies.free,
-           bodies.dying);
+    addAll(hash, bodies.pose, bodies.motion, bodies.mass, bodies.info, bodies.drives.rows, bodies.drives.free,
+           bodies.free, bodies.dying);
     add(hash, world.shapes);
     add(hash, world.joints);
     for (const Field& field : world.fields.all) add(hash, field);

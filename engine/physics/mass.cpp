@@ -34,11 +34,11 @@ Sum sumOfShapes(const World& world, std::uint32_t body) {
     return sum;
 }
 
-constexpr float kLightest = 1.0e-12f;      // kg
 constexpr float kLeastInertia = 1.0e-20f;  // kg m2: less has no finite inverse that a solver could use
 
 void setMassOf(BodyMass& mass, const Sum& sum, const BodyInfo& info) {
-    mass.mass = std::max(kLightest, info.setMass > 0.0f ? info.setMass : (sum.mass > 0.0f ? sum.mass : 1.0f));
+    const float ofShapes = sum.mass > 0.0f ? sum.mass : 1.0f;
+    mass.mass = std::max(kLightest, info.hasSetMass ? mass.mass : ofShapes);
     mass.inertia = sum.mass > 0.0f ? sum.inertia * (mass.mass / sum.mass) : 0.0f;
     mass.inverseMass = 1.0f / mass.mass;
     const bool turns = mass.inertia > 0.0f && (info.flags & kFixedRotation) == 0;
@@ -62,8 +62,9 @@ void updateExtent(World& world, std::uint32_t body) {
 void updateMass(World& world, std::uint32_t body) {
     const BodyInfo& info = world.bodies.info[body];
     BodyMass& mass = world.bodies.mass[body];
-    mass = {};
-    if (info.kind == BodyKind::Dynamic) {
+    if (info.kind != BodyKind::Dynamic) {
+        mass = {};
+    } else {
         const Sum sum = sumOfShapes(world, body);
         setMassOf(mass, sum, info);
         BodyPose& pose = world.bodies.pose[body];

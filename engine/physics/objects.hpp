@@ -28,10 +28,12 @@ public:
     [[nodiscard]] Rot rotation() const { return rotationOf(world_, id_); }
     [[nodiscard]] Vec2 velocity() const { return velocityOf(world_, id_); }                 ///< m/s
     [[nodiscard]] float angularVelocity() const { return angularVelocityOf(world_, id_); }  ///< rad/s
-    [[nodiscard]] Vec2 acceleration() const { return world_.bodies.drive[id_.index].acceleration; }  ///< m/s2
-    [[nodiscard]] float mass() const { return massOf(world_, id_); }                                 ///< kg
+    [[nodiscard]] Vec2 acceleration() const {
+        return world_.bodies.driveOf(id_.index).acceleration;
+    }                                                                 ///< m/s2
+    [[nodiscard]] float mass() const { return massOf(world_, id_); }  ///< kg
     /// N: what was added since the last update, without gravity and contacts.
-    [[nodiscard]] Vec2 netForce() const { return world_.bodies.drive[id_.index].force; }
+    [[nodiscard]] Vec2 netForce() const { return world_.bodies.driveOf(id_.index).force; }
     /// Where it would be after dt (s) if nothing got in its way.
     [[nodiscard]] Frame predictTransform(float dt) const {
         return physics::predictTransform(world_, id_, dt);

@@ -35,6 +35,7 @@ Result<Done> check(const Geometry& geometry) {
 /// The effects that a shape calls for.
 void callFor(World& world, std::uint32_t shape, int times) {
     const ShapeInfo& info = world.shapes.info[shape];
+    const ShapeExtras& extras = world.shapes.extras[info.extras];
     const bool trigger = (info.flags & kTrigger) != 0;
     Manifest& manifest = world.manifest;
     manifest.call(Effect::Triggers, trigger, times);
@@ -42,8 +43,8 @@ void callFor(World& world, std::uint32_t shape, int times) {
                   times);
     manifest.call(Effect::Friction, !trigger && info.friction > 0.0f, times);
     manifest.call(Effect::Restitution, !trigger && info.bounciness > 0.0f, times);
-    manifest.call(Effect::Rolling, !trigger && info.rollingResistance > 0.0f, times);
-    manifest.call(Effect::Conveyor, !trigger && info.surfaceSpeed != 0.0f, times);
+    manifest.call(Effect::Rolling, !trigger && extras.rollingResistance > 0.0f, times);
+    manifest.call(Effect::Conveyor, !trigger && extras.surfaceSpeed != 0.0f, times);
     manifest.call(Effect::OneWay, !trigger && (info.flags & kOneWay) != 0, times);
     manifest.call(Effect::ContactEvents, (info.flags & kReportsContacts) != 0, times);
 }
@@ -72,14 +73,19 @@ ShapeInfo infoOf(const ShapeDefinition& definition) {
     info.density = definition.density;
     info.friction = definition.friction;
     info.bounciness = definition.bounciness;
-    info.rollingResistance = definition.rollingResistance;
-    info.surfaceSpeed = definition.surfaceSpeed;
-    info.oneWayDirection = normalized(definition.oneWayDirection);
     info.user = definition.user;
     info.surface = definition.surface;
-    info.frontLayers = definition.frontLayers;
-    info.frontMask = definition.frontMask;
     return info;
+}
+
+ShapeExtras extrasOf(const ShapeDefinition& definition) {
+    ShapeExtras extras;
+    extras.rollingResistance = definition.rollingResistance;
+    extras.surfaceSpeed = definition.surfaceSpeed;
+    if (definition.oneWay) extras.oneWayDirection = normalized(definition.oneWayDirection);
+    extras.frontLayers = definition.frontLayers;
+    extras.frontMask = definition.frontMask;
+    return extras;
 }
 
 /// Adds a shape that is known to be good. Its body's mass is not updated.
@@ -91,6 +97,8 @@ ShapeId add(World& world, BodyId body, const Geometry& geometry, const ShapeDefi
     info.generation = shapes.info[index].generation + 1;
     info.body = body.index;
     info.next = std::exchange(owner.firstShape, index);
+    const ShapeExtras extras = extrasOf(definition);
+    if (!(extras == ShapeExtras{})) shapes.extras.own(info.extras) = extras;
     shapes.info[index] = info;
     shapes.geometry[index] = geometry;
     shapes.filter[index] = {definition.layers, definition.mask, definition.group, body.index};
@@ -105,6 +113,7 @@ void remove(World& world, std::uint32_t shape) {
     Shapes& shapes = world.shapes;
     callFor(world, shape, -1);
     if (shapes.geometry[shape].kind == ShapeKind::Polygon) freePolygon(shapes, shapes.geometry[shape]);
+    shapes.extras.release(shapes.info[shape].extras);
     shapes.motion[shape] = ProxyMotion::Gone;
     shapes.dying.push_back(shape);
     noteChanged(world, shape);
@@ -173,11 +182,9 @@ Result<Done> createChain(World& world, BodyId body, std::span<const Vec2> points
     if (const auto checked = check(definition); !checked) return checked;
     const std::size_t segments = closed ? count : count - 3, first = closed ? 0 : 1;
     const auto segmentAt = [&](std::size_t i) {
-        Geometry piece = segment(points[(first + i) % count], points[(first + i + 1) % count]);
-        piece.kind = ShapeKind::ChainSegment;
-        piece.before = points[(first + i + count - 1) % count];
-        piece.after = points[(first + i + 2) % count];
-        return piece;
+        const std::size_t at = first + i;
+        return chainSegment(points[(at + count - 1) % count], points[at % count], points[(at + 1) % count],
+                            points[(at + 2) % count]);
     };
     for (std::size_t i = 0; i < segments; ++i) {
         const Geometry piece = segmentAt(i);
@@ -257,7 +264,12 @@ Result<Done> setSurfaceSpeed(World& world, ShapeId shape, float speed) {
     const auto checked = firstOf(checkAlive("setSurfaceSpeed", world, shape),
                                  checkNumber("setSurfaceSpeed", speed, -kFastest, kFastest));
     if (!checked) return checked;
-    change(world, shape, &ShapeInfo::surfaceSpeed, speed);
+    Shapes& shapes = world.shapes;
+    callFor(world, shape.index, -1);
+    if (speed != shapes.extrasOf(shape.index).surfaceSpeed)
+        shapes.extras.own(shapes.info[shape.index].extras).surfaceSpeed = speed;
+    callFor(world, shape.index, 1);
+    refreshContacts(world, shape.index);
     wakeTouching(world, world.shapes.info[shape.index].body);
     return Done{};
 }

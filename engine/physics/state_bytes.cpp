@@ -18,10 +18,10 @@ std::size_t stateBytes(const World& world) {
     const Sleepers& sleepers = world.sleepers;
     std::size_t bytes =
         sizeof(World) +
-        bytesOf(bodies.pose, bodies.motion, bodies.mass, bodies.drive, bodies.info, bodies.free,
-                bodies.dying) +
-        bytesOf(shapes.geometry, shapes.bounds, shapes.filter, shapes.motion, shapes.info, shapes.free,
-                shapes.dying, shapes.corners) +
+        bytesOf(bodies.pose, bodies.motion, bodies.mass, bodies.info, bodies.drives.rows, bodies.drives.free,
+                bodies.free, bodies.dying) +
+        bytesOf(shapes.geometry, shapes.bounds, shapes.filter, shapes.motion, shapes.info, shapes.extras.rows,
+                shapes.extras.free, shapes.free, shapes.dying, shapes.corners) +
         bytesOf(joints.hot, joints.definition, joints.awake, joints.free) +
         bytesOf(world.fields.all, world.fields.free, world.softBodies.all, world.softBodies.free) +
         bytesOf(world.awake, world.moved, world.contacts, world.events, world.brokenJoints,

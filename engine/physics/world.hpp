@@ -13,6 +13,7 @@
 #include "physics/manifest.hpp"
 #include "physics/settings.hpp"
 #include "physics/shape.hpp"
+#include "physics/side_table.hpp"
 #include "physics/soft_particles.hpp"
 #include "physics/workspace_holder.hpp"
 
@@ -45,7 +46,7 @@ struct alignas(16) BodyMass {
     float inertia = 0.0f;         ///< kg m2
 };
 
-/// What drives a body besides contacts and joints.
+/// What drives a body besides contacts, joints and plain gravity. Few have any of it.
 struct BodyDrive {
     Vec2 force;           ///< N, of the next step
     Vec2 acceleration;    ///< m/s2, of every step
@@ -53,6 +54,8 @@ struct BodyDrive {
     float gravityScale = 1.0f;
     float linearDrag = 0.0f;   ///< 1/s
     float angularDrag = 0.0f;  ///< 1/s
+
+    friend constexpr bool operator==(const BodyDrive&, const BodyDrive&) = default;
 };
 
 struct BodyInfo {
@@ -60,13 +63,13 @@ struct BodyInfo {
     BodyKind kind = BodyKind::None;
     std::uint8_t flags = 0;  ///< bits of BodyFlag
     Quality quality = kQualityOfWorld;
-    std::uint8_t reserved = 0;
+    bool hasSetMass = false;           ///< BodyMass::mass is what the owner wants it to be, not the shapes'
     std::uint32_t firstShape = kNone;  ///< the rest by ShapeInfo::next
     std::uint32_t firstJoint = kNone;  ///< the rest by Joint::nextA or nextB
     std::uint32_t place = kNone;       ///< in World::awake, or kNone
     std::uint32_t island = kNone;      ///< parent in the forest of islands; the root is its own
     float sleepSpeed = 0.05f;          ///< m/s
-    float setMass = 0.0f;              ///< kg: what the owner wants it to be; 0 goes by the shapes
+    std::uint32_t drive = kNone;       ///< in Bodies::drives, see there
     float reach = 0.0f;                ///< m: no point of it is further from its centre of mass
     float core = 0.0f;                 ///< m: a disc of this radius at its centre of mass is inside it
     std::uint64_t user = 0;
@@ -88,12 +91,26 @@ struct Bodies {
     std::vector<BodyPose> pose;
     std::vector<BodyMotion> motion;
     std::vector<BodyMass> mass;
-    std::vector<BodyDrive> drive;
     std::vector<BodyInfo> info;
+    SideTable<BodyDrive> drives;       ///< by BodyInfo::drive
     std::vector<std::uint32_t> free;   ///< places, last freed last
     std::vector<std::uint32_t> dying;  ///< free once the next step has ended their contacts
 
     [[nodiscard]] std::size_t size() const { return info.size(); }
+    [[nodiscard]] const BodyDrive& driveOf(std::uint32_t body) const { return drives[info[body].drive]; }
+    BodyDrive& ownDriveOf(std::uint32_t body) { return drives.own(info[body].drive); }
+};
+
+/// What sets a shape apart from most others.
+struct ShapeExtras {
+    float rollingResistance = 0.0f;
+    float surfaceSpeed = 0.0f;  ///< m/s
+    Vec2 oneWayDirection;       ///< of kOneWay
+    /// Of an inner border: whoever meets these never comes to it, see ShapeDefinition.
+    std::uint32_t frontLayers = 0;
+    std::uint32_t frontMask = 0;
+
+    friend constexpr bool operator==(const ShapeExtras&, const ShapeExtras&) = default;
 };
 
 struct ShapeInfo {
@@ -105,16 +122,10 @@ struct ShapeInfo {
     float density = 1.0f;
     float friction = 0.6f;
     float bounciness = 0.0f;
-    float rollingResistance = 0.0f;
-    float surfaceSpeed = 0.0f;
     float margin = 0.0f;  ///< m: how much larger its bounds are made
-    Vec2 oneWayDirection;
     std::uint64_t user = 0;
-    std::uint32_t surface = 0;  ///< what it is a part of, see ShapeDefinition; 0: on its own
-    /// Of an inner border: whoever meets these never comes to it, see ShapeDefinition.
-    std::uint32_t frontLayers = 0;
-    std::uint32_t frontMask = 0;
-    std::uint32_t reserved2 = 0;
+    std::uint32_t surface = 0;     ///< what it is a part of, see ShapeDefinition; 0: on its own
+    std::uint32_t extras = kNone;  ///< in Shapes::extras, see there
 };
 
 enum ShapeFlag : std::uint8_t {
@@ -131,12 +142,16 @@ struct Shapes {
     std::vector<Filter> filter;
     std::vector<ProxyMotion> motion;
     std::vector<ShapeInfo> info;
+    SideTable<ShapeExtras> extras;  ///< by ShapeInfo::extras
     std::vector<std::uint32_t> free;
     std::vector<std::uint32_t> dying;
     std::vector<Corner> corners;                            ///< of all polygons
     std::array<std::vector<std::uint32_t>, 6> freeCorners;  ///< places in it of 2^n corners
 
     [[nodiscard]] std::size_t size() const { return info.size(); }
+    [[nodiscard]] const ShapeExtras& extrasOf(std::uint32_t shape) const {
+        return extras[info[shape].extras];
+    }
 };
 
 /// A joint as the solver reads it; the rest is in its definition.

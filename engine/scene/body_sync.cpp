@@ -244,7 +244,7 @@ private:
     }
 
     void followDrive(BodyId body, const RigidBody& rigid) {
-        const physics::BodyDrive drive = bodies_.bodies.drive[body.index];
+        const physics::BodyDrive drive = bodies_.bodies.driveOf(body.index);
         const EntityId entity = linkOf(body).entity;
         const Vec2 acceleration = toMetres(rigid.acceleration, state_.scale);
         if (drive.acceleration != acceleration &&
@@ -263,8 +263,13 @@ private:
             accept(setQuality(bodies_, body, quality), entity);
     }
 
+    /// kg; 0: it goes by its shapes.
+    [[nodiscard]] float setMassOf(BodyId body) const {
+        return bodies_.bodies.info[body.index].hasSetMass ? massOf(bodies_, body) : 0.0f;
+    }
+
     void followMass(BodyId body, const RigidBody& rigid) {
-        const float known = bodies_.bodies.info[body.index].setMass;
+        const float known = setMassOf(body);
         if (rigid.mass == known) return;
         const EntityId entity = linkOf(body).entity;
         const Result<Done> set = rigid.mass > 0.0f
@@ -273,7 +278,7 @@ private:
                                                           "use a StaticBody for what never moves"}};
         if (accept(set, entity)) return;
         if (!(known > 0.0f)) static_cast<void>(setMass(bodies_, body, RigidBody{}.mass));
-        world_.get<RigidBody>(entity).mass = bodies_.bodies.info[body.index].setMass;
+        world_.get<RigidBody>(entity).mass = setMassOf(body);
     }
 
     bool accept(const Result<Done>& result, EntityId entity) {

@@ -237,7 +237,7 @@ Result<Done> updateSurfaces(physics::World& bodies, BodyId body, const World& wo
         const physics::Filter& filter = bodies.shapes.filter[s];
         if (info.friction != wanted.friction) accept(setFriction(bodies, shape, wanted.friction));
         if (info.bounciness != wanted.bounciness) accept(setBounciness(bodies, shape, wanted.bounciness));
-        if (info.surfaceSpeed != wanted.surfaceSpeed)
+        if (bodies.shapes.extrasOf(s).surfaceSpeed != wanted.surfaceSpeed)
             accept(setSurfaceSpeed(bodies, shape, wanted.surfaceSpeed));
         if (filter.layers != wanted.layers || filter.mask != wanted.mask)
             setFilter(bodies, shape, wanted.layers, wanted.mask, filter.group);

@@ -32,7 +32,7 @@ bool stops(const physics::World& world, const physics::CastHit& hit, Vec2 way, b
     if (leaves && way != Vec2{}) return false;
     const physics::ShapeInfo& info = world.shapes.info[hit.shape.index];
     if ((info.flags & physics::kOneWay) == 0) return true;
-    const Vec2 open = rotate(rotationOf(world, hit.body), info.oneWayDirection);
+    const Vec2 open = rotate(rotationOf(world, hit.body), world.shapes.extras[info.extras].oneWayDirection);
     return oneWay && dot(hit.normal, open) > kSolidSide && hit.separation > -2.0f * world.settings.slop;
 }
 

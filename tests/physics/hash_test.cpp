@@ -33,7 +33,8 @@ World makeRich() {
     static_cast<void>(createJoint(world, {.a = a, .b = b, .anchorA = {1.0f, 0.0f}}));
     const BodyId c = addBody(world, BodyKind::Dynamic, {3.0, 0.3}),
                  d = addBody(world, BodyKind::Dynamic, {3.0, 0.5});
-    static_cast<void>(createShape(world, c, circle(0.3f)));
+    static_cast<void>(setDrag(world, c, 0.1f, 0.1f));
+    static_cast<void>(createShape(world, c, circle(0.3f), {.rollingResistance = 0.1f}));
     static_cast<void>(createShape(world, d, circle(0.3f)));
     step(world, kTick);
     destroyBody(world, addBody(world, BodyKind::Dynamic, {}));
@@ -75,12 +76,12 @@ std::vector<Change> everyField() {
         PLUMB_CHANGE(BodyMass, bodies.mass, inverseInertia),
         PLUMB_CHANGE(BodyMass, bodies.mass, mass),
         PLUMB_CHANGE(BodyMass, bodies.mass, inertia),
-        PLUMB_CHANGE(BodyDrive, bodies.drive, force),
-        PLUMB_CHANGE(BodyDrive, bodies.drive, acceleration),
-        PLUMB_CHANGE(BodyDrive, bodies.drive, torque),
-        PLUMB_CHANGE(BodyDrive, bodies.drive, gravityScale),
-        PLUMB_CHANGE(BodyDrive, bodies.drive, linearDrag),
-        PLUMB_CHANGE(BodyDrive, bodies.drive, angularDrag),
+        PLUMB_CHANGE(BodyDrive, bodies.drives.rows, force),
+        PLUMB_CHANGE(BodyDrive, bodies.drives.rows, acceleration),
+        PLUMB_CHANGE(BodyDrive, bodies.drives.rows, torque),
+        PLUMB_CHANGE(BodyDrive, bodies.drives.rows, gravityScale),
+        PLUMB_CHANGE(BodyDrive, bodies.drives.rows, linearDrag),
+        PLUMB_CHANGE(BodyDrive, bodies.drives.rows, angularDrag),
         PLUMB_CHANGE(BodyInfo, bodies.info, generation),
         PLUMB_CHANGE(BodyInfo, bodies.info, kind),
         PLUMB_CHANGE(BodyInfo, bodies.info, flags),
@@ -90,7 +91,8 @@ std::vector<Change> everyField() {
         PLUMB_CHANGE(BodyInfo, bodies.info, place),
         PLUMB_CHANGE(BodyInfo, bodies.info, island),
         PLUMB_CHANGE(BodyInfo, bodies.info, sleepSpeed),
-        PLUMB_CHANGE(BodyInfo, bodies.info, setMass),
+        PLUMB_CHANGE(BodyInfo, bodies.info, hasSetMass),
+        PLUMB_CHANGE(BodyInfo, bodies.info, drive),
         PLUMB_CHANGE(BodyInfo, bodies.info, reach),
         PLUMB_CHANGE(BodyInfo, bodies.info, core),
         PLUMB_CHANGE(BodyInfo, bodies.info, user),
@@ -101,7 +103,6 @@ std::vector<Change> everyField() {
         PLUMB_CHANGE(Geometry, shapes.geometry, a),
         PLUMB_CHANGE(Geometry, shapes.geometry, b),
         PLUMB_CHANGE(Geometry, shapes.geometry, turn),
-        PLUMB_CHANGE(Geometry, shapes.geometry, before),
         PLUMB_CHANGE(Geometry, shapes.geometry, after),
         PLUMB_CHANGE(AABB, shapes.bounds, min),
         PLUMB_CHANGE(AABB, shapes.bounds, max),
@@ -117,10 +118,14 @@ std::vector<Change> everyField() {
         PLUMB_CHANGE(ShapeInfo, shapes.info, density),
         PLUMB_CHANGE(ShapeInfo, shapes.info, friction),
         PLUMB_CHANGE(ShapeInfo, shapes.info, bounciness),
-        PLUMB_CHANGE(ShapeInfo, shapes.info, rollingResistance),
-        PLUMB_CHANGE(ShapeInfo, shapes.info, surfaceSpeed),
+        PLUMB_CHANGE(ShapeExtras, shapes.extras.rows, rollingResistance),
+        PLUMB_CHANGE(ShapeExtras, shapes.extras.rows, surfaceSpeed),
         PLUMB_CHANGE(ShapeInfo, shapes.info, margin),
-        PLUMB_CHANGE(ShapeInfo, shapes.info, oneWayDirection),
+        PLUMB_CHANGE(ShapeExtras, shapes.extras.rows, oneWayDirection),
+        PLUMB_CHANGE(ShapeExtras, shapes.extras.rows, frontLayers),
+        PLUMB_CHANGE(ShapeExtras, shapes.extras.rows, frontMask),
+        PLUMB_CHANGE(ShapeInfo, shapes.info, surface),
+        PLUMB_CHANGE(ShapeInfo, shapes.info, extras),
         PLUMB_CHANGE(ShapeInfo, shapes.info, user),
         PLUMB_CHANGE(Corner, shapes.corners, point),
         PLUMB_CHANGE(Corner, shapes.corners, normal),
@@ -238,6 +243,8 @@ std::vector<Change> everyField() {
         Change{"moved", [](World& world) { world.moved.push_back(0); }},
         Change{"bodies.free", [](World& world) { world.bodies.free.push_back(0); }},
         Change{"shapes.free", [](World& world) { world.shapes.free.push_back(0); }},
+        Change{"bodies.drives.free", [](World& world) { world.bodies.drives.free.push_back(0); }},
+        Change{"shapes.extras.free", [](World& world) { world.shapes.extras.free.push_back(0); }},
         Change{"shapes.dying", [](World& world) { world.shapes.dying.push_back(0); }},
         Change{"shapes.freeCorners", [](World& world) { world.shapes.freeCorners[2].push_back(0); }},
         Change{"joints.free", [](World& world) { world.joints.free.push_back(0); }},

@@ -77,7 +77,7 @@ CharacterTouch caughtBy(CharacterMover& mover, std::span<const CharacterProbe::P
 
 /// m/s to the right hand of the ground's normal, of a conveyor.
 float conveyorSpeed(const World& world, const CharacterTouch& ground) {
-    return world.shapes.info[ground.shape.index].surfaceSpeed;
+    return world.shapes.extrasOf(ground.shape.index).surfaceSpeed;
 }
 
 }  // namespace

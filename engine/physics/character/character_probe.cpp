@@ -85,7 +85,7 @@ bool CharacterProbe::ignores(std::uint32_t shape) const {
 bool CharacterProbe::stops(const CastHit& hit, const BodyPose& pose, const MovingOutline& moving) const {
     const ShapeInfo& info = world_.shapes.info[hit.shape.index];
     if ((info.flags & kOneWay) == 0) return true;
-    const Vec2 open = rotate(pose.rotation, info.oneWayDirection);
+    const Vec2 open = rotate(pose.rotation, world_.shapes.extras[info.extras].oneWayDirection);
     if (!(dot(hit.normal, open) > kSolidSide)) return false;
     if (hit.shape == floor) return true;
     if (hit.separation < 0.0f) return false;

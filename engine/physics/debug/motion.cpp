@@ -26,7 +26,7 @@ void drawPaths(const Picture& picture) {
     picture.forBodies([&](std::uint32_t body) {
         const Vec2 velocity = world.bodies.motion[body].velocity;
         if (!picture.isDynamic(body) || length(velocity) < world.bodies.info[body].sleepSpeed) return;
-        const BodyDrive& drive = world.bodies.drive[body];
+        const BodyDrive& drive = world.bodies.driveOf(body);
         const Vec2 pull = drive.acceleration + drive.gravityScale * world.settings.gravity +
                           world.bodies.mass[body].inverseMass * drive.force;
         const Vec2 start = picture.centre(body);

@@ -97,7 +97,7 @@ void drawShapes(const Picture& picture) {
         if ((shapes.info[s].flags & kOneWay) == 0) return;
         const Vec2 from = apply(frame, outline.centre);
         picture.canvas.arrow(
-            from, from + kOneWayArrow * rotate(frame.rotation, shapes.info[s].oneWayDirection), role);
+            from, from + kOneWayArrow * rotate(frame.rotation, shapes.extrasOf(s).oneWayDirection), role);
     });
     drawSoftBodies(picture);
 }

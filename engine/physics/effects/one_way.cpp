@@ -13,8 +13,8 @@ namespace {
 constexpr float kOnTop = 4.0f;
 
 Vec2 openDirection(const World& world, std::uint32_t shape) {
-    const ShapeInfo& info = world.shapes.info[shape];
-    return rotate(world.bodies.pose[info.body].rotation, info.oneWayDirection);
+    const Rot rotation = world.bodies.pose[world.shapes.info[shape].body].rotation;
+    return rotate(rotation, world.shapes.extrasOf(shape).oneWayDirection);
 }
 
 /// m: how far an outline reaches along a direction, seen from `origin`.

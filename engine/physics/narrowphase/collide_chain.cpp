@@ -35,12 +35,12 @@ struct Chain {
 Vec2 normalBetween(Vec2 from, Vec2 to) { return normalized(Vec2{to.y - from.y, from.x - to.x}); }
 
 Chain chainIn(const Geometry& geometry, const Frame& frame) {
-    const Vec2 before = apply(frame, geometry.before);
+    const Vec2 before = apply(frame, beforeOf(geometry));
     const Vec2 start = apply(frame, geometry.a);
     const Vec2 end = apply(frame, geometry.b);
     const Vec2 after = apply(frame, geometry.after);
     const Vec2 normal = normalBetween(start, end);
-    const bool starts = geometry.before == geometry.a;
+    const bool starts = beforeOf(geometry) == geometry.a;
     const bool ends = geometry.after == geometry.b;
     const Vec2 from = starts ? -perpendicular(normal) : normalBetween(before, start);  // a free end is square
     const Vec2 to = ends ? perpendicular(normal) : normalBetween(end, after);

@@ -93,7 +93,8 @@ Result<Done> checkPolygon(const Geometry& geometry, Corners pool) {
 Result<Done> checkSegment(const Geometry& geometry, Corners) {
     if (!isPlace(geometry.a)) return badPlace("segment.a", geometry.a);
     if (!isPlace(geometry.b)) return badPlace("segment.b", geometry.b);
-    if (!isPlace(geometry.before)) return badPlace("segment.before", geometry.before);
+    const bool isOfChain = geometry.kind == ShapeKind::ChainSegment;
+    if (isOfChain && !isPlace(beforeOf(geometry))) return badPlace("segment.before", beforeOf(geometry));
     if (!isPlace(geometry.after)) return badPlace("segment.after", geometry.after);
     if (geometry.radius != 0.0f) {
         return Error{"segment.radius", format("expected none, found {} m", geometry.radius),

@@ -84,7 +84,7 @@ struct DriveScale {
 
 DriveScale scaleOf(const StepContext& step, std::size_t slot, std::uint32_t body, float h) {
     if (step.work.keep.empty()) return {};
-    const BodyDrive& drive = step.world.bodies.drive[body];
+    const BodyDrive& drive = step.world.bodies.driveOf(body);
     const Float4& keep = step.work.keep[slot];
     return {driveLeft(keep.x, drive.linearDrag, h), driveLeft(keep.z, drive.angularDrag, h)};
 }
@@ -122,8 +122,8 @@ void launch(StepContext& step, std::size_t slot, std::uint32_t body, float h) {
             flyer.isSteady = false;
         }
     }
-    flyer.linearDrag = step.world.bodies.drive[body].linearDrag;
-    flyer.angularDrag = step.world.bodies.drive[body].angularDrag;
+    flyer.linearDrag = step.world.bodies.driveOf(body).linearDrag;
+    flyer.angularDrag = step.world.bodies.driveOf(body).angularDrag;
     flyer.now = start;
     const std::uint8_t flags = step.world.bodies.info[body].flags;
     if ((flags & kLockX) != 0) flyer.now.velocity.x = flyer.steady.linear.x = 0.0f;

@@ -44,7 +44,6 @@ bool isFree(const World& world, const Workspace& work, std::uint32_t body) {
 void gatherBody(World& world, Workspace& work, Vec2 gravity, std::uint32_t body, std::size_t slot, float h) {
     const BodyMotion& motion = world.bodies.motion[body];
     const BodyMass& mass = world.bodies.mass[body];
-    BodyDrive& drive = world.bodies.drive[body];
     work.slots[body] = static_cast<std::int32_t>(slot);
     work.bodyOf[slot] = body;
     work.velocity[slot] = {motion.velocity.x, motion.velocity.y, motion.angularVelocity, mass.inverseMass};
@@ -52,15 +51,21 @@ void gatherBody(World& world, Workspace& work, Vec2 gravity, std::uint32_t body,
     work.drive[slot] = {};
     work.flight[slot] = {0.0f, 0.0f, h, 0.0f};
     if (mass.inverseMass == 0.0f) return;
-    const Vec2 pull = drive.gravityScale * gravity + drive.acceleration + mass.inverseMass * drive.force;
-    work.drive[slot] = {pull.x, pull.y, mass.inverseInertia * drive.torque, 0.0f};
-    drive.force = {};
-    drive.torque = 0.0f;
+    Vec2 pull = gravity;
+    float spin = 0.0f;
+    if (const std::uint32_t own = world.bodies.info[body].drive; own != kNone) {
+        BodyDrive& drive = world.bodies.drives.rows[own];
+        pull = drive.gravityScale * gravity + drive.acceleration + mass.inverseMass * drive.force;
+        spin = mass.inverseInertia * drive.torque;
+        drive.force = {};
+        drive.torque = 0.0f;
+    }
+    work.drive[slot] = {pull.x, pull.y, spin, 0.0f};
     if (isFree(world, work, body)) work.flight[slot] = flightOf(work.drive[slot], {1.0f, h}, 0.0f, h);
 }
 
 void applyDrag(const World& world, Workspace& work, std::uint32_t body, std::size_t slot, float h) {
-    const BodyDrive& drive = world.bodies.drive[body];
+    const BodyDrive& drive = world.bodies.driveOf(body);
     work.keep[slot] = {1.0f, 1.0f, 1.0f, 1.0f};
     if (drive.linearDrag <= 0.0f && drive.angularDrag <= 0.0f) return;
     if (world.bodies.mass[body].inverseMass == 0.0f) return;  // its owner moves it, and nothing slows it

@@ -43,11 +43,8 @@ void appendBorder(const TilePalette& palette, const CellWindow& window, CellRect
 }  // namespace
 
 Geometry geometryOf(const TerrainSegment& segment, Vec2 cellSize, GridPoint origin) {
-    return {.kind = ShapeKind::ChainSegment,
-            .a = toMetres(segment.a, cellSize, origin),
-            .b = toMetres(segment.b, cellSize, origin),
-            .before = toMetres(segment.before, cellSize, origin),
-            .after = toMetres(segment.after, cellSize, origin)};
+    const auto place = [&](GridPoint point) { return toMetres(point, cellSize, origin); };
+    return chainSegment(place(segment.before), place(segment.a), place(segment.b), place(segment.after));
 }
 
 void OutlineBuilder::findPlaces() {
