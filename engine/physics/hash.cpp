@@ -128,7 +128,8 @@ void add(LaneHasher& hash, const SoftLink& link) {
 }
 
 void add(LaneHasher& hash, const SoftBody& soft) {
-    const auto& [particles, links, ring, area, areaCompliance, radius, damping, friction, layers, mask,
+    // Its edges are always the same links.
+    const auto& [particles, links, edges, ring, area, areaCompliance, radius, damping, friction, layers, mask,
                  generation, substeps, isAlive] = soft;
     for (const SoftParticle& particle : particles) add(hash, particle);
     for (const SoftLink& link : links) add(hash, link);

@@ -26,12 +26,13 @@ struct SoftLink {
     float compliance = 0.0f;  ///< m/N
 };
 
-/// A rope, a cloth or a jelly. Particles and their constraints; nothing else of the world knows of them.
+/// A rope, a cloth or a jelly. Particles and their constraints.
 struct SoftBody {
     std::vector<SoftParticle> particles;
     std::vector<SoftLink> links;
-    std::vector<std::uint32_t> ring;  ///< particles around the area that is kept; empty for none
-    float area = 0.0f;                ///< m2, with the sign of the ring's sense
+    std::vector<std::uint32_t> edges;  ///< links that particles of others do not pass
+    std::vector<std::uint32_t> ring;   ///< particles around the area that is kept; empty for none
+    float area = 0.0f;                 ///< m2, with the sign of the ring's sense
     float areaCompliance = 0.0f;
     float radius = 0.0f;   ///< m
     float damping = 0.0f;  ///< 1/s

@@ -39,6 +39,12 @@ void link(SoftBody& body, int a, int b, float compliance) {
     body.links.push_back({i, j, length(body.particles[j].place - body.particles[i].place), compliance});
 }
 
+/// A link that others do not pass.
+void edge(SoftBody& body, int a, int b, float compliance) {
+    body.edges.push_back(static_cast<std::uint32_t>(body.links.size()));
+    link(body, a, b, compliance);
+}
+
 SoftBodyId take(World& world, SoftBody&& body) {
     SoftBodies& soft = world.softBodies;
     std::uint32_t index = static_cast<std::uint32_t>(soft.all.size());
@@ -89,7 +95,7 @@ Result<SoftBodyId> createRope(World& world, Place from, Place to, int count, con
         addParticle(body, {from.x + t * (to.x - from.x), from.y + t * (to.y - from.y)},
                     material.mass / static_cast<float>(count));
     }
-    for (int i = 0; i + 1 < count; ++i) link(body, i, i + 1, material.stretchCompliance);
+    for (int i = 0; i + 1 < count; ++i) edge(body, i, i + 1, material.stretchCompliance);
     for (int i = 0; i + 2 < count; ++i) link(body, i, i + 2, material.bendCompliance);
     return take(world, std::move(body));
 }
@@ -114,8 +120,8 @@ Result<SoftBodyId> createCloth(World& world, Place corner, Vec2 size, int column
         for (int column = 0; column < columns; ++column) {
             const int here = number(column, row);
             const bool right = column + 1 < columns, down = row + 1 < rows;
-            if (right) link(body, here, number(column + 1, row), material.stretchCompliance);
-            if (down) link(body, here, number(column, row + 1), material.stretchCompliance);
+            if (right) edge(body, here, number(column + 1, row), material.stretchCompliance);
+            if (down) edge(body, here, number(column, row + 1), material.stretchCompliance);
             if (right && down) {
                 link(body, here, number(column + 1, row + 1), material.bendCompliance);
                 link(body, number(column + 1, row), number(column, row + 1), material.bendCompliance);
@@ -146,7 +152,7 @@ Result<SoftBodyId> createJelly(World& world, Place place, std::span<const Vec2> 
         return wrong("createJelly", "expected an outline around some area, found none",
                      "give its points in order around it");
     }
-    for (int i = 0; i < count; ++i) link(body, i, (i + 1) % count, material.stretchCompliance);
+    for (int i = 0; i < count; ++i) edge(body, i, (i + 1) % count, material.stretchCompliance);
     if (count > 4) {
         for (int i = 0; i < count; ++i) link(body, i, (i + 2) % count, material.bendCompliance);
     }

@@ -10,14 +10,14 @@ namespace plumb::physics {
 /// What ropes, cloth and jellies are made of.
 struct SoftMaterial {
     float mass = 1.0f;                 ///< kg, of the whole body
-    float radius = 0.05f;              ///< m: how far its particles stay from shapes
+    float radius = 0.05f;              ///< m: how far it stays from shapes, and from others besides theirs
     float stretchCompliance = 0.0f;    ///< m/N: 0 does not stretch
     float bendCompliance = 1.0e-2f;    ///< m/N: larger bends more easily; below 0 it does not resist at all
     float areaCompliance = 0.0f;       ///< m/N, of a jelly: larger is squeezed more easily
     float damping = 0.5f;              ///< 1/s: of its motion through space
     float friction = 0.5f;             ///< Coulomb coefficient
     std::uint32_t layers = 1;          ///< bits: what it is
-    std::uint32_t mask = 0xffffffffu;  ///< bits: the layers of the shapes that it meets
+    std::uint32_t mask = 0xffffffffu;  ///< bits: the layers of the shapes and soft bodies that it meets
     std::uint8_t substeps = 8;         ///< of a step; more is stiffer
 };
 

@@ -29,7 +29,8 @@ std::size_t stateBytes(const World& world) {
         bytesOf(sleepers.islands, sleepers.freeIslands, sleepers.contacts, sleepers.nextContact,
                 sleepers.freeContacts, sleepers.nextBody, sleepers.islandOf);
     for (const std::vector<std::uint32_t>& free : shapes.freeCorners) bytes += bytesOf(free);
-    for (const SoftBody& soft : world.softBodies.all) bytes += bytesOf(soft.particles, soft.links, soft.ring);
+    for (const SoftBody& soft : world.softBodies.all)
+        bytes += bytesOf(soft.particles, soft.links, soft.edges, soft.ring);
     return bytes;
 }
 

@@ -11,6 +11,7 @@
 #include "physics/effects/flyers.hpp"
 #include "physics/narrowphase/sweep.hpp"
 #include "physics/pair_set.hpp"
+#include "physics/soft_meetings.hpp"
 #include "physics/solver/colours.hpp"
 #include "physics/solver/contact_block.hpp"
 #include "physics/solver/joint_work.hpp"
@@ -148,7 +149,9 @@ struct Workspace {
     std::vector<RollingBlock> fixedRollings;
     std::vector<AxisLock> locks;
     JointWork joints;
-    std::vector<std::uint32_t> softShapes;   ///< near a soft body
+    std::vector<std::uint32_t> softShapes;     ///< near soft bodies, one after the other
+    std::vector<std::uint32_t> softShapeEnds;  ///< by soft body of a group: where its shapes end
+    SoftMeetings softMeetings;
     SmoothForces smooth;                     ///< where there are fields
     std::vector<std::uint32_t> solveOrder;   ///< awake bodies by group; empty where there is one group
     std::vector<std::uint8_t> groupOf;       ///< by body, where there are several

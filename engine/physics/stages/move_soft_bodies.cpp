@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <span>
 
 #include "math/portable.hpp"
 #include "physics/broadphase_update.hpp"
@@ -20,9 +21,9 @@ constexpr float kRousing = 0.5f;
 struct SoftStep {
     World& world;
     SoftBody& body;
-    const std::vector<std::uint32_t>& shapes;  // near it
-    float h;                                   // s
-    float elapsed;                             // s since the start of the step
+    std::span<const std::uint32_t> shapes;  // near it
+    float h;                                // s
+    float elapsed;                          // s since the start of the step
 };
 
 /// Each particle is as wide in the wind as the way to its neighbour.
@@ -183,15 +184,60 @@ AABB boundsOf(const SoftBody& body, float dt) {
     return grown(bounds, 2.0f * body.radius);
 }
 
-void findShapes(StepContext& step, const SoftBody& body, std::vector<std::uint32_t>& found) {
+/// Puts the shapes near a soft body behind those of others.
+void findShapes(StepContext& step, const SoftBody& body) {
     const Shapes& shapes = step.world.shapes;
-    found.clear();
-    if (step.work.broadPhase == nullptr) return;
-    step.work.broadPhase->query(proxiesOf(step.world), boundsOf(body, step.dt), body.mask, found);
-    std::erase_if(found, [&](std::uint32_t shape) {
+    std::vector<std::uint32_t>& found = step.work.softShapes;
+    const auto first = static_cast<std::ptrdiff_t>(found.size());
+    if (step.work.broadPhase != nullptr) {
+        step.work.broadPhase->query(proxiesOf(step.world), boundsOf(body, step.dt), body.mask, found);
+    }
+    const auto end = std::remove_if(found.begin() + first, found.end(), [&](std::uint32_t shape) {
         return (shapes.info[shape].flags & kTrigger) != 0 || (shapes.filter[shape].mask & body.layers) == 0;
     });
-    std::sort(found.begin(), found.end());
+    found.erase(end, found.end());
+    std::sort(found.begin() + first, found.end());
+    step.work.softShapeEnds.push_back(static_cast<std::uint32_t>(found.size()));
+}
+
+/// Does something to each soft body of a group in the `index`th of `substeps`.
+template <class Act>
+void forSoftBodies(StepContext& step, std::span<const std::uint32_t> group, int substeps, int index,
+                   Act&& act) {
+    const float h = step.dt / static_cast<float>(substeps);
+    std::size_t begin = 0;
+    for (std::size_t i = 0; i < group.size(); ++i) {
+        const std::size_t end = step.work.softShapeEnds[i];
+        act(SoftStep{step.world, step.world.softBodies.all[group[i]],
+                     std::span{step.work.softShapes}.subspan(begin, end - begin), h,
+                     h * static_cast<float>(index)});
+        begin = end;
+    }
+}
+
+/// Those that may meet go through their substeps side by side.
+void moveGroup(StepContext& step, std::span<const std::uint32_t> group) {
+    SoftMeetings& meetings = step.work.softMeetings;
+    step.work.softShapes.clear();
+    step.work.softShapeEnds.clear();
+    int substeps = 1;
+    for (const std::uint32_t index : group) {
+        const SoftBody& body = step.world.softBodies.all[index];
+        findShapes(step, body);
+        substeps = std::max<int>(substeps, body.substeps);
+    }
+    findMeetings(step.world, step.dt, group, meetings);
+    for (int i = 0; i < substeps; ++i) {
+        forSoftBodies(step, group, substeps, i, [](const SoftStep& soft) {
+            blow(soft);
+            moveFreely(soft);
+            keepLengths(soft);
+            keepArea(soft);
+            keepOutOfAll(soft);
+        });
+        keepSoftApart(step.world, step.dt / static_cast<float>(substeps), meetings.all);
+        forSoftBodies(step, group, substeps, i, updateVelocities);
+    }
 }
 
 }  // namespace
@@ -199,19 +245,14 @@ void findShapes(StepContext& step, const SoftBody& body, std::vector<std::uint32
 /// Position based dynamics with compliance, in small steps. Source: M. Macklin, M. Mueller, N. Chentanez,
 /// "XPBD: Position-Based Simulation of Compliant Constrained Dynamics", MIG 2016.
 void moveSoftBodies(StepContext& step) {
-    for (SoftBody& body : step.world.softBodies.all) {
-        if (!body.isAlive) continue;
-        findShapes(step, body, step.work.softShapes);
-        const float h = step.dt / static_cast<float>(body.substeps);
-        for (int i = 0; i < body.substeps; ++i) {
-            const SoftStep soft{step.world, body, step.work.softShapes, h, h * static_cast<float>(i)};
-            blow(soft);
-            moveFreely(soft);
-            keepLengths(soft);
-            keepArea(soft);
-            keepOutOfAll(soft);
-            updateVelocities(soft);
-        }
+    SoftMeetings& meetings = step.work.softMeetings;
+    groupSoftBodies(step.world, step.dt, meetings);
+    const std::span<const std::uint32_t> order = meetings.order;
+    for (std::size_t begin = 0; begin < order.size();) {
+        std::size_t end = begin + 1;
+        while (end < order.size() && meetings.leaders[order[end]] == meetings.leaders[order[begin]]) ++end;
+        moveGroup(step, order.subspan(begin, end - begin));
+        begin = end;
     }
 }
 
