@@ -10,6 +10,7 @@
 #include "tests/bench/bench.hpp"
 #include "tests/bench/physics/crowd.hpp"
 #include "tests/bench/physics/plumb_world.hpp"
+#include "tests/bench/physics/progress.hpp"
 #include "tests/bench/physics/report.hpp"
 
 namespace plumb::bench {
@@ -30,11 +31,6 @@ constexpr int kSteps = 60;
 using Costs = std::array<double, kKinds>;  // s per step, by kind
 
 std::string_view nameOf(std::size_t kind) { return physics::nameOf(static_cast<BroadPhaseKind>(kind)); }
-
-void announce(const std::string& what) {
-    std::fprintf(stderr, "\r\033[K%s", what.c_str());
-    std::fflush(stderr);
-}
 
 /// A broad phase and the best it did in each step.
 struct Runner {
@@ -61,10 +57,10 @@ public:
     Race(const scenes::CrowdKind& kind, std::uint32_t boxes, int rounds) {
         for (Runner& runner : runners_) runner.best.assign(kSteps, 1.0);
         for (int round = 0; round < rounds; ++round) {
-            announce(format("{}, {} boxes, round {} of {}", kind.name, boxes, round + 1, rounds));
+            showProgress(format("{}, {} boxes, round {} of {}", kind.name, boxes, round + 1, rounds));
             runRound(kind.make(boxes));
         }
-        announce("");
+        showProgress("");
     }
     /// The mean over the steps of the best time that each took.
     [[nodiscard]] Costs costs() const {

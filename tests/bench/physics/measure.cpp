@@ -1,10 +1,11 @@
 #include "tests/bench/physics/measure.hpp"
 
 #include <algorithm>
-#include <cstdio>
 #include <numeric>
 
 #include "core/clock.hpp"
+#include "core/text.hpp"
+#include "tests/bench/physics/progress.hpp"
 
 namespace plumb::scenes {
 
@@ -177,9 +178,8 @@ bool wantsMore(const Lane& lane, const MeasureOptions& options) {
 }
 
 void announce(const Scene& scene, const Lane& lane) {
-    std::fprintf(stderr, "\r\033[K%s: %s, %d thread(s), run %d", scene.name.c_str(),
-                 lane.contender.engine->name.c_str(), lane.contender.threads, lane.runs + 1);
-    std::fflush(stderr);
+    showProgress(format("{}: {}, {} thread(s), run {}", scene.name, lane.contender.engine->name,
+                        lane.contender.threads, lane.runs + 1));
 }
 
 }  // namespace
@@ -212,7 +212,7 @@ std::vector<Measurement> measure(const Scene& scene, std::span<const Contender> 
         if (options.loud) announce(scene, lane);
         static_cast<void>(runOnce(scene, lane, steps, true));
     }
-    if (options.loud) std::fprintf(stderr, "\r\033[K");
+    if (options.loud) showProgress({});
     std::vector<Measurement> results;
     for (Lane& lane : lanes) {
         conclude(lane);
