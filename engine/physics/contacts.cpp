@@ -408,6 +408,7 @@ void findTouches(const World& world, std::span<Contact> contacts, float dt, Dete
     const Shapes& shapes = world.shapes;
     for (Contact& contact : contacts) {
         ++counts.pairs;
+        contact.flags &= static_cast<std::uint16_t>(~(kBegan | kGone | kDisabled));
         if ((contact.flags & kAlongAxes) != 0) {
             touchUpright(world, contact, counts);
             continue;

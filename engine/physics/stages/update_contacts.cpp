@@ -37,8 +37,6 @@ struct Look {
 void lookAt(Look& look, std::size_t first, std::size_t count) {
     World& world = look.step.world;
     const std::span<Contact> contacts = std::span{world.contacts}.subspan(first, count);
-    for (Contact& contact : contacts)
-        contact.flags &= static_cast<std::uint16_t>(~(kBegan | kGone | kDisabled));
     findTouches(world, contacts, look.step.dt, look.counts);
     std::uint16_t* keys = look.step.work.contactKeys.data() + first;
     for (std::size_t i = 0; i < count; ++i) {
