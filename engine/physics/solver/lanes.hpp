@@ -11,7 +11,8 @@
 #if defined(PLUMB_LANES_SCALAR)
 #define PLUMB_LANES scalar
 #define PLUMB_LANES_NAME "scalar"
-#elif defined(__AVX2__)
+#elif defined(__AVX2__) && !defined(PLUMB_LANES_BASE)
+#define PLUMB_LANES_AVX2
 #define PLUMB_LANES avx2
 #define PLUMB_LANES_NAME "avx2"
 #include <immintrin.h>
@@ -137,7 +138,7 @@ inline int bits(Mask8 m) {
 }
 #undef PLUMB_EACH_LANE
 
-#elif defined(__AVX2__)
+#elif defined(PLUMB_LANES_AVX2)
 
 struct Mask8 {
     __m256 v;
