@@ -50,7 +50,7 @@ struct ContactSet {
     const ContactKernels<Block, Bodies>& kernels;
     const std::vector<BlockLanes>& lanes;
     std::vector<Block>& blocks;
-    ContactPass pass;
+    ContactPass pass{};
 
     void warmStart(const Bodies& bodies, int begin, int end) const {
         kernels.warmStart(bodies, lanes.data(), blocks.data(), begin, end);
@@ -61,6 +61,13 @@ struct ContactSet {
     void relax(const Bodies& bodies, int begin, int end) const {
         kernels.relax(bodies, pass, lanes.data(), blocks.data(), begin, end);
     }
+    /// Impulses back to the contacts.
+    void store(StepContext& step) const {
+        auto* contacts = reinterpret_cast<Float4*>(step.world.contacts.data());
+        forRange(step, 0, static_cast<int>(lanes.size()), kBlockGrain, [&](int begin, int end) {
+            kernels.store(contacts, lanes.data(), blocks.data(), begin, end);
+        });
+    }
 };
 
 /// Both kinds: between bodies that can be pushed, and with those that cannot.
@@ -68,6 +75,12 @@ template <class Two, class Fixed>
 struct ContactSets {
     Two two;
     Fixed fixed;
+
+    /// @param h  s: of the substeps of the group that comes next
+    void startGroup(const Settings& settings, float h) {
+        two.pass = contactPass(settings, h, 1.0f);
+        fixed.pass = contactPass(settings, h, kGroundStiffness);
+    }
 
     /// Runs `act(set, begin, end)` over the blocks of a colour.
     template <class Act>
@@ -77,15 +90,10 @@ struct ContactSets {
         forRange(step, blocks.fixedBegin, blocks.fixedEnd, grain,
                  [&](int begin, int end) { act(fixed, begin, end); });
     }
+    void store(StepContext& step) const {
+        two.store(step);
+        fixed.store(step);
+    }
 };
-
-/// Impulses back to the contacts.
-template <class Block, class Kernels>
-void storeImpulses(StepContext& step, const Kernels& kernels, const std::vector<BlockLanes>& lanes,
-                   const std::vector<Block>& blocks) {
-    auto* contacts = reinterpret_cast<Float4*>(step.world.contacts.data());
-    forRange(step, 0, static_cast<int>(lanes.size()), kBlockGrain,
-             [&](int begin, int end) { kernels.store(contacts, lanes.data(), blocks.data(), begin, end); });
-}
 
 }  // namespace plumb::physics

@@ -17,7 +17,7 @@ struct Solver {
     const SolverKernels& kernels;
     const SolveGroup& group;
     PlainBodies bodies;
-    Contacts contacts;
+    Contacts& contacts;
     float h;         // s
     int iterations;  // of each substep
 };
@@ -101,24 +101,23 @@ void solvePlain(StepContext& step) {
     const std::size_t rubs = step.runs(Effect::Friction) ? 1 : 0;
     prepareLocks(step);
     gatherStates(work);
+    Contacts contacts{{kernels.plain[rubs], work.contactLanes, work.plainBlocks},
+                      {kernels.plainFixed[rubs], work.fixedLanes, work.plainFixedBlocks}};
     for (const SolveGroup& group : work.groups) {
         const float h = step.dt / static_cast<float>(group.substeps);
-        Solver solver{
-            step,
-            kernels,
-            group,
-            bodiesOf(work),
-            {{kernels.plain[rubs], work.contactLanes, work.plainBlocks, contactPass(settings, h, 1.0f)},
-             {kernels.plainFixed[rubs], work.fixedLanes, work.plainFixedBlocks,
-              contactPass(settings, h, kGroundStiffness)}},
-            h,
-            std::clamp<int>(settings.iterations, 1, kMostIterations)};
+        contacts.startGroup(settings, h);
+        Solver solver{step,
+                      kernels,
+                      group,
+                      bodiesOf(work),
+                      contacts,
+                      h,
+                      std::clamp<int>(settings.iterations, 1, kMostIterations)};
         solveGroup(solver);
         if (step.runs(Effect::Kinematics)) turnBodies(solver);
     }
     giveBack(work);
-    storeImpulses(step, kernels.plain[rubs], work.contactLanes, work.plainBlocks);
-    storeImpulses(step, kernels.plainFixed[rubs], work.fixedLanes, work.plainFixedBlocks);
+    contacts.store(step);
 }
 
 }  // namespace plumb::physics

@@ -23,7 +23,7 @@ struct Solver {
     const SolverKernels& kernels;
     const SolveGroup& group;
     SolverBodies bodies;
-    Contacts contacts;
+    Contacts& contacts;
     JointPass joints;
     float h;         // s
     int iterations;  // of each substep
@@ -125,24 +125,23 @@ void solve(StepContext& step) {
     prepareRestitution(step);
     prepareRolling(step);
     prepareLocks(step);
+    Contacts contacts{{kernels.contacts[rubs], work.contactLanes, work.contactBlocks},
+                      {kernels.fixedContacts[rubs], work.fixedLanes, work.fixedBlocks}};
     for (const SolveGroup& group : work.groups) {
         const float h = step.dt / static_cast<float>(group.substeps);
-        Solver solver{
-            step,
-            kernels,
-            group,
-            bodiesOf(work),
-            {{kernels.contacts[rubs], work.contactLanes, work.contactBlocks, contactPass(settings, h, 1.0f)},
-             {kernels.fixedContacts[rubs], work.fixedLanes, work.fixedBlocks,
-              contactPass(settings, h, kGroundStiffness)}},
-            jointPass(settings, h),
-            h,
-            std::clamp<int>(settings.iterations, 1, kMostIterations),
-            solvesTrees(step.world, work)};
+        contacts.startGroup(settings, h);
+        Solver solver{step,
+                      kernels,
+                      group,
+                      bodiesOf(work),
+                      contacts,
+                      jointPass(settings, h),
+                      h,
+                      std::clamp<int>(settings.iterations, 1, kMostIterations),
+                      solvesTrees(step.world, work)};
         solveGroup(solver);
     }
-    storeImpulses(step, kernels.contacts[rubs], work.contactLanes, work.contactBlocks);
-    storeImpulses(step, kernels.fixedContacts[rubs], work.fixedLanes, work.fixedBlocks);
+    contacts.store(step);
     storeRolling(step);
     if (step.runs(Effect::Joints)) storeJoints(step);
 }
