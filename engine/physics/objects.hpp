@@ -28,9 +28,8 @@ public:
     [[nodiscard]] Rot rotation() const { return rotationOf(world_, id_); }
     [[nodiscard]] Vec2 velocity() const { return velocityOf(world_, id_); }                 ///< m/s
     [[nodiscard]] float angularVelocity() const { return angularVelocityOf(world_, id_); }  ///< rad/s
-    [[nodiscard]] Vec2 acceleration() const {
-        return world_.bodies.driveOf(id_.index).acceleration;
-    }                                                                 ///< m/s2
+    /// m/s2
+    [[nodiscard]] Vec2 acceleration() const { return world_.bodies.driveOf(id_.index).acceleration; }
     [[nodiscard]] float mass() const { return massOf(world_, id_); }  ///< kg
     /// N: what was added since the last update, without gravity and contacts.
     [[nodiscard]] Vec2 netForce() const { return world_.bodies.driveOf(id_.index).force; }
