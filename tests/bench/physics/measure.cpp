@@ -109,6 +109,7 @@ bool runOnce(const Scene& scene, Lane& lane, int steps, bool profiled) {
     const std::unique_ptr<SceneBuilder> world =
         lane.contender.engine->open({.gravity = scene.gravity,
                                      .sleeping = scene.sleeping,
+                                     .quality = scene.quality,
                                      .threads = lane.contender.threads,
                                      .profiled = profiled});
     const BeforeStep before = scene.build(*world, scene.size);

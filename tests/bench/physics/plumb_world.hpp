@@ -17,6 +17,7 @@ public:
     explicit PlumbWorld(const WorldSetup& setup) : pool_{setup.threads} {
         world_.settings.gravity = setup.gravity;
         world_.settings.sleeping = setup.sleeping;
+        world_.settings.quality = static_cast<physics::Quality>(setup.quality);
         world_.settings.stayEvents = false;
         if (setup.threads > 1) options_.pool = &pool_;
         if (setup.profiled) options_.profile = &profile_;

@@ -87,6 +87,7 @@ struct Hinge {
 struct WorldSetup {
     Vec2 gravity{0.0f, -10.0f};  ///< m/s2
     bool sleeping = true;
+    int quality = 2;  ///< 2^quality substeps, where the engine has such a knob
     int threads = 1;
     bool profiled = false;  ///< stages() will be asked for
 };

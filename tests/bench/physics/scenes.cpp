@@ -25,7 +25,8 @@ void addScaling(std::vector<Scene>& scenes, const std::string& family, decltype(
 
 std::vector<Scene> makeScenes() {
     std::vector<Scene> scenes{
-        {"joint_grid", Reference, 500, kDown, kWakes, 0, 1, 100, &buildJointGrid},
+        // At the usual quality its worst joint is open by .44 m; at this one by .1 m, at a third more time.
+        {"joint_grid", Reference, 500, kDown, kWakes, 0, 1, 100, &buildJointGrid, 3},
         {"large_pyramid", Reference, 500, kDown, kWakes, 0, 1, 100, &buildLargePyramid},
         {"many_pyramids", Reference, 200, kDown, kWakes, 0, 1, 20, &buildManyPyramids},
         {"rain", Reference, 1000, kDown, kSleeps, 0, 1, 40, &buildRain},

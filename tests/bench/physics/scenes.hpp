@@ -31,6 +31,8 @@ struct Scene {
     int size = 0;    ///< what `build` is told; the number of bodies in scenes that scale
     /// Fills the empty world. What it gives back may be empty.
     BeforeStep (*build)(SceneBuilder& world, int size) = nullptr;
+    /// 2^quality substeps for engines that have this knob; the others do what they do by default.
+    int quality = 2;
 };
 
 /// All scenes, in the order in which they are reported.
