@@ -45,8 +45,9 @@ int extraQuality(const IslandHardness& island) {
     if (island.bodies == 0.0f) return 0;
     const float layers =
         (island.highest - island.lowest) * island.bodies / std::max(2.0f * island.size, 1e-6f);
-    return std::max({stepsAbove(island.heaviest, 10.0f * island.lightest, 5.0f),
-                     stepsAbove(layers, 8.0f, 2.0f), stepsAbove(island.joints, 8.0f, 4.0f)});
+    // Where the limits are: measured, so that hard cases keep to millimetres (plumb-accuracy-physics).
+    return std::max({stepsAbove(island.heaviest, 10.0f * island.lightest, 3.0f),
+                     stepsAbove(layers, 7.0f, 2.0f), stepsAbove(island.joints, 8.0f, 4.0f)});
 }
 
 void addTo(IslandHardness& island, const World& world, const Workspace& work, std::uint32_t body,
