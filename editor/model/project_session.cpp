@@ -20,7 +20,8 @@ ProjectSession::ProjectSession(Project project)
     ProjectFolder folder{project_.root,
                          project_.name,
                          {static_cast<float>(project_.width), static_cast<float>(project_.height)},
-                         project_.smooth};
+                         project_.smooth,
+                         project_.layers};
     workspace_ = std::make_unique<Workspace>(types_, assets_, std::move(folder), &prefabs_);
     workspace_->makeSession = [this](const std::string& path, const std::string& text) {
         return makeGameSession(project_, path, text);

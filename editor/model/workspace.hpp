@@ -22,8 +22,9 @@ namespace plumb::editor {
 struct ProjectFolder {
     Path root;
     std::string name = "Untitled";
-    Vec2 picture{640.0f, 360.0f};  ///< px of the game's own picture
-    bool smooth = false;           ///< its pictures are drawings, not pixel art
+    Vec2 picture{640.0f, 360.0f};       ///< px of the game's own picture
+    bool smooth = false;                ///< its pictures are drawings, not pixel art
+    std::vector<std::string> layers{};  ///< names of the layers of collisions, from the lowest bit on
 };
 
 /// What only the window can do; set by an action, taken by the window.

@@ -56,6 +56,20 @@ public:
             warn(key, "expected two numbers", "write them as [320, 180]");
         }
     }
+    void names(std::string_view key, std::vector<std::string>& values, std::size_t most) {
+        const Json* found = find(key, "a list of names", "[\"ground\", \"player\"]", &Json::is_array);
+        if (found == nullptr) return;
+        for (const Json& name : *found) {
+            if (values.size() == most || !name.is_string()) {
+                warn(key,
+                     values.size() == most ? format("has more than {} names", most)
+                                           : format("expected a text, found {}", name.type_name()),
+                     "write e.g. [\"ground\", \"player\"]; \"\" leaves one out");
+                return;
+            }
+            values.push_back(name.get<std::string>());
+        }
+    }
     const Json* object(std::string_view key) { return find(key, "an object", "{}", &Json::is_object); }
 
     void warn(std::string_view key, std::string what, std::string remedy) {
@@ -92,6 +106,7 @@ void readPhysics(const Json& json, const std::string& where, Project& project) {
     auto quality = static_cast<float>(project.physicsQuality);
     physics.number("quality", quality, 0.0f, 6.0f);
     project.physicsQuality = static_cast<int>(quality);
+    physics.names("layers", project.layers, 32);
 }
 
 void readScaling(Reader& reader, Project& project) {

@@ -29,6 +29,7 @@ struct Project {
     Vec2 gravity{0.0f, 980.0f};    ///< px/s²
     float pixelsPerMetre = 64.0f;  ///< px in a metre of the physics
     int physicsQuality = 2;  ///< 2^quality substeps in a tick; scenes, bodies and joints may say otherwise
+    std::vector<std::string> layers;  ///< names of the layers of collisions, from the lowest bit on
     ActionMap actions;
     std::vector<Error> warnings;  ///< what was wrong, and what was used instead
 };

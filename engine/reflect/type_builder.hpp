@@ -73,6 +73,15 @@ public:
     FieldBuilder& was(std::string_view oldName) { return field_.was = oldName, *this; }
     /// State of the running game: shown and hashed, not saved.
     FieldBuilder& transient() { return field_.transient = true, *this; }
+    /// By how much one pixel of a drag in the inspector changes it, in the field's unit.
+    FieldBuilder& step(float step) { return field_.step = step, *this; }
+    /// Each bit stands for a layer of collisions.
+    FieldBuilder& layerBits() { return field_.layerBits = true, *this; }
+    /// Does nothing unless another field of the component, a bool or an enum, has this value; the inspector
+    /// shows it only then.
+    FieldBuilder& shownIf(std::string_view other, int value = 1) {
+        return field_.shownIf = other, field_.shownIfValue = value, *this;
+    }
     FieldBuilder& names(std::initializer_list<EnumName> names) { return field_.names = names, *this; }
 
 private:

@@ -41,6 +41,10 @@ struct FieldInfo {
     std::size_t capacity = 0;      ///< of a List
     std::size_t elementSize = 0;   ///< of a List
     bool transient = false;        ///< state of the running game: shown, hashed, not saved
+    bool layerBits = false;        ///< of an unsigned Int: each bit is a layer of collisions
+    float step = 0.0f;             ///< by which a drag in the inspector changes it; 0: what suits the unit
+    std::string_view shownIf;      ///< the Bool or Enum of the same component without which it does nothing
+    int shownIfValue = 1;          ///< what that one must be
     std::vector<EnumName> names;   ///< of an Enum
     void* (*address)(void* object) = nullptr;
     std::uint32_t* (*listCount)(void* list) = nullptr;  ///< of a List: its count; items start at the list's address

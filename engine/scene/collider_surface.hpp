@@ -22,8 +22,8 @@ template <class T>
 void describeSurface(TypeBuilder<T>& type) {
     type.template field<&T::isTrigger>("isTrigger").doc("Reports contacts, stops nothing.");
     type.template field<&T::oneWay>("oneWay").doc("Solid only for what comes from above.");
-    type.template field<&T::layers>("layers").doc("Bits: what it is.");
-    type.template field<&T::mask>("mask").doc("Bits: what it collides with.");
+    type.template field<&T::layers>("layers").layerBits().doc("What it is.");
+    type.template field<&T::mask>("mask").layerBits().doc("What it collides with.");
     type.template field<&T::friction>("friction")
         .unit(Unit::Ratio)
         .range(-1.0f, 10.0f)

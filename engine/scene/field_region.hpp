@@ -20,7 +20,7 @@ void describeRegion(TypeBuilder<T>& type) {
     type.template field<&T::size>("size")
         .unit(Unit::Pixels)
         .doc("Without a collider: how far it reaches right and down; 0, 0 is everywhere.");
-    type.template field<&T::layers>("layers").doc("Bits: acts on colliders of these layers.");
+    type.template field<&T::layers>("layers").layerBits().doc("Acts on colliders of these layers.");
 }
 
 }  // namespace plumb

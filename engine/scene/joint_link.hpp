@@ -26,6 +26,7 @@ void describeLink(TypeBuilder<T>& type) {
     type.template field<&T::anchor>("anchor").unit(Unit::Pixels).doc("From the entity's Transform.");
     type.template field<&T::otherAnchor>("otherAnchor")
         .unit(Unit::Pixels)
+        .shownIf("autoAnchor", 0)
         .doc("From the other's Transform, or in the world.");
     type.template field<&T::autoAnchor>("autoAnchor")
         .doc("The other's anchor is where this one is at the start.");

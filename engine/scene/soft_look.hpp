@@ -51,8 +51,8 @@ void describeSoft(TypeBuilder<T>& type) {
         .doc("1/s: part of its speed lost in a second.");
     type.template field<&T::friction>("friction").unit(Unit::Ratio).range(0.0f, 10.0f).doc("0 is ice.");
     type.template field<&T::thickness>("thickness").unit(Unit::Pixels).range(0.0f, 256.0f);
-    type.template field<&T::layers>("layers").doc("Bits: what it is.");
-    type.template field<&T::mask>("mask").doc("Bits: what it collides with.");
+    type.template field<&T::layers>("layers").layerBits().doc("What it is.");
+    type.template field<&T::mask>("mask").layerBits().doc("What it collides with.");
     type.template field<&T::color>("color");
     type.template field<&T::layer>("layer").range(-1000.0f, 1000.0f).doc("Higher is in front.");
 }

@@ -8,7 +8,7 @@ namespace {
 TEST(Project, aFileWithEverythingIsRead) {
     const auto project = projectFromText(
         R"({"name": "Mine", "startScene": "scenes/a.scene.json", "window": {"width": 640, "height": 360},
-            "resolution": [320, 180], "scaling": "integer", "smooth": true, "physics": {"gravity": [0, 500]}})",
+            "resolution": [320, 180], "scaling": "integer", "smooth": true, "physics": {"gravity": [0, 500], "layers": ["ground", "", "player"]}})",
         ".", "project.json");
 
     ASSERT_TRUE(project.ok());
@@ -19,6 +19,7 @@ TEST(Project, aFileWithEverythingIsRead) {
     EXPECT_EQ(project->scaling, WindowScale::Integer);
     EXPECT_TRUE(project->smooth);
     EXPECT_EQ(project->gravity, (Vec2{0.0f, 500.0f}));
+    EXPECT_EQ(project->layers, (std::vector<std::string>{"ground", "", "player"}));
 }
 
 TEST(Project, everyWrongValueIsOneWarningWithWhereWhatAndRemedyAndTheDefaultStays) {
@@ -26,6 +27,7 @@ TEST(Project, everyWrongValueIsOneWarningWithWhereWhatAndRemedyAndTheDefaultStay
          {R"({"name": 3})", R"({"scaling": "huge"})", R"({"smooth": "very"})", R"({"resolution": [320]})",
           R"({"resolution": [0, 180]})", R"({"window": {"width": -1}})", R"({"window": 5})",
           R"({"physics": {"pixelsPerMetre": 0}})", R"({"physics": {"gravity": "down"}})",
+          R"({"physics": {"layers": "ground"}})", R"({"physics": {"layers": ["ground", 2]}})",
           R"({"startScene": false})"}) {
         SCOPED_TRACE(wrong);
         const auto project = projectFromText(wrong, ".", "project.json");

@@ -18,7 +18,7 @@ struct MouseDrag {
             .unit(Unit::PixelsPerSecondSquared)
             .range(1.0f, 1e6f)
             .doc("The most, so that nothing is dragged through walls.");
-        type.field<&MouseDrag::mask>("mask").doc("Bits: what it can take.");
+        type.field<&MouseDrag::mask>("mask").layerBits().doc("What it can take.");
         type.field<&MouseDrag::held>("held").transient();
     }
 };

@@ -16,7 +16,7 @@ struct Explosion {
         type.field<&Explosion::impulse>("impulse")
             .range(-1e9f, 1e9f)
             .doc("kg px/s for each px of width that faces it, at its middle.");
-        type.field<&Explosion::layers>("layers").doc("Bits: acts on colliders of these layers.");
+        type.field<&Explosion::layers>("layers").layerBits().doc("Acts on colliders of these layers.");
     }
     void apply(physics::FieldDefinition& field, float metres) const {
         field.kind = physics::FieldKind::Explosion;

@@ -19,12 +19,13 @@ struct PrismaticJoint : JointLink, JointStiffness {
         describeLink(type);
         type.field<&PrismaticJoint::axis>("axis").doc("Direction, turned with the other body.");
         type.field<&PrismaticJoint::limited>("limited").doc("Moves between lower and upper only.");
-        type.field<&PrismaticJoint::lower>("lower").unit(Unit::Pixels);
-        type.field<&PrismaticJoint::upper>("upper").unit(Unit::Pixels);
+        type.field<&PrismaticJoint::lower>("lower").unit(Unit::Pixels).shownIf("limited");
+        type.field<&PrismaticJoint::upper>("upper").unit(Unit::Pixels).shownIf("limited");
         type.field<&PrismaticJoint::motor>("motor");
-        type.field<&PrismaticJoint::motorSpeed>("motorSpeed").unit(Unit::PixelsPerSecond);
+        type.field<&PrismaticJoint::motorSpeed>("motorSpeed").unit(Unit::PixelsPerSecond).shownIf("motor");
         type.field<&PrismaticJoint::maxForce>("maxForce")
             .range(0.0f, 1e18f)
+            .shownIf("motor")
             .doc("kg px/s2 of the motor; 0 is as much as it takes.");
         describeStiffness(type);
     }

@@ -17,12 +17,13 @@ struct RevoluteJoint : JointLink, JointStiffness {
         type.name("RevoluteJoint").doc("A hinge between this body and another, or the world.");
         describeLink(type);
         type.field<&RevoluteJoint::limited>("limited").doc("Turns between lower and upper only.");
-        type.field<&RevoluteJoint::lower>("lower").unit(Unit::Radians);
-        type.field<&RevoluteJoint::upper>("upper").unit(Unit::Radians);
+        type.field<&RevoluteJoint::lower>("lower").unit(Unit::Radians).shownIf("limited");
+        type.field<&RevoluteJoint::upper>("upper").unit(Unit::Radians).shownIf("limited");
         type.field<&RevoluteJoint::motor>("motor");
-        type.field<&RevoluteJoint::motorSpeed>("motorSpeed").unit(Unit::RadiansPerSecond);
+        type.field<&RevoluteJoint::motorSpeed>("motorSpeed").unit(Unit::RadiansPerSecond).shownIf("motor");
         type.field<&RevoluteJoint::maxTorque>("maxTorque")
             .range(0.0f, 1e18f)
+            .shownIf("motor")
             .doc("kg px2/s2 of the motor; 0 is as much as it takes.");
         describeStiffness(type);
     }

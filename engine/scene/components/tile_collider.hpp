@@ -16,8 +16,8 @@ struct TileCollider {
     static void describe(TypeBuilder<TileCollider>& type) {
         type.name("TileCollider")
             .doc("Makes the tiles of the entity's TileLayer solid, as their tileset says.");
-        type.field<&TileCollider::layers>("layers").doc("Bits: what these tiles are.");
-        type.field<&TileCollider::mask>("mask").doc("Bits: what they collide with.");
+        type.field<&TileCollider::layers>("layers").layerBits().doc("What these tiles are.");
+        type.field<&TileCollider::mask>("mask").layerBits().doc("What they collide with.");
         type.field<&TileCollider::friction>("friction").unit(Unit::Ratio).range(0.0f, 10.0f).doc("0 is ice.");
         type.field<&TileCollider::bounciness>("bounciness")
             .unit(Unit::Ratio)

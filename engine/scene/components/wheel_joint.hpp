@@ -21,12 +21,13 @@ struct WheelJoint : JointLink, JointStiffness {
         describeLink(type);
         type.field<&WheelJoint::axis>("axis").doc("Direction of the spring, turned with the other body.");
         type.field<&WheelJoint::limited>("limited").doc("Moves between lower and upper only.");
-        type.field<&WheelJoint::lower>("lower").unit(Unit::Pixels);
-        type.field<&WheelJoint::upper>("upper").unit(Unit::Pixels);
+        type.field<&WheelJoint::lower>("lower").unit(Unit::Pixels).shownIf("limited");
+        type.field<&WheelJoint::upper>("upper").unit(Unit::Pixels).shownIf("limited");
         type.field<&WheelJoint::motor>("motor");
-        type.field<&WheelJoint::motorSpeed>("motorSpeed").unit(Unit::RadiansPerSecond);
+        type.field<&WheelJoint::motorSpeed>("motorSpeed").unit(Unit::RadiansPerSecond).shownIf("motor");
         type.field<&WheelJoint::maxTorque>("maxTorque")
             .range(0.0f, 1e18f)
+            .shownIf("motor")
             .doc("kg px2/s2 of the motor; 0 is as much as it takes.");
         describeStiffness(type);
     }
