@@ -30,6 +30,24 @@ if(MSVC)
 else()
     add_compile_options(-ffp-contract=off -fno-fast-math)
 endif()
+# gcc (12 at least) makes vfmaddsub of neighbouring products all the same, where it is told of a processor that has
+# it (-march=native). So it is not told of that: here where the flags do so, and whoever uses the library always.
+if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64|i.86")
+    set(PLUMB_NEVER_FUSED -mno-fma -mno-fma4 -mno-avx512f)
+endif()
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND PLUMB_NEVER_FUSED)
+    include(CheckCXXSourceCompiles)
+    set(CMAKE_TRY_COMPILE_CONFIGURATION ${CMAKE_BUILD_TYPE})
+    check_cxx_source_compiles("
+        #if !defined __FMA__ && !defined __FMA4__ && !defined __AVX512F__
+        #error no fused operations
+        #endif
+        int main() {}" PLUMB_MACHINE_FUSES)
+    unset(CMAKE_TRY_COMPILE_CONFIGURATION)
+    if(PLUMB_MACHINE_FUSES)
+        add_compile_options(${PLUMB_NEVER_FUSED})
+    endif()
+endif()
 
 function(set_plumb_warnings target)
     if(MSVC)
