@@ -44,6 +44,8 @@ constexpr std::array kOptions{
               [](EditorOptions& o, Values) { return o.validate = true; }},
     OptionRow{"--screenshot", 1, "FILE.png  write a picture of the window, end",
               [](EditorOptions& o, Values v) { return o.screenshot = v[0], true; }},
+    OptionRow{"--tour", 1, "FILE          play the actions of this file, take its pictures, end",
+              [](EditorOptions& o, Values v) { return o.tour = v[0], true; }},
     OptionRow{"--import", 2, "FILE.tmx OUT.scene.json  make a scene of a Tiled map, end",
               [](EditorOptions& o, Values v) { return o.importFrom = v[0], o.importTo = v[1], true; }},
     OptionRow{"--size", 1, "WxH           size of the window, e.g. 1600x900", &setSize},

@@ -13,6 +13,7 @@ struct EditorOptions {
     std::string scene;       ///< empty: the project's start scene
     bool validate = false;   ///< open every scene, tell its problems, end
     std::string screenshot;  ///< PNG of the window, then end
+    std::string tour;        ///< a file of actions to play, then end: see Tour
     std::string importFrom;  ///< a map of another editor …
     std::string importTo;    ///< … and the scene to make of it
     std::string select;      ///< name of the entity to select at the start

@@ -11,6 +11,7 @@
 #include "editor/ui/editor_window.hpp"
 #include "editor/ui/imgui_renderer.hpp"
 #include "editor/ui/scene_picture.hpp"
+#include "editor/ui/tour.hpp"
 #include "platform/image_file.hpp"
 #include "platform/paths.hpp"
 #include "platform/window.hpp"
@@ -60,13 +61,28 @@ public:
         for (int i = 0; i < kScreenshotFrames; ++i) {
             frame({}, 1.0f / 60.0f);
         }
-        const Result<std::string> png = encodePng(device_->readPixels({}));
-        if (!png) return png.error();
-        return writeFile(path, *png);
+        return writePicture(path);
+    }
+
+    /// @param path  of the tour; its pictures are named from there
+    Result<Done> playTour(const Path& path) {
+        const Result<std::string> text = readFile(path);
+        if (!text) return text.error();
+        const Result<Tour> tour = Tour::read(*text, path.filename().string());
+        if (!tour) return tour.error();
+        return tour->play(editor_, session_.workspace(),
+                          {[this](const std::vector<Event>& events) { frame(events, 1.0f / 60.0f); },
+                           [&](std::string_view name) { return writePicture(path.parent_path() / name); }});
     }
 
 private:
     static constexpr int kIdleFrames = 30;
+
+    Result<Done> writePicture(const Path& path) {
+        const Result<std::string> png = encodePng(device_->readPixels({}));
+        if (!png) return png.error();
+        return writeFile(path, *png);
+    }
 
     void frame(const std::vector<Event>& events, float seconds) {
         if (editor_.takeFontsChanged()) renderer_.uploadFonts();
@@ -120,16 +136,17 @@ int runEditor(const EditorOptions& options) {
     auto window = Window::open({.title = "Plumb",
                                 .width = options.width,
                                 .height = options.height,
-                                .hidden = !options.screenshot.empty()});
+                                .hidden = !options.screenshot.empty() || !options.tour.empty()});
     if (!window) return fail(window.error());
     auto device = GlDevice::create();
     if (!device) return fail(device.error());
     App app{**session, log, std::move(*window), std::move(*device), options.scale};
-    if (options.screenshot.empty()) {
+    if (options.screenshot.empty() && options.tour.empty()) {
         app.run();
         return 0;
     }
-    const Result<Done> written = app.screenshot(options.screenshot);
+    const Result<Done> written =
+        options.tour.empty() ? app.screenshot(options.screenshot) : app.playTour(options.tour);
     return written ? 0 : fail(written.error());
 }
 

@@ -1,0 +1,230 @@
+#include "editor/ui/tour.hpp"
+
+#include <array>
+
+#include "core/text.hpp"
+#include "editor/model/shortcut.hpp"
+
+namespace plumb::editor::ui {
+namespace {
+
+constexpr int kDragSteps = 12;      // frames
+constexpr int kMostFrames = 36000;  // of one wait
+
+/// What plays: where the mouse is, and what it can ask.
+struct Player {
+    const EditorWindow& window;
+    const Workspace& workspace;
+    const Tour::Stage& stage;
+    Vec2 mouse;
+
+    void rest(int frames = 1) const {
+        for (int i = 0; i < frames; ++i) stage.frame({});
+    }
+    void send(Event event) const { stage.frame({std::move(event)}); }
+    void sendMouse(EventKind kind, MouseButton button, int clicks = 1) const {
+        send({.kind = kind,
+              .mouseButton = button,
+              .clicks = static_cast<std::uint8_t>(clicks),
+              .position = mouse});
+    }
+    void moveTo(Vec2 at) {
+        mouse = at;
+        send({.kind = EventKind::MouseMoved, .position = at});
+    }
+    void click(Vec2 at, MouseButton button, int clicks) {
+        moveTo(at);
+        rest();
+        for (int i = 1; i <= clicks; ++i) {
+            sendMouse(EventKind::MouseDown, button, i);
+            sendMouse(EventKind::MouseUp, button, i);
+        }
+        rest(2);
+    }
+};
+
+/// "160,64"
+std::optional<Vec2> parsePlace(std::string_view text) {
+    const std::vector<std::string_view> parts = split(text, ',');
+    if (parts.size() != 2) return std::nullopt;
+    const auto x = parseFloat(trimmed(parts[0])), y = parseFloat(trimmed(parts[1]));
+    if (!x || !y) return std::nullopt;
+    return Vec2{*x, *y};
+}
+
+/// px of the window: a widget's middle, or a place in the scene.
+Result<Vec2> placeOf(const Player& player, std::string_view name, const std::string& where) {
+    const WidgetMap& widgets = player.window.widgets();
+    if (!startsWith(name, "@")) {
+        if (const WidgetMap::Widget* widget = widgets.find(name)) return widget->box.center();
+        std::vector<std::string_view> names;
+        for (const auto& [path, widget] : widgets.all()) names.push_back(path);
+        const std::string_view near = closestName(name, names);
+        return Error{
+            where, format("\"{}\" is not on the screen", name),
+            near.empty() ? "open the panel or menu that it is in first" : format("did you mean {}?", near)};
+    }
+    const WidgetMap::Widget* view = widgets.find("Viewport");
+    if (view == nullptr) return Error{where, "the scene is not on the screen", "show its panel first"};
+    return view->box.min + player.workspace.view.toScreenPoint(*parsePlace(name.substr(1)));
+}
+
+/// "Ctrl+Shift+Z"
+std::optional<Shortcut> parseKeys(std::string_view text) {
+    Shortcut keys;
+    for (const std::string_view part : split(text, '+')) {
+        if (part == "Ctrl") {
+            keys.control = true;
+        } else if (part == "Shift") {
+            keys.shift = true;
+        } else if (part == "Alt") {
+            keys.alt = true;
+        } else if (const auto key = keyFromName(part)) {
+            keys.key = *key;
+        } else {
+            return std::nullopt;
+        }
+    }
+    return keys.key == Key::None ? std::nullopt : std::optional{keys};
+}
+
+template <MouseButton kButton, int kClicks>
+Result<Done> click(Player& player, const Tour::Step& step) {
+    const Result<Vec2> at = placeOf(player, step.from, step.where);
+    if (!at) return at.error();
+    player.click(*at, kButton, kClicks);
+    return Done{};
+}
+
+Result<Done> move(Player& player, const Tour::Step& step) {
+    const Result<Vec2> at = placeOf(player, step.from, step.where);
+    if (!at) return at.error();
+    player.moveTo(*at);
+    player.rest();
+    return Done{};
+}
+
+template <MouseButton kButton>
+Result<Done> drag(Player& player, const Tour::Step& step) {
+    const Result<Vec2> from = placeOf(player, step.from, step.where);
+    if (!from) return from.error();
+    const Result<Vec2> to = placeOf(player, step.to, step.where);
+    if (!to) return to.error();
+    player.moveTo(*from);
+    player.rest();
+    player.sendMouse(EventKind::MouseDown, kButton);
+    for (int i = 1; i <= kDragSteps; ++i)
+        player.moveTo(lerp(*from, *to, static_cast<float>(i) / static_cast<float>(kDragSteps)));
+    player.sendMouse(EventKind::MouseUp, kButton);
+    player.rest(2);
+    return Done{};
+}
+
+Result<Done> pressKeys(Player& player, const Tour::Step& step) {
+    const Shortcut keys = *parseKeys(step.from);
+    const Modifiers modifiers{keys.shift, keys.control, keys.alt};
+    player.send({.kind = EventKind::KeyDown, .key = keys.key, .modifiers = modifiers});
+    player.send({.kind = EventKind::KeyUp, .key = keys.key, .modifiers = {}});
+    player.rest(2);
+    return Done{};
+}
+
+Result<Done> type(Player& player, const Tour::Step& step) {
+    for (const char letter : step.from) player.send({.kind = EventKind::TextInput, .text = {letter}});
+    player.rest();
+    return Done{};
+}
+
+Result<Done> wait(Player& player, const Tour::Step& step) {
+    player.rest(static_cast<int>(*parseInt(step.from)));
+    return Done{};
+}
+
+Result<Done> takePicture(Player& player, const Tour::Step& step) { return player.stage.picture(step.from); }
+
+bool isPlace(const Tour::Step& step) {
+    const auto good = [](std::string_view name) {
+        return !name.empty() && (name[0] != '@' || parsePlace(name.substr(1)));
+    };
+    return good(step.from) && (step.verb != "drag" && step.verb != "right-drag" ? true : good(step.to));
+}
+bool isKeys(const Tour::Step& step) { return parseKeys(step.from).has_value(); }
+bool isText(const Tour::Step& step) { return !step.from.empty(); }
+bool isCount(const Tour::Step& step) {
+    const auto frames = parseInt(step.from);
+    return frames && *frames > 0 && *frames <= kMostFrames;
+}
+
+struct Verb {
+    std::string_view name;
+    std::string_view example;
+    bool (*isWhole)(const Tour::Step& step);
+    Result<Done> (*play)(Player& player, const Tour::Step& step);
+};
+
+constexpr std::array kVerbs{
+    Verb{"click", "click Toolbar/Play", isPlace, &click<MouseButton::Left, 1>},
+    Verb{"double-click", "double-click @160,64", isPlace, &click<MouseButton::Left, 2>},
+    Verb{"right-click", "right-click @160,64", isPlace, &click<MouseButton::Right, 1>},
+    Verb{"move", "move @160,64", isPlace, &move},
+    Verb{"drag", "drag @0,0 to @64,0", isPlace, &drag<MouseButton::Left>},
+    Verb{"right-drag", "right-drag @0,0 to @64,0", isPlace, &drag<MouseButton::Right>},
+    Verb{"key", "key Ctrl+Shift+Z", isKeys, &pressKeys},
+    Verb{"type", "type some text", isText, &type},
+    Verb{"wait", "wait 30", isCount, &wait},
+    Verb{"picture", "picture images/first.png", isText, &takePicture},
+};
+
+const Verb* findVerb(std::string_view name) {
+    for (const Verb& verb : kVerbs) {
+        if (verb.name == name) return &verb;
+    }
+    return nullptr;
+}
+
+Result<Tour::Step> readStep(std::string_view line, std::string where) {
+    const std::size_t end = line.find(' ');
+    const std::string_view name = line.substr(0, end);
+    const Verb* verb = findVerb(name);
+    if (verb == nullptr) {
+        std::string all;
+        for (const Verb& known : kVerbs) all += (all.empty() ? "" : ", ") + std::string{known.name};
+        return Error{std::move(where), format("there is no action \"{}\"", name), "there are: " + all};
+    }
+    Tour::Step step{verb->name, {}, {}, std::move(where)};
+    if (end != line.npos) step.from = trimmed(line.substr(end));
+    constexpr std::string_view kTo = " to ";
+    if (const std::size_t to = step.from.find(kTo); endsWith(verb->name, "drag") && to != step.from.npos) {
+        step.to = trimmed(std::string_view{step.from}.substr(to + kTo.size()));
+        step.from.resize(to);
+    }
+    if (verb->isWhole(step)) return step;
+    return Error{step.where, format("\"{}\" is not whole", line), format("write e.g. \"{}\"", verb->example)};
+}
+
+}  // namespace
+
+Result<Tour> Tour::read(std::string_view text, std::string_view name) {
+    Tour tour;
+    int number = 0;
+    for (const std::string_view raw : split(text, '\n')) {
+        ++number;
+        const std::string_view line = trimmed(raw);
+        if (line.empty() || line[0] == '#') continue;
+        Result<Step> step = readStep(line, format("{}:{}", name, number));
+        if (!step) return step.error();
+        tour.steps_.push_back(std::move(*step));
+    }
+    return tour;
+}
+
+Result<Done> Tour::play(const EditorWindow& window, const Workspace& workspace, const Stage& stage) const {
+    Player player{window, workspace, stage, {}};
+    player.rest(3);  // panes settle
+    for (const Step& step : steps_) {
+        if (Result<Done> done = findVerb(step.verb)->play(player, step); !done) return done.error();
+    }
+    return Done{};
+}
+
+}  // namespace plumb::editor::ui
