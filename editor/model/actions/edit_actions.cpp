@@ -1,0 +1,62 @@
+#include <array>
+
+#include "core/text.hpp"
+#include "editor/model/actions/action_rows.hpp"
+#include "editor/model/clipboard.hpp"
+#include "editor/model/commands/delete_entities.hpp"
+
+namespace plumb::editor {
+namespace {
+
+void undoStep(Workspace& w) {
+    const std::size_t step = w.undo.size();
+    if (w.undo.undo()) w.notice = format("Undid: {}", w.undo.label(step - 1));
+}
+void redoStep(Workspace& w) {
+    const std::size_t step = w.undo.size();
+    if (w.undo.redo()) w.notice = format("Redid: {}", w.undo.label(step));
+}
+bool canUndo(const Workspace& w) { return w.canEdit() && w.undo.size() > 0; }
+bool canRedo(const Workspace& w) { return w.canEdit() && w.undo.size() < w.undo.total(); }
+
+void duplicate(Workspace& w) {
+    w.undo.push(duplicateEntities(w.document, w.document.selection.all())), w.undo.endGesture();
+}
+void remove(Workspace& w) {
+    w.undo.push(std::make_unique<DeleteEntities>(w.document.selection.all()));
+    w.undo.endGesture();
+}
+void copy(Workspace& w) { w.clipboard = copyAsText(w.document, w.document.selection.all()); }
+void cut(Workspace& w) { copy(w), remove(w); }
+void paste(Workspace& w) {
+    if (auto command = pasteFromText(w.document, w.clipboard)) {
+        w.undo.push(std::move(command));
+        w.undo.endGesture();
+    } else {
+        w.notice = "The clipboard holds no entities";
+    }
+}
+void escape(Workspace& w) {
+    if (!w.tool().cancel(w.tools())) w.document.selection.clear();
+}
+
+const std::array kRows{
+    Action{"edit.undo", "Edit", "Undo", control(Key::Z), canUndo, undoStep},
+    Action{"edit.redo", "Edit", "Redo", control(Key::Y), canRedo, redoStep, nullptr, control(Key::Z, true)},
+    line("Edit"),
+    Action{"edit.cut", "Edit", "Cut", control(Key::X), withSelection, cut},
+    Action{"edit.copy", "Edit", "Copy", control(Key::C), anySelection, copy},
+    Action{"edit.paste", "Edit", "Paste", control(Key::V), editable, paste},
+    Action{"edit.duplicate", "Edit", "Duplicate", control(Key::D), withSelection, duplicate},
+    Action{"edit.delete", "Edit", "Delete", {Key::Delete}, withSelection, remove},
+    line("Edit"),
+    Action{"edit.selectAll", "Edit", "Select all", control(Key::A), editable,
+           [](Workspace& w) { w.document.selection.set(w.document.objects()); }},
+    Action{"edit.escape", "Edit", "Cancel or select nothing", {Key::Escape}, always, escape},
+};
+
+}  // namespace
+
+std::span<const Action> editActions() { return kRows; }
+
+}  // namespace plumb::editor

@@ -1,0 +1,26 @@
+#include <array>
+
+#include "editor/model/actions/action_rows.hpp"
+
+namespace plumb::editor {
+namespace {
+
+const std::array kRows{
+    Action{"file.new",
+           "File",
+           "New scene...",
+           {Key::N, true, false, true},
+           always,
+           ask<WindowRequest::NameNewScene>},
+    Action{"file.open", "File", "Open scene...", control(Key::O), always, ask<WindowRequest::ChooseScene>},
+    Action{"file.save", "File", "Save", control(Key::S), editable,
+           [](Workspace& w) { static_cast<void>(w.save().ok()); }},
+    line("File"),
+    Action{"file.quit", "File", "Quit", control(Key::Q), always, ask<WindowRequest::Quit>},
+};
+
+}  // namespace
+
+std::span<const Action> fileActions() { return kRows; }
+
+}  // namespace plumb::editor

@@ -1,0 +1,44 @@
+#include <array>
+
+#include "editor/model/actions/action_rows.hpp"
+#include "editor/model/bounds.hpp"
+
+namespace plumb::editor {
+namespace {
+
+void frameSelection(Workspace& w) {
+    if (const auto box = boundsOf(w.document, w.document.selection.all())) w.view.frame(*box);
+}
+void frameAll(Workspace& w) {
+    if (const auto box = boundsOf(w.document, w.document.objects())) w.view.frame(*box);
+}
+
+const std::array kRows{
+    Action{"view.frame", "View", "Frame selection", {Key::F}, anySelection, frameSelection},
+    Action{"view.all", "View", "Frame all", {Key::Home}, always, frameAll, nullptr, shifted(Key::F)},
+    Action{"view.camera", "View", "Frame what the camera sees", control(Key::Home), always,
+           [](Workspace& w) { w.showStart(); }},
+    Action{"view.actual", "View", "Actual size", control(Key::Digit0), always,
+           [](Workspace& w) { w.view.setZoom(1.0f); }},
+    line("View"),
+    Action{"view.snap", "View", "Snap to grid", shifted(Key::S), always,
+           [](Workspace& w) { w.grid.snap = !w.grid.snap; }, [](const Workspace& w) { return w.grid.snap; }},
+    line("View"),
+    Action{"view.physics",
+           "View",
+           "Physics",
+           {Key::F3},
+           always,
+           [](Workspace& w) { w.physics.on = !w.physics.on; },
+           [](const Workspace& w) { return w.physics.on; }},
+    Action{"view.larger", "View", "Larger interface", control(Key::Equals), always,
+           ask<WindowRequest::LargerText>},
+    Action{"view.smaller", "View", "Smaller interface", control(Key::Minus), always,
+           ask<WindowRequest::SmallerText>},
+};
+
+}  // namespace
+
+std::span<const Action> viewActions() { return kRows; }
+
+}  // namespace plumb::editor
