@@ -10,7 +10,9 @@ namespace {
 
 class GameSession final : public PlaySession {
 public:
-    explicit GameSession(const Project& project) : game_{project} {}
+    explicit GameSession(const Project& project) : game_{project} {
+        game_.assets.logging = false;  // the editor has told what it loaded of the project
+    }
 
     /// Opens the file, so that the game knows which scene it is in, and puts the text in its place.
     Result<Done> load(const std::string& path, const std::string& text) {
@@ -21,12 +23,16 @@ public:
         loadAssets(game_.world, game_.types, game_.assets);
         storePreviousTransforms(game_.world);
         game_.world.cluster();
+        restored();  // what it makes in the world is there from the beginning
         return Done{};
     }
 
     [[nodiscard]] World& world() override { return game_.world; }
     [[nodiscard]] AssetStore* assets() override { return &game_.assets; }
     void tick(const InputFrame& input) override { tickGame(game_, input); }
+    /// Another scene may need other assets; no scene was asked for between two ticks.
+    void restored() override { game_.onLateUpdate(0.0f); }
+    bool reload(const std::string& path, const std::string& text) override { return load(path, text).ok(); }
 
 private:
     SceneGame game_;

@@ -1,6 +1,7 @@
 #include "editor/model/play_mode.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "ecs/world.hpp"
@@ -11,20 +12,25 @@ namespace {
 
 constexpr double kTick = 1.0 / 60.0;    // s
 constexpr double kLongestFrame = 0.25;  // s; what is longer slows the game down instead of piling up ticks
+constexpr double kMostTicks = 4.0;      // of a frame at the speed that the game is made for
 
 }  // namespace
 
-void PlayMode::start(std::unique_ptr<PlaySession> session) {
+void PlayMode::start(std::unique_ptr<PlaySession> session, bool paused) {
     session_ = std::move(session);
     indexed_ = -1;
-    paused_ = false;
+    paused_ = paused;
+    watching_ = false;
     ticks_ = 0;
     rest_ = 0.0;
+    edits_.clear();
+    recording_.begin(0, world());
 }
 
 void PlayMode::stop() {
     session_.reset();
-    paused_ = false;
+    recording_.clear();
+    paused_ = watching_ = false;
 }
 
 EntityId PlayMode::find(ObjectId id) const {
@@ -48,17 +54,85 @@ ObjectId PlayMode::idOf(EntityId entity) const {
 
 float PlayMode::advance(double seconds, const InputFrame& input) {
     if (!running() || paused_) return 1.0f;
-    rest_ += std::clamp(seconds, 0.0, kLongestFrame);
-    for (; rest_ >= kTick; rest_ -= kTick) {
+    const double speed = std::exp2(speed_);
+    rest_ += std::clamp(seconds, 0.0, kLongestFrame) * speed;
+    // A machine that cannot keep up shows a slower game, not a frozen editor.
+    rest_ = std::min(rest_, kTick * std::max(kLongestFrame / kTick, kMostTicks * speed));
+    for (; rest_ >= kTick && !paused_; rest_ -= kTick) {
         step(input);
     }
-    return static_cast<float>(rest_ / kTick);
+    return paused_ ? 1.0f : static_cast<float>(rest_ / kTick);
 }
 
 void PlayMode::step(const InputFrame& input) {
     if (!running()) return;
+    if (inPast()) {
+        playRecorded();
+        if (watching_ && !inPast()) paused_ = true, watching_ = false;
+        return;
+    }
+    recording_.record(input);
     session_->tick(input);
     ++ticks_;
+    recording_.tickDone(world());
+    edits_.forgetBefore(recording_.keyframes().front().tick);
+}
+
+void PlayMode::setPaused(bool paused) {
+    if (!running() || paused == paused_) return;
+    paused_ = paused;
+    watching_ = false;
+    rest_ = 0.0;
+    if (!paused && inPast()) branch();
+}
+
+void PlayMode::setSpeed(int power) { speed_ = std::clamp(power, kSlowest, kFastest); }
+
+void PlayMode::seek(std::int64_t tick) {
+    if (!running()) return;
+    paused_ = true;
+    watching_ = false;
+    rest_ = 0.0;
+    tick = std::clamp(tick, oldest(), newest());
+    if (tick == ticks_) return;
+    const PlayRecording::Keyframe& keyframe = recording_.before(tick);
+    if (tick < ticks_ || keyframe.tick > ticks_) {
+        world().restore(*keyframe.world);
+        session_->restored();
+        ticks_ = keyframe.tick;
+        indexed_ = -1;
+        edits_.replay(world(), *this, ticks_);
+    }
+    while (ticks_ < tick) playRecorded();
+}
+
+void PlayMode::watch() {
+    if (!inPast()) return;
+    paused_ = false;
+    watching_ = true;
+    rest_ = 0.0;
+}
+
+void PlayMode::edit(ObjectId object, const TypeInfo& type, const FieldInfo& field, const FieldValue& value) {
+    if (!running()) return;
+    const PlayEdit edit{ticks_, object, &type, &field, value};
+    if (!writePlayed(world(), *this, edit)) return;
+    branch();
+    edits_.add(edit);
+}
+
+/// One tick again, as it was.
+void PlayMode::playRecorded() {
+    session_->tick(recording_.inputAfter(ticks_));
+    ++ticks_;
+    edits_.replay(world(), *this, ticks_);
+}
+
+/// What came after the present tick did not happen.
+void PlayMode::branch() {
+    recording_.cut(ticks_);
+    edits_.cut(ticks_);
+    watching_ = false;
 }
 
 }  // namespace plumb::editor

@@ -101,6 +101,7 @@ void UndoStack::clear() {
     position_ = 0;
     saved_ = 0;
     gesture_ = false;
+    ++cleared_;
 }
 
 Transaction::Transaction(UndoStack& undo, std::string label) : undo_{undo}, label_{std::move(label)} {

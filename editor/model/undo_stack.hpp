@@ -32,12 +32,15 @@ public:
     [[nodiscard]] bool inGesture() const { return gesture_; }
 
     void markSaved();
+    /// No step is as in the file: it was changed by somebody else, or never written.
+    void markUnsaved() { saved_ = kNever; }
     [[nodiscard]] bool isSaved() const { return saved_ == position_; }
     [[nodiscard]] std::size_t savedPosition() const { return saved_; }  ///< kNever when it is out of reach
     static constexpr std::size_t kNever = static_cast<std::size_t>(-1);
 
     /// Forgets all, after another scene was opened.
     void clear();
+    [[nodiscard]] std::size_t cleared() const { return cleared_; }  ///< how often
 
 private:
     friend class Transaction;
@@ -48,6 +51,7 @@ private:
     std::vector<std::unique_ptr<Command>> commands_;
     std::size_t position_ = 0;
     std::size_t saved_ = 0;
+    std::size_t cleared_ = 0;
     bool gesture_ = false;
     std::vector<std::unique_ptr<Command>>* group_ = nullptr;  // of the open transaction
 };

@@ -37,17 +37,30 @@ Workspace::Workspace(const TypeRegistry& types, AssetStore& store, ProjectFolder
 
 SceneContext Workspace::context() const { return {document.types(), prefabs_, project.root}; }
 
-Result<LoadReport> Workspace::open(std::string_view path) {
-    const std::string wanted{path};  // `path` may be the document's own
+Result<LoadReport> Workspace::open(std::string_view path) { return load(std::string{path}, nullptr); }
+
+Result<LoadReport> Workspace::openText(std::string_view path, const std::string& text) {
+    Result<LoadReport> report = load(std::string{path}, &text);
+    if (report) undo.markUnsaved();
+    return report;
+}
+
+/// @param text  instead of the file's; null for that
+Result<LoadReport> Workspace::load(const std::string& wanted, const std::string* text) {
+    safety.leaving();
     play.stop();
+    toKeep.clear();
     if (!document.scenePath.empty()) unloadScene(document.world, document.scene);
     document.world.clear();
     undo.clear();
     if (prefabs_ != nullptr) prefabs_->forget();  // their files may have changed
-    Result<LoadReport> report = loadSceneFile(document.world, context(), wanted);
+    Result<LoadReport> report = text == nullptr ? loadSceneFile(document.world, context(), wanted)
+                                                : loadScene(document.world, context(), wanted, *text);
+    if (text != nullptr) loadAssets(document.world, document.types(), assets);
     document.scenePath = report ? wanted : std::string{};
     document.scene = report ? report->scene : SceneId{};
     document.reindex();
+    safety.opened();
     tiles.layer = {};
     if (!report) {
         logError("Editor", report.error());
@@ -96,9 +109,15 @@ Result<Done> Workspace::save() {
         return Error{"save", "no scene is open", "open a scene first"};
     }
     undo.endGesture();
+    safety.lookAtFile();
+    if (safety.onDisk() == FileWatch::State::Changed) {
+        return Error{document.scenePath, "another program has changed it", "choose which one to keep"};
+    }
+    safety.saving();
     Result<Done> saved = saveSceneFile(document.world, context(), document.scenePath);
     if (saved) {
         undo.markSaved();
+        safety.saved();
         notice = format("Saved {}", document.scenePath);
         logNote("Editor", "{}", notice);
     } else {
@@ -157,34 +176,63 @@ void Workspace::useTool(std::string_view action) {
     }
 }
 
-void Workspace::togglePlay() {
-    if (play.running()) {
-        play.stop();
-        notice = "Stopped; the scene is as it was";
-        return;
-    }
+void Workspace::togglePlay() { play.running() ? stopPlaying() : startPlaying(); }
+
+void Workspace::startPlaying(bool paused) {
     if (!makeSession) return;
     tool().cancel(tools());
     undo.endGesture();
+    toKeep.clear();
     std::unique_ptr<PlaySession> session = makeSession(document.scenePath, text());
     if (session == nullptr) {
         notice = "This scene cannot be played; the console says why";
         return;
     }
-    play.start(std::move(session));
-    notice = "Playing";
+    play.start(std::move(session), paused);
+    notice = paused ? "Before the first tick" : "Playing";
 }
 
-bool Workspace::shows(std::string_view overlay) const {
-    return std::find(overlays.begin(), overlays.end(), overlay) != overlays.end();
+void Workspace::stopPlaying() {
+    if (!play.running()) return;
+    toKeep = changesToKeep(document, play.world(), play.edits());
+    play.stop();
+    notice = "Stopped; the scene is as it was";
+}
+
+void Workspace::keepTicked() {
+    const std::size_t kept = keepChanges(document, undo, toKeep);
+    toKeep.clear();
+    notice =
+        kept == 0 ? "Nothing was kept" : format("Kept {} changes of the game; Ctrl+Z takes them back", kept);
+}
+
+void Workspace::tend(double seconds) {
+    safety.tend(seconds);
+    const bool open = !document.scenePath.empty();
+    const PhysicsReach jumps = open ? reachOf("reach") : PhysicsReach::Off;
+    jumps == PhysicsReach::Off ? reach.clear() : reach.tend(*this, jumps == PhysicsReach::All);
+    const PhysicsReach ways = open ? reachOf("trajectories") : PhysicsReach::Off;
+    ways == PhysicsReach::Off ? trajectories.clear() : trajectories.tend(*this, ways == PhysicsReach::All);
+}
+
+PhysicsReach Workspace::reachOf(std::string_view overlay) const {
+    const auto in = [overlay](const std::vector<std::string>& names) {
+        return std::find(names.begin(), names.end(), overlay) != names.end();
+    };
+    return in(overlays)             ? PhysicsReach::All
+           : in(overlaysOfSelected) ? PhysicsReach::Selected
+                                    : PhysicsReach::Off;
+}
+
+void Workspace::setReach(std::string_view overlay, PhysicsReach whose) {
+    std::erase(overlays, overlay);
+    std::erase(overlaysOfSelected, overlay);
+    if (whose == PhysicsReach::All) overlays.emplace_back(overlay);
+    if (whose == PhysicsReach::Selected) overlaysOfSelected.emplace_back(overlay);
 }
 
 void Workspace::toggleOverlay(std::string_view overlay) {
-    if (shows(overlay)) {
-        std::erase(overlays, overlay);
-    } else {
-        overlays.emplace_back(overlay);
-    }
+    setReach(overlay, shows(overlay) ? PhysicsReach::Off : PhysicsReach::All);
 }
 
 }  // namespace plumb::editor

@@ -7,8 +7,12 @@
 
 #include "core/file.hpp"
 #include "editor/model/document.hpp"
+#include "editor/model/keep_changes.hpp"
+#include "editor/model/overlays/reach_view.hpp"
+#include "editor/model/overlays/trajectories.hpp"
 #include "editor/model/play_mode.hpp"
 #include "editor/model/prefab_edit.hpp"
+#include "editor/model/safety/safety_net.hpp"
 #include "editor/model/tools/tool.hpp"
 #include "editor/model/undo_stack.hpp"
 #include "editor/model/view_camera.hpp"
@@ -33,6 +37,7 @@ enum class WindowRequest : unsigned char {
     ChooseScene,
     NameNewScene,
     ChoosePrefab,
+    ChooseBackup,
     Quit,
     LargerText,
     SmallerText,
@@ -49,6 +54,9 @@ class Workspace {
 public:
     Workspace(const TypeRegistry& types, AssetStore& assets, ProjectFolder folder,
               PrefabLibrary* prefabs = nullptr);
+    ~Workspace() { safety.leaving(); }
+    Workspace(const Workspace&) = delete;
+    Workspace& operator=(const Workspace&) = delete;
 
     ProjectFolder project;
     AssetStore& assets;
@@ -63,6 +71,7 @@ public:
     TilePaint tiles;
     PhysicsView physics;                                  ///< what of it is shown over the scene
     std::vector<std::string> overlays{"grid", "camera"};  ///< those that are shown, by name
+    std::vector<std::string> overlaysOfSelected;          ///< those that are shown of what is selected
     std::string clipboard;
     std::string notice;  ///< what was done last, for the status bar
     WindowRequest request = WindowRequest::None;
@@ -73,6 +82,8 @@ public:
     // The scene file.
 
     Result<LoadReport> open(std::string_view path);
+    /// Opens a scene with another text than its file has: as if that had been changed and not saved.
+    Result<LoadReport> openText(std::string_view path, const std::string& text);
     /// Writes an empty scene and opens it.
     /// @param name  of its file in scenes/, without ending
     /// @error       no name, one that leaves the folder, or there is such a scene
@@ -115,13 +126,32 @@ public:
     }
     [[nodiscard]] EntityId shownEntity(ObjectId id) const { return shownNames().find(id); }
     void togglePlay();
+    /// @param paused  before the first tick
+    void startPlaying(bool paused = false);
+    /// What was changed by hand meanwhile is then in `toKeep`.
+    void stopPlaying();
+    std::vector<KeepRow> toKeep;  ///< offered after the game stopped
+    /// Takes the ticked ones over into the scene, and forgets the list.
+    void keepTicked();
     [[nodiscard]] bool canEdit() const { return !play.running(); }
 
-    [[nodiscard]] bool shows(std::string_view overlay) const;
+    /// What goes on by itself: the journal, overlays that are found out bit by bit. To be called in every
+    /// frame. @param seconds  since the last one
+    void tend(double seconds);
+
+    [[nodiscard]] bool shows(std::string_view overlay) const { return reachOf(overlay) != PhysicsReach::Off; }
     void toggleOverlay(std::string_view overlay);
+    /// Of whom an overlay is shown.
+    [[nodiscard]] PhysicsReach reachOf(std::string_view overlay) const;
+    void setReach(std::string_view overlay, PhysicsReach whose);
+    ReachView reach;            ///< of the overlay "reach"
+    Trajectories trajectories;  ///< of the overlay "trajectories"
+
+    SafetyNet safety{*this};  ///< of what is not saved
 
 private:
     [[nodiscard]] SceneContext context() const;
+    Result<LoadReport> load(const std::string& path, const std::string* text);
 
     PrefabLibrary* prefabs_;
     std::vector<std::unique_ptr<Tool>> tools_;

@@ -142,6 +142,7 @@ int runEditor(const EditorOptions& options) {
     if (!device) return fail(device.error());
     App app{**session, log, std::move(*window), std::move(*device), options.scale};
     if (options.screenshot.empty() && options.tour.empty()) {
+        workspace.safety.begin();
         app.run();
         return 0;
     }

@@ -87,11 +87,13 @@ void EditorWindow::drawToolbar(float height) {
 
     float width = 0.0f;
     for (const OverlayRow& row : overlayTable()) {
+        if (row.ofEntities) continue;
         width += ImGui::CalcTextSize(std::string{row.label}.c_str()).x + ui_.px(21.0f);
     }
     width += ImGui::CalcTextSize("Physics").x + ui_.px(21.0f + 22.0f);
     ImGui::SameLine(display.x - width - ui_.px(6.0f));
     for (const OverlayRow& row : overlayTable()) {
+        if (row.ofEntities) continue;  // in the list of layers
         const bool on = workspace_.shows(row.name);
         ImGui::PushStyleColor(ImGuiCol_Button, on ? palette::kAccentSoft : IM_COL32(0, 0, 0, 0));
         ImGui::PushStyleColor(ImGuiCol_Text, on ? palette::kText : palette::kTextDim);
@@ -118,6 +120,10 @@ void EditorWindow::drawPhysicsButton() {
     ImGui::PopStyleColor(2);
     widgets_.mark("Overlay/physics layers");
     tooltip("What of the physics is shown");
+    // At the edge of the window its size is known too late to fit in by itself.
+    ImGui::SetNextWindowPos(
+        {ImGui::GetIO().DisplaySize.x - ui_.px(4.0f), ImGui::GetItemRectMax().y + ui_.px(6.0f)},
+        ImGuiCond_Always, {1.0f, 0.0f});
     if (!ImGui::BeginPopup("physics layers list")) return;
     physicsLayerItems("Overlay/physics/");
     ImGui::EndPopup();
@@ -138,6 +144,21 @@ void EditorWindow::physicsLayerItems(const std::string& path) {
     ImGui::TableSetupColumn("");
     for (const Choice& choice : kChoices) ImGui::TableSetupColumn(choice.label);
     ImGui::TableHeadersRow();
+    for (const OverlayRow& row : overlayTable()) {
+        if (!row.ofEntities) continue;
+        ImGui::TableNextRow();
+        ImGui::TableNextColumn();
+        ImGui::AlignTextToFramePadding();
+        ImGui::TextUnformatted(row.label.data(), row.label.data() + row.label.size());
+        ImGui::PushID(row.name.data());
+        for (const Choice& choice : kChoices) {
+            ImGui::TableNextColumn();
+            const bool chosen = workspace_.reachOf(row.name) == choice.reach;
+            if (ImGui::RadioButton(choice.hidden, chosen)) workspace_.setReach(row.name, choice.reach);
+            widgets_.mark(format("{}{}/{}", path, row.name, choice.name), chosen ? "on" : "off");
+        }
+        ImGui::PopID();
+    }
     for (const PhysicsLayer& layer : physicsLayers()) {
         ImGui::TableNextRow();
         ImGui::TableNextColumn();
@@ -205,6 +226,10 @@ void EditorWindow::drawDialogs() {
             ImGui::OpenPopup("Add prefab");
             workspace_.request = WindowRequest::None;
             break;
+        case WindowRequest::ChooseBackup:
+            safety_.chooseBackup(ui_);
+            workspace_.request = WindowRequest::None;
+            break;
         case WindowRequest::Quit:
             workspace_.request = WindowRequest::None;
             leaveFor([this] { quit_ = true; });
@@ -219,6 +244,8 @@ void EditorWindow::drawDialogs() {
     drawNewScene();
     if (std::exchange(askUnsaved_, false)) ImGui::OpenPopup("Unsaved changes");
     drawUnsaved();
+    keep_.draw(ui_);
+    safety_.draw(ui_);
 }
 
 void EditorWindow::drawSceneChooser() {

@@ -95,6 +95,7 @@ void EditorWindow::frame(const FrameInput& input) {
     widgets_.beginFrame();
     handleKeys(events);
     playGame(input.seconds);
+    workspace_.tend(input.seconds);
     drawMenus();
 
     const ImVec2 display = ImGui::GetIO().DisplaySize;
@@ -189,6 +190,7 @@ void EditorWindow::drawMenus() {
 void EditorWindow::drawOverlayMenu() {
     ImGui::Separator();
     for (const OverlayRow& row : overlayTable()) {
+        if (findAction(format("view.{}", row.name)) != nullptr) continue;  // it is in the menu by that
         const std::string label{row.label};
         if (ImGui::MenuItem(label.c_str(), nullptr, workspace_.shows(row.name)))
             workspace_.toggleOverlay(row.name);

@@ -5,6 +5,8 @@
 #include <memory>
 #include <vector>
 
+#include "editor/ui/dialogs/keep_dialog.hpp"
+#include "editor/ui/dialogs/safety_dialogs.hpp"
 #include "editor/ui/platform_feed.hpp"
 #include "editor/ui/ui.hpp"
 #include "input/device_state.hpp"
@@ -85,6 +87,8 @@ private:
     std::size_t tabBefore_ = 1;  ///< what the tiles took the place of
     bool paintedTiles_ = false;
     DeviceState devices_;
+    KeepDialog keep_;
+    SafetyDialogs safety_;
     std::function<void()> next_;  ///< what comes once the person said what to do with unsaved changes
     std::array<char, 64> newScene_{};
     std::string newSceneError_;

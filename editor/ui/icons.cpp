@@ -206,6 +206,13 @@ void drawIcon(ImDrawList& list, Icon icon, ImVec2 center, float size, ImU32 colo
         case Icon::Step:
             pen.triangle(-0.7f, -0.7f, 0.4f, 0.0f, -0.7f, 0.7f), pen.fill(0.45f, -0.7f, 0.75f, 0.7f);
             break;
+        case Icon::StepBack:
+            pen.triangle(0.7f, -0.7f, 0.7f, 0.7f, -0.4f, 0.0f), pen.fill(-0.75f, -0.7f, -0.45f, 0.7f);
+            break;
+        case Icon::Watch:
+            pen.triangle(-0.85f, -0.6f, 0.0f, 0.0f, -0.85f, 0.6f);
+            pen.triangle(0.0f, -0.6f, 0.85f, 0.0f, 0.0f, 0.6f);
+            break;
         case Icon::Undo: drawUndo(pen); break;
         case Icon::Redo: drawRedo(pen); break;
         case Icon::Save: drawSave(pen); break;
@@ -262,6 +269,8 @@ Icon iconOfAction(std::string_view action) {
         std::pair<std::string_view, Icon>{"run.play", Icon::Play},
         std::pair<std::string_view, Icon>{"run.pause", Icon::Pause},
         std::pair<std::string_view, Icon>{"run.step", Icon::Step},
+        std::pair<std::string_view, Icon>{"run.stepBack", Icon::StepBack},
+        std::pair<std::string_view, Icon>{"run.watch", Icon::Watch},
         std::pair<std::string_view, Icon>{"edit.undo", Icon::Undo},
         std::pair<std::string_view, Icon>{"edit.redo", Icon::Redo},
         std::pair<std::string_view, Icon>{"file.save", Icon::Save},

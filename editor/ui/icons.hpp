@@ -22,6 +22,8 @@ enum class Icon : unsigned char {
     Stop,
     Pause,
     Step,
+    StepBack,
+    Watch,
     Undo,
     Redo,
     Save,

@@ -15,6 +15,12 @@ const std::array kRows{
     Action{"file.open", "File", "Open scene...", control(Key::O), always, ask<WindowRequest::ChooseScene>},
     Action{"file.save", "File", "Save", control(Key::S), editable,
            [](Workspace& w) { static_cast<void>(w.save().ok()); }},
+    Action{"file.backups",
+           "File",
+           "Backups of this scene...",
+           {Key::B, true, false, true},
+           editable,
+           ask<WindowRequest::ChooseBackup>},
     line("File"),
     Action{"file.quit", "File", "Quit", control(Key::Q), always, ask<WindowRequest::Quit>},
 };

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "editor/model/bounds.hpp"
+#include "editor/ui/overlays/way_overlays.hpp"
 #include "render/view.hpp"
 #include "scene/components/camera.hpp"
 #include "scene/components/transform.hpp"
@@ -39,7 +40,8 @@ void drawGrid(const Workspace& workspace, const World&, Overlay& overlay) {
 }
 
 void drawNames(const Workspace& workspace, const World& world, Overlay& overlay) {
-    for (const ObjectId id : workspace.document.objects()) {
+    const bool all = workspace.reachOf("names") == PhysicsReach::All;
+    for (const ObjectId id : all ? workspace.document.objects() : workspace.document.selection.all()) {
         const EntityId entity = workspace.shownEntity(id);
         if (!world.alive(entity) || !world.has<Transform>(entity)) continue;
         overlay.text(boundsOf(world, entity).min, workspace.document.nameOf(id), kName);
@@ -63,8 +65,10 @@ void drawCameras(const Workspace& workspace, const World& world, Overlay& overla
 std::span<const OverlayRow> overlayTable() {
     static constexpr std::array kOverlays{
         OverlayRow{"grid", "Grid", &drawGrid},
-        OverlayRow{"names", "Names", &drawNames},
+        OverlayRow{"names", "Names", &drawNames, true},
         OverlayRow{"camera", "Camera", &drawCameras},
+        OverlayRow{"reach", "Jump reach", &drawJumpReach, true},
+        OverlayRow{"trajectories", "Trajectories", &drawTrajectories, true},
     };
     return kOverlays;
 }

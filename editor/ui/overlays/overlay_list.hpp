@@ -13,6 +13,7 @@ struct OverlayRow {
     std::string_view label;
     /// @param world  the document's, or the one that plays
     void (*draw)(const Workspace& workspace, const World& world, Overlay& overlay);
+    bool ofEntities = false;  ///< can be shown of what is selected alone
 };
 
 std::span<const OverlayRow> overlayTable();

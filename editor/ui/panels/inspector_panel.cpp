@@ -268,7 +268,7 @@ private:
             FieldValue next =
                 withChangedParts(field, readField(workspace.shownNames(), field, component), before, value);
             if (workspace.play.running()) {
-                writeField(workspace.shownNames(), field, component, next);
+                workspace.play.edit(id, type, field, next);
             } else {
                 changes.push_back({id, std::move(next)});
             }

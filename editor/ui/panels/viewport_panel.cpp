@@ -10,6 +10,7 @@
 #include "editor/ui/scene_picture.hpp"
 #include "editor/ui/ui_compat.hpp"
 #include "editor/ui/widgets/tile_picture.hpp"
+#include "editor/ui/widgets/timeline.hpp"
 #include "gameplay/components/mouse_drag.hpp"
 #include "scene/draw_scene.hpp"
 #include "scene/soft_sync.hpp"
@@ -28,8 +29,12 @@ class ViewportPanel final : public Panel {
 public:
     void draw(Ui& ui) override {
         const ImVec2 from = ImGui::GetCursorScreenPos();
-        const ImVec2 size = ImGui::GetContentRegionAvail();
+        ImVec2 size = ImGui::GetContentRegionAvail();
+        const float timeline = ui.workspace.play.running() ? timelineHeight(ui) : 0.0f;
+        size.y -= timeline;
         if (size.x < 8.0f || size.y < 8.0f) return;
+        if (timeline > 0.0f) drawTimeline(ui, {from.x, from.y + size.y}, {size.x, timeline});
+        ImGui::SetCursorScreenPos(from);
         place(ui, from, size);
         ImGui::InvisibleButton("scene", size,
                                ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonMiddle |
@@ -225,8 +230,10 @@ private:
         const float width = ui.px(4.0f);
         outline(list, {from.x + width * 0.5f, from.y + width * 0.5f},
                 {to.x - width * 0.5f, to.y - width * 0.5f}, color, 0.0f, width);
-        const char* words =
-            paused ? "PAUSED - F10 steps, F6 goes on, F5 stops" : "PLAYING - changes are not kept - F5 stops";
+        const char* words = ui.workspace.play.inPast()
+                                ? "THE PAST - F10 and Shift+F10 step, F6 resumes from here"
+                            : paused ? "PAUSED - F10 steps, F6 goes on, F5 stops"
+                                     : "PLAYING - F5 stops and asks what to keep of your changes";
         const ImVec2 extent = ImGui::CalcTextSize(words);
         const ImVec2 corner{from.x + (to.x - from.x - extent.x) * 0.5f - ui.px(10.0f), from.y};
         list.AddRectFilled(corner, {corner.x + extent.x + ui.px(20.0f), corner.y + extent.y + ui.px(9.0f)},

@@ -1,0 +1,71 @@
+#include "editor/model/safety/journal_writer.hpp"
+
+#include <utility>
+
+#include "core/assert.hpp"
+#include "scene/prefab.hpp"
+#include "scene/scene_file.hpp"
+
+namespace plumb::editor {
+
+JournalWriter::JournalWriter(const TypeRegistry& types, Path project)
+    : types_{types}, project_{std::move(project)}, world_{types}, thread_{[this] { run(); }} {}
+
+JournalWriter::~JournalWriter() {
+    {
+        const std::lock_guard lock{mutex_};
+        stop_ = true;
+    }
+    changed_.notify_all();
+    thread_.join();
+}
+
+void JournalWriter::write(const World& world, SceneId scene, Path file, std::string header) {
+    PLUMB_ASSERT(!busy(), "one text is written at a time");
+    world.save(snapshot_);
+    scene_ = scene;
+    file_ = std::move(file);
+    header_ = std::move(header);
+    {
+        const std::lock_guard lock{mutex_};
+        busy_ = true;
+    }
+    changed_.notify_all();
+}
+
+bool JournalWriter::busy() const {
+    const std::lock_guard lock{mutex_};
+    return busy_;
+}
+
+void JournalWriter::wait() const {
+    std::unique_lock lock{mutex_};
+    changed_.wait(lock, [this] { return !busy_; });
+}
+
+std::string JournalWriter::takeProblem() {
+    const std::lock_guard lock{mutex_};
+    return std::exchange(problem_, {});
+}
+
+void JournalWriter::run() {
+    std::unique_lock lock{mutex_};
+    while (true) {
+        changed_.wait(lock, [this] { return busy_ || stop_; });
+        if (!busy_) return;
+        lock.unlock();
+        const Result<Done> written = writeOne();
+        lock.lock();
+        if (!written) problem_ = written.error().text();
+        busy_ = false;
+        changed_.notify_all();
+    }
+}
+
+Result<Done> JournalWriter::writeOne() {
+    world_.restore(snapshot_);
+    PrefabLibrary prefabs{types_, project_};  // its own: the editor's may be read from and changed meanwhile
+    return writeFile(file_, header_ + sceneToJson(world_, {types_, &prefabs, project_}, scene_));
+}
+
+}  // namespace plumb::editor

@@ -1,0 +1,116 @@
+#include "editor/model/safety/safety_net.hpp"
+
+#include "core/log.hpp"
+#include "editor/model/workspace.hpp"
+
+namespace plumb::editor {
+namespace {
+
+constexpr double kLookEvery = 1.0;  // s
+
+}  // namespace
+
+SafetyNet::SafetyNet(Workspace& workspace)
+    : backups{workspace.project.root},
+      workspace_{workspace},
+      journal_{workspace.document.types(), workspace.project.root} {}
+
+void SafetyNet::begin() {
+    if (const Result<Done> begun = journal_.begin(); !begun) {
+        logWarning("Editor", begun.error());
+        return;
+    }
+    lost_ = journal_.lostWork();
+}
+
+void SafetyNet::tend(double seconds) {
+    now_ += seconds;
+    journal_.tend(workspace_.document, workspace_.undo, now_);
+    if (!journal_.begun() || now_ - looked_ < kLookEvery) return;
+    looked_ = now_;
+    lookAtFile();
+}
+
+Result<Done> SafetyNet::restore(const Backup& backup) {
+    const Result<std::string> text = readFile(backup.path);
+    if (!text) return text.error();
+    const Result<LoadReport> opened = workspace_.openText(workspace_.document.scenePath, *text);
+    if (!opened) return opened.error();
+    workspace_.notice = format("The scene as it was on {}; save it to keep it", backup.when);
+    return Done{};
+}
+
+Result<Done> SafetyNet::recover(std::size_t index) {
+    const LostWork work = lost_[index];
+    const Result<LoadReport> opened = workspace_.openText(work.scene, work.text);
+    if (!opened) return opened.error();
+    workspace_.notice = format("Recovered {} as it was on {}; save it to keep it", work.scene, work.when);
+    // Its own journal is written before the old one goes.
+    journal_.tend(workspace_.document, workspace_.undo, now_ + Journal::kSeconds);
+    journal_.finish();
+    std::error_code failed;
+    std::filesystem::remove(work.journal, failed);
+    lost_.erase(lost_.begin() + static_cast<std::ptrdiff_t>(index));
+    return Done{};
+}
+
+void SafetyNet::discard(std::size_t index) {
+    backups.keepText(lost_[index].scene, lost_[index].text);
+    std::error_code failed;
+    std::filesystem::remove(lost_[index].journal, failed);
+    lost_.erase(lost_.begin() + static_cast<std::ptrdiff_t>(index));
+}
+
+void SafetyNet::lookAtFile() {
+    onDisk_ = watch_.look();
+    if (onDisk_ != FileWatch::State::Gone) return;
+    watch_.forget();
+    onDisk_ = FileWatch::State::Same;
+    workspace_.undo.markUnsaved();
+    workspace_.notice =
+        format("{} is gone from the disk; saving brings it back", workspace_.document.scenePath);
+    logWarning("Editor", "{}", workspace_.notice);
+}
+
+void SafetyNet::takeTheirs() {
+    keepUnsaved();
+    static_cast<void>(workspace_.open(workspace_.document.scenePath).ok());
+}
+
+void SafetyNet::keepMine() {
+    watch_.know(file());
+    onDisk_ = FileWatch::State::Same;
+    workspace_.undo.markUnsaved();
+    workspace_.notice = "Yours is kept; saving writes it over the other one, which stays among the backups";
+}
+
+void SafetyNet::leaving() {
+    keepUnsaved();
+    journal_.forget();
+}
+
+void SafetyNet::opened() {
+    if (workspace_.document.scenePath.empty()) {
+        watch_.forget();
+    } else {
+        watch_.know(file());
+    }
+    onDisk_ = FileWatch::State::Same;
+}
+
+void SafetyNet::saving() { backups.keep(workspace_.document.scenePath); }
+
+void SafetyNet::saved() {
+    journal_.forget();
+    opened();
+}
+
+/// A wrong click on "Discard" costs nothing.
+void SafetyNet::keepUnsaved() {
+    if (!journal_.begun() || !workspace_.unsaved() || workspace_.document.scenePath.empty()) return;
+    backups.keepText(workspace_.document.scenePath, workspace_.text());
+}
+
+Path SafetyNet::file() const { return workspace_.project.root / Path{workspace_.document.scenePath}; }
+
+}  // namespace plumb::editor

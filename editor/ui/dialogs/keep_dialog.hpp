@@ -1,0 +1,16 @@
+#pragma once
+
+#include "editor/ui/ui.hpp"
+
+namespace plumb::editor::ui {
+
+/// After a game stopped in which something was changed by hand: what of it goes into the scene.
+class KeepDialog {
+public:
+    void draw(Ui& ui);
+
+private:
+    bool open_ = false;
+};
+
+}  // namespace plumb::editor::ui

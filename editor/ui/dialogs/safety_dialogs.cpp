@@ -1,0 +1,151 @@
+#include "editor/ui/dialogs/safety_dialogs.hpp"
+
+#include <algorithm>
+
+#include "core/text.hpp"
+#include "editor/ui/ui_compat.hpp"
+
+namespace plumb::editor::ui {
+namespace {
+
+constexpr const char* kRecovery = "Work that was not saved";
+constexpr const char* kChanged = "Changed by another program";
+constexpr const char* kBackups = "Backups of this scene";
+constexpr ImGuiWindowFlags kFixed = ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove;
+
+void centerNext(ImVec2 size) {
+    const ImVec2 display = ImGui::GetIO().DisplaySize;
+    ImGui::SetNextWindowPos({(display.x - size.x) * 0.5f, (display.y - size.y) * 0.4f});
+    ImGui::SetNextWindowSize(size);
+}
+
+bool accentButton(const char* label, ImVec2 size) {
+    ImGui::PushStyleColor(ImGuiCol_Button, palette::kAccentSoft);
+    const bool pressed = ImGui::Button(label, size);
+    ImGui::PopStyleColor();
+    return pressed;
+}
+
+}  // namespace
+
+void SafetyDialogs::draw(Ui& ui) {
+    drawRecovery(ui);
+    drawChanged(ui);
+    drawBackups(ui);
+}
+
+void SafetyDialogs::chooseBackup(Ui& ui) {
+    backups_ = ui.workspace.safety.backups.of(ui.workspace.document.scenePath);
+    ImGui::OpenPopup(kBackups);
+}
+
+void SafetyDialogs::drawBackups(Ui& ui) {
+    const ImVec2 size{ui.px(440.0f), ui.px(360.0f)};
+    centerNext(size);
+    if (!ImGui::BeginPopupModal(kBackups, nullptr, kFixed)) return;
+    if (backups_.empty()) {
+        ImGui::TextWrapped(
+            "There are none yet. Each save keeps the file as it was before, the last %d of them.",
+            static_cast<int>(Backups::kCopies));
+    } else {
+        ImGui::TextDisabled("Opens as it was then, not saved. What you have now becomes a backup too.");
+    }
+    beginChild("backups", {0.0f, -ui.px(40.0f)}, false);
+    for (std::size_t i = 0; i < backups_.size(); ++i) {
+        const Backup& backup = backups_[i];
+        const bool chosen = ImGui::Selectable(format("{}##{}", backup.when, i).c_str());
+        ui.widgets.mark(format("Backups/{}", i), backup.when);
+        ImGui::SameLine(ui.px(220.0f));
+        ImGui::TextDisabled("%s KB", fixedText(static_cast<double>(backup.bytes) / 1024.0, 1).c_str());
+        if (!chosen) continue;
+        ImGui::CloseCurrentPopup();
+        if (const Result<Done> opened = ui.workspace.safety.restore(backup); !opened)
+            ui.workspace.notice = opened.error().text();
+        ui.viewReady = false;
+    }
+    ImGui::EndChild();
+    if (ImGui::Button("Cancel", {ui.px(110.0f), 0.0f})) ImGui::CloseCurrentPopup();
+    ui.widgets.mark("Backups/cancel");
+    ImGui::EndPopup();
+}
+
+void SafetyDialogs::drawRecovery(Ui& ui) {
+    SafetyNet& safety = ui.workspace.safety;
+    if (safety.lost().empty() || later_) return;
+    if (!recovering_) ImGui::OpenPopup(kRecovery);
+    recovering_ = true;
+    const float rows = std::min(static_cast<float>(safety.lost().size()), 6.0f);
+    const ImVec2 size{ui.px(560.0f), ui.px(150.0f + 34.0f * rows)};
+    centerNext(size);
+    if (!ImGui::BeginPopupModal(kRecovery, nullptr, kFixed)) {
+        later_ = true;
+        return;
+    }
+    ImGui::TextWrapped(
+        "The editor ended without saving. The files are as you saved them last; this is newer:");
+    ImGui::Spacing();
+    beginChild("lost", {0.0f, -ui.px(40.0f)}, false);
+    for (std::size_t i = 0; i < safety.lost().size(); ++i) {
+        const LostWork& work = safety.lost()[i];
+        ImGui::PushID(static_cast<int>(i));
+        ImGui::AlignTextToFramePadding();
+        ImGui::TextUnformatted(work.scene.c_str());
+        ui.widgets.mark(format("Recovery/{}", i), work.scene);
+        ImGui::SameLine(ui.px(250.0f));
+        ImGui::TextDisabled("%s", work.when.c_str());
+        const ImVec2 button{ui.px(84.0f), 0.0f};
+        ImGui::SameLine(ImGui::GetWindowContentRegionMax().x - 2.0f * button.x - ui.px(8.0f));
+        const bool recover = accentButton("Recover", button);
+        ui.widgets.mark(format("Recovery/{}/recover", i));
+        tooltip("Opens it as it was, not saved; the file stays until you save.");
+        ImGui::SameLine(0.0f, ui.px(8.0f));
+        const bool discard = ImGui::Button("Discard", button);
+        ui.widgets.mark(format("Recovery/{}/discard", i));
+        tooltip("Goes to the backups of the scene.");
+        ImGui::PopID();
+        if (recover || discard) {
+            if (discard) safety.discard(i);
+            if (const Result<Done> done = recover ? safety.recover(i) : Done{}; !done)
+                ui.workspace.notice = done.error().text();
+            if (recover) ui.viewReady = false;
+            break;
+        }
+    }
+    ImGui::EndChild();
+    if (ImGui::Button("Later", {ui.px(110.0f), 0.0f})) later_ = true;
+    ui.widgets.mark("Recovery/later");
+    tooltip("Asks again when the project is opened the next time.");
+    if (later_ || safety.lost().empty()) ImGui::CloseCurrentPopup();
+    recovering_ = !later_ && !safety.lost().empty();
+    ImGui::EndPopup();
+}
+
+void SafetyDialogs::drawChanged(Ui& ui) {
+    Workspace& workspace = ui.workspace;
+    if (workspace.safety.onDisk() != FileWatch::State::Changed || workspace.play.running() || recovering_)
+        return;
+    if (!ImGui::IsPopupOpen(kChanged)) ImGui::OpenPopup(kChanged);
+    const ImVec2 size{ui.px(500.0f), ui.px(170.0f)};
+    centerNext(size);
+    if (!ImGui::BeginPopupModal(kChanged, nullptr, kFixed)) return;
+    ImGui::TextWrapped("%s was changed on the disk since you opened or saved it.",
+                       workspace.document.scenePath.c_str());
+    ImGui::Spacing();
+    ImGui::TextDisabled("%s", workspace.unsaved()
+                                  ? "You have changes too that are not saved. Whichever you choose, the other"
+                                  : "You have changed nothing since. Whichever you choose, the other");
+    ImGui::TextDisabled("one stays among the backups.");
+    ImGui::SetCursorPosY(size.y - ui.px(40.0f));
+    const ImVec2 button{ui.px(130.0f), 0.0f};
+    const bool theirs = accentButton("Load theirs", button);
+    ui.widgets.mark("Changed/theirs");
+    ImGui::SameLine();
+    const bool mine = ImGui::Button("Keep mine", button);
+    ui.widgets.mark("Changed/mine");
+    if (theirs) workspace.safety.takeTheirs();
+    if (mine) workspace.safety.keepMine();
+    if (theirs || mine) ImGui::CloseCurrentPopup();
+    ImGui::EndPopup();
+}
+
+}  // namespace plumb::editor::ui

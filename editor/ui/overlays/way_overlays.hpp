@@ -1,0 +1,14 @@
+#pragma once
+
+#include "editor/model/overlay.hpp"
+#include "editor/model/workspace.hpp"
+
+namespace plumb::editor::ui {
+
+/// Where the player gets to: green with one jump, blue with more; a bar where it can land.
+void drawJumpReach(const Workspace& workspace, const World& world, Overlay& overlay);
+
+/// The ways behind and ahead of things.
+void drawTrajectories(const Workspace& workspace, const World& world, Overlay& overlay);
+
+}  // namespace plumb::editor::ui
