@@ -46,8 +46,11 @@ constexpr std::array kOptions{
               [](EditorOptions& o, Values v) { return o.screenshot = v[0], true; }},
     OptionRow{"--tour", 1, "FILE          play the actions of this file, take its pictures, end",
               [](EditorOptions& o, Values v) { return o.tour = v[0], true; }},
-    OptionRow{"--import", 2, "FILE.tmx OUT.scene.json  make a scene of a Tiled map, end",
-              [](EditorOptions& o, Values v) { return o.importFrom = v[0], o.importTo = v[1], true; }},
+    OptionRow{"--import", 1,
+              "FILE [OUT]   import a map of Tiled (.tmx, .tmj, .world), a project of LDtk (.ldtk)\n"
+              "                        or a sheet of Aseprite (.json) into PROJECT, or as\n"
+              "                        OUT.scene.json, tell what came of it, end",
+              [](EditorOptions& o, Values v) { return o.importFrom = v[0], true; }},
     OptionRow{"--size", 1, "WxH           size of the window, e.g. 1600x900", &setSize},
     OptionRow{"--scale", 1, "RATIO        size of the interface, 0.75 to 3", &setScale},
     OptionRow{"--help", 0, "               this text",
@@ -61,7 +64,9 @@ Result<EditorOptions> parseEditorOptions(std::span<const char* const> words) {
     for (std::size_t i = 0; i < words.size(); ++i) {
         const std::string_view word = words[i];
         if (!startsWith(word, "--")) {
-            options.project = word;
+            // What an import makes may be named behind it.
+            const bool isTarget = endsWith(word, ".scene.json") || endsWith(word, ".anim.json");
+            (isTarget && !options.importFrom.empty() ? options.importTo : options.project) = word;
             continue;
         }
         const OptionRow* found = nullptr;

@@ -14,8 +14,8 @@ struct EditorOptions {
     bool validate = false;   ///< open every scene, tell its problems, end
     std::string screenshot;  ///< PNG of the window, then end
     std::string tour;        ///< a file of actions to play, then end: see Tour
-    std::string importFrom;  ///< a map of another editor …
-    std::string importTo;    ///< … and the scene to make of it
+    std::string importFrom;  ///< a file of another editor …
+    std::string importTo;    ///< … and the scene to make of it; empty: named after it
     std::string select;      ///< name of the entity to select at the start
     int width = 1280;        ///< px of the window
     int height = 720;        ///< px of the window

@@ -8,7 +8,7 @@
 #include "editor/model/actions.hpp"
 #include "editor/model/game_session.hpp"
 #include "platform/paths.hpp"
-#include "scene/import/import_tiled.hpp"
+#include "scene/import/import_file.hpp"
 
 namespace plumb::editor {
 
@@ -71,13 +71,13 @@ int ProjectSession::validate() {
     return problems == 0 ? 0 : 1;
 }
 
-int importMap(const std::string& from, const std::string& to) {
-    const Result<ImportReport> report = importTiled(from, to);
+int importFile(const EditorOptions& options) {
+    const Result<ImportReport> report = plumb::importFile(options.importFrom, options.importTo, options.project);
     if (!report) {
         std::fprintf(stderr, "plumb-editor: %s\n", report.error().text().c_str());
         return 1;
     }
-    std::printf("%s\n", report->text().c_str());
+    std::printf("%s", report->text().c_str());
     return 0;
 }
 

@@ -6,6 +6,7 @@
 
 #include "app/project.hpp"
 #include "assets/asset_store.hpp"
+#include "editor/model/editor_options.hpp"
 #include "editor/model/workspace.hpp"
 #include "reflect/type_registry.hpp"
 #include "scene/prefab.hpp"
@@ -38,7 +39,8 @@ private:
     std::unique_ptr<Workspace> workspace_;
 };
 
-/// Makes a scene, and the tilesets that it needs, of a Tiled map. @return the program's exit code
-int importMap(const std::string& from, const std::string& to);
+/// Makes a scene or an animation, and all that it needs, of a file of Tiled, LDtk or Aseprite; tells what
+/// came of it. @return the program's exit code
+int importFile(const EditorOptions& options);
 
 }  // namespace plumb::editor

@@ -41,7 +41,8 @@ enum class WindowRequest : unsigned char {
     Quit,
     LargerText,
     SmallerText,
-    RenameSelected
+    RenameSelected,
+    Import
 };
 
 struct GridSettings {
@@ -75,6 +76,8 @@ public:
     std::string clipboard;
     std::string notice;  ///< what was done last, for the status bar
     WindowRequest request = WindowRequest::None;
+    std::string importFrom;   ///< with WindowRequest::Import: the file; empty: the person chooses
+    std::string assetToEdit;  ///< path of a file that the panel for its kind shall open
     /// How this program plays a scene, given its path and its text with all changes.
     std::function<std::unique_ptr<PlaySession>(const std::string& path, const std::string& text)> makeSession;
     std::function<InputFrame()> gameInput;  ///< what the player's hands do now

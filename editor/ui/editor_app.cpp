@@ -123,7 +123,7 @@ void selectByName(Workspace& workspace, const std::string& name) {
 }  // namespace
 
 int runEditor(const EditorOptions& options) {
-    if (!options.importFrom.empty()) return importMap(options.importFrom, options.importTo);
+    if (!options.importFrom.empty()) return importFile(options);
     LogBook log;
     Result<std::unique_ptr<ProjectSession>> session = ProjectSession::open(options.project);
     if (!session) return fail(session.error());

@@ -237,6 +237,7 @@ void EditorWindow::drawDialogs() {
         case WindowRequest::None:
         case WindowRequest::LargerText:
         case WindowRequest::SmallerText:
+        case WindowRequest::Import:
         case WindowRequest::RenameSelected: break;
     }
     drawSceneChooser();

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -45,6 +46,9 @@ struct TextStyle {
     bool wrap = false;
     bool bold = false;
     bool italic = false;
+    bool underline = false;
+    bool strikeout = false;
+    bool kerning = true;
     std::string alignX = "left";
     std::string alignY = "top";
 };
@@ -86,6 +90,7 @@ struct Tile {
     std::vector<Frame> animation;
     std::vector<Object> collision;
     Json properties = Json::object();
+    std::string terrain;  ///< of the terrains before Tiled 1.5; kept as data
 };
 
 struct Tileset {
@@ -113,12 +118,14 @@ struct Tileset {
     std::vector<Tile> tiles;  ///< by id
     Json properties = Json::object();
     Json wangSets = Json::array();  ///< kept as data; ids in the order top, clockwise, top-left
+    Json notes = Json::object();    ///< what only editors use: grid, transformations, terrains
 
     /// What the file says about a tile; null when nothing.
     [[nodiscard]] const Tile* find(int id) const;
 };
 
 enum class LayerKind : std::uint8_t { Tiles, Objects, Image };
+enum class Orientation : std::uint8_t { Orthogonal, Isometric };
 
 /// A layer with everything that its groups add already in it.
 struct Layer {
@@ -142,6 +149,8 @@ struct Layer {
     std::vector<Gid> cells;  ///< in rows from the top
 
     bool sortByY = true;  ///< objects are drawn by their y, not in their order
+    std::string color;    ///< of the shapes of objects, as the file says; kept as data
+    std::string blend;    ///< empty is the usual one
     std::vector<Object> objects;
 
     std::string image;  ///< relative to the map's folder
@@ -161,6 +170,7 @@ struct Group {
 struct Map {
     std::string version;
     std::string type;
+    Orientation orientation = Orientation::Orthogonal;
     std::string renderOrder = "right-down";
     bool infinite = false;
     int width = 0;  ///< cells
@@ -174,6 +184,7 @@ struct Map {
     std::vector<Layer> layers;      ///< in the order of drawing
     std::vector<Group> groups;
     Json properties = Json::object();
+    std::set<std::string> idle;  ///< names of what the files say and only Tiled needs; left out
 
     /// The tile that a cell names; empty for 0 and for numbers that no tileset has.
     [[nodiscard]] TileRef resolve(Gid gid) const;

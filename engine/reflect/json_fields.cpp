@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/text.hpp"
+#include "reflect/import_notes.hpp"
 #include "reflect/json.hpp"
 #include "reflect/json_text.hpp"
 
@@ -149,7 +150,7 @@ std::vector<KeptProperty> JsonFields::keepUnknown() {
     for (const auto& [name, value] : *object_->get_ptr<const Json::object_t*>()) {
         if (std::find(asked_.begin(), asked_.end(), name) != asked_.end()) continue;
         const std::string_view meant = closestName(name, asked_);
-        if (name != "tiled") {  // what an importer notes beside, meant to be there
+        if (!isImportNote(name)) {
             warn(std::string_view{name}.substr(0, 80), "there is no such property",
                  meant.empty() ? "remove it" : format("did you mean \"{}\"?", meant));
         }

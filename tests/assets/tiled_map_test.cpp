@@ -238,10 +238,10 @@ TEST(TiledMapTest, brokenPartsAreToldOnceAndTheRestIsRead) {
     }
 }
 
-TEST(TiledMapTest, whatIsNoOrthogonalMapIsRefused) {
+TEST(TiledMapTest, whatIsNeitherOrthogonalNorIsometricIsRefused) {
     FakeFiles fake;
     for (const char* text :
-         {"", "{}", "[]", "<tileset/>", "<map orientation='isometric' tilewidth='1' tileheight='1'/>",
+         {"", "{}", "[]", "<tileset/>", "<map orientation='hexagonal' tilewidth='1' tileheight='1'/>",
           "<map orientation='hexagonal'/>", "<map/>", "<map tilewidth='0' tileheight='16'/>"}) {
         const Result<tiled::Map> map = fake.load(text);
         EXPECT_FALSE(map.ok()) << text;

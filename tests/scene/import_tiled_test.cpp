@@ -145,6 +145,73 @@ TEST_F(ImportTiledTest, theMapsThatOthersMadeComeInWithoutLoss) {
     }
 }
 
+TEST_F(ImportTiledTest, anIsometricMapStandsInAGridOfHalfCells) {
+    constexpr const char* kIsometric =
+        R"(<map orientation="isometric" width="2" height="2" tilewidth="32" tileheight="16">
+ <tileset firstgid="1" name="t" tilewidth="32" tileheight="24"><image source="sheet.png" width="32" height="24"/></tileset>
+ <layer name="ground" width="2" height="2"><data encoding="csv">1,0,0,1</data></layer>
+ <objectgroup name="things"><object id="1" name="area" x="16" y="0" width="16" height="16"/></objectgroup></map>)";
+    ASSERT_TRUE(writeFile(folder_.path / "art/level.tmx", kIsometric).ok());
+    const Result<ImportReport> report = import();
+    ASSERT_TRUE(report.ok()) << report.error().text();
+
+    const Json layer = entity("ground")["components"];
+    EXPECT_EQ(layer["TileLayer"]["tileSize"].dump(), "[16,8]");
+    EXPECT_EQ(layer["TileLayer"]["cells"]["rows"].dump(), R"(["0 1 0","0 0 0","0 1 0"])")
+        << "one behind the other, the farther one first";
+    EXPECT_EQ(layer["Transform"]["position"].dump(), "[0,8]");
+    const Json area = entity("area");
+    EXPECT_EQ(area["components"]["Transform"]["position"].dump(), "[48,8]");
+    EXPECT_EQ(area["tiled"]["points"].dump(), "[[0,0],[16,8],[0,16],[-16,8]]");
+    EXPECT_NE(report->text().find("isometric"), std::string::npos);
+}
+
+TEST_F(ImportTiledTest, theMapsOfAWorldComeBelowEntitiesAndShareTheirTilesets) {
+    constexpr const char* kSmall =
+        R"(<map orientation="orthogonal" width="1" height="1" tilewidth="16" tileheight="16" backgroundcolor="#ff0000">
+ <tileset firstgid="1" source="t.tsx"/><layer name="a" width="1" height="1"><data encoding="csv">1</data></layer></map>)";
+    ASSERT_TRUE(
+        writeFile(folder_.path / "art/t.tsx",
+                  R"(<tileset name="t" tilewidth="16" tileheight="16"><image source="sheet.png"/></tileset>)")
+            .ok());
+    ASSERT_TRUE(writeFile(folder_.path / "art/left.tmx", kSmall).ok());
+    ASSERT_TRUE(writeFile(folder_.path / "art/right.tmx", kSmall).ok());
+    ASSERT_TRUE(writeFile(folder_.path / "art/all.world",
+                          R"({"type": "world", "maps": [{"fileName": "left.tmx", "x": 0, "y": 0},
+        {"fileName": "right.tmx", "x": 160, "y": -8, "height": 16, "width": 16}, {"fileName": "gone.tmx", "x": 0, "y": 0}]})")
+                    .ok());
+
+    const Result<ImportReport> report = importTiledWorld(folder_.path / "art/all.world", scene_);
+
+    ASSERT_TRUE(report.ok()) << report.error().text();
+    EXPECT_EQ(report->levels, 2);
+    EXPECT_EQ(report->tilesets, 1);
+    EXPECT_EQ(report->problems.size(), 1u) << "the map that is not there";
+    const Json right = entity("right");
+    EXPECT_EQ(right["components"]["Transform"]["position"].dump(), "[160,-8]");
+    int below = 0;
+    const Json scene = read(scene_);
+    for (const Json& child : scene["entities"]) below += child.value("parent", "") == right["id"] ? 1 : 0;
+    EXPECT_EQ(below, 2) << "its layer and its background";
+    EXPECT_EQ(entity("camera")["components"]["Camera"]["limits"].dump(), "[0,-8,176,24]");
+}
+
+TEST_F(ImportTiledTest, whatNobodyKnowsIsToldOnceAndWhatOnlyTiledNeedsIsNamed) {
+    ASSERT_TRUE(writeFile(folder_.path / "art/level.tmx",
+                          R"(<map orientation="orthogonal" width="1" height="1" tilewidth="16" tileheight="16"
+ nextlayerid="3" glow="1"><hologram/><hologram/>
+ <layer name="a" width="1" height="1" mode="add"><data encoding="csv">0</data></layer></map>)")
+                    .ok());
+    const Result<ImportReport> report = import();
+    ASSERT_TRUE(report.ok());
+    const std::string text = report->text();
+    EXPECT_EQ(report->problems.size(), 3u) << text;
+    EXPECT_NE(text.find("<hologram> is not known"), std::string::npos);
+    EXPECT_NE(text.find("\"glow\" is not known"), std::string::npos);
+    EXPECT_NE(text.find("blended by \"add\""), std::string::npos);
+    EXPECT_NE(text.find("only inside Tiled: nextlayerid"), std::string::npos);
+}
+
 TEST_F(ImportTiledTest, aNameThatIsNoSceneIsRefused) {
     EXPECT_FALSE(importTiled(folder_.path / "art/level.tmx", project_ / "level.json").ok());
     EXPECT_FALSE(importTiled(folder_.path / "art/none.tmx", scene_).ok());

@@ -18,7 +18,7 @@ constexpr ListRule kLists[] = {
     {"tilesets", "", "tileset"},         {"tiles", "", "tile"},
     {"objects", "", "object"},           {"animation", "animation", "frame"},
     {"wangsets", "wangsets", "wangset"}, {"colors", "", "wangcolor"},
-    {"wangtiles", "", "wangtile"},
+    {"wangtiles", "", "wangtile"},       {"terrains", "terraintypes", "terrain"},
 };
 constexpr std::string_view kChildObjects[] = {"tileoffset",      "grid",    "objectgroup",
                                               "transformations", "tileset", "object"};
@@ -213,7 +213,14 @@ bool addKnownMember(XmlElement& element, const std::string& key, const Json& val
 void fill(XmlElement& element, const Json& object) {
     for (const auto& [key, value] : object.items()) {
         if (addKnownMember(element, key, value, object)) continue;
-        if (value.is_primitive() && !value.is_null()) addAttribute(element, key, scalarText(value));
+        if (value.is_null()) continue;
+        if (value.is_primitive()) {
+            addAttribute(element, key, scalarText(value));
+        } else if (key == "terrain" && value.is_array()) {
+            addAttribute(element, key, numberList(value));
+        } else {
+            addChild(element, key);  // so that somebody tells that it is not known
+        }
     }
 }
 

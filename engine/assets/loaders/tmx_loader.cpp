@@ -4,6 +4,7 @@
 
 #include "assets/loaders/tmj_to_xml.hpp"
 #include "assets/loaders/tmx_cells.hpp"
+#include "assets/loaders/tmx_elements.hpp"
 #include "assets/loaders/tmx_reader.hpp"
 #include "core/inflate.hpp"
 #include "core/text.hpp"
@@ -16,9 +17,6 @@ using tiled::LayerKind;
 
 constexpr int kGroupDepth = 32;
 constexpr int kManyPixels = 1 << 20;
-constexpr std::string_view kMapElements[] = {"properties", "tileset", "editorsettings"};
-constexpr std::string_view kLayerElements[] = {"properties", "data",        "object",     "image",
-                                               "layer",      "objectgroup", "imagelayer", "group"};
 
 bool looksLikeJson(std::string_view text) { return startsWith(trimmed(text.substr(0, 64)), "{"); }
 
@@ -36,6 +34,7 @@ Result<TmxFile> TmxReader::open(std::string_view text, const Path& file, std::st
                      "name a file that Tiled wrote for this"};
     }
     opened.root = std::move(*root);
+    tellUnknown(opened.root, opened);
     return opened;
 }
 
@@ -50,13 +49,28 @@ Result<TmxFile> TmxReader::openNamed(const Path& folder, const std::string& name
     return open(*text, path, element);
 }
 
-void TmxReader::warnUnknown(const XmlElement& element, const TmxFile& file,
-                            std::span<const std::string_view> silent) {
-    if (std::find(silent.begin(), silent.end(), element.name) != silent.end()) return;
-    if (!told_.insert(element.name).second) return;
-    fields(element, file)
-        .warn(format("<{}> is not known and was left out", element.name),
-              "nothing, if the map looks right without it");
+void TmxReader::tellUnknown(const XmlElement& element, const TmxFile& file) {
+    const TmxElement* known = findTmxElement(element.name);
+    const TmxFields from = fields(element, file);
+    if (known == nullptr) {
+        if (told_.insert(element.name).second)
+            from.warn(format("<{}> is not known and was left out", element.name),
+                      "nothing, if the map looks right without it");
+        return;
+    }
+    for (const XmlAttribute& attribute : element.attributes) {
+        if (known->reads(attribute.name)) continue;
+        if (known->isIdle(attribute.name)) {
+            map_.idle.insert(attribute.name);
+        } else if (told_.insert(format("{}@{}", element.name, attribute.name)).second) {
+            from.warn(format("\"{}\" is not known here and was left out", attribute.name),
+                      "nothing, if the map looks right without it");
+        }
+    }
+    if (known->idle) map_.idle.insert(element.name);
+    for (const XmlElement& child : element.children) {
+        if (!known->idle) tellUnknown(child, file);
+    }
 }
 
 Result<tiled::Map> TmxReader::readMap(std::string_view text, const Path& file) {
@@ -65,10 +79,12 @@ Result<tiled::Map> TmxReader::readMap(std::string_view text, const Path& file) {
     const XmlElement& root = opened->root;
     const TmxFields from = fields(root, *opened);
     const std::string orientation = from.text("orientation", "orthogonal");
-    if (orientation != "orthogonal") {
+    if (orientation != "orthogonal" && orientation != "isometric") {
         return Error{from.where(), format("the map is {}", orientation),
-                     "only orthogonal maps can be imported"};
+                     "only orthogonal and isometric maps can be imported; choose one of them in Tiled: "
+                     "Map, Map Properties, Orientation"};
     }
+    if (orientation == "isometric") map_.orientation = tiled::Orientation::Isometric;
     readMapFields(*opened);
     if (map_.tileWidth <= 0 || map_.tileHeight <= 0) {
         return Error{from.where(), "the map has no size of tiles", "write tilewidth and tileheight in px"};
@@ -77,12 +93,6 @@ Result<tiled::Map> TmxReader::readMap(std::string_view text, const Path& file) {
         if (child.name == "tileset") readTileset(child, *opened);
     }
     readLayers(root, *opened, {});
-    for (const XmlElement& child : root.children) {
-        if (std::find(std::begin(kLayerElements), std::end(kLayerElements), child.name) ==
-            std::end(kLayerElements)) {
-            warnUnknown(child, *opened, kMapElements);
-        }
-    }
     return std::move(map_);
 }
 
@@ -126,6 +136,11 @@ void TmxReader::inheritFields(const XmlElement& element, const TmxFile& file, La
     layer.parallax.y *= static_cast<float>(from.real("parallaxy", 1.0));
     layer.visible = layer.visible && from.flag("visible", true);
     layer.locked = layer.locked || from.flag("locked", false);
+    if (const std::string blend = from.text("mode", "normal"); blend != "normal") {
+        layer.blend = blend;
+        from.warn(format("the layer is blended by \"{}\"", blend),
+                  "the engine draws it as usual; choose \"normal\" in Tiled, or tint it");
+    }
     const Color tint = from.color("tintcolor").value_or(Color{});
     layer.tint = {multiplied(layer.tint.r, tint.r), multiplied(layer.tint.g, tint.g),
                   multiplied(layer.tint.b, tint.b), multiplied(layer.tint.a, tint.a)};
@@ -152,7 +167,6 @@ void TmxReader::readLayer(const XmlElement& element, const TmxFile& file, const 
     if (element.name == "layer") readTiles(element, file, layer);
     if (element.name == "objectgroup") readObjects(element, file, layer);
     if (element.name == "imagelayer") readImage(element, file, layer);
-    for (const XmlElement& child : element.children) warnUnknown(child, file, kLayerElements);
     map_.layers.push_back(std::move(layer));
 }
 
@@ -179,6 +193,7 @@ void TmxReader::readObjects(const XmlElement& element, const TmxFile& file, Laye
     const TmxFields from = fields(element, file);
     layer.kind = LayerKind::Objects;
     layer.sortByY = from.text("draworder", "topdown") != "index";
+    layer.color = from.text("color");
     for (const XmlElement& child : element.children) {
         tiled::Object object;
         if (child.name == "object" && readObject(child, file, object))
@@ -195,6 +210,8 @@ void TmxReader::readImage(const XmlElement& element, const TmxFile& file, Layer&
     const XmlElement* image = element.child("image");
     if (image) {
         layer.image = fields(*image, file).text("source");
+        if (image->child("data"))
+            from.warn("the picture lies inside the file", "save it as a file of its own in Tiled");
         layer.transparent = fields(*image, file).color("trans");
     }
     if (layer.image.empty()) from.warn("the layer names no image", "choose its image in Tiled");

@@ -11,7 +11,6 @@ using tiled::Object;
 using tiled::Shape;
 
 constexpr std::size_t kMaxPoints = std::size_t{1} << 16;
-constexpr std::string_view kKnown[] = {"properties"};
 
 struct ShapeName {
     std::string_view element;
@@ -29,6 +28,9 @@ void readText(const XmlElement& element, const TmxFields& from, tiled::TextStyle
     text.wrap = from.flag("wrap", text.wrap);
     text.bold = from.flag("bold", text.bold);
     text.italic = from.flag("italic", text.italic);
+    text.underline = from.flag("underline", text.underline);
+    text.strikeout = from.flag("strikeout", text.strikeout);
+    text.kerning = from.flag("kerning", text.kerning);
     text.alignX = from.text("halign", text.alignX);
     text.alignY = from.text("valign", text.alignY);
 }
@@ -87,10 +89,7 @@ void TmxReader::readShape(const XmlElement& element, const TmxFile& file, Object
     for (const XmlElement& child : element.children) {
         const auto known = std::find_if(std::begin(kShapes), std::end(kShapes),
                                         [&](const ShapeName& name) { return name.element == child.name; });
-        if (known == std::end(kShapes)) {
-            warnUnknown(child, file, kKnown);
-            continue;
-        }
+        if (known == std::end(kShapes)) continue;
         object.shape = known->shape;
         if (known->shape == Shape::Text) readText(child, fields(child, file), object.text);
         if (known->shape != Shape::Polygon && known->shape != Shape::Polyline) continue;

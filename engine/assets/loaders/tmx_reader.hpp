@@ -3,7 +3,6 @@
 #include <cstddef>
 #include <map>
 #include <set>
-#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -47,9 +46,8 @@ private:
     [[nodiscard]] TmxFields fields(const XmlElement& element, const TmxFile& file) {
         return {element, file.name, *warnings_};
     }
-    /// Tells once per name that an element is not known, unless it is one of `silent`.
-    void warnUnknown(const XmlElement& element, const TmxFile& file,
-                     std::span<const std::string_view> silent);
+    /// Tells once per name what stands in the file and nobody reads, down to the last attribute.
+    void tellUnknown(const XmlElement& element, const TmxFile& file);
 
     void readMapFields(const TmxFile& file);
     void readLayers(const XmlElement& parent, const TmxFile& file, const Inherited& inherited);

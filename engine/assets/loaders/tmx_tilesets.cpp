@@ -8,9 +8,14 @@ namespace {
 
 constexpr int kMaxTileId = (1 << 28) - 1;
 constexpr int kManyPixels = 1 << 20;
-constexpr std::string_view kKnown[] = {"properties",     "tileoffset",     "grid",         "image",
-                                       "tile",           "wangsets",       "terraintypes", "export",
-                                       "editorsettings", "transformations"};
+
+/// What stands in an element, as data.
+Json attributesJson(const XmlElement& element) {
+    Json json = Json::object();
+    for (const XmlAttribute& attribute : element.attributes) json[attribute.name] = attribute.value;
+    for (const XmlElement& child : element.children) json[child.name].push_back(attributesJson(child));
+    return json;
+}
 
 Json wangColor(const TmxFields& from, Json properties) {
     Json color = Json::object();
@@ -18,6 +23,7 @@ Json wangColor(const TmxFields& from, Json properties) {
     color["color"] = from.text("color");
     color["tile"] = from.whole("tile", -1, -1, kMaxTileId);
     color["probability"] = from.real("probability", 1.0);
+    if (from.has("class")) color["class"] = from.text("class");
     if (!properties.empty()) color["properties"] = std::move(properties);
     return color;
 }
@@ -108,6 +114,8 @@ void TmxReader::readTilesetFields(const XmlElement& element, const TmxFile& file
             tileset.offsetY = inner.whole("y", 0, -kManyPixels, kManyPixels);
         } else if (child.name == "image") {
             tileset.image = inner.text("source");
+            if (child.child("data"))
+                inner.warn("the picture lies inside the file", "save it as a file of its own in Tiled");
             tileset.transparent = inner.color("trans");
             tileset.imageWidth = inner.whole("width", 0, 0, limits::kImageSide);
             tileset.imageHeight = inner.whole("height", 0, 0, limits::kImageSide);
@@ -115,10 +123,11 @@ void TmxReader::readTilesetFields(const XmlElement& element, const TmxFile& file
             readTile(child, file, tileset);
         } else if (child.name == "wangsets") {
             readWangSets(child, file, tileset);
-        } else {
-            warnUnknown(child, file, kKnown);
+        } else if (child.name == "grid" || child.name == "transformations" || child.name == "terraintypes") {
+            tileset.notes[child.name] = attributesJson(child);
         }
     }
+    if (from.has("backgroundcolor")) tileset.notes["backgroundColor"] = from.text("backgroundcolor");
     const auto byId = [](const tiled::Tile& a, const tiled::Tile& b) { return a.id < b.id; };
     std::stable_sort(tileset.tiles.begin(), tileset.tiles.end(), byId);
 }
@@ -133,6 +142,7 @@ void TmxReader::readTile(const XmlElement& element, const TmxFile& file, tiled::
     }
     tile.type = from.text("type", from.text("class"));
     tile.probability = from.real("probability", 1.0);
+    tile.terrain = from.text("terrain");
     tile.properties = tmxProperties(element, file.name, *warnings_);
     if (from.has("width") && from.has("height") && (from.has("x") || from.has("y"))) {
         tile.source = Rect{static_cast<float>(from.whole("x", 0, 0, limits::kImageSide)),
@@ -143,6 +153,8 @@ void TmxReader::readTile(const XmlElement& element, const TmxFile& file, tiled::
     if (const XmlElement* image = element.child("image")) {
         const TmxFields inner = fields(*image, file);
         tile.image = inner.text("source");
+        if (image->child("data"))
+            inner.warn("the picture lies inside the file", "save it as a file of its own in Tiled");
         tile.transparent = inner.color("trans");
         tile.width = inner.whole("width", 0, 0, limits::kImageSide);
         tile.height = inner.whole("height", 0, 0, limits::kImageSide);
@@ -171,6 +183,7 @@ void TmxReader::readWangSets(const XmlElement& element, const TmxFile& file, til
         set["name"] = from.text("name");
         set["type"] = from.text("type", "mixed");
         set["tile"] = from.whole("tile", -1, -1, kMaxTileId);
+        if (from.has("class")) set["class"] = from.text("class");
         set["colors"] = Json::array();
         set["tiles"] = Json::array();
         for (const XmlElement& item : child.children) {

@@ -32,13 +32,4 @@ Json colorOf(const tiled::Layer& layer, double opacity) {
     return colorJson(withOpacity(layer.tint, static_cast<float>(layer.opacity * opacity)));
 }
 
-Json entityJson(std::string id, std::string name, Json components, const tiled::Layer& layer, bool visible) {
-    if (!visible || !layer.visible) components["Hidden"] = Json::object();
-    Json json = Json::object();
-    json["id"] = std::move(id);
-    if (!name.empty()) json["name"] = std::move(name);
-    json["components"] = std::move(components);
-    return json;
-}
-
 }  // namespace plumb

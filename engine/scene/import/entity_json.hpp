@@ -31,7 +31,4 @@ Json transformJson(Vec2 position, float rotation, Vec2 scale);
 Json parallaxJson(const tiled::Layer& layer);
 Json colorOf(const tiled::Layer& layer, double opacity);
 
-/// An entity as scene files hold it, with the marks that its layer gives to all.
-Json entityJson(std::string id, std::string name, Json components, const tiled::Layer& layer, bool visible);
-
 }  // namespace plumb

@@ -23,12 +23,24 @@ LayerPlace placeOf(const EntityImport& import, const Layer& layer, std::size_t i
     place.order = static_cast<int>(std::min<std::size_t>(index, kHighestLayerOrder));
     place.offset = layer.offset;
     place.moves = layer.parallax != Vec2{1.0f, 1.0f};
-    const Vec2 difference = import.picture * 0.5f - import.map.parallaxOrigin;
+    const Vec2 difference = import.draft.place.picture * 0.5f - import.map.parallaxOrigin;
     place.offset += {difference.x * (1.0f - layer.parallax.x), difference.y * (1.0f - layer.parallax.y)};
     return place;
 }
 
-std::vector<std::size_t> tilesetsOf(const EntityImport& import, const Layer& layer, ImportReport& report) {
+/// A layer without a tile takes the set that fits its cells, so that it can be painted.
+std::vector<std::size_t> someTileset(const EntityImport& import) {
+    for (std::size_t i = 0; i < import.tilesets.size(); ++i) {
+        const tiled::Tileset& original = import.map.tilesets[i];
+        const bool fits =
+            original.tileWidth == import.map.tileWidth && original.tileHeight == import.map.tileHeight;
+        if (fits && !original.image.empty()) return {i};
+    }
+    return import.tilesets.empty() ? std::vector<std::size_t>{} : std::vector<std::size_t>{0};
+}
+
+std::vector<std::size_t> tilesetsOf(const EntityImport& import, const Layer& layer) {
+    ImportReport& report = import.draft.report;
     std::vector<bool> used(import.tilesets.size());
     tiled::Gid last = 0;
     int unknown = 0;
@@ -45,15 +57,15 @@ std::vector<std::size_t> tilesetsOf(const EntityImport& import, const Layer& lay
         }
     }
     if (unknown > 0) {
-        import.stage.problems.push_back({format("layer {}", layer.name),
-                                         format("{} cells name tiles that no tileset has", unknown),
-                                         "add the missing tileset to the map"});
+        import.draft.report.problems.push_back({format("layer {}", layer.name),
+                                                format("{} cells name tiles that no tileset has", unknown),
+                                                "add the missing tileset to the map"});
     }
     std::vector<std::size_t> places;
     for (std::size_t i = 0; i < used.size(); ++i) {
         if (used[i]) places.push_back(i);
     }
-    return places;
+    return places.empty() ? someTileset(import) : places;
 }
 
 /// The cells of one tileset; those of the others stay empty.
@@ -72,57 +84,63 @@ TileGrid gridOf(const EntityImport& import, const Layer& layer, std::size_t tile
     return grid;
 }
 
-/// Collects the entities of a map, layer by layer.
+/// Adds the entities of a map, layer by layer.
 class EntityCollector {
 public:
-    explicit EntityCollector(const EntityImport& import) : import_{import} {}
+    explicit EntityCollector(const EntityImport& import) : import_{import}, draft_{import.draft} {}
 
-    Json collect() {
+    void collect() {
         for (std::size_t i = 0; i < import_.map.layers.size(); ++i) {
             const Layer& layer = import_.map.layers[i];
             const LayerPlace place = placeOf(import_, layer, i);
-            key_ = format("{}/{}/{}", layer.group, layer.name, layer.id);
-            ++import_.report.layers;
+            key_ = format("{}{}/{}/{}", import_.key, layer.group, layer.name, layer.id);
+            ++draft_.report.layers;
+            draft_.nameLayer(place.order, layer.name);
             if (layer.kind == LayerKind::Tiles) addTiles(layer, place);
             if (layer.kind == LayerKind::Objects) addObjects(layer, place);
             if (layer.kind == LayerKind::Image) addImage(layer, place);
         }
-        addCamera();
-        return std::move(entities_);
     }
 
 private:
     void add(std::string_view key, const std::string& name, Json components, const Layer& layer,
              bool visible) {
-        entities_.push_back(
-            entityJson(ids_.next(format("{}/{}", key_, key)), name, std::move(components), layer, visible));
+        if (!visible || !layer.visible) components["Hidden"] = Json::object();
+        draft_.add(format("{}/{}", key_, key), name, std::move(components));
     }
 
     void addTiles(const Layer& layer, const LayerPlace& place) {
-        const Vec2 tileSize{static_cast<float>(import_.map.tileWidth),
-                            static_cast<float>(import_.map.tileHeight)};
-        const std::vector<std::size_t> used = tilesetsOf(import_, layer, import_.report);
+        const std::vector<std::size_t> used = tilesetsOf(import_, layer);
+        if (used.empty()) {
+            draft_.report.note(
+                format("layer {}: empty, and the map has no tileset; there is nothing to show", layer.name));
+        }
         for (const std::size_t index : used) {
             const ImportedTileset& tileset = import_.tilesets[index];
-            Json components = Json::object();
-            components["Transform"] =
-                transformJson(place.offset + Vec2{static_cast<float>(layer.x) * tileSize.x,
-                                                  static_cast<float>(layer.y) * tileSize.y},
-                              0.0f, {1.0f, 1.0f});
-            Json tiles = Json::object();
-            tiles["tileset"] = tileset.path;
-            tiles["cells"] = tilesToJson(gridOf(import_, layer, index));
-            tiles["tileSize"] = vec2Json(tileSize);
-            tiles["layer"] = place.order;
-            tiles["tint"] = colorOf(layer, 1.0);
-            components["TileLayer"] = std::move(tiles);
-            if (tileset.collides) components["TileCollider"] = Json::object();
-            if (place.moves) components["ParallaxLayer"] = parallaxJson(layer);
             const std::string part = tileset.original->name;
             add(format("tiles {}", part), used.size() == 1 ? layer.name : format("{} ({})", layer.name, part),
-                std::move(components), layer, true);
-            if (!layer.properties.empty()) entities_.back()["properties"] = layer.properties;
+                tilesJson(layer, place, index), layer, true);
+            if (!layer.properties.empty()) draft_.last()["properties"] = layer.properties;
         }
+    }
+
+    Json tilesJson(const Layer& layer, const LayerPlace& place, std::size_t index) {
+        const ImportedTileset& tileset = import_.tilesets[index];
+        const Vec2 tileSize{static_cast<float>(import_.map.tileWidth),
+                            static_cast<float>(import_.map.tileHeight)};
+        const Vec2 first{static_cast<float>(layer.x), static_cast<float>(layer.y)};
+        Json components = Json::object();
+        components["Transform"] = transformJson(place.offset + scaled(first, tileSize), 0.0f, {1.0f, 1.0f});
+        Json tiles = Json::object();
+        tiles["tileset"] = tileset.path;
+        tiles["cells"] = tilesToJson(gridOf(import_, layer, index));
+        tiles["tileSize"] = vec2Json(tileSize);
+        tiles["layer"] = place.order;
+        tiles["tint"] = colorOf(layer, 1.0);
+        components["TileLayer"] = std::move(tiles);
+        if (tileset.collides) components["TileCollider"] = Json::object();
+        if (place.moves) components["ParallaxLayer"] = parallaxJson(layer);
+        return components;
     }
 
     void addObjects(const Layer& layer, const LayerPlace& place) {
@@ -131,13 +149,13 @@ private:
         const auto higher = [](const tiled::Object* a, const tiled::Object* b) { return a->y < b->y; };
         if (layer.sortByY) std::stable_sort(order.begin(), order.end(), higher);
         for (const tiled::Object* object : order) {
-            ++import_.report.objects;
+            ++draft_.report.objects;
             const std::string name = !object->name.empty()   ? object->name
                                      : !object->type.empty() ? object->type
                                                              : format("{} {}", layer.name, object->id);
             add(format("object {}", object->id), name, objectComponents(import_, layer, place, *object),
                 layer, object->visible);
-            Json& entity = entities_.back();
+            Json& entity = draft_.last();
             if (!object->properties.empty()) entity["properties"] = object->properties;
             entity["tiled"] = objectJson(*object);
             entity["tiled"]["layer"] = layer.name;
@@ -149,7 +167,7 @@ private:
         components["Transform"] = transformJson(place.offset, 0.0f, {1.0f, 1.0f});
         if (!layer.image.empty()) {
             const StagedImage& image =
-                import_.stage.image(import_.map.folder / layer.image, layer.transparent);
+                draft_.stage.image(import_.map.folder / layer.image, layer.transparent);
             Json sprite = Json::object();
             sprite["texture"] = image.path;
             sprite["width"] = std::max(image.width, 1);
@@ -161,24 +179,11 @@ private:
                 components["ParallaxLayer"] = parallaxJson(layer);
         }
         add("image", layer.name, std::move(components), layer, true);
-        if (!layer.properties.empty()) entities_.back()["properties"] = layer.properties;
-    }
-
-    void addCamera() {
-        const Rect bounds = boundsOf(import_.map);
-        Json components = Json::object();
-        components["Transform"] = transformJson(
-            {bounds.x + bounds.width * 0.5f, bounds.y + bounds.height * 0.5f}, 0.0f, {1.0f, 1.0f});
-        Json& camera = components["Camera"] = Json::object();
-        if (!bounds.empty())
-            camera["limits"] = Json::array({bounds.x, bounds.y, bounds.width, bounds.height});
-        key_ = "camera";
-        add("camera", "camera", std::move(components), Layer{}, true);
+        if (!layer.properties.empty()) draft_.last()["properties"] = layer.properties;
     }
 
     const EntityImport& import_;
-    Json entities_ = Json::array();
-    EntityIds ids_;
+    SceneDraft& draft_;
     std::string key_;
 };
 
@@ -203,6 +208,6 @@ Rect boundsOf(const tiled::Map& map) {
     return {box.min.x, box.min.y, box.size().x, box.size().y};
 }
 
-Json importEntities(const EntityImport& import) { return EntityCollector{import}.collect(); }
+void importEntities(const EntityImport& import) { EntityCollector{import}.collect(); }
 
 }  // namespace plumb

@@ -1,13 +1,12 @@
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "assets/tiled_map.hpp"
 #include "math/rect.hpp"
-#include "reflect/json.hpp"
-#include "scene/import/import_stage.hpp"
-#include "scene/import/import_tiled.hpp"
 #include "scene/import/import_tilesets.hpp"
+#include "scene/import/scene_draft.hpp"
 #include "scene/import/tile_animation.hpp"
 
 namespace plumb {
@@ -19,14 +18,13 @@ inline constexpr int kHighestLayerOrder = 1000;
 struct EntityImport {
     const tiled::Map& map;
     const std::vector<ImportedTileset>& tilesets;  ///< as in the map
-    ImportStage& stage;
     TileAnimations& animations;
-    ImportReport& report;
-    Vec2 picture;  ///< px of the game's picture: Tiled moves layers by its middle, the engine by its corner
+    SceneDraft& draft;
+    std::string key;  ///< tells the map from the others of a world; empty when it is alone
 };
 
-/// The entities of all layers, in the order of drawing, as scene files hold them.
-Json importEntities(const EntityImport& import);
+/// Adds the entities of all layers, in the order of drawing.
+void importEntities(const EntityImport& import);
 
 /// What the camera may show: the map, or for an endless one the box around its tiles.
 Rect boundsOf(const tiled::Map& map);

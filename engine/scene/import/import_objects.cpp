@@ -83,7 +83,7 @@ void addSprite(Json& components, const EntityImport& import, const tiled::Layer&
     if (pose.flipX) sprite["flipX"] = true;
     if (pose.flipY) sprite["flipY"] = true;
     sprite["pivot"] = vec2Json(pose.pivot);
-    const TileAnimations::Made* animation = import.animations.of(tileset, object.tile.id, import.stage);
+    const TileAnimations::Made* animation = import.animations.of(tileset, object.tile.id, import.draft.stage);
     const bool moving = animation && !animation->file.empty();
     if (moving) {
         sprite["texture"] = animation->texture;

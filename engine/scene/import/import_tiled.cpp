@@ -1,44 +1,23 @@
 #include "scene/import/import_tiled.hpp"
 
+#include <algorithm>
+#include <map>
+
 #include "assets/loaders/tmx_loader.hpp"
 #include "core/text.hpp"
-#include "ecs/world.hpp"
 #include "reflect/json.hpp"
+#include "reflect/json_fields.hpp"
 #include "reflect/json_text.hpp"
-#include "reflect/type_registry.hpp"
 #include "scene/import/import_entities.hpp"
+#include "scene/import/isometric.hpp"
 #include "scene/import/tiled_json.hpp"
-#include "scene/register_components.hpp"
-#include "scene/scene_file.hpp"
 
 namespace plumb {
 namespace {
 
 constexpr std::string_view kEnding = ".scene.json";
-constexpr Vec2 kUsualPicture{1280.0f, 720.0f};  ///< px, of a project that does not say
-
-/// The project around a scene: the nearest folder with a project.json, else the one around `scenes`.
-Path projectAround(const Path& scene) {
-    std::error_code ignored;
-    const Path folder = std::filesystem::absolute(scene, ignored).lexically_normal().parent_path();
-    for (Path at = folder;; at = at.parent_path()) {
-        if (std::filesystem::exists(at / "project.json", ignored)) return at;
-        if (at == at.parent_path()) break;
-    }
-    return folder.filename() == "scenes" ? folder.parent_path() : folder;
-}
-
-/// Only what the import needs; what is wrong in a project is for its loader to say.
-Vec2 pictureOf(const Path& project) {
-    const Result<std::string> text = readFile(project / "project.json");
-    if (!text) return kUsualPicture;
-    const Result<Json> json = parseJson(*text, "project.json");
-    if (!json || !json->is_object()) return kUsualPicture;
-    const auto found = json->find("resolution");
-    const bool pair = found != json->end() && found->is_array() && found->size() == 2 &&
-                      (*found)[0].is_number() && (*found)[1].is_number();
-    return pair ? Vec2{(*found)[0].get<float>(), (*found)[1].get<float>()} : kUsualPicture;
-}
+constexpr float kFarthest = 1e7f;  // px, of a map in its world
+constexpr std::size_t kMaxMaps = 4096;
 
 Json groupsJson(const tiled::Map& map) {
     Json groups = Json::array();
@@ -64,40 +43,19 @@ Json layersJson(const tiled::Map& map) {
         if (!layer.group.empty()) json["group"] = layer.group;
         if (!layer.type.empty()) json["type"] = layer.type;
         if (layer.locked) json["locked"] = true;
+        if (!layer.color.empty()) json["color"] = layer.color;
+        if (!layer.blend.empty()) json["blend"] = layer.blend;
         if (!layer.properties.empty()) json["properties"] = layer.properties;
         layers.push_back(std::move(json));
     }
     return layers;
 }
 
-/// The names of the layers, for the lists of the editor.
-Json sceneLayersJson(const tiled::Map& map) {
-    Json layers = Json::array();
-    for (std::size_t i = 0; i < map.layers.size() && i <= static_cast<std::size_t>(kHighestLayerOrder); ++i) {
-        Json json = Json::object();
-        json["name"] = map.layers[i].name;
-        json["order"] = i;
-        layers.push_back(std::move(json));
-    }
-    return layers;
-}
-
-/// The scene in the one form that saving gives it, so that opening and saving it changes nothing.
-Result<std::string> savedForm(const Json& json, const std::string& path, std::vector<Error>& problems) {
-    TypeRegistry types;
-    registerSceneComponents(types);
-    World world{types};
-    const SceneContext context{types, nullptr, {}};
-    Result<LoadReport> loaded = loadScene(world, context, path, writeJson(json));
-    if (!loaded) return loaded.error();
-    problems.insert(problems.end(), loaded->problems.begin(), loaded->problems.end());
-    return sceneToJson(world, context, loaded->scene);
-}
-
 Json mapJson(const tiled::Map& map) {
     Json json = Json::object();
     json["version"] = map.version;
     if (!map.type.empty()) json["type"] = map.type;
+    if (map.orientation == tiled::Orientation::Isometric) json["orientation"] = "isometric";
     json["renderOrder"] = map.renderOrder;
     json["size"] = Json::array({map.width, map.height});
     json["tileSize"] = Json::array({map.tileWidth, map.tileHeight});
@@ -108,57 +66,179 @@ Json mapJson(const tiled::Map& map) {
     return json;
 }
 
-}  // namespace
-
-std::string ImportReport::text() const {
-    std::string text = format("{}: {} layers, {} tiles, {} objects, {} tilesets, {} images", scene, layers,
-                              tiles, objects, tilesets, images);
-    if (problems.empty()) return text + "; nothing was left out\n";
-    text += format("; {} problems:\n", problems.size());
-    for (const Error& problem : problems) text += "  " + problem.text() + "\n";
+std::string joined(const std::set<std::string>& words) {
+    std::string text;
+    for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word;
     return text;
 }
 
-Result<ImportReport> importTiled(const Path& map, const Path& scene) {
-    const std::string fileName = scene.filename().string();
-    if (!endsWith(fileName, kEnding) || fileName.size() == kEnding.size()) {
-        return Error{scene.generic_string(), "this is no name for a scene", "end it in .scene.json"};
+/// What is there, but not as it was in Tiled.
+void tellChanges(const tiled::Map& map, const std::vector<ImportedTileset>& tilesets, ImportReport& report) {
+    int shapes = 0;
+    std::set<std::string> fonts;
+    for (const tiled::Layer& layer : map.layers) {
+        for (const tiled::Object& object : layer.objects) {
+            const bool turned = object.rotation != 0.0 || object.width != object.height;
+            const bool isOval = object.shape == tiled::Shape::Ellipse && turned;
+            const bool isTurnedBox = object.shape == tiled::Shape::Rectangle && object.rotation != 0.0;
+            const bool noComponent = object.shape == tiled::Shape::Polygon ||
+                                     object.shape == tiled::Shape::Polyline ||
+                                     object.shape == tiled::Shape::Capsule;
+            shapes += isOval || isTurnedBox || noComponent ? 1 : 0;
+            if (object.shape == tiled::Shape::Text) fonts.insert(object.text.font);
+        }
     }
-    const std::string name = fileName.substr(0, fileName.size() - kEnding.size());
-    ImportReport report;
-    const Result<tiled::Map> read = loadTiledMap(map, report.problems);
-    if (!read) return read.error();
+    if (shapes > 0) {
+        report.note(
+            format("{} shapes have a place but no component that holds their outline; it is kept under "
+                   "\"tiled\" in the entity",
+                   shapes));
+    }
+    if (!fonts.empty())
+        report.note(format("texts are drawn in the engine's own font instead of {}", joined(fonts)));
+    if (map.renderOrder != "right-down") {
+        report.note(
+            format("tiles are drawn from the top left to the lower right, not {}: larger ones may "
+                   "cover each other another way",
+                   map.renderOrder));
+    }
+    for (const ImportedTileset& tileset : tilesets) {
+        if (tileset.original->keepsAspect)
+            report.note(format("tileset {}: tiles are stretched to their cells", tileset.original->name));
+        if (!tileset.original->wangSets.empty())
+            report.note(
+                format("tileset {}: its terrains are kept as data under \"tiled\"", tileset.original->name));
+    }
+    if (!map.idle.empty())
+        report.note("left out, as it means something only inside Tiled: " + joined(map.idle));
+}
 
-    const Path root = projectAround(scene);
-    ImportStage stage{root, "assets/" + name};
-    std::vector<ImportedTileset> tilesets;
-    for (const tiled::Tileset& tileset : read->tilesets)
-        tilesets.push_back(importTileset(*read, tileset, stage));
-    TileAnimations animations;
-    Json json = Json::object();
-    json["format"] = 1;
-    if (read->background) json["background"] = colorJson({read->background->r, read->background->g, read->background->b, 255});
-    if (!read->properties.empty()) json["properties"] = read->properties;
-    json["tiled"] = mapJson(*read);
-    json["layers"] = sceneLayersJson(*read);
-    json["entities"] = importEntities({*read, tilesets, stage, animations, report, pictureOf(root)});
+/// Brings maps into one scene. Tilesets that several maps share are written once.
+class MapImporter {
+public:
+    explicit MapImporter(SceneDraft& draft) : draft_{draft} {}
 
-    std::error_code ignored;
-    report.scene = std::filesystem::absolute(scene, ignored)
-                       .lexically_normal()
-                       .lexically_relative(root)
-                       .generic_string();
-    const Result<std::string> text = savedForm(json, report.scene, stage.problems);
+    void add(const tiled::Map& original, const std::string& key) {
+        const bool isometric = original.orientation == tiled::Orientation::Isometric;
+        const tiled::Map flat = isometric ? flattened(original, draft_.report) : tiled::Map{};
+        const tiled::Map& map = isometric ? flat : original;
+        std::vector<ImportedTileset> tilesets;
+        for (const tiled::Tileset& tileset : map.tilesets) tilesets.push_back(tilesetOf(map, tileset));
+        TileAnimations animations;
+        importEntities({map, tilesets, animations, draft_, key});
+        tellChanges(original, tilesets, draft_.report);
+        const Rect own = boundsOf(map);
+        bounds_ = own;
+    }
+
+    [[nodiscard]] const Rect& bounds() const { return bounds_; }
+
+private:
+    ImportedTileset tilesetOf(const tiled::Map& map, const tiled::Tileset& tileset) {
+        if (tileset.file.empty()) return imported(map, tileset);
+        const std::string key =
+            format("{}|{}|{}", tileset.file.generic_string(), map.tileWidth, map.tileHeight);
+        const auto [at, isNew] = shared_.try_emplace(key);
+        if (isNew) at->second = imported(map, tileset);
+        ImportedTileset same = at->second;
+        same.original = &tileset;
+        return same;
+    }
+    ImportedTileset imported(const tiled::Map& map, const tiled::Tileset& tileset) {
+        ++draft_.report.tilesets;
+        return importTileset(map, tileset, draft_.stage);
+    }
+
+    SceneDraft& draft_;
+    std::map<std::string, ImportedTileset> shared_;
+    Rect bounds_;
+};
+
+struct WorldMap {
+    std::string file;
+    Vec2 position;
+};
+
+/// The maps that a world names; those that it finds by a pattern are told, since the pattern is for files
+/// that come later.
+Result<std::vector<WorldMap>> readWorld(const Path& file, std::vector<Error>& problems) {
+    const Result<std::string> text = readFile(file);
     if (!text) return text.error();
-    Result<std::vector<std::string>> written = stage.write();
-    if (!written) return written.error();
-    if (const Result<Done> done = writeFile(scene, *text); !done) return done.error();
-    report.files = std::move(*written);
-    report.files.push_back(report.scene);
-    report.tilesets = static_cast<int>(tilesets.size());
-    report.images = static_cast<int>(stage.imageCount());
-    report.problems.insert(report.problems.end(), stage.problems.begin(), stage.problems.end());
-    return report;
+    const std::string where = file.filename().string();
+    const Result<Json> json = parseJson(*text, where, &problems);
+    if (!json) return json.error();
+    JsonFields fields{*json, where, problems};
+    if (fields.text("type", "world") != "world" || fields.find("maps") == nullptr)
+        return Error{where, "this is no world of Tiled", "save it again in Tiled: World, Save World"};
+    static_cast<void>(fields.flag("onlyShowAdjacentMaps", false));
+    std::vector<WorldMap> maps;
+    for (JsonFields& item : fields.objects("maps", kMaxMaps)) {
+        WorldMap map;
+        map.file = item.text("fileName");
+        map.position = {item.number("x", 0.0f, -kFarthest, kFarthest),
+                        item.number("y", 0.0f, -kFarthest, kFarthest)};
+        static_cast<void>(item.number("width", 0.0f, 0.0f, kFarthest));
+        static_cast<void>(item.number("height", 0.0f, 0.0f, kFarthest));
+        item.warnUnknown();
+        maps.push_back(std::move(map));
+    }
+    if (fields.find("patterns") != nullptr)
+        fields.warn("patterns", "maps that are found by a pattern were left out",
+                    "add them to the world in Tiled");
+    fields.warnUnknown();
+    return maps;
+}
+
+}  // namespace
+
+Result<ImportReport> importTiled(const Path& file, const Path& scene) {
+    Result<ImportPlace> place = ImportPlace::of(scene, kEnding);
+    if (!place) return place.error();
+    SceneDraft draft{std::move(*place)};
+    draft.report.from = "Tiled map";
+    const Result<tiled::Map> map = loadTiledMap(file, draft.report.problems);
+    if (!map) return map.error();
+    if (map->background) {
+        const Color color = *map->background;
+        draft.extra["background"] = colorJson({color.r, color.g, color.b, 255});
+    }
+    if (!map->properties.empty()) draft.extra["properties"] = map->properties;
+    draft.extra["tiled"] = mapJson(*map);
+    MapImporter importer{draft};
+    importer.add(*map, "");
+    draft.addCamera(importer.bounds());
+    return draft.write();
+}
+
+Result<ImportReport> importTiledWorld(const Path& file, const Path& scene) {
+    Result<ImportPlace> place = ImportPlace::of(scene, kEnding);
+    if (!place) return place.error();
+    SceneDraft draft{std::move(*place)};
+    draft.report.from = "Tiled world";
+    const Result<std::vector<WorldMap>> maps = readWorld(file, draft.report.problems);
+    if (!maps) return maps.error();
+    MapImporter importer{draft};
+    std::optional<AABB> all;
+    for (const WorldMap& named : *maps) {
+        const Result<tiled::Map> map = loadTiledMap(file.parent_path() / named.file, draft.report.problems);
+        if (!map) {
+            draft.report.problems.push_back(map.error());
+            continue;
+        }
+        ++draft.report.levels;
+        draft.open(named.file, Path{named.file}.stem().string(), named.position);
+        if (!map->properties.empty()) draft.last()["properties"] = map->properties;
+        draft.last()["tiled"] = mapJson(*map);
+        importer.add(*map, named.file + "/");
+        const Rect own = importer.bounds();
+        if (map->background) draft.addBackground(named.file + "/background", own, *map->background);
+        draft.close();
+        const AABB box{Vec2{own.x, own.y} + named.position,
+                       Vec2{own.x + own.width, own.y + own.height} + named.position};
+        all = all ? merged(*all, box) : box;
+    }
+    if (all) draft.addCamera({all->min.x, all->min.y, all->size().x, all->size().y});
+    return draft.write();
 }
 
 }  // namespace plumb

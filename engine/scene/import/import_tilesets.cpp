@@ -86,7 +86,10 @@ void addCollision(Json& json, const tiled::Tile& tile, Vec2 tileSize, Vec2 cellS
              "the shapes are kept under \"tiled\"; give the tile one shape in its tileset"});
     };
     Json shapes = Json::array();
-    for (const tiled::Object& object : tile.collision) shapes.push_back(objectJson(object));
+    for (const tiled::Object& object : tile.collision) {
+        shapes.push_back(objectJson(object));
+        if (!object.properties.empty()) shapes.back()["properties"] = object.properties;
+    }
     json["tiled"]["collision"] = std::move(shapes);
     if (tile.collision.size() > 1) tell("the tile has several collision shapes; only the first one collides");
 
@@ -125,6 +128,7 @@ Json tileJson(const tiled::Tile& tile, Vec2 tileSize, Vec2 cellSize, ImportStage
     if (!tile.properties.empty()) json["properties"] = tile.properties;
     if (!tile.type.empty()) json["tiled"]["type"] = tile.type;
     if (tile.probability != 1.0) json["tiled"]["probability"] = tile.probability;
+    if (!tile.terrain.empty()) json["tiled"]["terrain"] = tile.terrain;
     return json;
 }
 
@@ -135,6 +139,7 @@ Json tilesetNotes(const tiled::Tileset& tileset) {
     if (!tileset.objectAlignment.empty()) notes["objectAlignment"] = tileset.objectAlignment;
     if (tileset.keepsAspect) notes["fillMode"] = "preserve-aspect-fit";
     if (!tileset.wangSets.empty()) notes["wangSets"] = tileset.wangSets;
+    for (const auto& [key, value] : tileset.notes.items()) notes[key] = value;
     return notes;
 }
 

@@ -18,6 +18,9 @@ Json textJson(const tiled::TextStyle& text) {
     json["wrap"] = text.wrap;
     json["bold"] = text.bold;
     json["italic"] = text.italic;
+    if (text.underline) json["underline"] = true;
+    if (text.strikeout) json["strikeout"] = true;
+    if (!text.kerning) json["kerning"] = false;
     json["alignX"] = text.alignX;
     json["alignY"] = text.alignY;
     return json;

@@ -1,0 +1,85 @@
+#include "editor/model/assets/hot_reload.hpp"
+
+#include "assets/asset_store.hpp"
+#include "core/log.hpp"
+#include "core/text.hpp"
+#include "editor/model/assets/asset_catalog.hpp"
+#include "editor/model/assets/reload_document.hpp"
+
+namespace plumb::editor {
+namespace {
+
+constexpr double kWatchInterval = 2.0;  // s between two looks for new prefabs
+
+SceneContext contextOf(Workspace& workspace) {
+    const PrefabEdit edit = workspace.prefabs();
+    return {workspace.document.types(), edit.prefabs, edit.root};
+}
+
+}  // namespace
+
+void HotReload::watch() {
+    Workspace& w = workspace_;
+    if (w.document.scenePath != watchedScene_) {
+        watchedScene_ = w.document.scenePath;
+        if (!watchedScene_.empty()) w.assets.load(AssetKind::Scene, watchedScene_);
+    }
+    for (const std::string& path : w.prefabFiles()) w.assets.load(AssetKind::Prefab, path);
+}
+
+std::size_t HotReload::poll(double now) {
+    Workspace& w = workspace_;
+    if (now < next_) return 0;
+    next_ = now + kInterval;
+    if (now >= nextWatch_ || w.document.scenePath != watchedScene_) {
+        nextWatch_ = now + kWatchInterval;
+        watch();
+    }
+    if (AssetStore* playing = w.play.assets(); playing != nullptr && playing != &w.assets)
+        static_cast<void>(playing->pollChanges(playing->size()));
+    // A hand that drags something holds on to what it drags.
+    if (w.undo.inGesture()) return 0;
+    std::size_t taken = 0;
+    bool prefabs = false;
+    for (const AssetChange& change : w.assets.pollChanges(w.assets.size())) {
+        const std::string path{w.assets.pathOf(change.kind, change.path)};
+        prefabs = prefabs || change.kind == AssetKind::Prefab;
+        ++taken;
+        if (change.kind == AssetKind::Scene) {
+            if (path == w.document.scenePath) sceneChanged();
+        } else if (change.kind != AssetKind::Prefab) {
+            w.notice = format("Reloaded the {} {}", nameOfKind(change.kind), path);
+        }
+    }
+    if (prefabs) prefabChanged();
+    return taken;
+}
+
+void HotReload::prefabChanged() {
+    Workspace& w = workspace_;
+    if (w.document.scenePath.empty()) return;
+    // The text says only what instances have for themselves; the rest comes from the new prefab.
+    const std::string text = w.text();
+    if (PrefabLibrary* prefabs = w.prefabs().prefabs) prefabs->forget();
+    if (const Result<LoadReport> loaded = reloadDocument(w.document, contextOf(w), text); !loaded)
+        logError("Editor", loaded.error());
+    w.notice = "Reloaded the prefabs";
+}
+
+void HotReload::sceneChanged() {
+    Workspace& w = workspace_;
+    const Result<std::string> text = readFile(w.project.root / w.document.scenePath);
+    if (!text || *text == w.text()) return;  // gone for a moment, or written by ourselves
+    if (w.unsaved()) return;                 // the person is asked
+    const Result<LoadReport> loaded = reloadDocument(w.document, contextOf(w), *text);
+    if (!loaded) {
+        w.notice = loaded.error().text();
+        return logError("Editor", loaded.error());
+    }
+    w.undo.clear();
+    w.safety.opened();
+    w.notice = format("Reloaded {}, which another program changed", w.document.scenePath);
+    logNote("Editor", "{}", w.notice);
+}
+
+}  // namespace plumb::editor

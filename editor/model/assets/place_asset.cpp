@@ -1,0 +1,135 @@
+#include "editor/model/assets/place_asset.hpp"
+
+#include <algorithm>
+
+#include "assets/asset_store.hpp"
+#include "core/text.hpp"
+#include "editor/model/assets/asset_catalog.hpp"
+#include "editor/model/commands/insert_entities.hpp"
+#include "gameplay/components/music.hpp"
+#include "scene/components/animator.hpp"
+#include "scene/components/name.hpp"
+#include "scene/components/scene_entity.hpp"
+#include "scene/components/sprite.hpp"
+#include "scene/components/tile_layer.hpp"
+#include "scene/components/transform.hpp"
+
+namespace plumb::editor {
+namespace {
+
+constexpr int kNewLayerCells = 64;  // wide; painting beyond is a matter of the layer's size
+
+std::string nameFrom(std::string_view path) {
+    const std::string_view name = path.substr(path.rfind('/') + 1);
+    return std::string{name.substr(0, name.find('.'))};
+}
+
+/// An entity that is not in the scene yet, to which components are added.
+class NewEntity {
+public:
+    NewEntity(Document& document, std::string_view name, Vec2 position) : document_{document} {
+        state_.id = document.newId();
+        add(SceneEntity{state_.id.value, document.nextOrder(), document.scene});
+        add(Name{document.world.texts().add(name)});
+        add(Transform{position});
+    }
+    template <class T>
+    void add(const T& component) {
+        state_.components.push_back(componentState(document_, document_.types().of<T>(), &component));
+    }
+    void insert(UndoStack& undo, std::string label) {
+        std::vector<EntityState> states{state_};
+        undo.endGesture();
+        undo.push(std::make_unique<InsertEntities>(std::move(label), std::move(states)));
+        undo.endGesture();
+        document_.selection.set({state_.id});
+    }
+
+private:
+    Document& document_;
+    EntityState state_;
+};
+
+TextId textOf(Document& document, std::string_view path) { return document.world.texts().add(path); }
+
+Sprite spriteOf(Workspace& workspace, std::string_view path) {
+    const TextureId id = workspace.assets.loadTexture(path);
+    static_cast<void>(textOf(workspace.document, path));
+    const Texture* texture = workspace.assets.find(id);
+    Sprite sprite{id, texture != nullptr && texture->width > 0 ? texture->width : 32,
+                  texture != nullptr && texture->height > 0 ? texture->height : 32};
+    sprite.pivot = {0.5f, 0.5f};
+    return sprite;
+}
+
+void placeAnimation(Workspace& workspace, std::string_view path, NewEntity& entity) {
+    const AnimationId id = workspace.assets.loadAnimation(path);
+    static_cast<void>(textOf(workspace.document, path));
+    const AnimationSet& set = workspace.assets.animation(id);
+    Sprite sprite = set.image.empty() ? Sprite{} : spriteOf(workspace, set.image);
+    if (set.frameWidth > 0) sprite.width = set.frameWidth;
+    if (set.frameHeight > 0) sprite.height = set.frameHeight;
+    sprite.pivot = {0.5f, 0.5f};
+    entity.add(sprite);
+    entity.add(Animator{id});
+}
+
+void placeTileset(Workspace& workspace, std::string_view path, NewEntity& entity) {
+    TileLayer layer;
+    layer.tileset = workspace.assets.loadTileset(path);
+    static_cast<void>(textOf(workspace.document, path));
+    const Tileset& set = workspace.assets.tileset(layer.tileset);
+    const Vec2 picture = workspace.project.picture;
+    const auto cells = [](float pixels, int tile) {
+        return std::max(static_cast<int>(pixels) / std::max(tile, 1), 1);
+    };
+    const int width = std::max(cells(picture.x, set.tileWidth), kNewLayerCells);
+    layer.cells = workspace.document.world.tiles().add(TileGrid{width, cells(picture.y, set.tileHeight)});
+    entity.add(layer);
+}
+
+}  // namespace
+
+bool canBePlaced(AssetKind kind) {
+    return kind == AssetKind::Texture || kind == AssetKind::Tileset || kind == AssetKind::Animation ||
+           kind == AssetKind::Sound || kind == AssetKind::Prefab;
+}
+
+Result<Done> placeAsset(Workspace& workspace, std::string_view path, Vec2 at) {
+    const AssetKind kind = assetKindOf(path);
+    if (!workspace.canEdit()) return Error{std::string{path}, "the game is running", "stop it first"};
+    if (workspace.document.scenePath.empty())
+        return Error{std::string{path}, "no scene is open", "open a scene first"};
+    if (kind == AssetKind::Prefab) return addInstance(workspace.prefabs(), path, at);
+    if (!canBePlaced(kind)) {
+        return Error{std::string{path}, format("a {} cannot stand in a scene", nameOfKind(kind)),
+                     "drop a picture, a prefab, a tileset, an animation or a sound"};
+    }
+    const std::string name = nameFrom(path);
+    NewEntity entity{workspace.document, name, at};
+    if (kind == AssetKind::Texture) entity.add(spriteOf(workspace, path));
+    if (kind == AssetKind::Animation) placeAnimation(workspace, path, entity);
+    if (kind == AssetKind::Tileset) placeTileset(workspace, path, entity);
+    if (kind == AssetKind::Sound) {
+        static_cast<void>(textOf(workspace.document, path));
+        entity.add(Music{workspace.assets.loadSound(path)});
+    }
+    entity.insert(workspace.undo, format("add {}", name));
+    return Done{};
+}
+
+Vec2 placedSize(Workspace& workspace, std::string_view path) {
+    const AssetKind kind = assetKindOf(path);
+    if (kind == AssetKind::Texture) {
+        const Texture* texture = workspace.assets.find(workspace.assets.loadTexture(path));
+        if (texture != nullptr)
+            return {static_cast<float>(texture->width), static_cast<float>(texture->height)};
+    }
+    if (kind == AssetKind::Animation) {
+        const AnimationSet& set = workspace.assets.animation(workspace.assets.loadAnimation(path));
+        return {static_cast<float>(set.frameWidth), static_cast<float>(set.frameHeight)};
+    }
+    return {};
+}
+
+}  // namespace plumb::editor

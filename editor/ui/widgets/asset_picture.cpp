@@ -1,0 +1,107 @@
+#include "editor/ui/widgets/asset_picture.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "assets/asset_store.hpp"
+#include "editor/ui/scene_picture.hpp"
+#include "editor/ui/ui_compat.hpp"
+
+namespace plumb::editor::ui {
+namespace {
+
+constexpr float kLargestZoom = 4.0f;
+
+/// A part of a picture as large as the box allows, in whole steps when it is enlarged.
+void drawPart(Ui& ui, ImDrawList& list, TextureId id, const Rect& source, const AABB& box) {
+    const Texture* texture = ui.workspace.assets.find(id);
+    if (ui.picture == nullptr || texture == nullptr || texture->width <= 0 || texture->height <= 0) return;
+    const Vec2 size = source.empty()
+                          ? Vec2{static_cast<float>(texture->width), static_cast<float>(texture->height)}
+                          : Vec2{source.width, source.height};
+    const Vec2 room = box.size();
+    float zoom = std::min(room.x / size.x, room.y / size.y);
+    if (zoom > 1.0f) zoom = std::min(std::floor(zoom), kLargestZoom * ui.scale);
+    const Vec2 half = size * (zoom * 0.5f);
+    const Vec2 center = box.center();
+    const std::array corners{
+        ImVec2{center.x - half.x, center.y - half.y}, ImVec2{center.x + half.x, center.y - half.y},
+        ImVec2{center.x + half.x, center.y + half.y}, ImVec2{center.x - half.x, center.y + half.y}};
+    const TexturePart part = ui.picture->part(id, source);
+    const std::array uv{part.from, Vec2{part.to.x, part.from.y}, part.to, Vec2{part.from.x, part.to.y}};
+    quadOfPixels(list, textureId(part.texture), corners, uv, IM_COL32_WHITE);
+}
+
+/// The frame that shows at a time; the first one while nothing plays.
+const AnimationFrame* frameAt(const AnimationSet& set, double seconds) {
+    if (set.clips.empty() || set.clips.front().frames.empty()) return nullptr;
+    const std::vector<AnimationFrame>& frames = set.clips.front().frames;
+    double total = 0.0;
+    for (const AnimationFrame& frame : frames) total += static_cast<double>(frame.seconds);
+    double rest = total > 0.0 ? std::fmod(seconds, total) : 0.0;
+    for (const AnimationFrame& frame : frames) {
+        rest -= static_cast<double>(frame.seconds);
+        if (rest < 0.0) return &frame;
+    }
+    return &frames.front();
+}
+
+void drawSheet(ImDrawList& list, const Ui& ui, const AABB& box, ImU32 color, const char* word) {
+    const Vec2 center = box.center();
+    const float side = std::min(box.size().x, box.size().y) * 0.3f;
+    const ImVec2 from{center.x - side * 0.8f, center.y - side};
+    const ImVec2 to{center.x + side * 0.8f, center.y + side};
+    list.AddRectFilled(from, to, IM_COL32(255, 255, 255, 10), ui.px(4.0f));
+    outline(list, from, to, color, ui.px(4.0f), ui.px(1.5f));
+    const ImVec2 size = ImGui::CalcTextSize(word);
+    list.AddText({center.x - size.x * 0.5f, center.y - size.y * 0.5f}, color, word);
+}
+
+}  // namespace
+
+void drawAsset(Ui& ui, ImDrawList& list, AssetKind kind, std::string_view path, const AABB& box,
+               double playing) {
+    AssetStore& assets = ui.workspace.assets;
+    switch (kind) {
+        case AssetKind::Texture: return drawPart(ui, list, assets.loadTexture(path), {}, box);
+        case AssetKind::Tileset: {
+            const Tileset& set = assets.tileset(assets.loadTileset(path));
+            if (!set.image.empty()) return drawPart(ui, list, set.texture, {}, box);
+            if (!set.images.empty())
+                return drawPart(ui, list, set.images.front().texture, set.images.front().source, box);
+            return drawSheet(list, ui, box, IM_COL32(120, 190, 120, 255), "Tiles");
+        }
+        case AssetKind::Animation: {
+            const AnimationSet& set = assets.animation(assets.loadAnimation(path));
+            const AnimationFrame* frame = frameAt(set, playing);
+            if (frame == nullptr || set.frameWidth <= 0 || set.frameHeight <= 0)
+                return drawPart(ui, list, set.texture, {}, box);
+            const Rect source{static_cast<float>(frame->cellX * set.frameWidth),
+                              static_cast<float>(frame->cellY * set.frameHeight),
+                              static_cast<float>(set.frameWidth), static_cast<float>(set.frameHeight)};
+            return drawPart(ui, list, set.texture, source, box);
+        }
+        case AssetKind::Sound: return drawSheet(list, ui, box, IM_COL32(110, 170, 240, 255), "Sound");
+        case AssetKind::Font: return drawSheet(list, ui, box, IM_COL32(230, 200, 120, 255), "Aa");
+        case AssetKind::Scene: return drawSheet(list, ui, box, IM_COL32(235, 150, 90, 255), "Scene");
+        case AssetKind::Prefab: return drawSheet(list, ui, box, IM_COL32(180, 140, 240, 255), "Prefab");
+        case AssetKind::None: break;
+    }
+    drawSheet(list, ui, box, palette::kTextDim, "File");
+}
+
+std::string acceptAsset(std::string& hovering) {
+    hovering.clear();
+    std::string dropped;
+    if (!ImGui::BeginDragDropTarget()) return dropped;
+    constexpr ImGuiDragDropFlags kFlags =
+        ImGuiDragDropFlags_AcceptBeforeDelivery | ImGuiDragDropFlags_AcceptNoDrawDefaultRect;
+    if (const ImGuiPayload* payload = ImGui::AcceptDragDropPayload(kAssetPayload, kFlags)) {
+        hovering = static_cast<const char*>(payload->Data);
+        if (payload->IsDelivery()) dropped = hovering;
+    }
+    ImGui::EndDragDropTarget();
+    return dropped;
+}
+
+}  // namespace plumb::editor::ui
