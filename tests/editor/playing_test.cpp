@@ -1,7 +1,9 @@
 #include "core/text.hpp"
 #include "editor/model/actions.hpp"
+#include "editor/model/commands/set_field.hpp"
 #include "editor/model/game_session.hpp"
 #include "scene/components/rigid_body.hpp"
+#include "scene/scene_requests.hpp"
 #include "tests/editor/support/editor_fixture.hpp"
 #include "tests/editor/support/hands.hpp"
 
@@ -181,6 +183,27 @@ TEST_F(Playing, whatWasChangedInATimeThatWasRewoundIsOfferedButNotTicked) {
     ASSERT_EQ(workspace.toKeep.size(), 1u);
     EXPECT_EQ(valueOf("Keep/0"), "off");
     EXPECT_EQ(valueOf("Keep/keep"), "0");
+}
+
+TEST_F(Playing, aLevelThatIsBegunAnewIsTheOneThatIsEditedAndComesBackAsItWas) {
+    const TypeInfo& type = workspace.document.types().of<Transform>();
+    std::vector<SetField::Change> change;
+    change.push_back({named("crate"), FieldValue::of(Vec2{500, 64})});
+    workspace.undo.push(std::make_unique<SetField>(type, *type.find("position"), std::move(change)));
+    workspace.startPlaying();
+    std::vector<std::uint64_t> hashes{workspace.play.world().hash()};
+    for (int tick = 0; tick < 60; ++tick) {
+        if (tick == 40) workspace.play.world().resource<SceneRequests>().reload = true;
+        workspace.play.step({});
+        hashes.push_back(workspace.play.world().hash());
+    }
+    EXPECT_EQ(playedPosition("crate"), (Vec2{500, 64})) << "not as the file has it";
+    EXPECT_LT(playedPosition("player").y, 150.0f) << "it was begun anew";
+    // The request came from outside of the game: what is played again from before it does not have it.
+    for (const std::int64_t tick : {20, 39, 40, 50, 60, 47}) {
+        workspace.play.seek(tick);
+        EXPECT_EQ(workspace.play.world().hash(), hashes[static_cast<std::size_t>(tick)]) << tick;
+    }
 }
 
 TEST_F(Playing, aWordTypedIntoTheRunningGameIsKeptToo) {
