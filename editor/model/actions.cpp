@@ -9,8 +9,8 @@ namespace {
 
 std::vector<Action> allRows() {
     std::vector<Action> rows;
-    for (const auto rowsOfMenu :
-         {fileActions(), editActions(), entityActions(), toolActions(), viewActions(), runActions()}) {
+    for (const auto rowsOfMenu : {fileActions(), editActions(), entityActions(), toolActions(), tileActions(),
+                                  viewActions(), runActions()}) {
         rows.insert(rows.end(), rowsOfMenu.begin(), rowsOfMenu.end());
     }
     return rows;
@@ -51,10 +51,12 @@ bool isOn(const Action& action, const Workspace& workspace) {
 }
 
 bool runShortcut(Workspace& workspace, const Event& event) {
-    for (const Action& action : actionTable()) {
-        if (!counts(action.during, workspace)) continue;
-        if (action.shortcut.matches(event) || action.alternative.matches(event)) {
-            return runAction(workspace, action.id);
+    // What a key means for tiles, or for entities, goes before what it always means.
+    for (const bool special : {true, false}) {
+        for (const Action& action : actionTable()) {
+            if ((action.during != During::Always) != special || !counts(action.during, workspace)) continue;
+            if (!action.shortcut.matches(event) && !action.alternative.matches(event)) continue;
+            if (runAction(workspace, action.id)) return true;
         }
     }
     return false;

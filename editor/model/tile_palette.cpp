@@ -15,17 +15,26 @@ TilePalette paletteOf(const Tileset& tileset) {
     const bool collection = tileset.image.empty() && !tileset.images.empty();
     palette.count = tileset.count;
     if (collection) palette.count = std::max(palette.count, tileset.images.back().tile + 1);
-    palette.columns = std::max(collection ? std::min(kCollectionColumns, palette.count) : tileset.columns, 1);
+    palette.columns =
+        std::max(collection ? std::min(kCollectionColumns, palette.count) : tileset.columnsNow(), 1);
     palette.rows = (palette.count + palette.columns - 1) / palette.columns;
+    if (!collection && !tileset.sizes.empty()) palette.grown = &tileset;
     palette.tileSize = {static_cast<float>(std::max(tileset.tileWidth, 1)),
                         static_cast<float>(std::max(tileset.tileHeight, 1))};
     return palette;
 }
 
 int TilePalette::tileAt(CellPlace place) const {
+    if (grown != nullptr) return grown->tileAt({place.x, place.y});
     if (place.x < 0 || place.y < 0 || place.x >= columns) return -1;
     const int tile = place.y * columns + place.x;
     return tile < count ? tile : -1;
+}
+
+CellPlace TilePalette::placeOf(int tile) const {
+    if (grown == nullptr) return {tile % columns, tile / columns};
+    const Tileset::Place place = grown->placeOf(tile);
+    return {place.column, place.row};
 }
 
 CellPlace TilePalette::nearest(Vec2 point) const {

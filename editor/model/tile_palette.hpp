@@ -12,11 +12,12 @@ struct TilePalette {
     int columns = 1;
     int rows = 0;
     int count = 0;
-    Vec2 tileSize{16.0f, 16.0f};  ///< px
+    Vec2 tileSize{16.0f, 16.0f};     ///< px
+    const Tileset* grown = nullptr;  ///< of a picture that became wider: who knows where its tiles are
 
     /// The tile's number; -1 where there is none.
     [[nodiscard]] int tileAt(CellPlace place) const;
-    [[nodiscard]] CellPlace placeOf(int tile) const { return {tile % columns, tile / columns}; }
+    [[nodiscard]] CellPlace placeOf(int tile) const;
     /// The place nearest to a point (px of the unzoomed palette).
     [[nodiscard]] CellPlace nearest(Vec2 point) const;
     [[nodiscard]] Vec2 size() const;  ///< px

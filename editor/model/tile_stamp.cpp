@@ -44,14 +44,13 @@ TileStamp stampFrom(const TileGrid& grid, CellPlace a, CellPlace b) {
 }
 
 TileGrid resized(const TileGrid& grid, int width, int height) {
-    std::vector<TileCell> cells;
-    for (int y = 0; y < height; ++y) {
-        for (int x = 0; x < width; ++x) {
-            cells.push_back(grid.at(x, y));
+    TileGrid made{width, height};
+    for (int row = 0; row < std::min(grid.chunkRows(), made.chunkRows()); ++row) {
+        for (int column = 0; column < std::min(grid.chunkColumns(), made.chunkColumns()); ++column) {
+            if (const TileGrid::Chunk* chunk = grid.chunk(column, row))
+                made.put(column, row, std::make_shared<TileGrid::Chunk>(*chunk));
         }
     }
-    TileGrid made;
-    made.replaceCells(width, height, std::move(cells));
     return made;
 }
 
@@ -81,5 +80,7 @@ TileStamp turned(const TileStamp& stamp) {
         },
         &turnedCell);
 }
+
+TileStamp turnedBack(const TileStamp& stamp) { return turned(turned(turned(stamp))); }
 
 }  // namespace plumb::editor

@@ -2,17 +2,10 @@
 
 #include <vector>
 
-#include "editor/model/object_id.hpp"
+#include "editor/model/cell_selection.hpp"
 #include "math/tile_grid.hpp"
 
 namespace plumb::editor {
-
-/// A column and a row: of a tile layer, or of a palette.
-struct CellPlace {
-    int x = 0;
-    int y = 0;
-    friend bool operator==(CellPlace, CellPlace) = default;
-};
 
 /// The tiles that are painted: one, or a pattern of several. Empty cells of a pattern leave what is there.
 struct TileStamp {
@@ -28,12 +21,6 @@ struct TileStamp {
     friend bool operator==(const TileStamp&, const TileStamp&) = default;
 };
 
-/// What the tile tools share.
-struct TilePaint {
-    TileStamp stamp;
-    ObjectId layer;  ///< the one that was worked on last
-};
-
 /// The stamp of a part of a grid, given by two corners in any order; cells outside the grid are empty.
 TileStamp stampFrom(const TileGrid& grid, CellPlace a, CellPlace b);
 
@@ -44,5 +31,7 @@ TileStamp flippedX(const TileStamp& stamp);
 TileStamp flippedY(const TileStamp& stamp);
 /// A quarter turn clockwise.
 TileStamp turned(const TileStamp& stamp);
+/// A quarter turn the other way.
+TileStamp turnedBack(const TileStamp& stamp);
 
 }  // namespace plumb::editor

@@ -6,7 +6,7 @@
 
 #include "core/log.hpp"
 #include "editor/model/bounds.hpp"
-#include "editor/model/tools/tile_tools.hpp"
+#include "editor/model/tile_layers.hpp"
 #include "scene/components/camera.hpp"
 #include "scene/components/prefab_instance.hpp"
 #include "scene/components/transform.hpp"
@@ -62,6 +62,8 @@ Result<LoadReport> Workspace::load(const std::string& wanted, const std::string*
     document.reindex();
     safety.opened();
     tiles.layer = {};
+    tiles.selected.clear();
+    tiles.layers.clear();
     if (!report) {
         logError("Editor", report.error());
         notice = report.error().text();
@@ -166,7 +168,13 @@ void Workspace::useTool(std::size_t index) {
     notice = format("{}: {}", row.name, row.hint);
     if (!row.forTiles) return;
     tiles.layer = activeTileLayer(document, tiles);
-    if (!tiles.layer) notice = "This scene has no tile layer; add the component TileLayer to an entity";
+    if (row.hand != Hand::Keeps) tiles.terrainInHand = row.hand == Hand::Terrain;
+    const Tileset* tileset = tilesetOf(document, tiles.layer);
+    if (!tiles.layer) {
+        notice = "This scene has no tile layer; add the component TileLayer to an entity";
+    } else if (row.hand == Hand::Terrain && (tileset == nullptr || tileset->terrains.empty())) {
+        notice = "This tileset has no terrain yet; the panel Tileset makes one of its tiles";
+    }
 }
 
 void Workspace::useTool(std::string_view action) {

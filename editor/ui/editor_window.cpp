@@ -14,6 +14,7 @@ namespace {
 constexpr float kToolbarHeight = 38.0f;  // px at scale 1
 constexpr float kStatusHeight = 24.0f;
 constexpr std::size_t kTilesTab = 0;  // among those at the bottom
+constexpr std::size_t kTilesetTab = 3;
 constexpr std::array kNudgeKeys{Key::Left, Key::Right, Key::Up, Key::Down};
 
 /// While a game plays, plain letters belong to it; what is left are function keys and Ctrl combinations.
@@ -157,7 +158,7 @@ void EditorWindow::playGame(float seconds) {
 
 void EditorWindow::drawMenus() {
     if (!ImGui::BeginMainMenuBar()) return;
-    for (const char* menu : {"File", "Edit", "Entity", "Tool", "View", "Run"}) {
+    for (const char* menu : {"File", "Edit", "Entity", "Tool", "Tiles", "View", "Run"}) {
         const bool open = ImGui::BeginMenu(menu);
         widgets_.mark(std::string{"Menu/"} + menu);
         if (!open) continue;
@@ -226,7 +227,7 @@ void EditorWindow::drawPanes(ImVec2 from, ImVec2 size) {
     ImGui::PopStyleVar();
 
     showTilesWhilePainting();
-    float& bottomPart = bottomTab_ == kTilesTab ? layout_.tiles : layout_.bottom;
+    float& bottomPart = bottomTab_ == kTilesTab || bottomTab_ == kTilesetTab ? layout_.tiles : layout_.bottom;
     const float gap = ui_.px(3.0f);
     const float left = std::floor(size.x * layout_.left);
     const float right = std::floor(size.x * layout_.right);

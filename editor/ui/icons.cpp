@@ -66,6 +66,40 @@ void drawScale(const Pen& pen) {
     pen.line(-0.05f, 0.05f, 0.55f, -0.55f);
     pen.triangle(0.9f, -0.9f, 0.15f, -0.75f, 0.75f, -0.15f);
 }
+/// Ground with grass on it that bends around a corner.
+void drawTerrain(const Pen& pen) {
+    pen.line(-0.9f, -0.2f, -0.3f, -0.2f);
+    pen.line(-0.3f, -0.2f, -0.3f, -0.75f);
+    pen.line(-0.3f, -0.75f, 0.9f, -0.75f);
+    pen.fill(-0.9f, 0.05f, 0.9f, 0.85f);
+    pen.fill(-0.02f, -0.48f, 0.9f, 0.1f);
+}
+/// Cells in a dashed border.
+void drawMoveTiles(const Pen& pen) {
+    for (const float side : {-0.85f, 0.85f}) {
+        for (const float from : {-0.85f, -0.2f, 0.45f}) {
+            pen.line(from, side, from + 0.4f, side);
+            pen.line(side, from, side, from + 0.4f);
+        }
+    }
+    pen.fill(-0.4f, -0.4f, 0.4f, 0.4f);
+}
+void drawSameTile(const Pen& pen) {
+    pen.fill(-0.85f, -0.85f, -0.15f, -0.15f);
+    pen.fill(0.15f, 0.15f, 0.85f, 0.85f);
+    pen.box(0.15f, -0.85f, 0.85f, -0.15f);
+    pen.box(-0.85f, 0.15f, -0.15f, 0.85f);
+}
+void drawEye(const Pen& pen) {
+    pen.arc(0.0f, 0.75f, 1.15f, -2.45f, -0.69f);
+    pen.arc(0.0f, -0.75f, 1.15f, 0.69f, 2.45f);
+}
+/// @param lift  where the lower end of the bow is
+void drawLock(const Pen& pen, float lift) {
+    pen.fill(-0.6f, 0.0f, 0.6f, 0.8f, 0.12f);
+    pen.arc(0.0f, lift, 0.4f, 3.14159f, 6.28318f);
+    pen.line(-0.4f, lift, -0.4f, 0.1f);
+}
 void drawPick(const Pen& pen) {
     pen.line(-0.8f, 0.8f, 0.25f, -0.25f);
     pen.line(-0.05f, -0.55f, 0.55f, 0.05f);
@@ -228,6 +262,18 @@ void drawIcon(ImDrawList& list, Icon icon, ImVec2 center, float size, ImU32 colo
         case Icon::Layers: drawLayers(pen); break;
         case Icon::Person: drawPerson(pen); break;
         case Icon::Star: drawStar(pen); break;
+        case Icon::Terrain: drawTerrain(pen); break;
+        case Icon::Line:
+            pen.line(-0.7f, 0.7f, 0.7f, -0.7f), pen.dot(-0.7f, 0.7f, 0.22f), pen.dot(0.7f, -0.7f, 0.22f);
+            break;
+        case Icon::Ellipse: pen.ring(0.0f, 0.0f, 0.8f); break;
+        case Icon::MoveTiles: drawMoveTiles(pen); break;
+        case Icon::SameTile: drawSameTile(pen); break;
+        case Icon::Eye: drawEye(pen), pen.dot(0.0f, 0.0f, 0.3f); break;
+        case Icon::EyeClosed: drawEye(pen), pen.line(-0.75f, 0.75f, 0.75f, -0.75f); break;
+        case Icon::Lock: drawLock(pen, -0.05f); break;
+        case Icon::Unlocked: drawLock(pen, -0.45f); break;
+        case Icon::Solo: pen.ring(0.0f, 0.0f, 0.75f), pen.dot(0.0f, 0.0f, 0.32f); break;
         case Icon::Chevron: pen.triangle(-0.5f, -0.3f, 0.5f, -0.3f, 0.0f, 0.4f); break;
     }
 }
@@ -266,6 +312,11 @@ Icon iconOfAction(std::string_view action) {
         std::pair<std::string_view, Icon>{"tool.brush", Icon::Brush},
         std::pair<std::string_view, Icon>{"tool.erase", Icon::Erase},
         std::pair<std::string_view, Icon>{"tool.fill", Icon::Fill},
+        std::pair<std::string_view, Icon>{"tool.terrain", Icon::Terrain},
+        std::pair<std::string_view, Icon>{"tool.line", Icon::Line},
+        std::pair<std::string_view, Icon>{"tool.ellipse", Icon::Ellipse},
+        std::pair<std::string_view, Icon>{"tool.moveTiles", Icon::MoveTiles},
+        std::pair<std::string_view, Icon>{"tool.same", Icon::SameTile},
         std::pair<std::string_view, Icon>{"run.play", Icon::Play},
         std::pair<std::string_view, Icon>{"run.pause", Icon::Pause},
         std::pair<std::string_view, Icon>{"run.step", Icon::Step},

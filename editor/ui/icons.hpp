@@ -39,7 +39,17 @@ enum class Icon : unsigned char {
     Layers,
     Person,
     Star,
-    Chevron
+    Chevron,
+    Terrain,
+    Line,
+    Ellipse,
+    MoveTiles,
+    SameTile,
+    Eye,
+    EyeClosed,
+    Lock,
+    Unlocked,
+    Solo
 };
 
 /// Draws an icon of lines and shapes: sharp at any scale, no image files. @param size  px of its square

@@ -28,6 +28,8 @@ std::uintptr_t ScenePicture::draw(World& world, AssetStore* assets, const View& 
     how.alpha = alpha;
     how.parallax = asGame;
     how.labelText = &fillPlaceholders;
+    how.ahead = preview.ahead;
+    how.hiddenLayers = preview.hiddenLayers;
     list_.begin(how.view);
     renderer.collect(world, how, list_);
     device_.setViewport(viewport);

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <vector>
 
 #include "render/draw_list.hpp"
 #include "render/render_device.hpp"
@@ -35,6 +36,13 @@ public:
     /// @return the graphics card's name of the texture
     std::uintptr_t draw(World& world, AssetStore* assets, const View& view, PixelSize size, float alpha,
                         bool asGame, const PhysicsShown& physics = {});
+
+    /// What only the editor's own look at a scene has.
+    struct Preview {
+        double ahead = 0.0;                  ///< s: animated tiles move though nothing plays
+        std::vector<EntityId> hiddenLayers;  ///< tile layers
+    };
+    Preview preview;
 
     /// Where a part of one of the editor's pictures is on the card. @param source  px; empty: all of it
     TexturePart part(TextureId id, const Rect& source);

@@ -366,6 +366,17 @@ std::vector<AssetChange> AssetStore::pollChanges(std::size_t budget) {
     return changes;
 }
 
+bool AssetStore::refresh(AssetKind kind, TextId id) {
+    bool loaded = false;
+    visitShelf(kind, [&](auto& table) {
+        auto* entry = table.find(id);
+        if (entry == nullptr) return;
+        entry->stamp = 0;  // a file's time may be too coarse to tell two writings apart
+        loaded = reload(*entry);
+    });
+    return loaded;
+}
+
 // ---- telling ------------------------------------------------------------------------------------
 
 void AssetStore::report(Error error) {

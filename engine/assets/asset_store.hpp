@@ -105,6 +105,10 @@ public:
     /// @param budget  files to look at; the next call goes on behind them. About 2 us each
     std::vector<AssetChange> pollChanges(std::size_t budget = 32);
 
+    /// Reads a file again now, for who has just written it. A broken one is told in `errors()` and the old
+    /// asset stays. @return whether it was loaded
+    bool refresh(AssetKind kind, TextId id);
+
     /// What went wrong since the last `clearErrors`, at most a thousand.
     [[nodiscard]] const std::vector<Error>& errors() const { return errors_; }
     void clearErrors() { errors_.clear(); }

@@ -52,12 +52,78 @@ const TileImage* Tileset::imageOf(int tile) const {
     return at != images.end() && at->tile == tile ? &*at : nullptr;
 }
 
-Rect Tileset::sourceOf(int tile) const {
+namespace {
+
+/// The tiles that came when a picture of `from` became one of `to`.
+struct Growth {
+    TilesetSize from;
+    TilesetSize to;
+
+    [[nodiscard]] int right() const { return (to.columns - from.columns) * from.rows; }
+    [[nodiscard]] int count() const { return right() + to.columns * (to.rows - from.rows); }
+    [[nodiscard]] bool has(Tileset::Place at) const {
+        return at.column < to.columns && at.row < to.rows &&
+               (at.column >= from.columns || at.row >= from.rows);
+    }
+    [[nodiscard]] Tileset::Place placeOf(int index) const {
+        const int wide = to.columns - from.columns;
+        if (index < right()) return {from.columns + index % wide, index / wide};
+        return {(index - right()) % to.columns, from.rows + (index - right()) / to.columns};
+    }
+    [[nodiscard]] int indexOf(Tileset::Place at) const {
+        if (at.row < from.rows) return at.row * (to.columns - from.columns) + at.column - from.columns;
+        return right() + (at.row - from.rows) * to.columns + at.column;
+    }
+};
+
+}  // namespace
+
+Tileset::Place Tileset::placeOf(int tile) const {
     const int wide = std::max(columns, 1);
-    const int column = tile % wide;
-    const int row = tile / wide;
-    return {static_cast<float>(margin + column * (tileWidth + spacing)),
-            static_cast<float>(margin + row * (tileHeight + spacing)), static_cast<float>(tileWidth),
+    int first = sizes.empty() ? count : sizes.front().columns * sizes.front().rows;
+    for (std::size_t i = 1; i < sizes.size() && tile >= first; ++i) {
+        const Growth growth{sizes[i - 1], sizes[i]};
+        if (tile - first < growth.count()) return growth.placeOf(tile - first);
+        first += growth.count();
+    }
+    return {tile % wide, tile / wide};
+}
+
+int Tileset::tileAt(Place place) const {
+    if (place.column < 0 || place.row < 0 || place.column >= columnsNow()) return -1;
+    if (sizes.empty() || (place.column < sizes.front().columns && place.row < sizes.front().rows)) {
+        const int tile = place.row * std::max(columns, 1) + place.column;
+        return tile < count ? tile : -1;
+    }
+    int first = sizes.front().columns * sizes.front().rows;
+    for (std::size_t i = 1; i < sizes.size(); ++i) {
+        const Growth growth{sizes[i - 1], sizes[i]};
+        if (growth.has(place)) return first + growth.indexOf(place);
+        first += growth.count();
+    }
+    return -1;
+}
+
+int Tileset::growTo(int newColumns, int newRows) {
+    const int wide = std::max(columns, 1);
+    const TilesetSize now = sizes.empty() ? TilesetSize{wide, (count + wide - 1) / wide} : sizes.back();
+    const TilesetSize next{std::max(newColumns, now.columns), std::max(newRows, now.rows)};
+    const int before = count;
+    if (next == now) return 0;
+    if (next.columns == now.columns && sizes.empty()) {
+        count = next.columns * next.rows;
+        return count - before;
+    }
+    if (sizes.empty()) sizes.push_back(now), count = now.columns * now.rows;
+    sizes.push_back(next);
+    count += Growth{now, next}.count();
+    return count - before;
+}
+
+Rect Tileset::sourceOf(int tile) const {
+    const Place place = placeOf(tile);
+    return {static_cast<float>(margin + place.column * (tileWidth + spacing)),
+            static_cast<float>(margin + place.row * (tileHeight + spacing)), static_cast<float>(tileWidth),
             static_cast<float>(tileHeight)};
 }
 

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "assets/terrain.hpp"
 #include "core/result.hpp"
 #include "math/rect.hpp"
 #include "math/vec2.hpp"
@@ -53,6 +54,7 @@ struct Tile {
     bool oneWay = false;               ///< solid only from above, whatever the shape
     float friction = -1.0f;            ///< negative takes the TileCollider's
     float bounciness = -1.0f;          ///< negative takes the TileCollider's
+    float probability = 1.0f;          ///< weight among variants and in random painting; 0 is never chosen
     std::string material;              ///< a word of the game's own, e.g. "ice", for sounds and particles
     std::vector<TileFrame> animation;  ///< shown instead of the tile, in turns
     std::vector<TileProperty> properties;
@@ -63,6 +65,15 @@ struct Tile {
     [[nodiscard]] bool hasFlag(std::string_view name) const { return property(name) == "true"; }
 
     friend bool operator==(const Tile&, const Tile&) = default;
+};
+
+/// A size that a set's picture has had, in tiles. When it grows what was there keeps its numbers; new tiles
+/// follow the last one, first those to the right of the old picture, then those below.
+struct TilesetSize {
+    int columns = 0;
+    int rows = 0;
+
+    friend bool operator==(const TilesetSize&, const TilesetSize&) = default;
 };
 
 /// A picture of its own for one tile, in sets that are collections of images.
@@ -86,11 +97,13 @@ struct Tileset {
     int tileHeight = 16;
     int margin = 0;   ///< px around all tiles of the picture
     int spacing = 0;  ///< px between them
-    int columns = 1;  ///< in the picture
+    int columns = 1;  ///< in the picture, when the set was made
     int count = 0;
-    Vec2 offset;                    ///< px added where tiles are drawn
-    std::vector<TileImage> images;  ///< of a collection, by tile
-    std::vector<Tile> tiles;        ///< those with something special, by id
+    std::vector<TilesetSize> sizes;  ///< of a picture that became wider: the first one up to that of now
+    Vec2 offset;                     ///< px added where tiles are drawn
+    std::vector<TileImage> images;   ///< of a collection, by tile
+    std::vector<Tile> tiles;         ///< those with something special, by id
+    std::vector<Terrain> terrains;   ///< what the editor paints as a whole
     std::vector<TileProperty> properties;
     std::vector<KeptProperty> unknown;
 
@@ -103,6 +116,19 @@ struct Tileset {
 
     /// Where a tile is in the common picture (px).
     [[nodiscard]] Rect sourceOf(int tile) const;
+
+    /// The picture's columns now, and where a tile is in it, in tiles.
+    [[nodiscard]] int columnsNow() const { return sizes.empty() ? columns : sizes.back().columns; }
+    struct Place {
+        int column = 0;
+        int row = 0;
+    };
+    [[nodiscard]] Place placeOf(int tile) const;
+    /// The tile at a place of the picture; -1 where there is none.
+    [[nodiscard]] int tileAt(Place place) const;
+    /// Takes in a picture with more room. The numbers of all tiles stay.
+    /// @return how many tiles came to it
+    int growTo(int newColumns, int newRows);
 
     /// The tile that is shown for `tile` at a time: itself, or the frame of its animation.
     /// @param seconds  since the scene began

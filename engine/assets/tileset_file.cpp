@@ -62,6 +62,7 @@ Tile readTile(JsonFields& fields) {
     tile.oneWay = fields.flag("oneWay", false);
     tile.friction = fields.number("friction", -1.0f, 0.0f, 10.0f);
     tile.bounciness = fields.number("bounciness", -1.0f, 0.0f, 1.0f);
+    tile.probability = fields.number("probability", 1.0f, 0.0f, 1e6f);
     tile.material = fields.text("material");
     for (JsonFields& item : fields.objects("animation", 1024)) {
         TileFrame frame;
@@ -73,6 +74,46 @@ Tile readTile(JsonFields& fields) {
     tile.properties = fields.kept("properties");
     tile.unknown = fields.keepUnknown();
     return tile;
+}
+
+std::string hexOf(Color color) {
+    constexpr std::string_view kDigits = "0123456789abcdef";
+    std::string text = "#";
+    for (const std::uint8_t part : {color.r, color.g, color.b}) {
+        text += kDigits[part >> 4];
+        text += kDigits[part & 15];
+    }
+    return text;
+}
+
+Color readColor(JsonFields& fields, Color fallback) {
+    const std::string text = fields.text("color", hexOf(fallback));
+    const bool formed = text.size() == 7 && text.front() == '#';
+    const std::optional<std::uint64_t> bits =
+        formed ? parseHex(std::string_view{text}.substr(1)) : std::nullopt;
+    if (!bits) {
+        fields.warn("color", format("found \"{}\"", text), "write \"#rrggbb\"");
+        return fallback;
+    }
+    const auto part = [&](int shift) { return static_cast<std::uint8_t>(*bits >> shift); };
+    return {part(16), part(8), part(0), 255};
+}
+
+Terrain readTerrain(JsonFields& fields) {
+    Terrain terrain;
+    terrain.id = fields.whole("id", -1, 1, 255);
+    terrain.name = fields.text("name");
+    terrain.mode = static_cast<TerrainMode>(fields.choice("mode", 1, terrainModeNames()));
+    terrain.color = readColor(fields, terrain.color);
+    for (JsonFields& item : fields.objects("tiles", Tileset::kMaxTiles)) {
+        TerrainTile tile;
+        tile.tile = item.whole("tile", 0, 0, Tileset::kMaxTiles - 1);
+        tile.mask = static_cast<std::uint8_t>(item.whole("mask", 0, 0, 255));
+        item.warnUnknown();
+        terrain.tiles.push_back(tile);
+    }
+    fields.warnUnknown();
+    return terrain;
 }
 
 TileImage readImage(JsonFields& fields) {
@@ -112,6 +153,33 @@ void settle(std::vector<Item>& items, int Item::*number, JsonFields& fields, std
     items.erase(repeated, items.end());
 }
 
+/// The sizes that a growing picture has had. They must grow, and have room for as many tiles as there are.
+void readSizes(JsonFields& fields, Tileset& tileset) {
+    std::int64_t cells = 0;
+    for (JsonFields& item : fields.objects("sizes", 1024)) {
+        const TilesetSize size{item.whole("columns", 0, 0, Tileset::kMaxTiles),
+                               item.whole("rows", 0, 0, Tileset::kMaxTiles)};
+        item.warnUnknown();
+        const TilesetSize last =
+            tileset.sizes.empty() ? TilesetSize{tileset.columns, 0} : tileset.sizes.back();
+        const bool grows = size.columns >= last.columns && size.rows >= last.rows;
+        const bool begins = !tileset.sizes.empty() || size.columns == tileset.columns;
+        cells = std::int64_t{size.columns} * size.rows;
+        if (grows && begins && cells <= tileset.count) {
+            tileset.sizes.push_back(size);
+            continue;
+        }
+        fields.warn("sizes", "the sizes of a picture grow from its columns to its count",
+                    "make sizes, columns and count agree");
+        tileset.sizes.clear();
+        return;
+    }
+    if (cells == 0 || cells == tileset.count) return;
+    fields.warn("sizes", format("the last size has {} tiles, the count is {}", cells, tileset.count),
+                "make them agree");
+    tileset.sizes.clear();
+}
+
 void readGrid(JsonFields& fields, Tileset& tileset) {
     tileset.image = fields.text("image");
     tileset.texture = {textId(tileset.image)};
@@ -121,6 +189,7 @@ void readGrid(JsonFields& fields, Tileset& tileset) {
     tileset.columns = fields.whole("columns", 1, 1, Tileset::kMaxTiles);
     tileset.count = fields.whole("count", 0, 0, Tileset::kMaxTiles);
     tileset.offset = fields.vec2("offset", {});
+    readSizes(fields, tileset);
 }
 
 Json pointJson(Vec2 point) { return Json::array({point.x, point.y}); }
@@ -137,6 +206,7 @@ Json tileJson(const Tile& tile) {
     if (tile.oneWay) json["oneWay"] = true;
     if (tile.friction >= 0.0f) json["friction"] = tile.friction;
     if (tile.bounciness >= 0.0f) json["bounciness"] = tile.bounciness;
+    if (tile.probability != 1.0f) json["probability"] = tile.probability;
     if (!tile.material.empty()) json["material"] = tile.material;
     for (const TileFrame& frame : tile.animation) {
         Json item = Json::object();
@@ -146,6 +216,21 @@ Json tileJson(const Tile& tile) {
     }
     if (!tile.properties.empty()) writeKept(json["properties"], tile.properties);
     writeKept(json, tile.unknown);
+    return json;
+}
+
+Json terrainJson(const Terrain& terrain) {
+    Json json = Json::object();
+    json["id"] = terrain.id;
+    json["name"] = terrain.name;
+    json["mode"] = std::string{terrainModeNames()[static_cast<std::size_t>(terrain.mode)]};
+    json["color"] = hexOf(terrain.color);
+    for (const TerrainTile& tile : terrain.tiles) {
+        Json item = Json::object();
+        item["tile"] = tile.tile;
+        item["mask"] = tile.mask;
+        json["tiles"].push_back(std::move(item));
+    }
     return json;
 }
 
@@ -182,6 +267,8 @@ Result<Tileset> parseTileset(std::string_view text, std::string_view where, std:
         tileset.tiles.push_back(readTile(item));
     settle(tileset.images, &TileImage::tile, fields, "images");
     settle(tileset.tiles, &Tile::id, fields, "tiles");
+    for (JsonFields& item : fields.objects("terrains", 255)) tileset.terrains.push_back(readTerrain(item));
+    settle(tileset.terrains, &Terrain::id, fields, "terrains");
     tileset.properties = fields.kept("properties");
     tileset.unknown = fields.keepUnknown();
     return tileset;
@@ -196,9 +283,16 @@ std::string writeTileset(const Tileset& tileset) {
     json["spacing"] = tileset.spacing;
     json["columns"] = tileset.columns;
     json["count"] = tileset.count;
+    for (const TilesetSize& size : tileset.sizes) {
+        Json item = Json::object();
+        item["columns"] = size.columns;
+        item["rows"] = size.rows;
+        json["sizes"].push_back(std::move(item));
+    }
     for (const TileImage& image : tileset.images) json["images"].push_back(imageJson(image));
     if (tileset.offset != Vec2{}) json["offset"] = pointJson(tileset.offset);
     for (const Tile& tile : tileset.tiles) json["tiles"].push_back(tileJson(tile));
+    for (const Terrain& terrain : tileset.terrains) json["terrains"].push_back(terrainJson(terrain));
     if (!tileset.properties.empty()) writeKept(json["properties"], tileset.properties);
     writeKept(json, tileset.unknown);
     return writeCompactJson(json);

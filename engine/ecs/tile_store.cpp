@@ -8,6 +8,33 @@ namespace plumb {
 
 namespace {
 
+/// Small grids are hashed as the rows they are; large ones by their chunks, of which most are empty.
+constexpr std::size_t kSmallGrid = 256 * 256;
+
+std::uint64_t hashOf(const TileGrid& grid) {
+    Hasher cells;
+    cells.add(static_cast<std::uint64_t>(grid.width()));
+    if (grid.cellCount() <= kSmallGrid) {
+        const std::vector<TileCell> rows = grid.cells();
+        cells.addBytes(rows.data(), rows.size() * sizeof(TileCell));
+        return cells.value();
+    }
+    cells.add(static_cast<std::uint64_t>(grid.height()));
+    for (int row = 0; row < grid.chunkRows(); ++row) {
+        for (int column = 0; column < grid.chunkColumns(); ++column) {
+            const TileGrid::Chunk* chunk = grid.chunk(column, row);
+            if (chunk == nullptr) continue;
+            if (std::all_of(chunk->cells.begin(), chunk->cells.end(), [](TileCell c) { return c == 0; }))
+                continue;
+            LaneHasher lanes;
+            lanes.addBytes(chunk->cells.data(), sizeof chunk->cells);
+            cells.add(static_cast<std::uint64_t>(row) << 32 | static_cast<std::uint64_t>(column));
+            cells.add(lanes.value());
+        }
+    }
+    return cells.value();
+}
+
 /// Stamps only tell copies of one edit from another edit; their order means nothing.
 std::uint64_t nextStamp() {
     static std::atomic<std::uint64_t> stamp{0};
@@ -84,10 +111,7 @@ TileStore& TileStore::operator=(const TileStore& other) {
 void TileStore::addTo(Hasher& hasher) const {
     for (const Entry& entry : entries_) {
         if (entry.hashedStamp != entry.stamp || entry.hashedVersion != entry.grid.version()) {
-            Hasher cells;
-            cells.add(static_cast<std::uint64_t>(entry.grid.width()));
-            cells.addBytes(entry.grid.cells().data(), entry.grid.cells().size() * sizeof(TileCell));
-            entry.hash = cells.value();
+            entry.hash = hashOf(entry.grid);
             entry.hashedStamp = entry.stamp;
             entry.hashedVersion = entry.grid.version();
         }

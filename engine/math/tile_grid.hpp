@@ -1,8 +1,10 @@
 #pragma once
 
+#include <array>
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
-#include <utility>
+#include <memory>
 #include <vector>
 
 namespace plumb {
@@ -19,43 +21,91 @@ inline constexpr TileCell kTileFlips = kTileFlipX | kTileFlipY | kTileFlipDiagon
 constexpr int tileOf(TileCell cell) { return static_cast<int>(cell & ~kTileFlips) - 1; }  ///< -1 when empty
 constexpr TileCell cellOf(int tile, TileCell flips = 0) { return static_cast<TileCell>(tile + 1) | flips; }
 
-/// Cells in rows, top row first. `version` counts changes, so that what is derived from it can be kept.
+/// Cells in rows, top row first, kept in chunks: an empty chunk takes no memory, and copies of a grid share
+/// those in which they are alike. `version` and the stamps of rows of chunks tell what changed, so that what
+/// is derived from the cells can be kept.
 class TileGrid {
 public:
+    static constexpr int kChunkSide = 32;  ///< cells
+
+    /// Cells in rows. Those beyond the grid's border are empty.
+    struct Chunk {
+        std::array<TileCell, std::size_t{kChunkSide} * kChunkSide> cells{};
+        std::uint64_t stamp = 0;  ///< of the last change; no two changes of the program share one
+
+        [[nodiscard]] TileCell at(int x, int y) const { return cells[slot(x, y)]; }
+        static constexpr std::size_t slot(int x, int y) {
+            constexpr auto kMask = static_cast<unsigned>(kChunkSide - 1);
+            return (static_cast<unsigned>(y) & kMask) * std::size_t{kChunkSide} +
+                   (static_cast<unsigned>(x) & kMask);
+        }
+    };
+
     TileGrid() = default;
-    TileGrid(int width, int height)
-        : width_{width}, height_{height}, cells_(static_cast<std::size_t>(width) * static_cast<std::size_t>(height)) {}
+    TileGrid(int width, int height);
 
     [[nodiscard]] int width() const { return width_; }
     [[nodiscard]] int height() const { return height_; }
+    [[nodiscard]] std::size_t cellCount() const {
+        return static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_);
+    }
     [[nodiscard]] std::uint32_t version() const { return version_; }
-    [[nodiscard]] const std::vector<TileCell>& cells() const { return cells_; }
     [[nodiscard]] bool has(int x, int y) const { return x >= 0 && y >= 0 && x < width_ && y < height_; }
 
     /// The cell, or empty outside.
-    [[nodiscard]] TileCell at(int x, int y) const { return has(x, y) ? cells_[slot(x, y)] : 0; }
-
+    [[nodiscard]] TileCell at(int x, int y) const {
+        if (!has(x, y)) return 0;
+        const Chunk* chunk = chunks_[chunkAt(x, y)].get();
+        return chunk == nullptr ? 0 : chunk->at(x, y);
+    }
     /// Outside the grid nothing happens.
-    void set(int x, int y, TileCell cell) {
-        if (has(x, y)) cells_[slot(x, y)] = cell, ++version_;
-    }
-    void replaceCells(int width, int height, std::vector<TileCell> cells) {
-        width_ = width, height_ = height, cells_ = std::move(cells), ++version_;
-    }
+    void set(int x, int y, TileCell cell);
+    void replaceCells(int width, int height, const std::vector<TileCell>& cells);
 
-    friend bool operator==(const TileGrid& a, const TileGrid& b) {
-        return a.width_ == b.width_ && a.height_ == b.height_ && a.cells_ == b.cells_;
+    /// All cells in rows: for grids that are known to be small.
+    [[nodiscard]] std::vector<TileCell> cells() const;
+    /// Cells (x .. x + count - 1, y); those outside are empty.
+    void copyRow(int x, int y, std::size_t count, TileCell* into) const;
+
+    // Chunks. Chunk (column, row) begins at cell (column, row) * kChunkSide.
+
+    [[nodiscard]] int chunkColumns() const { return columns_; }
+    [[nodiscard]] int chunkRows() const { return rows_; }
+    /// Null when all its cells are empty; the other way round does not hold.
+    [[nodiscard]] const Chunk* chunk(int column, int row) const {
+        return chunks_[chunkSlot(column, row)].get();
     }
+    /// Another one after each change of a cell in this row of chunks.
+    [[nodiscard]] std::uint64_t rowStamp(int row) const { return rowStamps_[static_cast<std::size_t>(row)]; }
+    /// A chunk of equal cells, to be put in many places.
+    [[nodiscard]] static std::shared_ptr<Chunk> filled(TileCell cell);
+    void put(int column, int row, std::shared_ptr<Chunk> chunk);
+    /// Takes over one chunk from a grid of the same size, and the stamp of its row.
+    void adopt(const TileGrid& from, int column, int row);
+
+    friend bool operator==(const TileGrid& a, const TileGrid& b);
 
 private:
-    [[nodiscard]] std::size_t slot(int x, int y) const {
-        return static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(x);
+    [[nodiscard]] std::size_t chunkSlot(int column, int row) const {
+        return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) +
+               static_cast<std::size_t>(column);
     }
+    [[nodiscard]] std::size_t chunkAt(int x, int y) const {
+        return chunkSlot(x / kChunkSide, y / kChunkSide);
+    }
+    [[nodiscard]] static std::uint64_t nextStamp() {
+        return stamps_.fetch_add(1, std::memory_order_relaxed) + 1;
+    }
+
+    static inline std::atomic<std::uint64_t> stamps_{0};
 
     int width_ = 0;
     int height_ = 0;
+    int columns_ = 0;
+    int rows_ = 0;
     std::uint32_t version_ = 1;
-    std::vector<TileCell> cells_;
+    std::vector<std::shared_ptr<Chunk>> chunks_;  // shared with copies, so copied before a change
+    std::vector<std::uint64_t> rowStamps_;
 };
 
 }  // namespace plumb

@@ -65,23 +65,45 @@ CellRange cellsOf(const TileGrid& grid, int chunkX, int chunkY, int side) {
             std::min((chunkY + 1) * side, grid.height())};
 }
 
+/// Calls `visit(column, row)` for the chunks of the grid that a range of cells touches.
+template <class Visit>
+void eachChunk(const CellRange& range, Visit visit) {
+    constexpr int kSide = TileGrid::kChunkSide;
+    for (int row = range.top / kSide; row * kSide < range.bottom; ++row) {
+        for (int column = range.left / kSide; column * kSide < range.right; ++column) visit(column, row);
+    }
+}
+
 /// The tile that stands for a block: its first that is not empty.
-TileCell firstTile(const TileGrid& grid, int x, int y, int span) {
-    for (int row = y; row < y + span; ++row) {
-        for (int column = x; column < x + span; ++column) {
-            if (const TileCell cell = grid.at(column, row); cell != 0) return cell;
+TileCell firstTile(const TileGrid& grid, const CellRange& block) {
+    for (int row = block.top; row < block.bottom; ++row) {
+        for (int column = block.left; column < block.right; ++column) {
+            const int side = TileGrid::kChunkSide;
+            if (grid.chunk(column / side, row / side) == nullptr) {
+                column |= side - 1;
+            } else if (const TileCell cell = grid.at(column, row); cell != 0) {
+                return cell;
+            }
         }
     }
     return 0;
 }
 
-std::uint64_t hashOf(const TileGrid& grid, const CellRange& range) {
+/// Another number when a cell of the range may be another one.
+std::uint64_t stampOf(const TileGrid& grid, const CellRange& range) {
     Hasher hasher;
-    for (int y = range.top; y < range.bottom; ++y) {
-        const auto row = static_cast<std::size_t>(y) * static_cast<std::size_t>(grid.width());
-        hasher.addBytes(grid.cells().data() + row + static_cast<std::size_t>(range.left),
-                        static_cast<std::size_t>(range.right - range.left) * sizeof(TileCell));
-    }
+    eachChunk(range, [&](int column, int row) {
+        const TileGrid::Chunk* chunk = grid.chunk(column, row);
+        hasher.add(chunk == nullptr ? 0 : chunk->stamp);
+    });
+    return hasher.value();
+}
+
+/// The same, of all chunks beside them: quick to ask.
+std::uint64_t stampOfRows(const TileGrid& grid, const CellRange& range) {
+    Hasher hasher;
+    for (int row = range.top / TileGrid::kChunkSide; row * TileGrid::kChunkSide < range.bottom; ++row)
+        hasher.add(grid.rowStamp(row));
     return hasher.value();
 }
 
@@ -163,14 +185,16 @@ void TileChunks::draw(DrawList& list, const TileGrid& grid, const TileSheet& she
 
 /// Most changes of a grid touch one chunk: the others find that their own cells are as they were.
 void TileChunks::refresh(Chunk& chunk, int chunkX, int chunkY, const TileGrid& grid, const TileSheet& sheet) {
-    if (chunk.known && chunk.gridVersion == grid.version()) return;
-    const std::uint64_t hash = hashOf(grid, cellsOf(grid, chunkX, chunkY, kSide << level_));
-    if (!chunk.known || chunk.cellsHash != hash) {
+    const CellRange range = cellsOf(grid, chunkX, chunkY, kSide << level_);
+    const std::uint64_t rows = stampOfRows(grid, range);
+    if (chunk.known && chunk.rowsStamp == rows) return;
+    const std::uint64_t stamp = stampOf(grid, range);
+    if (!chunk.known || chunk.stamp != stamp) {
         release(chunk);
         build(chunk, chunkX, chunkY, grid, sheet);
-        chunk.cellsHash = hash;
+        chunk.stamp = stamp;
     }
-    chunk.gridVersion = grid.version();
+    chunk.rowsStamp = rows;
 }
 
 void TileChunks::build(Chunk& chunk, int chunkX, int chunkY, const TileGrid& grid, const TileSheet& sheet) {
@@ -181,7 +205,8 @@ void TileChunks::build(Chunk& chunk, int chunkX, int chunkY, const TileGrid& gri
     const int span = 1 << level_;
     for (int y = range.top; y < range.bottom; y += span) {
         for (int x = range.left; x < range.right; x += span) {
-            addBlock(chunk, x, y, level_ == 0 ? grid.at(x, y) : firstTile(grid, x, y, span), grid, sheet);
+            const CellRange block{x, y, std::min(x + span, range.right), std::min(y + span, range.bottom)};
+            addBlock(chunk, x, y, level_ == 0 ? grid.at(x, y) : firstTile(grid, block), grid, sheet);
         }
     }
     closePart(chunk);

@@ -65,8 +65,8 @@ private:
     };
     struct Chunk {
         bool known = false;
-        std::uint32_t gridVersion = 0;
-        std::uint64_t cellsHash = 0;
+        std::uint64_t rowsStamp = 0;  ///< of the grid's chunks that it shows, and all beside them
+        std::uint64_t stamp = 0;      ///< of the grid's chunks that it shows
         std::uint64_t lastSeen = 0;
         AABB bounds;
         std::vector<Part> parts;

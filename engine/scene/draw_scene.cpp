@@ -192,7 +192,7 @@ void SceneRenderer::drawPhysics(World& world, const PhysicsShown& shown, const S
 
 void SceneRenderer::collect(World& world, const SceneView& how, DrawList& list) {
     textures_.refresh();
-    if (how.place <= 0) tiles_.beginFrame(static_cast<double>(world.tick) * kSecondsPerTick);
+    if (how.place <= 0) tiles_.beginFrame(static_cast<double>(world.tick) * kSecondsPerTick + how.ahead);
     anyPaused_ = world.count<Paused>() > 0;
     readLayers(world, how);
     collectBackground(world, how, list);
@@ -300,6 +300,8 @@ void SceneRenderer::collectTiles(World& world, const SceneView& how, DrawList& l
     const Vec2 moved = topLeftOf(how.view) - how.parallaxOrigin;
     for (auto [entity, layer] : world.query<const TileLayer>(without<Hidden>, withPaused)) {
         if (!isAt(world, entity, how.place)) continue;
+        const auto& hidden = how.hiddenLayers;
+        if (std::find(hidden.begin(), hidden.end(), entity.id()) != hidden.end()) continue;
         Pose pose = worldPose(world, entity, alphaOf(world, entity, how));
         if (const auto* backdrop = world.find<ParallaxLayer>(entity); backdrop != nullptr && how.parallax) {
             pose.position += {moved.x * (1.0f - backdrop->factor.x), moved.y * (1.0f - backdrop->factor.y)};

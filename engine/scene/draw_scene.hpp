@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "assets/asset_store.hpp"
@@ -34,6 +35,8 @@ struct SceneView {
                            ///< lie where they come to lie
     int place = kEveryScene;        ///< in the stack of scenes: what is drawn
     LabelText labelText = nullptr;  ///< null shows texts as they are written
+    double ahead = 0.0;             ///< s by which animated tiles are shown ahead of the world's time
+    std::span<const EntityId> hiddenLayers;  ///< tile layers that are not drawn
 };
 
 /// Turns a world into draw lists: sprites, backdrops, tile layers, texts. Keeps what is costly to make

@@ -51,7 +51,7 @@ struct TileTerrain {
     EntityId entity;
     // Both are shared with snapshots, so copied before a change.
     std::shared_ptr<physics::TerrainOutlines> outlines;
-    std::shared_ptr<std::vector<TileCell>> cells;  ///< of the grid, as they were looked at
+    std::shared_ptr<TileGrid> cells;  ///< as they were looked at
     physics::TerrainBody body;
     std::uint64_t made = 0;     ///< what all of it was made from, but for the cells
     std::uint32_t version = 0;  ///< of the grid

@@ -90,9 +90,11 @@ private:
     std::pair<TileCell, MaskCell> last_;
 };
 
-std::uint64_t madeFrom(const TileLayer& layer, const TileCollider& collider, const TileGrid& grid, Vec2 place,
-                       Vec2 tileSize) {
+std::uint64_t madeFrom(const World& world, const TileLayer& layer, const TileCollider& collider,
+                       const TileGrid& grid, Vec2 place, Vec2 tileSize) {
     Hasher hasher;
+    if (const auto* assets = world.service<AssetStore>())
+        hasher.add(std::uint64_t{assets->revisionOf(AssetKind::Tileset, layer.tileset.path)});
     hasher.add(std::uint64_t{layer.cells.value});
     hasher.add(layer.tileset.path.value);
     hasher.add(static_cast<std::uint64_t>(grid.width()) << 32 | static_cast<std::uint64_t>(grid.height()));
@@ -100,6 +102,15 @@ std::uint64_t madeFrom(const TileLayer& layer, const TileCollider& collider, con
     hasher.add(std::uint64_t{collider.layers} << 32 | collider.mask);
     hasher.add(collider.friction), hasher.add(collider.bounciness);
     return hasher.value() | 1;
+}
+
+/// The cells of one chunk of a grid.
+template <class Visit>
+void eachCell(const TileGrid& grid, int column, int row, Visit visit) {
+    constexpr int kSide = TileGrid::kChunkSide;
+    for (int y = row * kSide; y < std::min((row + 1) * kSide, grid.height()); ++y) {
+        for (int x = column * kSide; x < std::min((column + 1) * kSide, grid.width()); ++x) visit(x, y);
+    }
 }
 
 /// One layer and its terrain.
@@ -114,7 +125,7 @@ public:
         terrain.seen = state_.syncs;
         const Vec2 place = worldPose(reader_, entity_).position;
         const Vec2 size = tileSizeOf(reader_, layer_);
-        const std::uint64_t made = madeFrom(layer_, collider_, grid, place, size);
+        const std::uint64_t made = madeFrom(reader_, layer_, collider_, grid, place, size);
         if (made != terrain.made) {
             terrain.made = made;
             makeAnew(terrain, grid, place, size);
@@ -137,11 +148,15 @@ private:
         terrain.body.destroy(state_.world);
         physics::TileMask mask{grid.width(), grid.height()};
         CellReader cells{tileset(), collider_, mask.palette};
-        for (int y = 0; y < grid.height(); ++y) {
-            for (int x = 0; x < grid.width(); ++x) mask.set(x, y, cells.of(grid.at(x, y)));
+        for (int row = 0; row < grid.chunkRows(); ++row) {
+            for (int column = 0; column < grid.chunkColumns(); ++column) {
+                const TileGrid::Chunk* chunk = grid.chunk(column, row);
+                if (chunk == nullptr) continue;
+                eachCell(grid, column, row, [&](int x, int y) { mask.set(x, y, cells.of(chunk->at(x, y))); });
+            }
         }
         terrain.outlines = std::make_shared<TerrainOutlines>(std::move(mask));
-        terrain.cells = std::make_shared<std::vector<TileCell>>(grid.cells());
+        terrain.cells = std::make_shared<TileGrid>(grid);
         physics::TerrainDefinition definition;
         definition.position = placeInMetres(place, state_.scale);
         definition.cellSize = toMetres(size, state_.scale);
@@ -152,20 +167,21 @@ private:
         update(terrain);
     }
 
-    /// Looks at cells that are others now only.
+    /// Looks at chunks only that are others now.
     void change(TileTerrain& terrain, const TileGrid& grid) {
-        if (*terrain.cells == grid.cells()) return;
         makeOwn(terrain.outlines);
         makeOwn(terrain.cells);
+        TileGrid& known = *terrain.cells;
         CellReader cells{tileset(), collider_, terrain.outlines->palette()};
-        const auto known = [&](int y) { return terrain.cells->begin() + std::ptrdiff_t{y} * grid.width(); };
-        const auto now = [&](int y) { return grid.cells().begin() + std::ptrdiff_t{y} * grid.width(); };
-        for (int y = 0; y < grid.height(); ++y) {
-            if (std::equal(known(y), known(y + 1), now(y))) continue;
-            for (int x = 0; x < grid.width(); ++x) {
-                if (known(y)[x] == now(y)[x]) continue;
-                known(y)[x] = now(y)[x];
-                terrain.outlines->set(x, y, cells.of(now(y)[x]));
+        for (int row = 0; row < grid.chunkRows(); ++row) {
+            if (known.rowStamp(row) == grid.rowStamp(row)) continue;
+            for (int column = 0; column < grid.chunkColumns(); ++column) {
+                if (known.chunk(column, row) == grid.chunk(column, row)) continue;
+                eachCell(grid, column, row, [&](int x, int y) {
+                    const TileCell now = grid.at(x, y);
+                    if (known.at(x, y) != now) terrain.outlines->set(x, y, cells.of(now));
+                });
+                known.adopt(grid, column, row);
             }
         }
         update(terrain);

@@ -5,6 +5,7 @@
 #include <charconv>
 #include <cstdlib>
 #include <cstring>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -19,8 +20,11 @@ namespace plumb {
 namespace {
 
 constexpr std::size_t kMostCellsAsText = 256 * 256;
-constexpr std::size_t kBandCells = 131072;  // 512 KiB: its base64 text stays below the limit of texts
-constexpr std::size_t kMostCells = std::size_t{1} << 26;
+constexpr std::size_t kBandCells = 131072;                // of files written before there were blocks
+constexpr std::size_t kMostCells = std::size_t{1} << 26;  // where even empty ones take room
+constexpr int kBlockChunks = 4;                           // a side: one line of the file
+constexpr int kBlockSide = kBlockChunks * TileGrid::kChunkSide;
+using Block = std::array<TileCell, std::size_t{kBlockSide} * kBlockSide>;
 
 struct Flip {
     TileCell bit;
@@ -71,15 +75,45 @@ bool readRow(std::string_view text, std::vector<TileCell>& cells) {
 
 std::size_t bandRows(std::size_t width) { return std::clamp<std::size_t>(kBandCells / width, 1, 64); }
 
-Json bandsToJson(const TileGrid& grid) {
-    const auto width = static_cast<std::size_t>(grid.width());
-    Json bands = Json::array();
-    const std::size_t step = bandRows(width) * width;
-    for (std::size_t first = 0; first < grid.cells().size(); first += step) {
-        const std::size_t count = std::min(step, grid.cells().size() - first);
-        bands.push_back(packedText({grid.cells().data() + first, count}));
+int blocksFor(int cells) { return (cells + kBlockSide - 1) / kBlockSide; }
+
+bool hasChunks(const TileGrid& grid, int column, int row) {
+    for (int y = row * kBlockChunks; y < std::min((row + 1) * kBlockChunks, grid.chunkRows()); ++y) {
+        for (int x = column * kBlockChunks; x < std::min((column + 1) * kBlockChunks, grid.chunkColumns());
+             ++x) {
+            if (grid.chunk(x, y) != nullptr) return true;
+        }
     }
-    return bands;
+    return false;
+}
+
+/// "3 0 =5x" for a block of equal cells, else "3 0 eNrt…"; empty for an empty block.
+std::string blockText(const TileGrid& grid, int column, int row, Block& block) {
+    for (int y = 0; y < kBlockSide; ++y) {
+        grid.copyRow(column * kBlockSide, row * kBlockSide + y, kBlockSide,
+                     block.data() + static_cast<std::size_t>(y) * kBlockSide);
+    }
+    const bool plain =
+        std::all_of(block.begin(), block.end(), [&](TileCell cell) { return cell == block[0]; });
+    if (plain && block[0] == 0) return {};
+    std::string text = format("{} {} ", column, row);
+    if (!plain) return text + packedText(block);
+    text += '=';
+    appendCell(text, block[0]);
+    return text;
+}
+
+Json blocksToJson(const TileGrid& grid) {
+    const auto block = std::make_unique<Block>();
+    Json blocks = Json::array();
+    for (int row = 0; row < blocksFor(grid.height()); ++row) {
+        for (int column = 0; column < blocksFor(grid.width()); ++column) {
+            if (!hasChunks(grid, column, row)) continue;
+            std::string text = blockText(grid, column, row, *block);
+            if (!text.empty()) blocks.push_back(std::move(text));
+        }
+    }
+    return blocks;
 }
 
 Error wrongSize(const Json& json, const char* key) {
@@ -122,7 +156,7 @@ Result<ReadTiles> readRows(const Json& rows, int width, int height) {
         read.problem = format("found {} rows, the height is {}", rows.size(), height);
     }
     read.remedy = "missing tiles are empty, those too many are left out; make width, height and rows agree";
-    read.grid.replaceCells(width, height, std::move(cells));
+    read.grid.replaceCells(width, height, cells);
     return read;
 }
 
@@ -144,7 +178,95 @@ Result<ReadTiles> readBands(const Json& bands, int width, int height) {
         }
     }
     ReadTiles read;
-    read.grid.replaceCells(width, height, std::move(cells));
+    read.grid.replaceCells(width, height, cells);
+    return read;
+}
+
+/// Cuts the next number off the text. Nothing when there is none within 0 .. count - 1.
+std::optional<int> takeNumber(std::string_view& text, int count) {
+    int number = -1;
+    const auto [end, failure] = std::from_chars(text.data(), text.data() + text.size(), number);
+    if (failure != std::errc{} || number < 0 || number >= count) return std::nullopt;
+    text.remove_prefix(static_cast<std::size_t>(end - text.data()));
+    if (text.empty() || text.front() != ' ') return std::nullopt;
+    text.remove_prefix(1);
+    return number;
+}
+
+class BlockReader {
+public:
+    explicit BlockReader(TileGrid& grid) : grid_{grid} {}
+
+    /// @return false when the text is no block
+    bool read(std::string_view text) {
+        const std::optional<int> column = takeNumber(text, blocksFor(grid_.width()));
+        const std::optional<int> row = column ? takeNumber(text, blocksFor(grid_.height())) : std::nullopt;
+        if (!row || text.empty()) return false;
+        column_ = *column, row_ = *row;
+        return text.front() == '=' ? fill(text.substr(1)) : unpack(text);
+    }
+
+private:
+    bool fill(std::string_view text) {
+        std::vector<TileCell> cells;
+        if (!readRow(text, cells) || cells.size() != 1) return false;
+        // Huge plains share one chunk.
+        if (plain_ == nullptr || plain_->cells.front() != cells.front())
+            plain_ = TileGrid::filled(cells.front());
+        eachChunk([&](int x, int y) { grid_.put(x, y, plain_); });
+        return true;
+    }
+
+    bool unpack(std::string_view text) {
+        if (!unpackText(text, *block_)) return false;
+        eachChunk([&](int x, int y) {
+            constexpr int kSide = TileGrid::kChunkSide;
+            auto chunk = TileGrid::filled(1);
+            for (int line = 0; line < kSide; ++line) {
+                const int from =
+                    ((y % kBlockChunks) * kSide + line) * kBlockSide + (x % kBlockChunks) * kSide;
+                std::copy_n(block_->begin() + from, kSide,
+                            chunk->cells.begin() + std::ptrdiff_t{line} * kSide);
+            }
+            const bool empty = std::all_of(chunk->cells.begin(), chunk->cells.end(),
+                                           [](TileCell cell) { return cell == 0; });
+            grid_.put(x, y, empty ? nullptr : std::move(chunk));
+        });
+        return true;
+    }
+
+    template <class Visit>
+    void eachChunk(Visit visit) const {
+        for (int y = row_ * kBlockChunks; y < std::min((row_ + 1) * kBlockChunks, grid_.chunkRows()); ++y) {
+            for (int x = column_ * kBlockChunks;
+                 x < std::min((column_ + 1) * kBlockChunks, grid_.chunkColumns()); ++x)
+                visit(x, y);
+        }
+    }
+
+    TileGrid& grid_;
+    std::unique_ptr<Block> block_ = std::make_unique<Block>();
+    std::shared_ptr<TileGrid::Chunk> plain_;
+    int column_ = 0;
+    int row_ = 0;
+};
+
+Result<ReadTiles> readBlocks(const Json& blocks, int width, int height) {
+    if (!blocks.is_array())
+        return Error{"blocks", "expected a list, found " + foundText(blocks),
+                     "save the map again from where it was made"};
+    ReadTiles read;
+    read.grid = TileGrid{width, height};
+    BlockReader reader{read.grid};
+    for (std::size_t i = 0; i < blocks.size(); ++i) {
+        const auto* text = blocks[i].get_ptr<const std::string*>();
+        if (text == nullptr || !reader.read(*text)) {
+            return Error{
+                format("blocks[{}]", i),
+                "expected \"column row =tile\" or \"column row data\", found " + foundText(blocks[i]),
+                "save the map again from where it was made"};
+        }
+    }
     return read;
 }
 
@@ -154,8 +276,8 @@ Json tilesToJson(const TileGrid& grid) {
     Json json = Json::object();
     json["width"] = grid.width();
     json["height"] = grid.height();
-    if (grid.cells().size() > kMostCellsAsText) {
-        json["base64"] = bandsToJson(grid);
+    if (grid.cellCount() > kMostCellsAsText) {
+        json["blocks"] = blocksToJson(grid);
         return json;
     }
     Json& rows = json["rows"] = Json::array();
@@ -173,6 +295,8 @@ Result<ReadTiles> tilesFromJson(const Json& json) {
     if (!width) return wrongSize(json, "width");
     const std::optional<int> height = sideOf(json, "height");
     if (!height) return wrongSize(json, "height");
+    if (const auto blocks = json.find("blocks"); blocks != json.end())
+        return readBlocks(*blocks, *width, *height);
     if (static_cast<std::size_t>(*width) * static_cast<std::size_t>(*height) > kMostCells) {
         return Error{"width", format("{} x {} tiles are more than {}", *width, *height, kMostCells),
                      "split the map"};

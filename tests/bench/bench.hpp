@@ -68,5 +68,6 @@ int runIntegrators(const Options& options);
 int runPhysics(const Options& options);
 int runRender(const Options& options);
 int runScene(const Options& options);
+int runTiles(const Options& options);
 
 }  // namespace plumb::bench

@@ -21,6 +21,9 @@ constexpr std::array kPrograms{
     Program{"physics", &plumb::bench::runPhysics},
     Program{"render", &plumb::bench::runRender},
     Program{"scene", &plumb::bench::runScene},
+#if PLUMB_WITH_EDITOR
+    Program{"tiles", &plumb::bench::runTiles},
+#endif
 };
 
 int usage() {

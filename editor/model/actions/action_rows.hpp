@@ -12,6 +12,7 @@ std::span<const Action> fileActions();
 std::span<const Action> editActions();
 std::span<const Action> entityActions();
 std::span<const Action> toolActions();
+std::span<const Action> tileActions();
 std::span<const Action> viewActions();
 std::span<const Action> runActions();
 

@@ -37,7 +37,9 @@ void paste(Workspace& w) {
     }
 }
 void escape(Workspace& w) {
-    if (!w.tool().cancel(w.tools())) w.document.selection.clear();
+    if (w.tool().cancel(w.tools())) return;
+    if (w.paintsTiles() && !w.tiles.selected.empty()) return w.tiles.selected.clear();
+    w.document.selection.clear();
 }
 
 const std::array kRows{

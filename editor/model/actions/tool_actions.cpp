@@ -5,8 +5,6 @@
 namespace plumb::editor {
 namespace {
 
-bool painting(const Workspace& w) { return editable(w) && w.paintsTiles(); }
-
 /// Takes the tool of this id into the hand.
 constexpr Action tool(std::string_view id, std::string_view label, Key key, During during = During::Always) {
     return {id, "Tool", label, {key}, editable, nullptr, nullptr, {}, during};
@@ -19,29 +17,15 @@ const std::array kRows{
     tool("tool.scale", "Scale", Key::R),
     line("Tool"),
     tool("tool.brush", "Brush", Key::B),
-    tool("tool.erase", "Eraser", Key::E, During::Tiles),
+    tool("tool.terrain", "Terrain", Key::T),
+    tool("tool.line", "Line", Key::L),
     tool("tool.rectangle", "Rectangle", Key::U),
+    Action{"tool.ellipse", "Tool", "Ellipse", shifted(Key::U), editable},
     tool("tool.fill", "Fill", Key::G),
+    tool("tool.erase", "Eraser", Key::E, During::Tiles),
     tool("tool.pick", "Pick tiles", Key::I),
-    line("Tool"),
-    Action{"tiles.flipX",
-           "Tool",
-           "Flip tiles left to right",
-           {Key::X},
-           painting,
-           [](Workspace& w) { w.tiles.stamp = flippedX(w.tiles.stamp); }},
-    Action{"tiles.flipY",
-           "Tool",
-           "Flip tiles upside down",
-           {Key::Y},
-           painting,
-           [](Workspace& w) { w.tiles.stamp = flippedY(w.tiles.stamp); }},
-    Action{"tiles.turn",
-           "Tool",
-           "Turn tiles",
-           {Key::Z},
-           painting,
-           [](Workspace& w) { w.tiles.stamp = turned(w.tiles.stamp); }},
+    tool("tool.moveTiles", "Select and move tiles", Key::M),
+    tool("tool.same", "Select same tiles", Key::S, During::Tiles),
 };
 
 }  // namespace

@@ -1,52 +1,77 @@
 #include "editor/model/commands/paint_tiles.hpp"
 
+#include <utility>
+
 #include "editor/model/document.hpp"
 #include "scene/components/tile_layer.hpp"
 
 namespace plumb::editor {
 
-bool PaintTiles::absorb(const Command& next) {
-    const auto* other = dynamic_cast<const PaintTiles*>(&next);
-    if (other == nullptr || other->layer_ != layer_) return false;
-    cells_.insert(cells_.end(), other->cells_.begin(), other->cells_.end());
-    return true;
-}
-
-void PaintTiles::swapCells(Document& document, bool backwards) {
-    const TileLayer* layer = document.world.find<TileLayer>(document.find(layer_));
-    TileGrid* grid = layer == nullptr ? nullptr : document.world.tiles().edit(layer->cells);
-    PLUMB_ASSERT(grid != nullptr, "PaintTiles on an entity without tiles");
-    if (grid == nullptr) return;
-    for (std::size_t i = 0; i < cells_.size(); ++i) {
-        Cell& place = cells_[backwards ? cells_.size() - 1 - i : i];
-        const TileCell now = grid->at(place.x, place.y);
-        grid->set(place.x, place.y, place.cell);
+void PaintTiles::Cells::swapWith(TileGrid& grid) {
+    for (Cell& place : list) {
+        const TileCell now = grid.at(place.x, place.y);
+        grid.set(place.x, place.y, place.cell);
         place.cell = now;
     }
 }
 
-std::vector<PaintTiles::Cell> connectedCells(const TileGrid& grid, int x, int y) {
-    std::vector<PaintTiles::Cell> filled;
-    if (!grid.has(x, y)) return filled;
-    const TileCell from = grid.at(x, y);
-    const auto width = static_cast<std::size_t>(grid.width());
-    std::vector<bool> seen(width * static_cast<std::size_t>(grid.height()));
-    const auto visit = [&](int atX, int atY) {
-        if (!grid.has(atX, atY) || grid.at(atX, atY) != from) return;
-        const std::size_t slot = static_cast<std::size_t>(atY) * width + static_cast<std::size_t>(atX);
-        if (seen[slot]) return;
-        seen[slot] = true;
-        filled.push_back({atX, atY, from});
-    };
-    visit(x, y);
-    for (std::size_t i = 0; i < filled.size(); ++i) {
-        const PaintTiles::Cell at = filled[i];
-        visit(at.x - 1, at.y);
-        visit(at.x + 1, at.y);
-        visit(at.x, at.y - 1);
-        visit(at.x, at.y + 1);
+bool PaintTiles::Cells::markNew(const Cell& cell) {
+    constexpr int kSide = TileGrid::kChunkSide;
+    const std::uint64_t chunk = static_cast<std::uint64_t>(static_cast<std::uint32_t>(cell.y / kSide)) << 32 |
+                                static_cast<std::uint32_t>(cell.x / kSide);
+    Marks& marks = known[chunk];
+    const std::size_t slot = TileGrid::Chunk::slot(cell.x, cell.y);
+    if (marks.test(slot)) return false;
+    marks.set(slot);
+    return true;
+}
+
+void PaintTiles::Cells::absorb(const Cells& later) {
+    if (known.empty()) {
+        for (const Cell& cell : list) markNew(cell);
     }
-    return filled;
+    // What a place was before the first change of the stroke is what undo brings back.
+    for (const Cell& cell : later.list) {
+        if (markNew(cell)) list.push_back(cell);
+    }
+}
+
+bool PaintTiles::absorb(const Command& next) {
+    const auto* other = dynamic_cast<const PaintTiles*>(&next);
+    if (other == nullptr || other->layer_ != layer_ || other->label_ != label_ ||
+        other->newTerrain_ != nullptr)
+        return false;
+    cells_.absorb(other->cells_);
+    terrain_.absorb(other->terrain_);
+    return true;
+}
+
+void PaintTiles::apply(Document& document) {
+    swapTerrain(document);
+    swapCells(document);
+}
+
+void PaintTiles::revert(Document& document) {
+    swapCells(document);
+    swapTerrain(document);
+}
+
+void PaintTiles::swapCells(Document& document) {
+    const TileLayer* layer = document.world.find<TileLayer>(document.find(layer_));
+    PLUMB_ASSERT(layer != nullptr, "PaintTiles on an entity without tiles");
+    if (layer == nullptr) return;
+    if (TileGrid* grid = document.world.tiles().edit(layer->cells)) cells_.swapWith(*grid);
+    if (terrain_.list.empty()) return;
+    if (TileGrid* grid = document.world.tiles().edit(layer->terrain)) terrain_.swapWith(*grid);
+}
+
+/// The store of grids only grows: undo names the old one again, redo the new one.
+void PaintTiles::swapTerrain(Document& document) {
+    if (newTerrain_ == nullptr) return;
+    auto* layer = document.world.find<TileLayer>(document.find(layer_));
+    if (layer == nullptr) return;
+    if (!std::exchange(stored_, true)) otherTerrain_ = document.world.tiles().add(*newTerrain_);
+    std::swap(layer->terrain, otherTerrain_);
 }
 
 }  // namespace plumb::editor

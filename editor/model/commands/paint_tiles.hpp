@@ -1,14 +1,19 @@
 #pragma once
 
+#include <bitset>
+#include <memory>
+#include <unordered_map>
 #include <vector>
 
 #include "editor/model/command.hpp"
 #include "editor/model/object_id.hpp"
 #include "math/tile_grid.hpp"
+#include "reflect/field_types.hpp"
 
 namespace plumb::editor {
 
-/// Changes cells of one tile layer. A stroke melts into one step.
+/// Changes cells of one tile layer, and the terrain under them. A stroke melts into one step that takes
+/// memory by the cells that it changed, however often it went over them.
 class PaintTiles final : public Command {
 public:
     struct Cell {
@@ -16,23 +21,49 @@ public:
         int y = 0;
         TileCell cell = 0;
     };
+    /// Each place once; those outside the layer are left out.
+    struct Change {
+        std::vector<Cell> cells;
+        std::vector<Cell> terrain;             ///< ids
+        std::shared_ptr<TileGrid> newTerrain;  ///< the layer's terrain before this change, where it had none
 
-    /// @param cells  each place once; those outside the layer are left out
-    PaintTiles(ObjectId layer, std::vector<Cell> cells) : layer_{layer}, cells_{std::move(cells)} {}
+        [[nodiscard]] bool empty() const { return cells.empty() && terrain.empty(); }
+    };
 
-    [[nodiscard]] std::string label() const override { return "paint tiles"; }
-    void apply(Document& document) override { swapCells(document, false); }
-    void revert(Document& document) override { swapCells(document, true); }
+    PaintTiles(ObjectId layer, std::vector<Cell> cells)
+        : PaintTiles{layer, Change{std::move(cells), {}, nullptr}} {}
+    PaintTiles(ObjectId layer, Change change, std::string label = "paint tiles")
+        : layer_{layer}, label_{std::move(label)}, newTerrain_{std::move(change.newTerrain)} {
+        cells_.list = std::move(change.cells);
+        terrain_.list = std::move(change.terrain);
+    }
+
+    [[nodiscard]] std::string label() const override { return label_; }
+    void apply(Document& document) override;
+    void revert(Document& document) override;
     bool absorb(const Command& next) override;
 
 private:
-    void swapCells(Document& document, bool backwards);
+    /// Cells that are not in the document now.
+    struct Cells {
+        using Marks = std::bitset<std::size_t{TileGrid::kChunkSide} * TileGrid::kChunkSide>;
+        std::vector<Cell> list;
+        std::unordered_map<std::uint64_t, Marks>
+            known;  // by chunk: the places of the list, once it has absorbed
+        void swapWith(TileGrid& grid);
+        void absorb(const Cells& later);
+        bool markNew(const Cell& cell);
+    };
+    void swapCells(Document& document);
+    void swapTerrain(Document& document);
 
     ObjectId layer_;
-    std::vector<Cell> cells_;  // what is not in the document now; later ones of a stroke may repeat a place
+    std::string label_;
+    std::shared_ptr<TileGrid> newTerrain_;
+    TilesId otherTerrain_;  // what is not in the layer now, of the new terrain and what was there before
+    bool stored_ = false;   // the new terrain has its name
+    Cells cells_;
+    Cells terrain_;
 };
-
-/// The cells that a bucket fills: those connected to (x, y) through equal neighbours, as they are.
-std::vector<PaintTiles::Cell> connectedCells(const TileGrid& grid, int x, int y);
 
 }  // namespace plumb::editor

@@ -1,113 +1,94 @@
 #include "editor/model/tools/tile_tools.hpp"
 
-#include <cmath>
-#include <cstdlib>
+#include <algorithm>
 #include <utility>
 
-#include "scene/components/tile_collider.hpp"
+#include "core/text.hpp"
+#include "editor/model/cell_shapes.hpp"
+#include "editor/model/tools/tile_marks.hpp"
 #include "scene/components/tile_layer.hpp"
-#include "scene/tile_bodies.hpp"
-#include "scene/world_transform.hpp"
 
 namespace plumb::editor {
 namespace {
 
-constexpr Color kCursor{77, 163, 255, 255};
-constexpr Color kCursorFill{77, 163, 255, 50};
-constexpr Color kErase{240, 104, 104, 255};
-constexpr Color kEraseFill{240, 104, 104, 50};
-constexpr Color kPick{255, 221, 87, 255};
-constexpr Color kPickFill{255, 221, 87, 40};
-constexpr Color kGhost{255, 255, 255, 190};
-constexpr Color kLayer{226, 164, 96, 150};
-constexpr float kFarCell = 1e6f;  // cells; farther away is the same to us
+constexpr std::size_t kMostGhosts = 4096;  // tiles; more are shown as a box
 
-struct LayerPlace {
-    Vec2 origin;
-    Vec2 tile{16.0f, 16.0f};
-};
-
-LayerPlace placeOf(const Document& document, ObjectId layer) {
-    const EntityId entity = document.find(layer);
-    const Pose pose = worldPose(document.world, entity);
-    const TileLayer* tiles = document.world.find<TileLayer>(entity);
-    const Vec2 tile = tiles == nullptr ? Vec2{} : scaled(tileSizeOf(document.world, *tiles), pose.scale);
-    LayerPlace place{pose.position};
-    if (tile.x > 0.0f && tile.y > 0.0f) place.tile = tile;
-    return place;
+bool isShape(TileTool::Mode mode) {
+    using Mode = TileTool::Mode;
+    return mode == Mode::Line || mode == Mode::Rectangle || mode == Mode::Ellipse;
 }
-
-const TileGrid* gridOf(const Document& document, ObjectId layer) {
-    const TileLayer* tiles = document.world.find<TileLayer>(document.find(layer));
-    return tiles == nullptr ? nullptr : document.world.tiles().find(tiles->cells);
-}
-
-AABB boxOfCells(const Document& document, ObjectId layer, CellPlace a, CellPlace b) {
-    return merged(boxOfCell(document, layer, a), boxOfCell(document, layer, b));
-}
-
-int wrapped(int value, int size) { return ((value % size) + size) % size; }
 
 }  // namespace
 
-ObjectId activeTileLayer(const Document& document, const TilePaint& paint) {
-    const auto isLayer = [&](ObjectId id) { return document.world.has<TileLayer>(document.find(id)); };
-    for (const ObjectId id : document.selection.all()) {
-        if (isLayer(id)) return id;
-    }
-    if (isLayer(paint.layer)) return paint.layer;
-    ObjectId first;
-    for (const ObjectId id : document.objects()) {
-        if (!isLayer(id)) continue;
-        if (document.world.has<TileCollider>(document.find(id))) return id;
-        if (!first) first = id;
-    }
-    return first;
-}
-
-CellPlace cellAt(const Document& document, ObjectId layer, Vec2 point) {
-    const LayerPlace place = placeOf(document, layer);
-    const Vec2 at = point - place.origin;
-    const auto cell = [](float part) {
-        return static_cast<int>(std::floor(std::fmin(std::fmax(part, -kFarCell), kFarCell)));
-    };
-    return {cell(at.x / place.tile.x), cell(at.y / place.tile.y)};
-}
-
-AABB boxOfCell(const Document& document, ObjectId layer, CellPlace cell) {
-    const LayerPlace place = placeOf(document, layer);
-    const Vec2 from =
-        place.origin + scaled({static_cast<float>(cell.x), static_cast<float>(cell.y)}, place.tile);
-    return {from, from + place.tile};
-}
-
 std::string_view TileTool::next() const { return mode_ == Mode::Pick ? "tool.brush" : ""; }
+
+TileBrush TileTool::brush(const ToolContext& context) const {
+    TileInk ink = ink_;
+    if (doing_ == Doing::Nothing) {
+        ink = mode_ == Mode::Erase          ? TileInk::Nothing
+              : context.tiles.terrainInHand ? TileInk::Terrain
+                                            : TileInk::Stamp;
+    }
+    return {context.document, context.tiles, activeTileLayer(context.document, context.tiles), ink,
+            stroke_,          &derived_};
+}
+
+bool TileTool::picks(const ToolContext& context, const Pointer& pointer) const {
+    if (mode_ == Mode::Pick || pointer.modifiers.alt) return true;
+    return pointer.secondary && !context.tiles.rightErases;
+}
+
+CellPlace TileTool::placeAt(const ToolContext& context, const Pointer& pointer) const {
+    const ObjectId layer = activeTileLayer(context.document, context.tiles);
+    const bool corners = doing_ != Doing::Picking && mode_ != Mode::Same && brush(context).onCorners();
+    return corners ? cornerAt(context.document, layer, pointer.position)
+                   : cellAt(context.document, layer, pointer.position);
+}
 
 void TileTool::press(const ToolContext& context, const Pointer& pointer) {
     const ObjectId layer = activeTileLayer(context.document, context.tiles);
     if (gridOf(context.document, layer) == nullptr) return;
     context.tiles.layer = layer;
-    start_ = last_ = cellAt(context.document, layer, pointer.position);
-    if (mode_ == Mode::Pick || pointer.modifiers.alt || pointer.secondary) {
+    ++stroke_;
+    const bool erases = mode_ == Mode::Erase || pointer.secondary;
+    ink_ = erases ? TileInk::Nothing : context.tiles.terrainInHand ? TileInk::Terrain : TileInk::Stamp;
+    doing_ = Doing::Nothing;
+    if (picks(context, pointer)) {
         doing_ = Doing::Picking;
-    } else if (mode_ == Mode::Rectangle) {
-        doing_ = Doing::Boxing;
+    } else if (context.tiles.layers.locks(layer) || context.tiles.layers.hides(layer)) {
+        return;
+    } else if (isShape(mode_) || ((mode_ == Mode::Brush || mode_ == Mode::Erase) &&
+                                  pointer.modifiers.control && pointer.modifiers.shift)) {
+        doing_ = Doing::Shaping;
+        shape_ = isShape(mode_) ? mode_ : Mode::Rectangle;
     } else {
         doing_ = Doing::Painting;
-        if (mode_ == Mode::Fill) return fillConnected(context, start_);
-        paintLine(context, pointer.modifiers.shift ? strokeEnd_.value_or(start_) : start_, start_);
     }
+    start_ = last_ = placeAt(context, pointer);
+    if (doing_ == Doing::Painting) click(context, pointer);
+}
+
+void TileTool::click(const ToolContext& context, const Pointer& pointer) const {
+    if (mode_ == Mode::Same) return selectSame(context, pointer);
+    if (mode_ == Mode::Fill) return fill(context, pointer);
+    paintLine(context, pointer.modifiers.shift ? strokeEnd_.value_or(start_) : start_, start_);
 }
 
 void TileTool::drag(const ToolContext& context, const Pointer& pointer) {
     if (doing_ == Doing::Nothing) return;
-    const CellPlace at = cellAt(context.document, context.tiles.layer, pointer.position);
-    if (doing_ == Doing::Painting && mode_ != Mode::Fill && at != last_) paintLine(context, last_, at);
+    CellPlace at = placeAt(context, pointer);
+    const bool freehand = mode_ == Mode::Brush || mode_ == Mode::Erase;
+    if (doing_ == Doing::Painting && freehand && at != last_) paintLine(context, last_, at);
+    const bool square = pointer.modifiers.shift && !pointer.modifiers.control;
+    if (doing_ == Doing::Shaping && shape_ != Mode::Line && square) at = squareCorner(start_, at);
     last_ = at;
 }
 
 void TileTool::release(const ToolContext& context, const Pointer&) {
-    if (doing_ == Doing::Boxing) fillBox(context);
+    if (doing_ == Doing::Shaping) {
+        const TileBrush now = brush(context);
+        if (now.ready()) paint(context, now, shaped(now));
+    }
     if (doing_ == Doing::Picking) pick(context);
     if (doing_ == Doing::Painting) strokeEnd_ = last_;
     doing_ = Doing::Nothing;
@@ -120,87 +101,123 @@ bool TileTool::cancel(const ToolContext& context) {
     return was != Doing::Nothing;
 }
 
-std::vector<PaintTiles::Cell> TileTool::stampAt(const ToolContext& context, CellPlace at) const {
-    if (mode_ == Mode::Erase) return {{at.x, at.y, 0}};
-    const TileStamp& stamp = context.tiles.stamp;
-    std::vector<PaintTiles::Cell> cells;
-    for (int y = 0; y < stamp.height; ++y) {
-        for (int x = 0; x < stamp.width; ++x) {
-            // A pattern keeps its rhythm all along the stroke, instead of being cut up by itself.
-            const TileCell cell = stamp.at(wrapped(at.x + x - start_.x, stamp.width),
-                                           wrapped(at.y + y - start_.y, stamp.height));
-            if (cell != 0 || stamp.single()) cells.push_back({at.x + x, at.y + y, cell});
-        }
-    }
-    return cells;
+std::vector<CellPlace> TileTool::shaped(const TileBrush& brush) const {
+    if (shape_ == Mode::Line) return lineOfCells(start_, last_);
+    if (shape_ == Mode::Ellipse) return ellipseOfCells(brush.grid(), start_, last_);
+    return boxOfCells(brush.grid(), start_, last_);
 }
 
 void TileTool::paintLine(const ToolContext& context, CellPlace from, CellPlace to) const {
-    const int steps = std::max(std::abs(to.x - from.x), std::abs(to.y - from.y));
-    for (int i = 0; i <= steps; ++i) {
-        // Fast strokes leave no holes: every cell on the way.
-        const int x = steps == 0 ? from.x : from.x + (to.x - from.x) * i / steps;
-        const int y = steps == 0 ? from.y : from.y + (to.y - from.y) * i / steps;
-        paint(context, stampAt(context, {x, y}));
+    const TileBrush now = brush(context);
+    if (!now.ready()) return;
+    std::vector<CellPlace> places;
+    for (const CellPlace at : lineOfCells(from, to)) {
+        const std::vector<CellPlace> covered = now.coveredAt(at);
+        places.insert(places.end(), covered.begin(), covered.end());
+    }
+    paint(context, now, std::move(places));
+}
+
+void TileTool::paint(const ToolContext& context, const TileBrush& brush,
+                     std::vector<CellPlace> places) const {
+    CellSelection once;
+    once.set(std::move(places));
+    // A box is filled from its corner on, wherever the drag began.
+    const CellPlace origin = doing_ == Doing::Shaping && shape_ != Mode::Line
+                                 ? CellPlace{std::min(start_.x, last_.x), std::min(start_.y, last_.y)}
+                                 : start_;
+    PaintTiles::Change change = brush.change(once.all(), origin);
+    if (!change.empty())
+        context.undo.push(std::make_unique<PaintTiles>(context.tiles.layer, std::move(change)));
+}
+
+/// Connected equal cells; with Shift all equal ones; inside of the selection, the selection.
+void TileTool::fill(const ToolContext& context, const Pointer& pointer) const {
+    const TileBrush now = brush(context);
+    if (!now.ready()) return;
+    const CellPlace at = cellAt(context.document, context.tiles.layer, pointer.position);
+    if (context.tiles.selected.has(at)) return paint(context, now, context.tiles.selected.all());
+    paint(context, now,
+          pointer.modifiers.shift ? equalCells(now.grid(), now.equalTerrain(), at)
+                                  : connectedCells(now.grid(), now.equalTerrain(), at));
+}
+
+void TileTool::selectSame(const ToolContext& context, const Pointer& pointer) const {
+    const TileGrid& grid = *gridOf(context.document, context.tiles.layer);
+    std::vector<CellPlace> equal = equalCells(grid, nullptr, start_);
+    if (pointer.modifiers.shift) {
+        context.tiles.selected.add(equal);
+    } else if (pointer.modifiers.control) {
+        context.tiles.selected.remove(std::move(equal));
+    } else {
+        context.tiles.selected.set(std::move(equal));
     }
 }
 
-void TileTool::paint(const ToolContext& context, std::vector<PaintTiles::Cell> cells) const {
-    const TileGrid* grid = gridOf(context.document, context.tiles.layer);
-    if (grid == nullptr) return;
-    std::erase_if(cells, [&](const PaintTiles::Cell& cell) {
-        return !grid->has(cell.x, cell.y) || grid->at(cell.x, cell.y) == cell.cell;
-    });
-    if (!cells.empty())
-        context.undo.push(std::make_unique<PaintTiles>(context.tiles.layer, std::move(cells)));
-}
-
-void TileTool::fillBox(const ToolContext& context) const {
-    const TileStamp& stamp = context.tiles.stamp;
-    const CellPlace from{std::min(start_.x, last_.x), std::min(start_.y, last_.y)};
-    std::vector<PaintTiles::Cell> cells;
-    const TileGrid* grid = gridOf(context.document, context.tiles.layer);
-    if (grid == nullptr) return;
-    for (int y = std::max(from.y, 0); y <= std::min(std::max(start_.y, last_.y), grid->height() - 1); ++y) {
-        for (int x = std::max(from.x, 0); x <= std::min(std::max(start_.x, last_.x), grid->width() - 1);
-             ++x) {
-            const TileCell cell =
-                stamp.at(wrapped(x - from.x, stamp.width), wrapped(y - from.y, stamp.height));
-            if (cell != 0 || stamp.single()) cells.push_back({x, y, cell});
-        }
-    }
-    paint(context, std::move(cells));
-}
-
-void TileTool::fillConnected(const ToolContext& context, CellPlace at) const {
-    const TileGrid* grid = gridOf(context.document, context.tiles.layer);
-    const TileStamp& stamp = context.tiles.stamp;
-    std::vector<PaintTiles::Cell> cells = connectedCells(*grid, at.x, at.y);
-    for (PaintTiles::Cell& cell : cells) {
-        cell.cell = stamp.at(wrapped(cell.x - at.x, stamp.width), wrapped(cell.y - at.y, stamp.height));
-    }
-    if (!stamp.single()) std::erase_if(cells, [](const PaintTiles::Cell& cell) { return cell.cell == 0; });
-    paint(context, std::move(cells));
-}
-
+/// One cell of terrain gives the terrain; anything else a stamp.
 void TileTool::pick(const ToolContext& context) const {
     const TileGrid* grid = gridOf(context.document, context.tiles.layer);
-    if (grid != nullptr) context.tiles.stamp = stampFrom(*grid, start_, last_);
+    const TileGrid* terrain = terrainOf(context.document, context.tiles.layer);
+    if (grid == nullptr) return;
+    TilePaint& tiles = context.tiles;
+    const int id =
+        terrain == nullptr || start_ != last_ ? 0 : static_cast<int>(terrain->at(start_.x, start_.y));
+    if (tiles.terrainInHand && id != 0) {
+        tiles.terrain = id;
+    } else {
+        tiles.stamp = stampFrom(*grid, start_, last_);
+        tiles.terrainInHand = false;
+    }
 }
 
-/// What a click would paint here.
-void TileTool::drawGhost(const ToolContext& context, CellPlace at, Overlay& overlay) const {
+/// What would be painted there, as it would look.
+void TileTool::drawGhost(const ToolContext& context, const TileBrush& brush,
+                         const std::vector<CellPlace>& places, Overlay& overlay) const {
     const Document& document = context.document;
     const ObjectId layer = activeTileLayer(document, context.tiles);
-    const TileLayer* tiles = document.world.find<TileLayer>(document.find(layer));
-    const TileStamp& stamp = context.tiles.stamp;
-    const CellPlace from = doing_ == Doing::Nothing ? at : start_;
-    for (int i = 0; i < stamp.width * stamp.height; ++i) {
-        const CellPlace place{at.x + i % stamp.width, at.y + i / stamp.width};
-        const TileCell cell =
-            stamp.at(wrapped(place.x - from.x, stamp.width), wrapped(place.y - from.y, stamp.height));
-        if (cell != 0) overlay.tile(boxOfCell(document, layer, place), tiles->tileset, cell, kGhost);
+    const TileLayer& tiles = document.world.get<TileLayer>(document.find(layer));
+    const CellPlace origin = doing_ == Doing::Nothing ? places.front()
+                             : doing_ == Doing::Shaping && shape_ != Mode::Line
+                                 ? CellPlace{std::min(start_.x, last_.x), std::min(start_.y, last_.y)}
+                                 : start_;
+    for (const PaintTiles::Cell& cell : brush.change(places, origin).cells) {
+        const AABB box = boxOfCell(document, layer, {cell.x, cell.y});
+        if (cell.cell == 0) {
+            overlay.filledBox(box, marks::kEraseFill);
+        } else {
+            overlay.tile(box, tiles.tileset, cell.cell, marks::kGhost);
+        }
     }
+}
+
+void TileTool::drawCursor(const ToolContext& context, const Pointer& pointer, CellPlace at,
+                          Overlay& overlay) const {
+    const Document& document = context.document;
+    const ObjectId layer = activeTileLayer(document, context.tiles);
+    const TileBrush now = brush(context);
+    if (!now.ready()) return;
+    const bool shaping = doing_ == Doing::Shaping;
+    const bool erases = mode_ == Mode::Erase || (doing_ != Doing::Nothing && ink_ == TileInk::Nothing);
+    std::vector<CellPlace> places = shaping ? shaped(now) : now.coveredAt(at);
+    const bool line = !shaping && doing_ == Doing::Nothing && pointer.modifiers.shift &&
+                      !pointer.modifiers.control && strokeEnd_ &&
+                      (mode_ == Mode::Brush || mode_ == Mode::Erase);
+    if (line) places = lineOfCells(*strokeEnd_, at);
+    if (places.empty()) return;
+    const CellPlace from = shaping ? start_ : line ? *strokeEnd_ : places.front();
+    const CellPlace to = shaping ? last_ : places.back();
+    const AABB box = now.onCorners() && !shaping ? marks::cornerBox(document, layer, at)
+                                                 : boxOfCells(document, layer, from, to);
+    if (mode_ != Mode::Fill && mode_ != Mode::Same && places.size() <= kMostGhosts) {
+        CellSelection once;
+        once.set(std::move(places));
+        drawGhost(context, now, once.all(), overlay);
+    } else {
+        overlay.filledBox(box, marks::kCursorFill);
+    }
+    if (erases) overlay.filledBox(box, marks::kEraseFill);
+    overlay.box(box, erases ? marks::kErase : marks::kCursor, 1.5f);
+    if (shaping) marks::drawSize(box, from, to, overlay);
 }
 
 void TileTool::draw(const ToolContext& context, const Pointer& pointer, Overlay& overlay) const {
@@ -208,26 +225,17 @@ void TileTool::draw(const ToolContext& context, const Pointer& pointer, Overlay&
     const ObjectId layer = activeTileLayer(document, context.tiles);
     const TileGrid* grid = gridOf(document, layer);
     if (grid == nullptr) return;
-    if (grid->width() > 0 && grid->height() > 0) {
-        overlay.box(boxOfCells(document, layer, {0, 0}, {grid->width() - 1, grid->height() - 1}), kLayer);
+    marks::drawLayer(context, layer, overlay);
+    const CellPlace at = placeAt(context, pointer);
+    if (doing_ == Doing::Picking || (doing_ == Doing::Nothing && picks(context, pointer))) {
+        const bool picking = doing_ == Doing::Picking;
+        const AABB box = boxOfCells(document, layer, picking ? start_ : at, picking ? last_ : at);
+        overlay.filledBox(box, marks::kPickFill);
+        overlay.box(box, marks::kPick, 1.5f);
+        if (picking) marks::drawSize(box, start_, last_, overlay);
+        return;
     }
-    const CellPlace at = cellAt(document, layer, pointer.position);
-    const bool picks = doing_ == Doing::Picking || mode_ == Mode::Pick ||
-                       (doing_ == Doing::Nothing && pointer.modifiers.alt);
-    CellPlace from = at;
-    CellPlace to = at;
-    if (doing_ == Doing::Boxing || doing_ == Doing::Picking) {
-        from = start_;
-        to = last_;
-    } else if (!picks && mode_ == Mode::Brush) {
-        drawGhost(context, at, overlay);
-        to = {at.x + context.tiles.stamp.width - 1, at.y + context.tiles.stamp.height - 1};
-    }
-    const bool erases = !picks && mode_ == Mode::Erase;
-    const AABB box = boxOfCells(document, layer, from, to);
-    const bool ghost = !picks && mode_ == Mode::Brush;
-    if (!ghost) overlay.filledBox(box, picks ? kPickFill : erases ? kEraseFill : kCursorFill);
-    overlay.box(box, picks ? kPick : erases ? kErase : kCursor, 1.5f);
+    drawCursor(context, pointer, at, overlay);
 }
 
 }  // namespace plumb::editor

@@ -2,16 +2,16 @@
 
 #include <optional>
 
-#include "editor/model/commands/paint_tiles.hpp"
+#include "editor/model/tile_brush.hpp"
 #include "editor/model/tools/tool.hpp"
 
 namespace plumb::editor {
 
-/// Paints the tiles of one layer. In every mode Alt, or the right mouse button, picks from the layer what is
-/// then painted: one tile, or all in a dragged box.
+/// Paints one layer: what the hand holds (a stamp or a terrain) in the shape of the mode. In every mode Alt,
+/// or the right mouse button, takes from the layer what is then painted: one tile, or all in a dragged box.
 class TileTool final : public Tool {
 public:
-    enum class Mode : unsigned char { Brush, Erase, Rectangle, Fill, Pick };
+    enum class Mode : unsigned char { Brush, Line, Rectangle, Ellipse, Fill, Erase, Pick, Same };
     explicit TileTool(Mode mode) : mode_{mode} {}
 
     void press(const ToolContext& context, const Pointer& pointer) override;
@@ -22,30 +22,31 @@ public:
     [[nodiscard]] std::string_view next() const override;
 
 private:
-    enum class Doing : unsigned char { Nothing, Painting, Boxing, Picking };
+    enum class Doing : unsigned char { Nothing, Painting, Shaping, Picking };
 
-    /// The stamp laid on the layer with its corner at `at`; empty cells of a pattern are left out.
-    [[nodiscard]] std::vector<PaintTiles::Cell> stampAt(const ToolContext& context, CellPlace at) const;
+    [[nodiscard]] TileBrush brush(const ToolContext& context) const;
+    [[nodiscard]] CellPlace placeAt(const ToolContext& context, const Pointer& pointer) const;
+    [[nodiscard]] bool picks(const ToolContext& context, const Pointer& pointer) const;
+    [[nodiscard]] std::vector<CellPlace> shaped(const TileBrush& brush) const;
+    void click(const ToolContext& context, const Pointer& pointer) const;
+    void fill(const ToolContext& context, const Pointer& pointer) const;
+    void selectSame(const ToolContext& context, const Pointer& pointer) const;
     void paintLine(const ToolContext& context, CellPlace from, CellPlace to) const;
-    void paint(const ToolContext& context, std::vector<PaintTiles::Cell> cells) const;
-    void fillBox(const ToolContext& context) const;
-    void fillConnected(const ToolContext& context, CellPlace at) const;
+    void paint(const ToolContext& context, const TileBrush& brush, std::vector<CellPlace> places) const;
     void pick(const ToolContext& context) const;
-    void drawGhost(const ToolContext& context, CellPlace at, Overlay& overlay) const;
+    void drawGhost(const ToolContext& context, const TileBrush& brush, const std::vector<CellPlace>& places,
+                   Overlay& overlay) const;
+    void drawCursor(const ToolContext& context, const Pointer& pointer, CellPlace at, Overlay& overlay) const;
 
     Mode mode_;
+    Mode shape_ = Mode::Rectangle;  // while Shaping
+    TileInk ink_ = TileInk::Stamp;
     Doing doing_ = Doing::Nothing;
+    std::uint32_t stroke_ = 1;
     CellPlace start_;
     CellPlace last_;
+    mutable DerivedTerrain derived_;
     std::optional<CellPlace> strokeEnd_;  // of the stroke before: Shift draws a line from there
 };
-
-/// The tile layer that tile tools work on: the selected one, else the one they worked on last, else the
-/// first that is solid, else the first.
-ObjectId activeTileLayer(const Document& document, const TilePaint& paint);
-
-/// The cell of a layer at a point of the world, and the box of a cell (px, world).
-CellPlace cellAt(const Document& document, ObjectId layer, Vec2 point);
-AABB boxOfCell(const Document& document, ObjectId layer, CellPlace place);
 
 }  // namespace plumb::editor

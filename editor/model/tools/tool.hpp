@@ -6,7 +6,7 @@
 
 #include "editor/model/document.hpp"
 #include "editor/model/overlay.hpp"
-#include "editor/model/tile_stamp.hpp"
+#include "editor/model/tile_paint.hpp"
 #include "editor/model/undo_stack.hpp"
 #include "platform/events.hpp"
 
@@ -45,12 +45,16 @@ public:
     [[nodiscard]] virtual std::string_view next() const { return {}; }
 };
 
+/// What is painted once a tool is chosen.
+enum class Hand : unsigned char { Keeps, Stamp, Terrain };
+
 /// One row of the table of all tools.
 struct ToolRow {
     std::string_view name;
     std::string_view action;  ///< in the table of actions, which has its shortcut
     std::string_view hint;    ///< for the status bar
     bool forTiles = false;    ///< works on tiles; the others on entities
+    Hand hand = Hand::Keeps;  ///< what a tile tool takes into the hand
     std::unique_ptr<Tool> (*make)() = nullptr;
 };
 const std::vector<ToolRow>& toolTable();

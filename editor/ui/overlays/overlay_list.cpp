@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "editor/model/bounds.hpp"
+#include "editor/ui/overlays/tile_collision.hpp"
 #include "editor/ui/overlays/way_overlays.hpp"
 #include "render/view.hpp"
 #include "scene/components/camera.hpp"
@@ -69,6 +70,7 @@ std::span<const OverlayRow> overlayTable() {
         OverlayRow{"camera", "Camera", &drawCameras},
         OverlayRow{"reach", "Jump reach", &drawJumpReach, true},
         OverlayRow{"trajectories", "Trajectories", &drawTrajectories, true},
+        OverlayRow{"collision", "Tile collision", &drawTileCollision},
     };
     return kOverlays;
 }

@@ -12,6 +12,7 @@ std::span<const PanelRow> panelTable() {
         PanelRow{"Tiles", Dock::Bottom, &makeTilesPanel},
         PanelRow{"Console", Dock::Bottom, &makeConsolePanel},
         PanelRow{"History", Dock::Bottom, &makeHistoryPanel},
+        PanelRow{"Tileset", Dock::Bottom, &makeTilesetPanel},
     };
     return kPanels;
 }

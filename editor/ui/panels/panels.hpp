@@ -11,6 +11,7 @@ std::unique_ptr<Panel> makeViewportPanel();
 std::unique_ptr<Panel> makeInspectorPanel();
 std::unique_ptr<Panel> makeConsolePanel();
 std::unique_ptr<Panel> makeTilesPanel();
+std::unique_ptr<Panel> makeTilesetPanel();
 std::unique_ptr<Panel> makeHistoryPanel();
 
 }  // namespace plumb::editor::ui

@@ -3,94 +3,182 @@
 
 #include "assets/asset_store.hpp"
 #include "editor/model/actions.hpp"
-#include "editor/model/tile_palette.hpp"
-#include "editor/model/tools/tile_tools.hpp"
+#include "editor/model/tile_brush.hpp"
+#include "editor/model/tile_layers.hpp"
+#include "editor/model/tileset_edit.hpp"
 #include "editor/ui/panels/panels.hpp"
+#include "editor/ui/panels/tile_layer_list.hpp"
 #include "editor/ui/ui_compat.hpp"
+#include "editor/ui/widgets/palette_view.hpp"
 #include "editor/ui/widgets/tile_picture.hpp"
 #include "scene/components/tile_layer.hpp"
 
 namespace plumb::editor::ui {
 namespace {
 
-constexpr float kSideWidth = 190.0f;  // px at scale 1
-constexpr float kMaxZoom = 8.0f;
-constexpr ImU32 kTileLine = IM_COL32(255, 255, 255, 22);
+constexpr float kLayersWidth = 236.0f;  // px at scale 1
+constexpr float kStampWidth = 176.0f;   // px at scale 1
 
-/// The tileset of the layer in hand: click a tile, or drag over several, to paint with them.
+/// What is painted on which layer: the tileset of the layer in hand, its terrains, the stamp.
 class TilesPanel final : public Panel {
 public:
     void draw(Ui& ui) override {
         Workspace& workspace = ui.workspace;
         const ObjectId layer = activeTileLayer(workspace.document, workspace.tiles);
-        const TileLayer* tiles = workspace.document.world.find<TileLayer>(workspace.document.find(layer));
-        if (tiles == nullptr) {
+        if (!workspace.document.world.has<TileLayer>(workspace.document.find(layer))) {
             ImGui::TextWrapped("There are no tiles here to paint with.");
             ImGui::TextDisabled("Create an entity (Ctrl+N) and add the component TileLayer to it.");
             return;
         }
-        const Tileset* tileset = workspace.assets.find(tiles->tileset);
-        drawSide(ui, layer, tileset);
-        ImGui::SameLine();
-        beginChild("palette", {0.0f, 0.0f}, false, ImGuiWindowFlags_HorizontalScrollbar);
-        if (tileset == nullptr || tileset->count == 0) {
-            ImGui::TextWrapped("This layer has no tileset yet.");
-            ImGui::TextDisabled("Select the layer and choose one in the inspector: TileLayer, tileset.");
-        } else {
-            drawPalette(ui, *tileset);
-        }
+        const Tileset* tileset = tilesetOf(workspace.document, layer);
+        beginChild("layers", {ui.px(kLayersWidth), 0.0f}, false);
+        drawTileLayerList(ui);
         ImGui::EndChild();
+        ImGui::SameLine(0.0f, ui.px(12.0f));
+        beginChild("stamp", {ui.px(kStampWidth), 0.0f}, false);
+        drawStampSide(ui, tileset);
+        ImGui::EndChild();
+        ImGui::SameLine(0.0f, ui.px(12.0f));
+        ImGui::BeginGroup();
+        drawTiles(ui, tileset);
+        ImGui::EndGroup();
     }
 
 private:
-    void drawSide(Ui& ui, ObjectId layer, const Tileset* tileset) {
-        beginChild("side", {ui.px(kSideWidth), 0.0f}, false);
-        ImGui::TextDisabled("Layer");
-        chooseLayer(ui, layer);
-        ImGui::Spacing();
-        const TileStamp& stamp = ui.workspace.tiles.stamp;
-        ImGui::TextDisabled(
-            "%s", stamp.single() ? "Tile" : format("Pattern {} x {}", stamp.width, stamp.height).c_str());
-        if (tileset != nullptr) drawStamp(ui, *tileset);
-        stampButton(ui, "tiles.flipX", "Flip X");
+    void drawTiles(Ui& ui, const Tileset* tileset) {
+        if (tileset == nullptr || tileset->count == 0) {
+            ImGui::TextWrapped("This layer has no tileset yet.");
+            ImGui::TextDisabled("Select the layer and choose one in the inspector: TileLayer, tileset.");
+            return;
+        }
+        drawTerrains(ui, *tileset);
+        ImGui::SetNextItemWidth(ui.px(150.0f));
+        ImGui::InputTextWithHint("##search", "Search tiles", search_.data(), search_.size());
+        ui.widgets.mark("Tiles/search");
+        tooltip("By number, collision, material, or a property's name or value.");
         ImGui::SameLine();
-        stampButton(ui, "tiles.flipY", "Flip Y");
-        ImGui::SameLine();
-        stampButton(ui, "tiles.turn", "Turn");
-        ImGui::Spacing();
-        ImGui::TextDisabled("Zoom");
-        ImGui::SameLine();
-        if (ImGui::SmallButton(" - ")) zoomBy(-1.0f);
-        ImGui::SameLine();
-        ImGui::TextUnformatted(format("{}x", zoom_).c_str());
-        ImGui::SameLine();
-        if (ImGui::SmallButton(" + ")) zoomBy(1.0f);
-        tooltip("Ctrl and the wheel over the tiles do the same.");
+        view_.zoomButtons(ui, "Tiles");
+        beginChild("palette", {0.0f, 0.0f}, false, ImGuiWindowFlags_HorizontalScrollbar);
+        const std::string_view words{search_.data()};
+        const std::vector<int> found = tilesFound(*tileset, words);
+        view_.draw(ui, *tileset, "Tiles/palette", words.empty() ? nullptr : &found);
+        choose(ui);
+        if ((dragging_ || chosen_) && !ui.workspace.tiles.terrainInHand)
+            view_.frame(start_, end_, palette::kAccent);
+        if (!dragging_) view_.describe(*tileset);
         ImGui::EndChild();
     }
 
-    void zoomBy(float steps) { zoom_ = std::clamp(zoom_ + steps, 1.0f, kMaxZoom); }
-
-    static void chooseLayer(Ui& ui, ObjectId layer) {
+    /// A button for each terrain; one with the tile that stands for its inside.
+    static void drawTerrains(Ui& ui, const Tileset& tileset) {
         Workspace& workspace = ui.workspace;
-        const Document& document = workspace.document;
-        ImGui::SetNextItemWidth(-1.0f);
-        const bool open = ImGui::BeginCombo("##layer", document.nameOf(layer).c_str());
-        ui.widgets.mark("Tiles/layer", document.nameOf(layer));
-        if (!open) return;
-        for (const ObjectId id : document.objects()) {
-            if (!document.world.has<TileLayer>(document.find(id))) continue;
-            ImGui::PushID(static_cast<int>(id.value));
-            const std::string name = document.nameOf(id);
-            const bool chosen = ImGui::Selectable(name.c_str(), id == layer);
-            ui.widgets.mark("Tiles/layer/" + name);
+        const Terrain* inHand =
+            workspace.tiles.terrainInHand ? terrainInHand(tileset, workspace.tiles) : nullptr;
+        for (const Terrain& terrain : tileset.terrains) {
+            const float side = ImGui::GetFrameHeight();
+            const ImVec2 at = ImGui::GetCursorScreenPos();
+            const float width = side + ImGui::CalcTextSize(terrain.name.c_str()).x + ui.px(14.0f);
+            ImGui::PushID(terrain.id);
+            if (ImGui::Button("##terrain", {width, side})) {
+                workspace.useTool("tool.terrain");
+                workspace.tiles.terrain = terrain.id;
+            }
             ImGui::PopID();
-            if (!chosen) continue;
-            workspace.tiles.layer = id;
-            workspace.document.selection.set({id});
-            break;
+            ui.widgets.mark("Tiles/terrain/" + terrain.name, inHand == &terrain ? "in hand" : "");
+            tooltip(format("Paint {} (T): borders and corners come by themselves", terrain.name));
+            ImDrawList& list = *ImGui::GetWindowDrawList();
+            const float inset = ui.px(3.0f);
+            drawTile(ui, list, tileset, cellOf(insideOf(terrain)),
+                     {{at.x + inset, at.y + inset}, {at.x + side - inset, at.y + side - inset}});
+            list.AddText({at.x + side + ui.px(4.0f), at.y + ImGui::GetStyle().FramePadding.y}, palette::kText,
+                         terrain.name.c_str());
+            if (inHand == &terrain)
+                outline(list, at, {at.x + width, at.y + side}, palette::kAccent, ui.px(3.0f), 2.0f);
+            ImGui::SameLine(0.0f, ui.px(5.0f));
         }
-        ImGui::EndCombo();
+        if (!tileset.terrains.empty()) ImGui::SameLine(0.0f, ui.px(12.0f));
+    }
+
+    static int insideOf(const Terrain& terrain) {
+        int best = -1;
+        int mask = -1;
+        for (const TerrainTile& tile : terrain.tiles) {
+            if (int{tile.mask} > mask) best = tile.tile, mask = tile.mask;
+        }
+        return best;
+    }
+
+    /// A drag over the tiles makes them the pattern to paint with; the brush comes to hand.
+    void choose(Ui& ui) {
+        Workspace& workspace = ui.workspace;
+        if (view_.pressed()) start_ = view_.at(), dragging_ = true;
+        if (dragging_) {
+            end_ = view_.at();
+            made_ = workspace.tiles.stamp = view_.tiles().stamp(start_, end_);
+        }
+        chosen_ = workspace.tiles.stamp == made_;
+        if (!dragging_ || !view_.released()) return;
+        dragging_ = false;
+        workspace.tiles.terrainInHand = false;
+        const std::string_view tool = toolTable()[workspace.toolIndex()].action;
+        const bool paints = tool == "tool.brush" || tool == "tool.rectangle" || tool == "tool.fill" ||
+                            tool == "tool.line" || tool == "tool.ellipse";
+        if (!paints && workspace.canEdit()) workspace.useTool("tool.brush");
+    }
+
+    // The stamp.
+
+    void drawStampSide(Ui& ui, const Tileset* tileset) const {
+        const TileStamp& stamp = ui.workspace.tiles.stamp;
+        ImGui::TextDisabled(
+            "%s", stamp.single() ? "Tile" : format("Pattern {} x {}", stamp.width, stamp.height).c_str());
+        const ImVec2 at = ImGui::GetCursorScreenPos();
+        if (tileset != nullptr) drawStamp(ui, *tileset, stamp, {at.x, at.y}, ui.px(64.0f), palette::kAccent);
+        ImGui::Dummy({ui.px(64.0f), ui.px(64.0f)});
+        ui.widgets.mark("Tiles/stamp", format("{} x {}", stamp.width, stamp.height));
+        ImGui::SameLine(0.0f, ui.px(8.0f));
+        ImGui::BeginGroup();
+        stampButton(ui, "tiles.flipX", "Flip X");
+        stampButton(ui, "tiles.flipY", "Flip Y");
+        ImGui::EndGroup();
+        stampButton(ui, "tiles.turnBack", "Left");
+        ImGui::SameLine(0.0f, ui.px(4.0f));
+        stampButton(ui, "tiles.turn", "Turn");
+        bool random = ui.workspace.tiles.random;
+        ImGui::SameLine(0.0f, ui.px(4.0f));
+        if (ImGui::Checkbox("Random", &random)) runAction(ui.workspace, "tiles.random");
+        ui.widgets.mark("Tiles/Random", random ? "on" : "off");
+        tooltip("Each cell takes any tile of the pattern, by their probabilities (D)");
+        drawKept(ui, tileset);
+    }
+
+    /// The stamps behind the keys 1 to 9: a click takes one, the right button keeps the present one there.
+    static void drawKept(Ui& ui, const Tileset* tileset) {
+        TilePaint& tiles = ui.workspace.tiles;
+        ImGui::Spacing();
+        ImGui::TextDisabled("Kept, keys 1 to 9");
+        const float side = ui.px(30.0f);
+        for (std::size_t i = 0; i < TilePaint::kKept; ++i) {
+            if (i % 5 != 0) ImGui::SameLine(0.0f, ui.px(4.0f));
+            const ImVec2 at = ImGui::GetCursorScreenPos();
+            const std::string path = format("Tiles/kept/{}", i + 1);
+            const bool clicked = ImGui::InvisibleButton(path.c_str(), {side, side});
+            ui.widgets.mark(
+                path, tiles.kept[i] ? format("{} x {}", tiles.kept[i]->width, tiles.kept[i]->height) : "");
+            if (ImGui::IsItemClicked(ImGuiMouseButton_Right))
+                runAction(ui.workspace, format("tiles.keep{}", i + 1));
+            tooltip(format("{} paints with it, Ctrl+{} or the right button keeps the present tiles here",
+                           i + 1, i + 1));
+            if (clicked) runAction(ui.workspace, format("tiles.recall{}", i + 1));
+            ImDrawList& list = *ImGui::GetWindowDrawList();
+            list.AddRectFilled(at, {at.x + side, at.y + side}, palette::kField, ui.px(3.0f));
+            if (tiles.kept[i] && tileset != nullptr) {
+                drawStamp(ui, *tileset, *tiles.kept[i], {at.x, at.y}, side, palette::kLine);
+            } else {
+                list.AddText({at.x + side * 0.5f - ui.px(4.0f), at.y + side * 0.5f - ui.fonts.size * 0.5f},
+                             palette::kTextDim, format("{}", i + 1).c_str());
+            }
+        }
     }
 
     static void stampButton(Ui& ui, const char* id, const char* label) {
@@ -101,92 +189,25 @@ private:
     }
 
     /// What the brush would paint, as it would look.
-    static void drawStamp(Ui& ui, const Tileset& tileset) {
-        const TileStamp& stamp = ui.workspace.tiles.stamp;
-        const float room = ui.px(56.0f);
-        const float side = std::floor(room / static_cast<float>(std::max({stamp.width, stamp.height, 1})));
-        const ImVec2 from = ImGui::GetCursorScreenPos();
+    static void drawStamp(Ui& ui, const Tileset& tileset, const TileStamp& stamp, Vec2 at, float room,
+                          ImU32 border) {
+        const float side =
+            std::max(room / static_cast<float>(std::max({stamp.width, stamp.height, 1})), 1.0f);
         ImDrawList& list = *ImGui::GetWindowDrawList();
-        const ImVec2 to{from.x + side * static_cast<float>(stamp.width),
-                        from.y + side * static_cast<float>(stamp.height)};
-        list.AddRectFilled(from, to, palette::kCanvas);
-        for (int y = 0; y < stamp.height; ++y) {
-            for (int x = 0; x < stamp.width; ++x) {
-                const Vec2 at{from.x + side * static_cast<float>(x), from.y + side * static_cast<float>(y)};
-                drawTile(ui, list, tileset, stamp.at(x, y), {at, at + Vec2{side, side}});
+        const ImVec2 to{at.x + side * static_cast<float>(stamp.width),
+                        at.y + side * static_cast<float>(stamp.height)};
+        list.AddRectFilled({at.x, at.y}, to, palette::kCanvas);
+        for (int y = 0; y < std::min(stamp.height, 64); ++y) {
+            for (int x = 0; x < std::min(stamp.width, 64); ++x) {
+                const Vec2 corner = at + Vec2{side * static_cast<float>(x), side * static_cast<float>(y)};
+                drawTile(ui, list, tileset, stamp.at(x, y), {corner, corner + Vec2{side, side}});
             }
         }
-        outline(list, from, to, palette::kAccent);
-        ImGui::Dummy({room, room});
+        outline(list, {at.x, at.y}, to, border);
     }
 
-    void drawPalette(Ui& ui, const Tileset& tileset) {
-        const TilePalette shown = paletteOf(tileset);
-        if (zoom_ == 0.0f) {
-            const float room = ImGui::GetContentRegionAvail().x / (shown.size().x * ui.scale);
-            zoom_ = std::clamp(std::floor(room), 2.0f, 4.0f);
-        }
-        const float zoom = zoom_ * ui.scale;
-        const Vec2 size = shown.size() * zoom;
-        const ImVec2 at = ImGui::GetCursorScreenPos();
-        ImGui::InvisibleButton("tiles", {std::max(size.x, 1.0f), std::max(size.y, 1.0f)});
-        ui.widgets.mark("Tiles/palette");
-        const ImGuiIO& io = ImGui::GetIO();
-        if (ImGui::IsItemHovered() && io.KeyCtrl && io.MouseWheel != 0.0f)
-            zoomBy(io.MouseWheel > 0.0f ? 1.0f : -1.0f);
-        const Vec2 mouse = (Vec2{io.MousePos.x, io.MousePos.y} - Vec2{at.x, at.y}) / zoom;
-        choose(ui, shown, shown.nearest(mouse));
-
-        ImDrawList& list = *ImGui::GetWindowDrawList();
-        const Vec2 from{at.x, at.y};
-        const Vec2 cell = shown.tileSize * zoom;
-        list.AddRectFilled(at, {at.x + size.x, at.y + size.y}, palette::kCanvas);
-        const auto boxOf = [&](CellPlace place) {
-            const Vec2 corner =
-                from + scaled({static_cast<float>(place.x), static_cast<float>(place.y)}, cell);
-            return AABB{corner, corner + cell};
-        };
-        for (int tile = 0; tile < shown.count; ++tile) {
-            const AABB box = boxOf(shown.placeOf(tile));
-            if (!ImGui::IsRectVisible({box.min.x, box.min.y}, {box.max.x, box.max.y})) continue;
-            drawTile(ui, list, tileset, cellOf(tile), box);
-            outline(list, {box.min.x, box.min.y}, {box.max.x, box.max.y}, kTileLine);
-        }
-        if (dragging_ || chosen_) {
-            const AABB box = merged(boxOf(start_), boxOf(end_));
-            outline(list, {box.min.x, box.min.y}, {box.max.x, box.max.y}, palette::kAccent, 0.0f, 2.0f);
-        }
-        if (ImGui::IsItemHovered() && !dragging_)
-            drawHover(tileset, shown, list, boxOf(shown.nearest(mouse)), shown.nearest(mouse));
-    }
-
-    static void drawHover(const Tileset& tileset, const TilePalette& shown, ImDrawList& list, const AABB& box,
-                          CellPlace place) {
-        const int tile = shown.tileAt(place);
-        if (tile < 0) return;
-        outline(list, {box.min.x, box.min.y}, {box.max.x, box.max.y}, IM_COL32(255, 255, 255, 160));
-        const std::string_view shape = tileShapeNames()[static_cast<std::size_t>(tileset.shapeOf(tile))];
-        tooltip(tileset.shapeOf(tile) == TileShape::None ? format("Tile {}", tile)
-                                                         : format("Tile {}: {}", tile, shape));
-    }
-
-    /// A drag over the tiles makes them the pattern to paint with; the brush comes to hand.
-    void choose(Ui& ui, const TilePalette& shown, CellPlace at) {
-        Workspace& workspace = ui.workspace;
-        if (ImGui::IsItemActivated()) start_ = at, dragging_ = true;
-        if (dragging_) {
-            end_ = at;
-            made_ = workspace.tiles.stamp = shown.stamp(start_, end_);
-        }
-        chosen_ = workspace.tiles.stamp == made_;
-        if (!dragging_ || !ImGui::IsItemDeactivated()) return;
-        dragging_ = false;
-        const std::string_view tool = toolTable()[workspace.toolIndex()].action;
-        const bool paints = tool == "tool.brush" || tool == "tool.rectangle" || tool == "tool.fill";
-        if (!paints && workspace.canEdit()) workspace.useTool("tool.brush");
-    }
-
-    float zoom_ = 0.0f;  ///< 0: as large as the panel is wide
+    PaletteView view_;
+    std::array<char, 64> search_{};
     CellPlace start_;
     CellPlace end_;
     TileStamp made_;

@@ -5,6 +5,7 @@
 #include "assets/asset_store.hpp"
 #include "editor/model/actions.hpp"
 #include "editor/model/bounds.hpp"
+#include "editor/model/tile_layers.hpp"
 #include "editor/ui/overlays/overlay_list.hpp"
 #include "editor/ui/panels/panels.hpp"
 #include "editor/ui/scene_picture.hpp"
@@ -202,11 +203,24 @@ private:
             from.y += std::floor((size.y - view.size.y) * 0.5f);
         }
         const PixelSize pixels{static_cast<int>(view.size.x), static_cast<int>(view.size.y)};
+        ui.picture->preview = previewOf(workspace);
         const std::uintptr_t texture = ui.picture->draw(world, workspace.play.assets(), view, pixels,
                                                         ui.playAlpha, asGame, shownPhysics(workspace));
         imageOfPixels(
             list, textureId(texture), from,
             {from.x + static_cast<float>(pixels.width), from.y + static_cast<float>(pixels.height)});
+    }
+
+    /// While nobody plays, animated tiles move all the same, and layers may be out of sight.
+    static ScenePicture::Preview previewOf(const Workspace& workspace) {
+        ScenePicture::Preview preview;
+        if (workspace.play.running()) return preview;
+        preview.ahead = ImGui::GetTime();
+        for (const ObjectId layer : tileLayers(workspace.document)) {
+            if (workspace.tiles.layers.hides(layer))
+                preview.hiddenLayers.push_back(workspace.document.find(layer));
+        }
+        return preview;
     }
 
     PhysicsShown shownPhysics(Workspace& workspace) {

@@ -7,12 +7,19 @@ namespace plumb::physics {
 TileMask::TileMask(int width, int height)
     : width_{std::clamp(width, 0, kMaxSide)},
       height_{std::clamp(height, 0, std::min(kMaxSide, kMaxCells / std::max(width_, 1)))},
-      cells_(static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_)) {}
+      columns_{(width_ + kSide - 1) / kSide},
+      chunks_(static_cast<std::size_t>(columns_) * static_cast<std::size_t>((height_ + kSide - 1) / kSide)) {}
 
 bool TileMask::set(int x, int y, MaskCell cell) {
     PLUMB_ASSERT(knows(cell), "set a cell whose form, material and layers are in the palette");
-    if (!has(x, y) || !knows(cell) || cells_[slot(x, y)] == cell) return false;
-    cells_[slot(x, y)] = cell;
+    if (!has(x, y) || !knows(cell) || at(x, y) == cell) return false;
+    std::shared_ptr<Chunk>& chunk = chunks_[chunkOf(x, y)];
+    if (chunk == nullptr) {
+        chunk = std::make_shared<Chunk>();
+    } else if (chunk.use_count() > 1) {
+        chunk = std::make_shared<Chunk>(*chunk);
+    }
+    (*chunk)[slot(x, y)] = cell;
     return true;
 }
 
@@ -28,9 +35,17 @@ void TileMask::copyTo(std::vector<MaskCell>& cells, CellRect rect) const {
     const int x1 = std::min(rect.x1, width_);
     if (x0 >= x1) return;
     for (int y = std::max(rect.y0, 0); y < std::min(rect.y1, height_); ++y) {
-        const auto to = cells.begin() + std::ptrdiff_t{y - rect.y0} * rect.width() + (x0 - rect.x0);
-        const auto from = cells_.begin() + static_cast<std::ptrdiff_t>(slot(x0, y));
-        std::copy(from, from + (x1 - x0), to);
+        auto to = cells.begin() + std::ptrdiff_t{y - rect.y0} * rect.width() + (x0 - rect.x0);
+        for (int x = x0; x < x1;) {
+            const int count = std::min(kSide - x % kSide, x1 - x);
+            const Chunk* from = chunks_[chunkOf(x, y)].get();
+            if (from == nullptr) {
+                std::fill_n(to, count, MaskCell{});
+            } else {
+                std::copy_n(from->begin() + static_cast<std::ptrdiff_t>(slot(x, y)), count, to);
+            }
+            x += count, to += count;
+        }
     }
 }
 

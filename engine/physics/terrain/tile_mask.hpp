@@ -1,7 +1,9 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "physics/terrain/tile_palette.hpp"
@@ -32,7 +34,8 @@ struct CellRect {
     friend constexpr bool operator==(CellRect, CellRect) = default;
 };
 
-/// A grid of cells and their palette: what a terrain is made from. Plain to copy and compare by its cells.
+/// A grid of cells and their palette: what a terrain is made from. Empty parts take no memory, and copies
+/// share what is alike in them.
 class TileMask {
 public:
     static constexpr int kMaxSide = 65536;
@@ -49,7 +52,11 @@ public:
     [[nodiscard]] bool has(int x, int y) const { return x >= 0 && y >= 0 && x < width_ && y < height_; }
 
     /// The cell; beyond the border, outside().
-    [[nodiscard]] MaskCell at(int x, int y) const { return has(x, y) ? cells_[slot(x, y)] : outside_; }
+    [[nodiscard]] MaskCell at(int x, int y) const {
+        if (!has(x, y)) return outside_;
+        const Chunk* chunk = chunks_[chunkOf(x, y)].get();
+        return chunk == nullptr ? MaskCell{} : (*chunk)[slot(x, y)];
+    }
 
     /// Beyond the border nothing happens.
     /// @return whether the cell is another one now
@@ -65,8 +72,15 @@ public:
     void copyTo(std::vector<MaskCell>& cells, CellRect rect) const;
 
 private:
-    [[nodiscard]] std::size_t slot(int x, int y) const {
-        return static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(x);
+    static constexpr int kSide = 32;  // cells of a chunk
+    using Chunk = std::array<MaskCell, std::size_t{kSide} * kSide>;
+
+    [[nodiscard]] std::size_t chunkOf(int x, int y) const {
+        return static_cast<std::size_t>(y / kSide) * static_cast<std::size_t>(columns_) +
+               static_cast<std::size_t>(x / kSide);
+    }
+    [[nodiscard]] static std::size_t slot(int x, int y) {
+        return static_cast<std::size_t>(y % kSide) * kSide + static_cast<std::size_t>(x % kSide);
     }
     [[nodiscard]] bool knows(MaskCell cell) const {
         return palette.hasForm(cell.form) && palette.hasMaterial(cell.material) &&
@@ -75,8 +89,10 @@ private:
 
     int width_ = 0;
     int height_ = 0;
+    int columns_ = 0;
     MaskCell outside_;
-    std::vector<MaskCell> cells_;
+    std::vector<std::shared_ptr<Chunk>>
+        chunks_;  // null: empty; shared with copies, so copied before a change
 };
 
 }  // namespace plumb::physics

@@ -80,7 +80,7 @@ TileGrid gridOf(const EntityImport& import, const Layer& layer, std::size_t tile
         cells[i] = cellOf(tile.id, tile.flags & kTileFlips);
     }
     TileGrid grid;
-    grid.replaceCells(layer.width, layer.height, std::move(cells));
+    grid.replaceCells(layer.width, layer.height, cells);
     return grid;
 }
 

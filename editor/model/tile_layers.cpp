@@ -1,0 +1,106 @@
+#include "editor/model/tile_layers.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "assets/asset_store.hpp"
+#include "scene/components/tile_collider.hpp"
+#include "scene/components/tile_layer.hpp"
+#include "scene/tile_bodies.hpp"
+#include "scene/world_transform.hpp"
+
+namespace plumb::editor {
+namespace {
+
+constexpr float kFarCell = 1e6f;  // cells; farther away is the same to us
+
+struct LayerPlace {
+    Vec2 origin;
+    Vec2 tile{16.0f, 16.0f};
+};
+
+LayerPlace placeOf(const Document& document, ObjectId layer) {
+    const EntityId entity = document.find(layer);
+    const Pose pose = worldPose(document.world, entity);
+    const TileLayer* tiles = document.world.find<TileLayer>(entity);
+    const Vec2 tile = tiles == nullptr ? Vec2{} : scaled(tileSizeOf(document.world, *tiles), pose.scale);
+    LayerPlace place{pose.position};
+    if (tile.x > 0.0f && tile.y > 0.0f) place.tile = tile;
+    return place;
+}
+
+const TileLayer* layerOf(const Document& document, ObjectId layer) {
+    return document.world.find<TileLayer>(document.find(layer));
+}
+
+}  // namespace
+
+ObjectId activeTileLayer(const Document& document, const TilePaint& paint) {
+    const auto isLayer = [&](ObjectId id) { return document.world.has<TileLayer>(document.find(id)); };
+    for (const ObjectId id : document.selection.all()) {
+        if (isLayer(id)) return id;
+    }
+    if (isLayer(paint.layer)) return paint.layer;
+    ObjectId first;
+    for (const ObjectId id : document.objects()) {
+        if (!isLayer(id)) continue;
+        if (document.world.has<TileCollider>(document.find(id))) return id;
+        if (!first) first = id;
+    }
+    return first;
+}
+
+std::vector<ObjectId> tileLayers(const Document& document) {
+    std::vector<ObjectId> layers;
+    for (const ObjectId id : document.objects()) {
+        if (document.world.has<TileLayer>(document.find(id))) layers.push_back(id);
+    }
+    // What stands later in the file is drawn over what has the same number.
+    std::reverse(layers.begin(), layers.end());
+    std::stable_sort(layers.begin(), layers.end(), [&](ObjectId a, ObjectId b) {
+        return layerOf(document, a)->layer > layerOf(document, b)->layer;
+    });
+    return layers;
+}
+
+const TileGrid* gridOf(const Document& document, ObjectId layer) {
+    const TileLayer* tiles = layerOf(document, layer);
+    return tiles == nullptr ? nullptr : document.world.tiles().find(tiles->cells);
+}
+
+const TileGrid* terrainOf(const Document& document, ObjectId layer) {
+    const TileLayer* tiles = layerOf(document, layer);
+    return tiles == nullptr ? nullptr : document.world.tiles().find(tiles->terrain);
+}
+
+const Tileset* tilesetOf(const Document& document, ObjectId layer) {
+    const TileLayer* tiles = layerOf(document, layer);
+    const auto* assets = document.world.service<AssetStore>();
+    return tiles == nullptr || assets == nullptr ? nullptr : assets->find(tiles->tileset);
+}
+
+CellPlace cellAt(const Document& document, ObjectId layer, Vec2 point) {
+    const LayerPlace place = placeOf(document, layer);
+    const auto index = [](float value) {
+        return static_cast<int>(std::floor(std::clamp(value, -kFarCell, kFarCell)));
+    };
+    const Vec2 local = point - place.origin;
+    return {index(local.x / place.tile.x), index(local.y / place.tile.y)};
+}
+
+CellPlace cornerAt(const Document& document, ObjectId layer, Vec2 point) {
+    return cellAt(document, layer, point + placeOf(document, layer).tile * 0.5f);
+}
+
+AABB boxOfCell(const Document& document, ObjectId layer, CellPlace cell) {
+    const LayerPlace place = placeOf(document, layer);
+    const Vec2 from =
+        place.origin + scaled({static_cast<float>(cell.x), static_cast<float>(cell.y)}, place.tile);
+    return {from, from + place.tile};
+}
+
+AABB boxOfCells(const Document& document, ObjectId layer, CellPlace a, CellPlace b) {
+    return merged(boxOfCell(document, layer, a), boxOfCell(document, layer, b));
+}
+
+}  // namespace plumb::editor

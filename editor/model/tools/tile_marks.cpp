@@ -1,0 +1,60 @@
+#include "editor/model/tools/tile_marks.hpp"
+
+#include <cstdlib>
+
+#include "core/text.hpp"
+
+namespace plumb::editor::marks {
+namespace {
+
+constexpr std::size_t kMostRuns = 4000;  // of selected cells that are drawn one by one
+
+}  // namespace
+
+void drawSelection(const ToolContext& context, ObjectId layer, Overlay& overlay) {
+    const std::vector<CellPlace>& cells = context.tiles.selected.all();
+    std::size_t runs = 0;
+    for (std::size_t first = 0; first < cells.size() && runs < kMostRuns; ++runs) {
+        std::size_t last = first;
+        while (last + 1 < cells.size() && cells[last + 1] == CellPlace{cells[last].x + 1, cells[last].y})
+            ++last;
+        const AABB box = boxOfCells(context.document, layer, cells[first], cells[last]);
+        overlay.filledBox(box, kSelectedFill);
+        const bool alone = runs == 0 && last + 1 == cells.size();
+        if (alone) overlay.box(box, kSelected, 1.5f);
+        first = last + 1;
+    }
+    const auto edge = [&](CellPlace cell, int dx, int dy) {
+        if (context.tiles.selected.has({cell.x + dx, cell.y + dy})) return;
+        const AABB box = boxOfCell(context.document, layer, cell);
+        const Vec2 from = dx > 0 ? Vec2{box.max.x, box.min.y} : dy > 0 ? Vec2{box.min.x, box.max.y} : box.min;
+        const Vec2 to = dx < 0 ? Vec2{box.min.x, box.max.y} : dy < 0 ? Vec2{box.max.x, box.min.y} : box.max;
+        overlay.line(from, to, kSelected, 1.5f);
+    };
+    for (std::size_t i = 0; i < cells.size() && i < kMostRuns; ++i) {
+        edge(cells[i], -1, 0), edge(cells[i], 1, 0), edge(cells[i], 0, -1), edge(cells[i], 0, 1);
+    }
+}
+
+void drawLayer(const ToolContext& context, ObjectId layer, Overlay& overlay) {
+    const TileGrid* grid = gridOf(context.document, layer);
+    if (grid == nullptr || grid->width() == 0 || grid->height() == 0) return;
+    const AABB box = boxOfCells(context.document, layer, {0, 0}, {grid->width() - 1, grid->height() - 1});
+    overlay.box(box, kLayer);
+    if (context.tiles.layers.locks(layer)) overlay.text(box.min, "locked: Ctrl+L unlocks", kErase);
+    if (context.tiles.layers.hides(layer)) overlay.text(box.min, "hidden: Ctrl+H shows it", kErase);
+    drawSelection(context, layer, overlay);
+}
+
+void drawSize(const AABB& box, CellPlace from, CellPlace to, Overlay& overlay) {
+    overlay.text(box.min, format("{} x {}", std::abs(to.x - from.x) + 1, std::abs(to.y - from.y) + 1),
+                 kCursor);
+}
+
+AABB cornerBox(const Document& document, ObjectId layer, CellPlace corner) {
+    const AABB box = boxOfCell(document, layer, corner);
+    const Vec2 half = box.size() * 0.5f;
+    return {box.min - half, box.min + half};
+}
+
+}  // namespace plumb::editor::marks

@@ -1,0 +1,267 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "editor/model/tileset_edit.hpp"
+#include "editor/ui/panels/tileset_panel.hpp"
+#include "editor/ui/ui_compat.hpp"
+#include "editor/ui/widgets/tile_picture.hpp"
+
+namespace plumb::editor::ui {
+namespace {
+
+constexpr std::array<const char*, 11> kShapeWords{
+    "Nothing to bodies",        "Solid",
+    "Solid from above only",    "Slope up to the right",
+    "Slope down to the right",  "Lower half of a slope up that takes two tiles",
+    "Upper half of that slope", "Upper half of a slope down that takes two tiles",
+    "Lower half of that slope", "Upper half solid",
+    "Lower half solid"};
+
+const Tile& firstOf(const Tileset& tileset, std::span<const int> chosen) {
+    static const Tile plain;
+    const Tile* known = chosen.empty() ? nullptr : tileset.find(chosen.front());
+    return known == nullptr ? plain : *known;
+}
+
+/// Whether the chosen tiles differ in something.
+template <class Get>
+bool isMixed(const Tileset& tileset, std::span<const int> chosen, Get get) {
+    return std::any_of(chosen.begin(), chosen.end(), [&](int tile) {
+        const std::array one{tile};
+        return !(get(firstOf(tileset, one)) == get(firstOf(tileset, chosen)));
+    });
+}
+
+/// Presses a change of all chosen tiles into one step.
+template <class Change>
+void changeTiles(Ui& ui, const char* label, std::span<const int> chosen, Change change) {
+    const std::vector<int> tiles{chosen.begin(), chosen.end()};
+    changeTileset(ui.workspace, label, [&](Tileset& set) {
+        for (const int tile : tiles) change(tileIn(set, tile));
+    });
+    ui.workspace.undo.endGesture();
+}
+
+bool shapeButton(Ui& ui, TileShape shape, bool on) {
+    const float side = ui.px(26.0f);
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const std::string_view name = tileShapeNames()[static_cast<std::size_t>(shape)];
+    const std::string path = "Tileset/collision/" + std::string{name};
+    const bool clicked = ImGui::InvisibleButton(path.c_str(), {side, side});
+    ui.widgets.mark(path, on ? "on" : "");
+    tooltip(kShapeWords[static_cast<std::size_t>(shape)]);
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    list.AddRectFilled(at, {at.x + side, at.y + side}, palette::kField, ui.px(3.0f));
+    const float inset = ui.px(5.0f);
+    const float room = side - 2.0f * inset;
+    Tile tile;
+    tile.shape = shape;
+    const std::vector<Vec2> points = outlineOf(tile, {room, room});
+    std::vector<ImVec2> corners;
+    for (const Vec2 point : points) corners.push_back({at.x + inset + point.x, at.y + inset + point.y});
+    const ImU32 color = on ? palette::kAccent : palette::kTextDim;
+    if (shape == TileShape::OneWay) {
+        list.AddLine({at.x + inset, at.y + inset + 1.0f}, {at.x + side - inset, at.y + inset + 1.0f}, color,
+                     2.0f);
+        list.AddTriangleFilled({at.x + side * 0.5f, at.y + side * 0.45f},
+                               {at.x + side * 0.32f, at.y + side * 0.75f},
+                               {at.x + side * 0.68f, at.y + side * 0.75f}, color);
+    } else if (corners.size() >= 3) {
+        list.AddConvexPolyFilled(corners.data(), static_cast<int>(corners.size()), color);
+    } else {
+        list.AddLine({at.x + inset, at.y + side - inset}, {at.x + side - inset, at.y + inset}, color, 1.5f);
+    }
+    if (on || ImGui::IsItemHovered())
+        outline(list, at, {at.x + side, at.y + side}, on ? palette::kAccent : palette::kTextDim, ui.px(3.0f),
+                1.5f);
+    return clicked;
+}
+
+void drawShapes(Ui& ui, const Tileset& tileset, std::span<const int> chosen) {
+    ImGui::TextDisabled("Collision");
+    const bool mixed = isMixed(tileset, chosen, [](const Tile& tile) { return tile.shape; });
+    const TileShape now = firstOf(tileset, chosen).shape;
+    for (std::size_t i = 0; i < kShapeWords.size(); ++i) {
+        const auto shape = static_cast<TileShape>(i);
+        if (i > 0) ImGui::SameLine(0.0f, ui.px(2.0f));
+        if (!shapeButton(ui, shape, !mixed && now == shape)) continue;
+        const std::vector<int> tiles{chosen.begin(), chosen.end()};
+        changeTileset(ui.workspace, "set collision", [&](Tileset& set) { setShape(set, tiles, shape); });
+        ui.workspace.undo.endGesture();
+    }
+}
+
+/// The corners of the first chosen tile's shape; a drag moves one, a double click on a side adds one, the
+/// right button takes one away.
+class PolygonEditor {
+public:
+    void draw(Ui& ui, const Tileset& tileset, std::span<const int> chosen) {
+        const Vec2 size{static_cast<float>(tileset.tileWidth), static_cast<float>(tileset.tileHeight)};
+        const float zoom = std::floor(ui.px(128.0f) / std::max(size.x, size.y));
+        const ImVec2 at = ImGui::GetCursorScreenPos();
+        from_ = {at.x, at.y};
+        zoom_ = zoom;
+        const bool clicked = ImGui::InvisibleButton("polygon", {size.x * zoom, size.y * zoom});
+        static_cast<void>(clicked);
+        ui.widgets.mark("Tileset/polygon", format("{}", points_.size()));
+        tooltip("Drag a corner; double click adds one, the right button takes one away.");
+        ImDrawList& list = *ImGui::GetWindowDrawList();
+        list.AddRectFilled(at, {at.x + size.x * zoom, at.y + size.y * zoom}, palette::kCanvas);
+        drawTile(ui, list, tileset, cellOf(chosen.front()), {from_, from_ + size * zoom});
+        if (grabbed_ < 0) points_ = outlineOf(firstOf(tileset, chosen), size);
+        const bool changed = edit(size);
+        drawPoints(list);
+        if (!changed) return;
+        const std::vector<int> tiles{chosen.begin(), chosen.end()};
+        changeTileset(ui.workspace, "shape collision",
+                      [&](Tileset& set) { setPolygon(set, tiles, points_); });
+        ui.workspace.undo.endGesture();
+    }
+
+private:
+    [[nodiscard]] Vec2 mouse(Vec2 size) const {
+        const ImVec2 at = ImGui::GetIO().MousePos;
+        const Vec2 point = (Vec2{at.x, at.y} - from_) / zoom_;
+        return {std::clamp(std::round(point.x), 0.0f, size.x), std::clamp(std::round(point.y), 0.0f, size.y)};
+    }
+    [[nodiscard]] int nearest(Vec2 point) const {
+        for (std::size_t i = 0; i < points_.size(); ++i) {
+            if (lengthSquared(points_[i] - point) <= 2.5f) return static_cast<int>(i);
+        }
+        return -1;
+    }
+    /// @return whether the shape is another one, for good
+    bool edit(Vec2 size) {
+        const Vec2 point = mouse(size);
+        if (ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(0) && nearest(point) < 0)
+            return insert(point);
+        if (ImGui::IsItemActivated()) grabbed_ = nearest(point);
+        if (ImGui::IsItemHovered() && ImGui::IsMouseClicked(1) && nearest(point) >= 0) {
+            points_.erase(points_.begin() + nearest(point));
+            return true;
+        }
+        if (grabbed_ < 0) return false;
+        points_[static_cast<std::size_t>(grabbed_)] = point;
+        if (ImGui::IsItemActive()) return false;
+        grabbed_ = -1;
+        return true;
+    }
+    /// Into the side that it is nearest to; without a shape, a triangle begins.
+    bool insert(Vec2 point) {
+        if (points_.size() < 3) {
+            points_ = {point, point + Vec2{6.0f, 0.0f}, point + Vec2{0.0f, 6.0f}};
+            return true;
+        }
+        std::size_t best = 0;
+        float least = 1e30f;
+        for (std::size_t i = 0; i < points_.size(); ++i) {
+            const Vec2 a = points_[i];
+            const Vec2 along = points_[(i + 1) % points_.size()] - a;
+            const float t =
+                std::clamp(dot(point - a, along) / std::max(lengthSquared(along), 1e-6f), 0.0f, 1.0f);
+            const float away = lengthSquared(a + along * t - point);
+            if (away < least) least = away, best = i;
+        }
+        points_.insert(points_.begin() + static_cast<std::ptrdiff_t>(best) + 1, point);
+        return true;
+    }
+    void drawPoints(ImDrawList& list) const {
+        const auto at = [&](std::size_t i) {
+            const Vec2 point = from_ + points_[i % points_.size()] * zoom_;
+            return ImVec2{point.x, point.y};
+        };
+        for (std::size_t i = 0; i < points_.size(); ++i) list.AddLine(at(i), at(i + 1), palette::kPlay, 2.0f);
+        for (std::size_t i = 0; i < points_.size(); ++i) list.AddCircleFilled(at(i), 4.0f, palette::kText);
+    }
+
+    std::vector<Vec2> points_;
+    Vec2 from_;
+    float zoom_ = 1.0f;
+    int grabbed_ = -1;
+};
+
+/// A number of all chosen tiles, written when Enter is pressed or the box is left.
+void drawNumber(Ui& ui, const Tileset& tileset, std::span<const int> chosen, const char* label,
+                float Tile::*member, float least, const char* words) {
+    const bool mixed = isMixed(tileset, chosen, [&](const Tile& tile) { return tile.*member; });
+    float value = firstOf(tileset, chosen).*member;
+    ImGui::SetNextItemWidth(ui.px(84.0f));
+    const char* shown = mixed ? "-" : value < 0.0f ? "as layer" : "%.2f";
+    ImGui::InputFloat(label, &value, 0.0f, 0.0f, shown);
+    ui.widgets.mark(std::string{"Tileset/"} + label, mixed ? "-" : format("{}", value));
+    tooltip(words);
+    if (ImGui::IsItemDeactivatedAfterEdit() && std::isfinite(value))
+        changeTiles(ui, "set tiles", chosen, [&](Tile& tile) { tile.*member = std::max(value, least); });
+}
+
+void drawProperties(Ui& ui, const Tileset& tileset, std::span<const int> chosen) {
+    static std::array<char, 64> name{};
+    static std::array<char, 128> value{};
+    ImGui::TextDisabled("Properties");
+    const std::vector<int> tiles{chosen.begin(), chosen.end()};
+    for (const TileProperty& property : firstOf(tileset, chosen).properties) {
+        ImGui::PushID(property.name.c_str());
+        ImGui::AlignTextToFramePadding();
+        ImGui::TextUnformatted(format("{} = {}", property.name, property.json).c_str());
+        ui.widgets.mark("Tileset/property/" + property.name, property.json);
+        ImGui::SameLine();
+        const bool gone = ImGui::SmallButton("x");
+        ui.widgets.mark("Tileset/property/" + property.name + "/remove");
+        ImGui::PopID();
+        if (!gone) continue;
+        const std::string removed = property.name;
+        changeTileset(ui.workspace, "remove property",
+                      [&](Tileset& set) { setProperty(set, tiles, removed, ""); });
+        ui.workspace.undo.endGesture();
+        return;
+    }
+    ImGui::SetNextItemWidth(ui.px(96.0f));
+    ImGui::InputTextWithHint("##name", "name", name.data(), name.size());
+    ui.widgets.mark("Tileset/newName");
+    ImGui::SameLine(0.0f, ui.px(4.0f));
+    ImGui::SetNextItemWidth(ui.px(96.0f));
+    ImGui::InputTextWithHint("##value", "true", value.data(), value.size());
+    ui.widgets.mark("Tileset/newValue");
+    ImGui::SameLine(0.0f, ui.px(4.0f));
+    const bool add = ImGui::Button("Add") && name[0] != 0;
+    ui.widgets.mark("Tileset/addProperty");
+    if (!add) return;
+    const std::string json = propertyJson(value.data());
+    changeTileset(ui.workspace, "add property",
+                  [&](Tileset& set) { setProperty(set, tiles, name.data(), json); });
+    ui.workspace.undo.endGesture();
+    name[0] = value[0] = 0;
+}
+
+}  // namespace
+
+void drawTileMeaning(Ui& ui, const Tileset& tileset, std::span<const int> chosen) {
+    static PolygonEditor polygon;
+    if (chosen.empty()) {
+        ImGui::TextWrapped("Choose tiles on the left: click, drag a box, Shift adds.");
+        return;
+    }
+    ImGui::TextUnformatted(chosen.size() == 1 ? format("Tile {}", chosen.front()).c_str()
+                                              : format("{} tiles", chosen.size()).c_str());
+    ui.widgets.mark("Tileset/chosen", format("{}", chosen.size()));
+    drawShapes(ui, tileset, chosen);
+    polygon.draw(ui, tileset, chosen);
+    ImGui::SameLine(0.0f, ui.px(10.0f));
+    ImGui::BeginGroup();
+    bool oneWay = firstOf(tileset, chosen).oneWay;
+    if (ImGui::Checkbox("one-way", &oneWay))
+        changeTiles(ui, "set one-way", chosen, [&](Tile& tile) { tile.oneWay = oneWay; });
+    ui.widgets.mark("Tileset/oneWay", oneWay ? "on" : "off");
+    tooltip("Solid only from above, whatever the shape.");
+    drawNumber(ui, tileset, chosen, "friction", &Tile::friction, -1.0f,
+               "0 is ice; -1 takes the TileCollider's.");
+    drawNumber(ui, tileset, chosen, "bounciness", &Tile::bounciness, -1.0f,
+               "Part of the speed that comes back; -1 takes the TileCollider's.");
+    drawNumber(ui, tileset, chosen, "probability", &Tile::probability, 0.0f,
+               "Weight among variants of terrain and in random painting; 0 is never chosen.");
+    ImGui::EndGroup();
+    drawProperties(ui, tileset, chosen);
+}
+
+}  // namespace plumb::editor::ui

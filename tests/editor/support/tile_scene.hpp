@@ -1,0 +1,36 @@
+#pragma once
+
+#include "editor/model/cell_selection.hpp"
+#include "tests/editor/support/editor_fixture.hpp"
+#include "tests/editor/support/terrain_set.hpp"
+
+namespace plumb::editor {
+
+/// The editor with one empty layer of 8 x 4 tiles of 16 px, at the origin, in the hand.
+class TileScene : public EditorFixture {
+protected:
+    TileScene() {
+        World& world = workspace.document.world;
+        auto& tiles = world.get<TileLayer>(workspace.document.find(layer()));
+        tiles.cells = world.tiles().add(TileGrid{8, 4});
+        workspace.tiles.layer = layer();
+    }
+    [[nodiscard]] ObjectId layer() const { return named("ground"); }
+    void useTileset(Tileset set) {
+        workspace.document.world.get<TileLayer>(workspace.document.find(layer())).tileset =
+            workspace.assets.addTileset("assets/made.tileset.json", std::move(set));
+    }
+    static Vec2 middleOf(int x, int y) {
+        return {static_cast<float>(x) * 16.0f + 8.0f, static_cast<float>(y) * 16.0f + 8.0f};
+    }
+    /// A drag with the tool in the hand.
+    void stroke(CellPlace from, CellPlace to, Pointer how = {}) {
+        how.position = middleOf(from.x, from.y);
+        workspace.tool().press(workspace.tools(), how);
+        how.position = middleOf(to.x, to.y);
+        workspace.tool().drag(workspace.tools(), how);
+        workspace.tool().release(workspace.tools(), how);
+    }
+};
+
+}  // namespace plumb::editor
