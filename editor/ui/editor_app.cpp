@@ -47,7 +47,7 @@ public:
             if (busy) {
                 window_->pollEvents(events);
             } else {
-                window_->waitEvents(events, 0.1);
+                window_->waitEvents(events, HotReload::kInterval);
             }
             if (!events.empty()) idleFrames_ = kIdleFrames;
             const double now = wallSeconds();

@@ -247,6 +247,7 @@ void EditorWindow::drawDialogs() {
     drawUnsaved();
     keep_.draw(ui_);
     safety_.draw(ui_);
+    import_.draw(ui_);
 }
 
 void EditorWindow::drawSceneChooser() {

@@ -14,7 +14,16 @@ namespace {
 constexpr float kToolbarHeight = 38.0f;  // px at scale 1
 constexpr float kStatusHeight = 24.0f;
 constexpr std::size_t kTilesTab = 0;  // among those at the bottom
-constexpr std::size_t kTilesetTab = 3;
+constexpr std::string_view kTallTabs[] = {"Tiles", "Tileset", "Assets", "Animation"};
+
+/// The titles of the panels at the bottom, as their tabs stand.
+std::vector<std::string_view> bottomTitles() {
+    std::vector<std::string_view> titles;
+    for (const PanelRow& row : panelTable()) {
+        if (row.dock == Dock::Bottom) titles.emplace_back(row.title);
+    }
+    return titles;
+}
 constexpr std::array kNudgeKeys{Key::Left, Key::Right, Key::Up, Key::Down};
 
 /// While a game plays, plain letters belong to it; what is left are function keys and Ctrl combinations.
@@ -96,6 +105,8 @@ void EditorWindow::frame(const FrameInput& input) {
     widgets_.beginFrame();
     handleKeys(events);
     playGame(input.seconds);
+    hotReload_.poll(ImGui::GetTime());
+    showAssetPanel();
     workspace_.tend(input.seconds);
     drawMenus();
 
@@ -116,6 +127,7 @@ void EditorWindow::handleKeys(std::span<const Event> events) {
     ui_.panHeld = !typing && !playing && feed_->held(Key::Space);
     for (const Event& event : events) {
         if (event.kind == EventKind::Quit) workspace_.request = WindowRequest::Quit;
+        if (event.kind == EventKind::FileDropped) bringIn(workspace_, event.text);
         if (playing && !typing && isForGame(event)) devices_.handle(event);
         if (event.kind != EventKind::KeyDown || typing) continue;
         if (anyPopupOpen()) {  // keys belong to the menu, and Esc leaves it
@@ -204,6 +216,13 @@ void EditorWindow::drawOverlayMenu() {
     ImGui::EndMenu();
 }
 
+void EditorWindow::showAssetPanel() {
+    if (workspace_.assetToEdit.empty()) return;
+    const std::vector<std::string_view> titles = bottomTitles();
+    const auto at = std::find(titles.begin(), titles.end(), "Animation");
+    if (at != titles.end()) bottomTab_ = static_cast<std::size_t>(at - titles.begin());
+}
+
 void EditorWindow::showTilesWhilePainting() {
     const bool painting = workspace_.paintsTiles();
     if (std::exchange(paintedTiles_, painting) == painting) return;
@@ -227,7 +246,10 @@ void EditorWindow::drawPanes(ImVec2 from, ImVec2 size) {
     ImGui::PopStyleVar();
 
     showTilesWhilePainting();
-    float& bottomPart = bottomTab_ == kTilesTab || bottomTab_ == kTilesetTab ? layout_.tiles : layout_.bottom;
+    const std::vector<std::string_view> titles = bottomTitles();
+    const std::string_view title = titles[std::min(bottomTab_, titles.size() - 1)];
+    const bool tall = std::find(std::begin(kTallTabs), std::end(kTallTabs), title) != std::end(kTallTabs);
+    float& bottomPart = tall ? layout_.tiles : layout_.bottom;
     const float gap = ui_.px(3.0f);
     const float left = std::floor(size.x * layout_.left);
     const float right = std::floor(size.x * layout_.right);

@@ -5,6 +5,8 @@
 #include <memory>
 #include <vector>
 
+#include "editor/model/assets/hot_reload.hpp"
+#include "editor/ui/dialogs/import_dialog.hpp"
 #include "editor/ui/dialogs/keep_dialog.hpp"
 #include "editor/ui/dialogs/safety_dialogs.hpp"
 #include "editor/ui/platform_feed.hpp"
@@ -61,6 +63,8 @@ private:
     void drawPanes(ImVec2 from, ImVec2 size);
     /// The palette comes with the first tile tool, and goes with the last.
     void showTilesWhilePainting();
+    /// The panel of a file that somebody wants to edit comes to the front.
+    void showAssetPanel();
     void drawPane(Dock dock, ImVec2 from, ImVec2 size);
     void splitter(const char* id, ImVec2 from, ImVec2 size, bool vertical, float& part, float whole,
                   float sign);
@@ -89,6 +93,8 @@ private:
     DeviceState devices_;
     KeepDialog keep_;
     SafetyDialogs safety_;
+    ImportDialog import_;
+    HotReload hotReload_{workspace_};
     std::function<void()> next_;  ///< what comes once the person said what to do with unsaved changes
     std::array<char, 64> newScene_{};
     std::string newSceneError_;

@@ -22,6 +22,8 @@ const std::array kRows{
            editable,
            ask<WindowRequest::ChooseBackup>},
     line("File"),
+    Action{"file.import", "File", "Import...", control(Key::I, true), always, ask<WindowRequest::Import>},
+    line("File"),
     Action{"file.quit", "File", "Quit", control(Key::Q), always, ask<WindowRequest::Quit>},
 };
 

@@ -3,6 +3,9 @@
 #include <algorithm>
 
 #include "core/text.hpp"
+#include "editor/model/assets/asset_catalog.hpp"
+#include "editor/model/commands/write_asset.hpp"
+#include "editor/model/workspace.hpp"
 
 namespace plumb::editor {
 namespace {
@@ -84,6 +87,31 @@ void ImportTask::again() {
     report_.reset();
     problem_.clear();
     list();
+}
+
+void bringIn(Workspace& workspace, const std::string& file) {
+    if (mayBeImported(file)) {
+        workspace.importFrom = file;
+        workspace.request = WindowRequest::Import;
+        return;
+    }
+    const std::string name = Path{file}.filename().string();
+    const Result<std::string> bytes = readFile(file);
+    if (assetKindOf(name) == AssetKind::None || !bytes || !workspace.canEdit()) {
+        workspace.notice = bytes ? format("{} is nothing that games load", name) : bytes.error().text();
+        return;
+    }
+    const std::string path = "assets/" + name;
+    std::error_code ignored;
+    if (std::filesystem::exists(workspace.project.root / path, ignored)) {
+        workspace.notice = format("There is a file {} already; rename one of them", path);
+        return;
+    }
+    workspace.undo.endGesture();
+    workspace.undo.push(std::make_unique<WriteAsset>(format("bring in {}", name), workspace.project.root,
+                                                     workspace.assets, path, *bytes));
+    workspace.undo.endGesture();
+    workspace.notice = format("Brought in {}", path);
 }
 
 }  // namespace plumb::editor

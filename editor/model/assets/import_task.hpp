@@ -56,4 +56,10 @@ private:
     std::string problem_;
 };
 
+class Workspace;
+
+/// Takes a file that was dropped onto the window: what other editors made is offered for import, pictures,
+/// sounds and fonts are copied into assets/ as one step of undo.
+void bringIn(Workspace& workspace, const std::string& file);
+
 }  // namespace plumb::editor

@@ -85,6 +85,8 @@ Result<Done> MoveAsset::moveFiles(const std::string& from, const std::string& to
     std::vector<Rewritten> files = rewritten(from, to);
     std::error_code failed;
     const Path target = edit_.root / to;
+    if (std::filesystem::exists(target, failed))
+        return Error{to, "there is such a file by now", "rename that one first"};
     std::filesystem::create_directories(target.parent_path(), failed);
     std::filesystem::rename(edit_.root / from, target, failed);
     if (failed) return Error{from, failed.message(), "check that the folder can be written"};
@@ -104,10 +106,13 @@ Result<Done> MoveAsset::moveFiles(const std::string& from, const std::string& to
     return Done{};
 }
 
-void MoveAsset::move(Document& document, const std::string& from, const std::string& to) {
-    if (const Result<Done> moved = moveFiles(from, to); !moved) return logError("Editor", moved.error());
+bool MoveAsset::move(Document& document, const std::string& from, const std::string& to) {
+    if (const Result<Done> moved = moveFiles(from, to); !moved) {
+        logError("Editor", moved.error());
+        return false;
+    }
     const SceneContext context = contextOf(edit_);
-    if (document.scenePath.empty()) return;
+    if (document.scenePath.empty()) return true;
     const std::string text = sceneToJson(document.world, context, document.scene);
     document.scenePath = movedPath(document.scenePath, from, to);
     if (edit_.prefabs != nullptr) edit_.prefabs->forget();
@@ -116,6 +121,7 @@ void MoveAsset::move(Document& document, const std::string& from, const std::str
     if (!loaded) logError("Editor", loaded.error());
     static_cast<void>(assets_.pollChanges(assets_.size()));
     if (written_) written_();
+    return true;
 }
 
 Result<Done> moveAsset(const PrefabEdit& edit, AssetStore& assets, std::string_view from, std::string_view to,

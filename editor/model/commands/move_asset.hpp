@@ -20,8 +20,10 @@ public:
               std::function<void()> written);
 
     [[nodiscard]] std::string label() const override;
-    void apply(Document& document) override { move(document, from_, to_); }
-    void revert(Document& document) override { move(document, to_, from_); }
+    void apply(Document& document) override { moved_ = move(document, from_, to_); }
+    void revert(Document& document) override {
+        if (moved_) moved_ = !move(document, to_, from_);
+    }
 
 private:
     /// A file that named the asset, with its bytes on both sides.
@@ -31,7 +33,8 @@ private:
         std::string after;
     };
 
-    void move(Document& document, const std::string& from, const std::string& to);
+    /// @return whether it worked
+    bool move(Document& document, const std::string& from, const std::string& to);
     Result<Done> moveFiles(const std::string& from, const std::string& to);
     std::vector<Rewritten> rewritten(const std::string& from, const std::string& to) const;
 
@@ -40,6 +43,7 @@ private:
     std::string from_;
     std::string to_;
     bool folder_ = false;
+    bool moved_ = false;
     std::function<void()> written_;
     std::vector<Rewritten> last_;  // what the last move wrote, to give the very bytes back
 };

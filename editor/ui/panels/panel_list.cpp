@@ -13,6 +13,8 @@ std::span<const PanelRow> panelTable() {
         PanelRow{"Console", Dock::Bottom, &makeConsolePanel},
         PanelRow{"History", Dock::Bottom, &makeHistoryPanel},
         PanelRow{"Tileset", Dock::Bottom, &makeTilesetPanel},
+        PanelRow{"Assets", Dock::Bottom, &makeAssetsPanel},
+        PanelRow{"Animation", Dock::Bottom, &makeAnimationPanel},
     };
     return kPanels;
 }

@@ -13,5 +13,7 @@ std::unique_ptr<Panel> makeConsolePanel();
 std::unique_ptr<Panel> makeTilesPanel();
 std::unique_ptr<Panel> makeTilesetPanel();
 std::unique_ptr<Panel> makeHistoryPanel();
+std::unique_ptr<Panel> makeAssetsPanel();
+std::unique_ptr<Panel> makeAnimationPanel();
 
 }  // namespace plumb::editor::ui

@@ -10,6 +10,7 @@
 #include "editor/ui/panels/panels.hpp"
 #include "editor/ui/scene_picture.hpp"
 #include "editor/ui/ui_compat.hpp"
+#include "editor/ui/widgets/scene_drop.hpp"
 #include "editor/ui/widgets/tile_picture.hpp"
 #include "editor/ui/widgets/timeline.hpp"
 #include "gameplay/components/mouse_drag.hpp"
@@ -42,6 +43,7 @@ public:
                                    ImGuiButtonFlags_MouseButtonRight);
         ui.widgets.mark("Viewport");
         from_ = {from.x, from.y};
+        dropIntoScene(ui, from_);
         offerMenu(ui);
         followGame(ui);
         lookAround(ui);

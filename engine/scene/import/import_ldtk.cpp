@@ -227,7 +227,8 @@ private:
         Json components = placed(plan);
         components["TileLayer"] = tilesJson(plan, file, std::move(cells), order, 1.0);
         if (solid) components["TileCollider"] = Json::object();
-        finish(plan, components, layer.tiles.empty());
+        // Without the picture of the tiles over them the values are all there is to see.
+        finish(plan, components, layer.tiles.empty() || tilesets_.picture(layer.tileset).width == 0);
         draft_.add(key + "/values", format("{} values", layer.name), std::move(components));
     }
 

@@ -1,0 +1,172 @@
+// Chooses a file of Tiled, LDtk or Aseprite, brings it in, and tells what came of it.
+
+#include "editor/ui/dialogs/import_dialog.hpp"
+
+#include <imgui.h>
+
+#include "core/text.hpp"
+#include "editor/ui/ui_compat.hpp"
+#include "editor/ui/widgets/text_field.hpp"
+
+namespace plumb::editor::ui {
+namespace {
+
+bool button(Ui& ui, const char* label, const std::string& path) {
+    const bool pressed = ImGui::Button(label, {ui.px(110.0f), 0.0f});
+    ui.widgets.mark(path);
+    ImGui::SameLine();
+    return pressed;
+}
+
+void beginButtons(Ui& ui) {
+    ImGui::SetCursorPosY(ImGui::GetWindowHeight() - ImGui::GetFrameHeight() - ui.px(12.0f));
+}
+
+void line(ImU32 color, const std::string& where, const std::string& what, const std::string& remedy) {
+    ImGui::PushStyleColor(ImGuiCol_Text, color);
+    ImGui::Bullet();
+    ImGui::TextWrapped("%s%s%s", where.c_str(), where.empty() ? "" : ": ", what.c_str());
+    ImGui::PopStyleColor();
+    if (remedy.empty()) return;
+    ImGui::Indent();
+    ImGui::PushStyleColor(ImGuiCol_Text, palette::kTextDim);
+    ImGui::TextWrapped("%s", remedy.c_str());
+    ImGui::PopStyleColor();
+    ImGui::Unindent();
+}
+
+}  // namespace
+
+void openSceneOrSay(Ui& ui, const std::string& path) {
+    Workspace& workspace = ui.workspace;
+    if (workspace.unsaved()) {
+        workspace.notice = format("Save the open scene first (Ctrl+S), then open {}", path);
+        return;
+    }
+    static_cast<void>(workspace.open(path).ok());
+    ui.viewReady = false;
+}
+
+void ImportDialog::begin(Ui& ui) {
+    Workspace& workspace = ui.workspace;
+    workspace.request = WindowRequest::None;
+    if (!task_) task_.emplace(workspace.project.root);
+    task_->again();
+    const Path wanted = std::exchange(workspace.importFrom, {});
+    task_->goTo(wanted.empty() ? task_->folder() : wanted);
+    place_ = (wanted.empty() ? task_->folder() : wanted).generic_string();
+    missing_.clear();
+    ImGui::OpenPopup("Import");
+}
+
+void ImportDialog::draw(Ui& ui) {
+    if (ui.workspace.request == WindowRequest::Import) begin(ui);
+    const ImVec2 display = ImGui::GetIO().DisplaySize;
+    const ImVec2 size{std::min(ui.px(640.0f), display.x * 0.96f), std::min(ui.px(460.0f), display.y * 0.9f)};
+    ImGui::SetNextWindowPos({(display.x - size.x) * 0.5f, (display.y - size.y) * 0.4f});
+    ImGui::SetNextWindowSize(size);
+    if (!ImGui::BeginPopupModal("Import", nullptr, ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove))
+        return;
+    if (task_->report()) {
+        drawReport(ui, *task_->report());
+    } else {
+        drawChooser(ui);
+    }
+    ImGui::EndPopup();
+}
+
+void ImportDialog::drawChooser(Ui& ui) {
+    ImGui::TextDisabled(
+        "A map of Tiled (.tmx, .tmj, .world), a project of LDtk (.ldtk) or a sheet of Aseprite "
+        "(.json). It stays as it is.");
+    if (ImGui::Button("Up")) task_->goUp(), place_ = task_->folder().generic_string();
+    ui.widgets.mark("Import/up");
+    tooltip("To the folder around this one");
+    ImGui::SameLine();
+    ImGui::SetNextItemWidth(-1.0f);
+    if (textField("##place", place_, ImGuiInputTextFlags_EnterReturnsTrue) && !task_->goTo(place_))
+        missing_ = format("There is no {}", place_);
+    ui.widgets.mark("Import/place", place_);
+    drawList(ui);
+    drawTarget(ui);
+    beginButtons(ui);
+    ImGui::BeginDisabled(task_->kind().empty());
+    if (button(ui, "Import", "Import/Import")) import(ui);
+    ImGui::EndDisabled();
+    if (button(ui, "Cancel", "Import/Cancel")) ImGui::CloseCurrentPopup();
+}
+
+void ImportDialog::drawList(Ui& ui) {
+    beginChild("files", {0.0f, -ui.px(106.0f)}, true);
+    if (task_->rows().empty()) ImGui::TextDisabled("Nothing here can be imported. Choose another folder.");
+    const std::string chosen = task_->file().filename().string();
+    for (const ImportRow& row : std::vector{task_->rows()}) {
+        ImGui::PushStyleColor(ImGuiCol_Text, row.folder ? palette::kTextDim : palette::kText);
+        const bool pressed = ImGui::Selectable((row.folder ? row.name + "/" : row.name).c_str(),
+                                               row.name == chosen, ImGuiSelectableFlags_AllowDoubleClick);
+        ImGui::PopStyleColor();
+        ui.widgets.mark("Import/" + row.name);
+        if (!pressed) continue;
+        task_->choose(row);
+        missing_.clear();
+        place_ = (task_->file().empty() ? task_->folder() : task_->file()).generic_string();
+        if (!row.folder && ImGui::IsMouseDoubleClicked(0) && !task_->kind().empty()) import(ui);
+    }
+    ImGui::EndChild();
+}
+
+void ImportDialog::drawTarget(Ui& ui) {
+    const bool none = task_->file().empty();
+    const std::string text = !missing_.empty()           ? missing_
+                             : !task_->problem().empty() ? task_->problem()
+                             : none                      ? "Choose a file."
+                             : task_->kind().empty()     ? "This is no file that can be imported."
+                             : task_->replaces() ? format("{}; replaces the one that is there", task_->kind())
+                                                 : std::string{task_->kind()};
+    const bool bad = !missing_.empty() || !task_->problem().empty() || (!none && task_->kind().empty());
+    ImGui::PushStyleColor(ImGuiCol_Text, bad                          ? palette::kError
+                                         : !none && task_->replaces() ? palette::kWarning
+                                                                      : palette::kTextDim);
+    ImGui::TextWrapped("%s", text.c_str());
+    ImGui::PopStyleColor();
+    ui.widgets.mark("Import/message", text);
+    if (none || task_->kind().empty()) return;
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextDisabled("Becomes");
+    ImGui::SameLine();
+    ImGui::SetNextItemWidth(-1.0f);
+    textField("##target", task_->target);
+    ui.widgets.mark("Import/target", task_->target);
+}
+
+void ImportDialog::import(Ui& ui) {
+    if (!task_->run()) return;
+    ui.workspace.notice = format("Imported {}", task_->report()->summary());
+    for (const Error& problem : task_->report()->problems) logWarning("Import", problem);
+}
+
+void ImportDialog::drawReport(Ui& ui, const ImportReport& report) {
+    ImGui::TextWrapped("%s: %s", report.from.c_str(), report.summary().c_str());
+    ui.widgets.mark("Import/summary", report.summary());
+    const bool clean = report.problems.empty();
+    ImGui::PushStyleColor(ImGuiCol_Text, clean ? palette::kPlay : palette::kWarning);
+    ImGui::TextUnformatted(clean ? "Nothing was left out."
+                                 : format("{} things are not as they were:", report.problems.size()).c_str());
+    ImGui::PopStyleColor();
+    beginChild("report", {0.0f, -ui.px(40.0f)}, true);
+    for (const Error& problem : report.problems)
+        line(palette::kWarning, problem.where, problem.what, problem.remedy);
+    for (const std::string& note : report.notes) line(palette::kTextDim, "", note, "");
+    ImGui::EndChild();
+    beginButtons(ui);
+    if (endsWith(report.scene, ".scene.json") && button(ui, "Open scene", "Import/Open")) {
+        ImGui::CloseCurrentPopup();
+        openSceneOrSay(ui, report.scene);
+    }
+    if (button(ui, "Copy report", "Import/Copy")) ui.workspace.clipboard = report.text();
+    tooltip("All lines as text, to send or to keep");
+    if (button(ui, "Import more", "Import/Again")) task_->again();
+    if (button(ui, "Close", "Import/Close")) ImGui::CloseCurrentPopup();
+}
+
+}  // namespace plumb::editor::ui

@@ -1,0 +1,284 @@
+#include <algorithm>
+#include <functional>
+
+#include "core/text.hpp"
+#include "editor/model/actions.hpp"
+#include "editor/model/assets/asset_browser.hpp"
+#include "editor/model/assets/place_asset.hpp"
+#include "editor/ui/dialogs/import_dialog.hpp"
+#include "editor/ui/panels/panels.hpp"
+#include "editor/ui/ui_compat.hpp"
+#include "editor/ui/widgets/asset_picture.hpp"
+#include "editor/ui/widgets/text_field.hpp"
+
+namespace plumb::editor::ui {
+namespace {
+
+constexpr float kTreeWidth = 170.0f;  // px at scale 1
+constexpr float kPictureSide = 76.0f;
+constexpr double kLookAgain = 0.5;  // s
+
+/// The end of a name that fits; what matters is most often at the beginning and the end.
+std::string fitted(std::string_view name, float width) {
+    if (ImGui::CalcTextSize(name.data(), name.data() + name.size()).x <= width) return std::string{name};
+    std::string text;
+    for (std::size_t keep = name.size(); keep > 2; --keep) {
+        text = std::string{name.substr(0, (keep + 1) / 2)} + ".." +
+               std::string{name.substr(name.size() - keep / 2)};
+        if (ImGui::CalcTextSize(text.c_str()).x <= width) break;
+    }
+    return text;
+}
+
+/// The files of the project: looked through, searched, dragged into the scene, renamed and deleted.
+class AssetsPanel final : public Panel {
+public:
+    void draw(Ui& ui) override {
+        AssetBrowser& browser = browserOf(ui);
+        if (const double now = ImGui::GetTime(); now >= nextLook_) {
+            browser.refresh();
+            nextLook_ = now + kLookAgain;
+        }
+        drawBar(ui, browser);
+        beginChild("folders", {ui.px(kTreeWidth), 0.0f}, false);
+        drawFolder(ui, browser, "");
+        ImGui::EndChild();
+        ImGui::SameLine();
+        beginChild("files", {0.0f, 0.0f}, false);
+        drawFiles(ui, browser);
+        ImGui::EndChild();
+        drawRename(ui, browser);
+        drawDelete(ui, browser);
+    }
+
+private:
+    AssetBrowser& browserOf(Ui& ui) {
+        if (!browser_) browser_ = std::make_unique<AssetBrowser>(ui.workspace);
+        return *browser_;
+    }
+
+    void drawBar(Ui& ui, AssetBrowser& browser) {
+        ImGui::SetNextItemWidth(ui.px(kTreeWidth));
+        if (textField("##search", browser.search, 0, "Search")) browser.selected.clear();
+        ui.widgets.mark("Assets/search", browser.search);
+        ImGui::SameLine();
+        ImGui::AlignTextToFramePadding();
+        const std::string place = !browser.search.empty()  ? "found in the whole project"
+                                  : browser.folder.empty() ? ui.workspace.project.name
+                                                           : browser.folder;
+        ImGui::TextDisabled("%s", place.c_str());
+        ImGui::SameLine(ImGui::GetWindowWidth() - ui.px(90.0f));
+        if (ImGui::Button("Import...")) runAction(ui.workspace, "file.import");
+        ui.widgets.mark("Assets/Import");
+        tooltip("A map of Tiled, a project of LDtk or a sheet of Aseprite");
+    }
+
+    void drawFolder(Ui& ui, AssetBrowser& browser, const std::string& folder) {
+        const std::vector<AssetItem> inside = browser.catalog().in(folder);
+        const bool leaf =
+            std::none_of(inside.begin(), inside.end(), [](const AssetItem& item) { return item.folder; });
+        ImGuiTreeNodeFlags flags = ImGuiTreeNodeFlags_OpenOnArrow | ImGuiTreeNodeFlags_SpanAvailWidth;
+        if (leaf) flags |= ImGuiTreeNodeFlags_Leaf;
+        if (folder == browser.folder && browser.search.empty()) flags |= ImGuiTreeNodeFlags_Selected;
+        if (folder.empty() || folder == "assets") flags |= ImGuiTreeNodeFlags_DefaultOpen;
+        const std::string name = folder.empty() ? "Project" : folder.substr(folder.rfind('/') + 1);
+        const bool open = ImGui::TreeNodeEx(folder.empty() ? "/" : folder.c_str(), flags, "%s", name.c_str());
+        ui.widgets.mark("Assets/folder/" + (folder.empty() ? std::string{"Project"} : folder));
+        if (ImGui::IsItemClicked() && !ImGui::IsItemToggledOpen()) browser.enter(folder);
+        if (const std::string dropped = acceptAsset(hovering_); !dropped.empty())
+            browser.moveInto(dropped, folder);
+        if (!open) return;
+        for (const AssetItem& item : inside) {
+            if (item.folder) drawFolder(ui, browser, item.path);
+        }
+        ImGui::TreePop();
+    }
+
+    void drawFiles(Ui& ui, AssetBrowser& browser) {
+        const std::vector<AssetItem> items = browser.shown();
+        if (items.empty()) {
+            ImGui::TextWrapped(browser.search.empty() ? "This folder is empty."
+                                                      : "No file has this in its name.");
+            ImGui::TextDisabled("Put pictures and sounds here with any program; they appear at once.");
+            return;
+        }
+        const float side = ui.px(kPictureSide);
+        const float step = side + ui.px(12.0f);
+        const int columns = std::max(static_cast<int>((ImGui::GetContentRegionAvail().x) / step), 1);
+        for (int i = 0; i < static_cast<int>(items.size()); ++i) {
+            if (i % columns != 0) ImGui::SameLine(static_cast<float>(i % columns) * step);
+            drawItem(ui, browser, items[static_cast<std::size_t>(i)], side);
+        }
+        if (ImGui::IsMouseClicked(0) && ImGui::IsWindowHovered() && !ImGui::IsAnyItemHovered())
+            browser.selected.clear();
+        if (ImGui::IsWindowFocused() && !ImGui::GetIO().WantTextInput) keys(browser);
+    }
+
+    void keys(AssetBrowser& browser) {
+        if (browser.selected.empty()) return;
+        if (ImGui::IsKeyPressed(imguiKey(Key::F2))) rename_ = browser.selected;
+        if (ImGui::IsKeyPressed(imguiKey(Key::Delete))) delete_ = browser.selected;
+    }
+
+    void drawItem(Ui& ui, AssetBrowser& browser, const AssetItem& item, float side) {
+        ImGui::PushID(item.path.c_str());
+        const ImVec2 at = ImGui::GetCursorScreenPos();
+        const float line = ImGui::GetTextLineHeight();
+        ImGui::InvisibleButton("item", {side, side + line + ui.px(4.0f)});
+        ui.widgets.mark("Assets/" + item.path, nameOfKind(item.kind));
+        const bool hovered = ImGui::IsItemHovered();
+        if (hovered && ImGui::IsMouseClicked(0)) browser.selected = item.path;
+        if (hovered && ImGui::IsMouseDoubleClicked(0)) open(ui, browser, item);
+        itemMenu(ui, browser, item);
+        if (!item.folder && ImGui::BeginDragDropSource()) {
+            ImGui::SetDragDropPayload(kAssetPayload, item.path.c_str(), item.path.size() + 1);
+            ImGui::TextUnformatted(item.path.c_str());
+            ImGui::EndDragDropSource();
+        }
+        if (hovered && hoveredPath_ != item.path) hoveredPath_ = item.path, hoveredSince_ = ImGui::GetTime();
+        ImDrawList& list = *ImGui::GetWindowDrawList();
+        const ImVec2 to{at.x + side, at.y + side};
+        const bool chosen = item.path == browser.selected;
+        list.AddRectFilled(at, to, palette::kCanvas, ui.px(4.0f));
+        const float inset = ui.px(4.0f);
+        const AABB box{{at.x + inset, at.y + inset}, {to.x - inset, to.y - inset}};
+        const double playing = hovered ? ImGui::GetTime() - hoveredSince_ : 0.0;
+        if (item.folder) {
+            drawFolderSign(list, box);
+        } else if (ImGui::IsRectVisible(at, to)) {
+            drawAsset(ui, list, item.kind, item.path, box, playing);
+        }
+        if (chosen || hovered)
+            outline(list, at, to, chosen ? palette::kAccent : IM_COL32(255, 255, 255, 70), ui.px(4.0f),
+                    chosen ? 2.0f : 1.0f);
+        const std::string name = fitted(item.name(), side);
+        const float width = ImGui::CalcTextSize(name.c_str()).x;
+        list.AddText({at.x + (side - width) * 0.5f, to.y + ui.px(2.0f)},
+                     chosen ? palette::kText : palette::kTextDim, name.c_str());
+        if (hovered) tooltip(format("{}\n{}", item.path, item.folder ? "folder" : browser.describe(item)));
+        ImGui::PopID();
+    }
+
+    static void drawFolderSign(ImDrawList& list, const AABB& box) {
+        const Vec2 size = box.size();
+        const Vec2 from = box.min + Vec2{size.x * 0.14f, size.y * 0.26f};
+        const Vec2 to = box.max - Vec2{size.x * 0.14f, size.y * 0.22f};
+        const ImU32 color = IM_COL32(214, 178, 96, 255);
+        list.AddRectFilled({from.x, from.y - size.y * 0.08f}, {from.x + size.x * 0.32f, to.y}, color, 3.0f);
+        list.AddRectFilled({from.x, from.y}, {to.x, to.y}, color, 3.0f);
+    }
+
+    void itemMenu(Ui& ui, AssetBrowser& browser, const AssetItem& item) {
+        if (!ImGui::BeginPopupContextItem("menu")) return;
+        browser.selected = item.path;
+        const auto entry = [&](const char* label, bool enabled, const std::function<void()>& then) {
+            const bool chosen = ImGui::MenuItem(label, nullptr, false, enabled);
+            ui.widgets.mark(std::string{"Assets/menu/"} + label);
+            if (chosen) then();
+        };
+        entry("Open",
+              item.folder || item.kind == AssetKind::Scene || item.kind == AssetKind::Animation ||
+                  item.kind == AssetKind::Texture,
+              [&] { open(ui, browser, item); });
+        entry("Add to the scene", canBePlaced(item.kind) && ui.workspace.canEdit(),
+              [&] { browser.place(item.path, ui.workspace.view.view().center); });
+        ImGui::Separator();
+        entry("Rename...", true, [&] { rename_ = item.path; });
+        entry("Delete...", true, [&] { delete_ = item.path; });
+        entry("Copy path", true, [&] { ui.workspace.clipboard = item.path; });
+        ImGui::EndPopup();
+    }
+
+    static void open(Ui& ui, AssetBrowser& browser, const AssetItem& item) {
+        if (item.folder) return browser.enter(item.path);
+        if (item.kind == AssetKind::Scene) return openSceneOrSay(ui, item.path);
+        if (item.kind == AssetKind::Animation || item.kind == AssetKind::Texture) {
+            ui.workspace.assetToEdit = item.path;
+        } else {
+            ui.workspace.notice = format("Drag {} into the scene", item.name());
+        }
+    }
+
+    void drawRename(Ui& ui, AssetBrowser& browser) {
+        if (!rename_.empty() && !ImGui::IsPopupOpen("Rename file")) {
+            ImGui::OpenPopup("Rename file");
+            subject_ = std::exchange(rename_, {});
+            newPath_ = subject_;
+            uses_ = browser.usesOf(subject_);
+            error_.clear();
+        }
+        if (!ImGui::BeginPopupModal("Rename file", nullptr, ImGuiWindowFlags_AlwaysAutoResize)) return;
+        ImGui::TextDisabled("Its new path in the project");
+        if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
+        ImGui::SetNextItemWidth(ui.px(380.0f));
+        bool done = textField("##path", newPath_, ImGuiInputTextFlags_EnterReturnsTrue);
+        ui.widgets.mark("Rename/path", newPath_);
+        drawUses("Nothing names it yet.",
+                 "These files name it; they will be rewritten, and undo takes all of it back:");
+        drawError();
+        done |= ImGui::Button("Rename", {ui.px(110.0f), 0.0f});
+        ui.widgets.mark("Rename/Rename");
+        ImGui::SameLine();
+        if (ImGui::Button("Cancel", {ui.px(110.0f), 0.0f})) ImGui::CloseCurrentPopup();
+        ui.widgets.mark("Rename/Cancel");
+        if (done && (error_ = browser.rename(subject_, newPath_)).empty()) ImGui::CloseCurrentPopup();
+        ImGui::EndPopup();
+    }
+
+    void drawDelete(Ui& ui, AssetBrowser& browser) {
+        if (!delete_.empty() && !ImGui::IsPopupOpen("Delete file")) {
+            ImGui::OpenPopup("Delete file");
+            subject_ = std::exchange(delete_, {});
+            uses_ = browser.usesOf(subject_);
+            error_.clear();
+        }
+        if (!ImGui::BeginPopupModal("Delete file", nullptr, ImGuiWindowFlags_AlwaysAutoResize)) return;
+        ImGui::TextUnformatted(format("Delete {}?  Ctrl+Z puts it back.", subject_).c_str());
+        drawUses("Nothing names it.", "These files name it and would show a placeholder:");
+        drawError();
+        if (ImGui::Button("Delete", {ui.px(110.0f), 0.0f}) && (error_ = browser.remove(subject_)).empty())
+            ImGui::CloseCurrentPopup();
+        ui.widgets.mark("Delete/Delete");
+        ImGui::SameLine();
+        if (ImGui::Button("Keep", {ui.px(110.0f), 0.0f})) ImGui::CloseCurrentPopup();
+        ui.widgets.mark("Delete/Keep");
+        ImGui::EndPopup();
+    }
+
+    void drawUses(const char* none, const char* some) const {
+        ImGui::PushStyleColor(ImGuiCol_Text, uses_.empty() ? palette::kTextDim : palette::kWarning);
+        ImGui::TextUnformatted(uses_.empty() ? none : some);
+        ImGui::PopStyleColor();
+        constexpr std::size_t kMost = 12;
+        for (std::size_t i = 0; i < std::min(uses_.size(), kMost); ++i)
+            ImGui::BulletText("%s", format("{}{}", uses_[i].file,
+                                           uses_[i].times > 1 ? format("  ({} times)", uses_[i].times) : "")
+                                        .c_str());
+        if (uses_.size() > kMost) ImGui::TextDisabled("and %zu more", uses_.size() - kMost);
+    }
+
+    void drawError() const {
+        ImGui::PushStyleColor(ImGuiCol_Text, palette::kError);
+        if (!error_.empty()) ImGui::TextUnformatted(error_.c_str());
+        ImGui::PopStyleColor();
+        ImGui::Spacing();
+    }
+
+    std::unique_ptr<AssetBrowser> browser_;
+    double nextLook_ = 0.0;
+    std::string hoveredPath_;
+    double hoveredSince_ = 0.0;
+    std::string hovering_;
+    std::string rename_;  ///< asked for in this frame
+    std::string delete_;
+    std::string subject_;
+    std::string newPath_;
+    std::vector<AssetUse> uses_;
+    std::string error_;
+};
+
+}  // namespace
+
+std::unique_ptr<Panel> makeAssetsPanel() { return std::make_unique<AssetsPanel>(); }
+
+}  // namespace plumb::editor::ui
