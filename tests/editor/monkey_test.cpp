@@ -1,15 +1,30 @@
 // Random actions on real projects: nothing crashes, undoing everything brings the file back byte for byte,
-// and redoing everything what was made of it. PLUMB_MONKEY says how many actions; the seed is in the report.
+// and redoing everything what was made of it. PLUMB_MONKEY says how many actions on each project,
+// PLUMB_MONKEY_SEED where the seeds begin. A failure prints its seed and the fewest actions that lead to it.
 
 #include "tests/editor/support/monkey.hpp"
 
-#include <map>
+#include <numeric>
 
-#include "scene/components/transform.hpp"
+#include "tests/editor/support/monkey_life.hpp"
 #include "tests/editor/support/project_copy.hpp"
 
 namespace plumb::editor::ui {
 namespace {
+
+constexpr int kActionsOfOneLife = 2500;
+constexpr double kShrinkSeconds = 120.0;
+
+/// Where two texts part, for people.
+std::string difference(const std::string& wanted, const std::string& found) {
+    const auto size = std::min(wanted.size(), found.size());
+    const auto at = static_cast<std::size_t>(
+        std::mismatch(wanted.begin(), wanted.begin() + static_cast<std::ptrdiff_t>(size), found.begin())
+            .first -
+        wanted.begin());
+    const std::size_t from = at > 200 ? at - 200 : 0;
+    return format("\nwanted: ...{}\nfound: ...{}", wanted.substr(from, 300), found.substr(from, 300));
+}
 
 /// The text of the scene before its first change, and how far undo went since then.
 class Beginning {
@@ -24,21 +39,22 @@ public:
             if (known_) text_ = workspace_.text();
         }
     }
-    void expectUndoneAndRedone() {
-        if (workspace_.document.scenePath.empty()) return;
+    /// @return what is wrong after undoing and redoing all; empty when nothing is
+    std::string undoneAndRedone() {
+        if (workspace_.document.scenePath.empty()) return {};
         UndoStack& undo = workspace_.undo;
         const std::size_t position = undo.size();
         const std::string after = workspace_.text();
         undo.jumpTo(0);
         const std::string start = workspace_.text();
-        if (known_) {
-            ASSERT_EQ(start, text_) << "undoing everything";
-        }
+        if (known_ && start != text_) return "undoing everything" + difference(text_, start);
         undo.jumpTo(undo.total());
         undo.jumpTo(0);
-        ASSERT_EQ(workspace_.text(), start) << "undoing everything again";
+        if (workspace_.text() != start)
+            return "undoing everything again" + difference(start, workspace_.text());
         undo.jumpTo(position);
-        ASSERT_EQ(workspace_.text(), after) << "redoing everything";
+        if (workspace_.text() != after) return "redoing everything" + difference(after, workspace_.text());
+        return {};
     }
 
 private:
@@ -48,49 +64,108 @@ private:
     bool known_ = false;
 };
 
-void letLoose(const std::string& project, std::string_view scene, std::uint64_t seed, int actions) {
-    SCOPED_TRACE(format("{} with seed {}", project, seed));
-    ProjectCopy copy{project, scene};
-    Workspace& workspace = copy.workspace();
-    workspace.assets.logging = false;
-    LogBook log;
-    EditorWindow window{workspace, log, nullptr, Path{PLUMB_SOURCE_DIR} / "assets/fonts"};
-    Monkey monkey{workspace, window, seed};
-    Beginning beginning{workspace};
-    std::vector<std::string> last;
-    std::size_t changes = 0, plays = 0;
-    for (int i = 1; i <= actions; ++i) {
-        const std::uint64_t before = workspace.document.sceneRevision;
-        last.push_back(monkey.act());
-        changes += workspace.document.sceneRevision != before ? 1 : 0;
-        plays += workspace.play.running() && workspace.play.ticks() > 0 ? 1 : 0;
-        beginning.look();
-        if (workspace.document.objectCount() > 400) workspace.undo.jumpTo(workspace.undo.size() / 2);
-        if (i % 250 != 0 && i != actions) continue;
-        monkey.calm();
-        beginning.look();
-        ASSERT_NO_FATAL_FAILURE(beginning.expectUndoneAndRedone())
-            << "after action " << i << "; the last ones: " << last[last.size() - 1] << ", "
-            << last[last.size() - 2];
-        if (workspace.document.scenePath.empty() || i % 1000 == 0) {
-            ASSERT_TRUE(workspace.open(format("scenes/{}.scene.json", scene)).ok());
-        }
+/// A monkey in front of a real project.
+class Cage {
+public:
+    Cage(const std::string& project, std::string_view scene, std::uint64_t seed)
+        : scene_{format("scenes/{}.scene.json", scene)},
+          copy_{project, scene},
+          monkey_{workspace(), window_, seed},
+          beginning_{workspace()} {
+        workspace().assets.logging = false;
     }
-    EXPECT_GT(changes, static_cast<std::size_t>(actions) / 12) << "it hardly changes anything";
-    EXPECT_GT(plays, static_cast<std::size_t>(actions) / 50) << "it hardly plays";
+    /// @return what it was
+    std::string act(std::uint64_t number) {
+        const std::uint64_t before = workspace().document.sceneRevision;
+        std::string what = monkey_.act(number);
+        changes_ += workspace().document.sceneRevision != before ? 1 : 0;
+        plays_ += workspace().play.running() && workspace().play.ticks() > 0 ? 1 : 0;
+        beginning_.look();
+        if (workspace().document.objectCount() > 400) workspace().undo.jumpTo(workspace().undo.size() / 2);
+        return what;
+    }
+    std::string check() {
+        monkey_.calm();
+        beginning_.look();
+        return beginning_.undoneAndRedone();
+    }
+    void startOver() { static_cast<void>(workspace().open(scene_).ok()), beginning_.look(); }
+    [[nodiscard]] bool lostTheScene() { return workspace().document.scenePath.empty(); }
+    /// @return what it did too little of; empty for an honest monkey
+    [[nodiscard]] std::string idle(std::size_t actions) const {
+        if (changes_ < actions / 12) return format("it hardly changes anything: {} of {}", changes_, actions);
+        if (plays_ < actions / 50) return format("it hardly plays: {} of {}", plays_, actions);
+        return {};
+    }
+
+private:
+    Workspace& workspace() { return copy_.workspace(); }
+
+    std::string scene_;
+    ProjectCopy copy_;
+    LogBook log_;
+    EditorWindow window_{copy_.workspace(), log_, nullptr, Path{PLUMB_SOURCE_DIR} / "assets/fonts"};
+    Monkey monkey_;
+    Beginning beginning_;
+    std::size_t changes_ = 0, plays_ = 0;
+};
+
+std::string live(const std::string& project, std::string_view scene, std::uint64_t seed,
+                 const std::vector<std::uint64_t>& numbers, const test::Lives::Tell& tell) {
+    setLogSink([](const LogLine&) {});
+    Cage cage{project, scene, seed};
+    for (const std::uint64_t number : numbers) {
+        tell(std::to_string(number));  // before it is done: it may be the last one
+        const std::string what = cage.act(number);
+        tell("  " + what);
+        if (number % 250 != 0) continue;
+        if (std::string wrong = cage.check(); !wrong.empty()) return wrong;
+        if (cage.lostTheScene() || number % 1000 == 0) cage.startOver();
+    }
+    if (std::string wrong = cage.check(); !wrong.empty()) return wrong;
+    return numbers.size() < kActionsOfOneLife ? std::string{} : cage.idle(numbers.size());
 }
 
-TEST(Monkey, whateverIsDoneToThePlatformerIsUndoneByteForByte) {
+void letLoose(const std::string& project, std::string_view scene) {
     const int actions = fromEnvironment("PLUMB_MONKEY", 5000);
-    for (std::uint64_t part = 0; part * 5000 < static_cast<std::uint64_t>(actions); ++part)
-        ASSERT_NO_FATAL_FAILURE(letLoose("platformer", "level1", part + 1, std::min(actions, 5000)));
+    auto seed = static_cast<std::uint64_t>(fromEnvironment("PLUMB_MONKEY_SEED", 1));
+    for (int done = 0; done < actions; done += kActionsOfOneLife, ++seed) {
+        test::Lives lives{
+            [&](const auto& numbers, const auto& tell) { return live(project, scene, seed, numbers, tell); }};
+        std::vector<std::uint64_t> numbers(static_cast<std::size_t>(std::min(actions, kActionsOfOneLife)));
+        std::iota(numbers.begin(), numbers.end(), std::uint64_t{1});
+        const std::string wrong = lives.live(numbers);
+        if (wrong.empty()) continue;
+        const auto fewest = lives.shortest(numbers, kShrinkSeconds);
+        const std::string again = lives.live(fewest);
+        std::string list;
+        for (const std::string& line : lives.told()) list += line + "\n";
+        FAIL() << project << " with seed " << seed << ": " << wrong << "\nwith the fewest actions: " << again
+               << "\n"
+               << list;
+    }
 }
+
+TEST(Monkey, whateverIsDoneToThePlatformerIsUndoneByteForByte) { letLoose("platformer", "level1"); }
 
 TEST(Monkey, whateverIsDoneToThePlaygroundIsUndoneByteForByte) {
-    const int actions = fromEnvironment("PLUMB_MONKEY", 5000);
-    for (std::uint64_t part = 0; part * 5000 < static_cast<std::uint64_t>(actions); ++part)
-        ASSERT_NO_FATAL_FAILURE(
-            letLoose("physics-playground", "softbodies", part + 1, std::min(actions, 5000)));
+    letLoose("physics-playground", "softbodies");
+}
+
+TEST(Monkey, ofManyActionsOnlyThoseAreToldThatLeadToTheFailure) {
+    test::Lives lives{[](const std::vector<std::uint64_t>& numbers, const test::Lives::Tell& tell) {
+        bool armed = false;
+        for (const std::uint64_t number : numbers) {
+            tell(std::to_string(number));
+            armed |= number == 17;
+            if (armed && number == 61) std::abort();
+        }
+        return std::string{};
+    }};
+    std::vector<std::uint64_t> numbers(100);
+    std::iota(numbers.begin(), numbers.end(), std::uint64_t{1});
+    EXPECT_EQ(lives.live(numbers), "killed by signal 6");
+    EXPECT_EQ(lives.shortest(numbers, 30.0), (std::vector<std::uint64_t>{17, 61}));
 }
 
 }  // namespace

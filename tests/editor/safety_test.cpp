@@ -1,5 +1,6 @@
 #include "editor/model/actions.hpp"
 #include "editor/model/safety/safety_net.hpp"
+#include "editor/model/safety/scene_differences.hpp"
 #include "tests/editor/support/editor_fixture.hpp"
 #include "tests/editor/support/hands.hpp"
 
@@ -201,6 +202,65 @@ TEST_F(Safety, aFileThatIsGoneIsSavedAgain) {
     EXPECT_TRUE(workspace.unsaved());
     ASSERT_TRUE(workspace.save().ok());
     EXPECT_EQ(fileText(), kSceneText);
+}
+
+TEST_F(Safety, whatDiffersIsToldByNameAndFieldBeforeAnythingIsDecided) {
+    leaveJournal(changedText());
+    workspace.safety.begin();
+    hands.rest(3);
+    hands.click("Recovery/0/look");
+    hands.rest(2);
+    ASSERT_TRUE(shows("Recovery/differences"));
+    EXPECT_EQ(window.widgets().find("Recovery/differences")->value,
+              "crate: Transform.position was [200,64], is [201,64]");
+    EXPECT_EQ(workspace.text(), kSceneText) << "looking decides nothing";
+    hands.click("Recovery/0/discard");
+    hands.rest(3);
+
+    createOne();
+    putFile(kScene, changedText());
+    hands.rest(70);
+    hands.click("Changed/compare");
+    hands.rest(2);
+    ASSERT_TRUE(shows("Changed/differences"));
+    EXPECT_EQ(window.widgets().find("Changed/differences")->value, "new entity is not there any more");
+}
+
+TEST_F(Safety, mineIsSavedBesideAndTheirsIsLoaded) {
+    workspace.safety.begin();
+    createOne();
+    const std::string mine = workspace.text();
+    putFile(kScene, changedText());
+    putFile("scenes/level.mine.scene.json", "taken");
+    hands.rest(70);
+    hands.click("Changed/beside");
+    hands.rest(3);
+    EXPECT_EQ(fileText("scenes/level.mine2.scene.json"), mine);
+    EXPECT_EQ(fileText("scenes/level.mine.scene.json"), "taken");
+    EXPECT_EQ(workspace.text(), changedText());
+    EXPECT_FALSE(shows("Changed/theirs"));
+}
+
+TEST_F(Safety, aCrashInTheMiddleOfSavingOffersNothingThatIsOlderThanTheFile) {
+    workspace.safety.begin();
+    createOne();
+    workspace.safety.tend(2.0), workspace.safety.finish();
+    createOne();
+    workspace.safety.saving();  // and then the file is written, and the program is killed
+    ASSERT_EQ(journals().size(), 1u);
+    const std::string journal = fileText(".plumb/" + journals()[0]);
+    EXPECT_EQ(journal.substr(journal.find('\n') + 1), workspace.text());
+}
+
+TEST(SceneDifferences, areToldByNameAndField) {
+    const std::string text{kSceneText};
+    EXPECT_EQ(sceneDifferences(text, text).size(), 1u);
+    EXPECT_EQ(sceneDifferences(text, "{").size(), 1u);
+    EXPECT_EQ(sceneDifferences("{\"a\":1,\"b\":2,\"c\":3}", "{}", 2),
+              (std::vector<std::string>{"scene: a was 1, is not there any more",
+                                        "scene: b was 2, is not there any more", "and 1 more"}));
+    EXPECT_EQ(sceneDifferences("{}", "{\"entities\": [{\"id\": \"1\", \"name\": \"hut\"}]}"),
+              std::vector<std::string>{"hut is new"});
 }
 
 TEST_F(Safety, aWrongClickOnDiscardCostsNothing) {

@@ -98,7 +98,14 @@ void SafetyNet::opened() {
     onDisk_ = FileWatch::State::Same;
 }
 
-void SafetyNet::saving() { backups.keep(workspace_.document.scenePath); }
+/// The journal first: wherever the program is killed while the file is written, one of the two has the text,
+/// and a journal that is left behind says what the file says, so that it is not offered.
+void SafetyNet::saving() {
+    journal_.finish();
+    journal_.tend(workspace_.document, workspace_.undo, now_ + Journal::kMostSeconds);
+    journal_.finish();
+    backups.keep(workspace_.document.scenePath);
+}
 
 void SafetyNet::saved() {
     journal_.forget();

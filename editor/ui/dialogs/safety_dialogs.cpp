@@ -3,6 +3,8 @@
 #include <algorithm>
 
 #include "core/text.hpp"
+#include "editor/model/safety/save_beside.hpp"
+#include "editor/model/safety/scene_differences.hpp"
 #include "editor/ui/ui_compat.hpp"
 
 namespace plumb::editor::ui {
@@ -19,6 +21,8 @@ void centerNext(ImVec2 size) {
     ImGui::SetNextWindowSize(size);
 }
 
+constexpr float kListHeight = 190.0f;  // px at scale 1, of differences
+
 bool accentButton(const char* label, ImVec2 size) {
     ImGui::PushStyleColor(ImGuiCol_Button, palette::kAccentSoft);
     const bool pressed = ImGui::Button(label, size);
@@ -32,6 +36,18 @@ void SafetyDialogs::draw(Ui& ui) {
     drawRecovery(ui);
     drawChanged(ui);
     drawBackups(ui);
+}
+
+void SafetyDialogs::compare(std::string_view file, std::string_view other) {
+    differences_ = sceneDifferences(file, other);
+}
+
+void SafetyDialogs::drawDifferences(Ui& ui, const char* path) const {
+    if (differences_.empty()) return;
+    beginChild(path, {0.0f, ui.px(kListHeight - 10.0f)}, true);
+    for (const std::string& line : differences_) ImGui::TextUnformatted(line.c_str());
+    ImGui::EndChild();
+    ui.widgets.mark(path, differences_.front());
 }
 
 void SafetyDialogs::chooseBackup(Ui& ui) {
@@ -75,7 +91,8 @@ void SafetyDialogs::drawRecovery(Ui& ui) {
     if (!recovering_) ImGui::OpenPopup(kRecovery);
     recovering_ = true;
     const float rows = std::min(static_cast<float>(safety.lost().size()), 6.0f);
-    const ImVec2 size{ui.px(560.0f), ui.px(150.0f + 34.0f * rows)};
+    const float list = differences_.empty() ? 0.0f : kListHeight;
+    const ImVec2 size{ui.px(620.0f), ui.px(150.0f + 34.0f * rows + list)};
     centerNext(size);
     if (!ImGui::BeginPopupModal(kRecovery, nullptr, kFixed)) {
         later_ = true;
@@ -84,7 +101,7 @@ void SafetyDialogs::drawRecovery(Ui& ui) {
     ImGui::TextWrapped(
         "The editor ended without saving. The files are as you saved them last; this is newer:");
     ImGui::Spacing();
-    beginChild("lost", {0.0f, -ui.px(40.0f)}, false);
+    beginChild("lost", {0.0f, -ui.px(40.0f + list)}, false);
     for (std::size_t i = 0; i < safety.lost().size(); ++i) {
         const LostWork& work = safety.lost()[i];
         ImGui::PushID(static_cast<int>(i));
@@ -94,7 +111,15 @@ void SafetyDialogs::drawRecovery(Ui& ui) {
         ImGui::SameLine(ui.px(250.0f));
         ImGui::TextDisabled("%s", work.when.c_str());
         const ImVec2 button{ui.px(84.0f), 0.0f};
-        ImGui::SameLine(ImGui::GetWindowContentRegionMax().x - 2.0f * button.x - ui.px(8.0f));
+        const ImVec2 wide{ui.px(104.0f), 0.0f};
+        ImGui::SameLine(ImGui::GetWindowContentRegionMax().x - 2.0f * button.x - wide.x - ui.px(16.0f));
+        if (ImGui::Button("Look at both", wide)) {
+            const Result<std::string> file = readFile(ui.workspace.project.root / work.scene);
+            compare(file ? *file : std::string{}, work.text);
+        }
+        ui.widgets.mark(format("Recovery/{}/look", i));
+        tooltip("Lists what differs from the file.");
+        ImGui::SameLine(0.0f, ui.px(8.0f));
         const bool recover = accentButton("Recover", button);
         ui.widgets.mark(format("Recovery/{}/recover", i));
         tooltip("Opens it as it was, not saved; the file stays until you save.");
@@ -108,10 +133,12 @@ void SafetyDialogs::drawRecovery(Ui& ui) {
             if (const Result<Done> done = recover ? safety.recover(i) : Done{}; !done)
                 ui.workspace.notice = done.error().text();
             if (recover) ui.viewReady = false;
+            differences_.clear();
             break;
         }
     }
     ImGui::EndChild();
+    drawDifferences(ui, "Recovery/differences");
     if (ImGui::Button("Later", {ui.px(110.0f), 0.0f})) later_ = true;
     ui.widgets.mark("Recovery/later");
     tooltip("Asks again when the project is opened the next time.");
@@ -125,7 +152,7 @@ void SafetyDialogs::drawChanged(Ui& ui) {
     if (workspace.safety.onDisk() != FileWatch::State::Changed || workspace.play.running() || recovering_)
         return;
     if (!ImGui::IsPopupOpen(kChanged)) ImGui::OpenPopup(kChanged);
-    const ImVec2 size{ui.px(500.0f), ui.px(170.0f)};
+    const ImVec2 size{ui.px(580.0f), ui.px(170.0f + (differences_.empty() ? 0.0f : kListHeight))};
     centerNext(size);
     if (!ImGui::BeginPopupModal(kChanged, nullptr, kFixed)) return;
     ImGui::TextWrapped("%s was changed on the disk since you opened or saved it.",
@@ -135,6 +162,7 @@ void SafetyDialogs::drawChanged(Ui& ui) {
                                   ? "You have changes too that are not saved. Whichever you choose, the other"
                                   : "You have changed nothing since. Whichever you choose, the other");
     ImGui::TextDisabled("one stays among the backups.");
+    drawDifferences(ui, "Changed/differences");
     ImGui::SetCursorPosY(size.y - ui.px(40.0f));
     const ImVec2 button{ui.px(130.0f), 0.0f};
     const bool theirs = accentButton("Load theirs", button);
@@ -142,9 +170,30 @@ void SafetyDialogs::drawChanged(Ui& ui) {
     ImGui::SameLine();
     const bool mine = ImGui::Button("Keep mine", button);
     ui.widgets.mark("Changed/mine");
+    ImGui::SameLine();
+    bool beside = ImGui::Button("Save mine beside", button);
+    ui.widgets.mark("Changed/beside");
+    tooltip("Yours becomes a scene of its own; here is theirs.");
+    ImGui::SameLine();
+    if (ImGui::Button("Compare", button)) {
+        const Result<std::string> file = readFile(workspace.project.root / workspace.document.scenePath);
+        compare(workspace.text(), file ? *file : std::string{});
+    }
+    ui.widgets.mark("Changed/compare");
+    tooltip("Lists what theirs has that yours has not.");
+    if (beside) {
+        const Result<Path> file = saveBeside(workspace);
+        if (file) workspace.safety.takeTheirs();
+        beside = file.ok();
+        workspace.notice =
+            file ? format("Yours is in {}; this is theirs", file->filename().string()) : file.error().text();
+    }
     if (theirs) workspace.safety.takeTheirs();
     if (mine) workspace.safety.keepMine();
-    if (theirs || mine) ImGui::CloseCurrentPopup();
+    if (theirs || mine || beside) {
+        differences_.clear();
+        ImGui::CloseCurrentPopup();
+    }
     ImGui::EndPopup();
 }
 

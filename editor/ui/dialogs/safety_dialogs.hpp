@@ -1,5 +1,8 @@
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include "editor/ui/ui.hpp"
 
 namespace plumb::editor::ui {
@@ -16,7 +19,12 @@ private:
     void drawChanged(Ui& ui);
     void drawBackups(Ui& ui);
 
+    /// What differs between two texts of a scene, in a list that stays until the question is answered.
+    void compare(std::string_view file, std::string_view other);
+    void drawDifferences(Ui& ui, const char* path) const;
+
     std::vector<Backup> backups_;
+    std::vector<std::string> differences_;  ///< empty until they were asked for
     bool recovering_ = false;
     bool later_ = false;  ///< Esc: asked again when the project is opened the next time
 };

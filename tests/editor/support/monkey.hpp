@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "core/hash.hpp"
 #include "core/random.hpp"
 #include "core/text.hpp"
 #include "editor/model/actions.hpp"
@@ -18,10 +19,13 @@ namespace plumb::editor::ui {
 class Monkey {
 public:
     Monkey(Workspace& workspace, EditorWindow& window, std::uint64_t seed)
-        : workspace_{workspace}, window_{window}, random_{Random::seeded(seed)} {}
+        : workspace_{workspace}, window_{window}, seed_{seed}, random_{Random::seeded(seed)} {}
 
+    /// The same number does the same to the same editor, whatever was done before: so a run can be repeated
+    /// with numbers left out.
     /// @return what it was, for the report of a failure
-    std::string act() {
+    std::string act(std::uint64_t number) {
+        random_ = Random::seeded(mixBits(seed_) + number);
         if (workspace_.play.running() && below(8) == 0) return stop();
         const std::uint32_t chance = below(100);
         if (chance < 42) return anyAction();
@@ -222,6 +226,7 @@ private:
 
     Workspace& workspace_;
     EditorWindow& window_;
+    std::uint64_t seed_;
     Random random_;
     Vec2 at_;
 };

@@ -1,0 +1,107 @@
+#include "editor/model/safety/scene_differences.hpp"
+
+#include <map>
+
+#include "core/text.hpp"
+#include "reflect/json.hpp"
+#include "reflect/json_text.hpp"
+
+namespace plumb::editor {
+namespace {
+
+constexpr std::size_t kLongestValue = 48;  // characters
+
+std::string shortText(const Json& value) {
+    std::string text = value.dump(-1, ' ', false, Json::error_handler_t::replace);
+    if (text.size() <= kLongestValue) return text;
+    text.resize(kLongestValue);
+    while (!text.empty() && !isUtf8(text)) text.pop_back();
+    return text + "...";
+}
+
+class Comparison {
+public:
+    std::vector<std::string> lines;
+
+    void compare(const std::string& where, const Json& before, const Json& after) {
+        if (before == after) return;
+        if (!before.is_object() || !after.is_object()) {
+            lines.push_back(format("{} was {}, is {}", where, shortText(before), shortText(after)));
+            return;
+        }
+        for (const auto& [key, value] : before.items()) {
+            const auto other = after.find(key);
+            if (other != after.end()) {
+                compare(join(where, key), value, *other);
+            } else {
+                lines.push_back(
+                    format("{} was {}, is not there any more", join(where, key), shortText(value)));
+            }
+        }
+        for (const auto& [key, value] : after.items()) {
+            if (!before.contains(key))
+                lines.push_back(format("{} is new: {}", join(where, key), shortText(value)));
+        }
+    }
+
+private:
+    /// "crate: Transform.position": the entity, then the way into it; "components" says nothing to a person.
+    static std::string join(const std::string& where, const std::string& key) {
+        if (key == "components") return where;
+        return where + (where.find(": ") == std::string::npos ? ": " : ".") + key;
+    }
+};
+
+std::string nameOf(const Json& entity, const std::string& id) {
+    const auto name = entity.find("name");
+    return name != entity.end() && name->is_string() ? name->get<std::string>() : id;
+}
+
+std::map<std::string, Json> entitiesOf(Json& scene) {
+    std::map<std::string, Json> found;
+    const auto list = scene.find("entities");
+    if (list == scene.end() || !list->is_array()) return found;
+    for (Json& entity : *list) {
+        const auto id = entity.is_object() ? entity.find("id") : entity.end();
+        if (entity.is_object() && id != entity.end() && id->is_string()) {
+            std::string key = id->get<std::string>();
+            found.emplace(std::move(key), std::move(entity));
+        }
+    }
+    scene.erase("entities");
+    return found;
+}
+
+}  // namespace
+
+std::vector<std::string> sceneDifferences(std::string_view before, std::string_view after, std::size_t most) {
+    Result<Json> old = parseJson(before, "before");
+    Result<Json> now = parseJson(after, "after");
+    if (!old || !now || !old->is_object() || !now->is_object()) return {"one of them is no scene"};
+    std::map<std::string, Json> oldEntities = entitiesOf(*old);
+    std::map<std::string, Json> entities = entitiesOf(*now);
+    Comparison comparison;
+    for (const auto& [id, entity] : oldEntities) {
+        if (!entities.contains(id))
+            comparison.lines.push_back(format("{} is not there any more", nameOf(entity, id)));
+    }
+    for (const auto& [id, entity] : entities) {
+        const auto other = oldEntities.find(id);
+        if (other == oldEntities.end()) {
+            comparison.lines.push_back(format("{} is new", nameOf(entity, id)));
+        } else {
+            comparison.compare(nameOf(entity, id), other->second, entity);
+        }
+    }
+    comparison.compare("scene", *old, *now);
+    std::vector<std::string>& lines = comparison.lines;
+    if (lines.empty()) lines.push_back("only the order of entities differs, or nothing");
+    if (lines.size() > most) {
+        const std::size_t more = lines.size() - most;
+        lines.resize(most);
+        lines.push_back(format("and {} more", more));
+    }
+    return lines;
+}
+
+}  // namespace plumb::editor
