@@ -165,11 +165,10 @@ TEST_F(Handles, oneKeyMeansAnotherToolForTilesThanForEntities) {
     EXPECT_EQ(toolTable()[workspace.toolIndex()].action, "tool.erase");
 }
 
-TEST_F(Handles, everyActionStandsInAMenu) {
+TEST_F(Handles, everyActionIsFoundInAMenuOrByAKey) {
     for (const Action& action : actionTable()) {
-        EXPECT_FALSE(action.menu.empty()) << action.id;
+        EXPECT_TRUE(!action.menu.empty() || action.shortcut.key != Key::None) << action.id;
         if (action.id.empty()) continue;
-        EXPECT_NE(action.shortcut.key, Key::None) << action.id;
         EXPECT_EQ(findAction(action.id), &action);
     }
 }
