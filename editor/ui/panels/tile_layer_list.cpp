@@ -123,7 +123,7 @@ void drawTileLayerList(Ui& ui) {
     Workspace& workspace = ui.workspace;
     const ObjectId active = activeTileLayer(workspace.document, workspace.tiles);
     ImGui::TextDisabled("Layers");
-    ImGui::SameLine(ImGui::GetContentRegionAvail().x - ui.px(84.0f));
+    ImGui::SameLine(ImGui::GetContentRegionAvail().x - ui.px(104.0f));
     orderButton(ui, " + ", "layer.add");
     ImGui::SameLine(0.0f, ui.px(3.0f));
     orderButton(ui, "up", "layer.raise");

@@ -52,7 +52,7 @@ private:
             return;
         }
         drawTerrains(ui, *tileset);
-        ImGui::SetNextItemWidth(ui.px(150.0f));
+        ImGui::SetNextItemWidth(ui.px(112.0f));
         ImGui::InputTextWithHint("##search", "Search tiles", search_.data(), search_.size());
         ui.widgets.mark("Tiles/search");
         tooltip("By number, collision, material, or a property's name or value.");
