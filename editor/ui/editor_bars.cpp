@@ -1,5 +1,6 @@
 // The bars of the window and its questions; the rest is in editor_window.cpp.
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/text.hpp"
@@ -79,7 +80,9 @@ void EditorWindow::drawToolbar(float height) {
     toolButton("view.snap", workspace_.grid.snap, workspace_.grid.snap ? palette::kAccent : palette::kText);
 
     const float side = ui_.px(31.0f);
-    ImGui::SameLine(std::floor(display.x * 0.5f - side * 1.5f));
+    // In the middle, or behind the tools where those need the room.
+    const float end = ImGui::GetItemRectMax().x + ui_.px(14.0f);
+    ImGui::SameLine(std::max(std::floor(display.x * 0.5f - side * 1.5f), end));
     const bool running = workspace_.play.running();
     toolButton("run.play", false, running ? palette::kError : palette::kPlay);
     toolButton("run.pause", workspace_.play.paused(), palette::kText);
