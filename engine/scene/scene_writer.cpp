@@ -13,6 +13,7 @@
 #include "scene/components/name.hpp"
 #include "scene/components/prefab_instance.hpp"
 #include "scene/components/scene_entity.hpp"
+#include "scene/components/transform.hpp"
 #include "scene/loaded_scene.hpp"
 #include "scene/prefab_placing.hpp"
 #include "scene/scene_file.hpp"
@@ -61,6 +62,14 @@ void SceneWriter::addKeptFields(const TypeInfo& type, const void* object, const 
     }
 }
 
+/// Where an entity stands is always written, the default too: so moving it is a change of one line of the file.
+void SceneWriter::addPosition(const TypeInfo& type, const void* transform, Json& fields) const {
+    constexpr std::string_view kPosition = "position";
+    if (fields.contains(kPosition)) return;
+    auto& list = *fields.get_ptr<Json::object_t*>();
+    list.insert(list.begin(), {std::string{kPosition}, fieldToJson(*type.find(kPosition), transform, fields_)});
+}
+
 Json SceneWriter::componentsOf(EntityId entity, const PrefabEntity* base, PartContext* parts,
                                const KeptEntity* kept) const {
     Json components = Json::object();
@@ -75,6 +84,8 @@ Json SceneWriter::componentsOf(EntityId entity, const PrefabEntity* base, PartCo
                                                   PrefabValue{*saved.type, &*inPrefab, *parts}.get(), fields_)
                                 : componentToJson(*saved.type, object, saved.defaults.get(), fields_);
         if (kept != nullptr) addKeptFields(*saved.type, object, *kept, fields);
+        if (saved.type->key == typeKey<Transform>() && !world_.has<PrefabPart>(entity))
+            addPosition(*saved.type, object, fields);
         if (!overrides || !fields.empty()) list.emplace_back(name, std::move(fields));
     }
 

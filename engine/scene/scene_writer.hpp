@@ -36,6 +36,7 @@ private:
     [[nodiscard]] std::vector<Item> itemsInOrder() const;
     [[nodiscard]] const KeptEntity* keptOf(std::uint64_t id) const;
     void addKeptFields(const TypeInfo& type, const void* object, const KeptEntity& kept, Json& fields) const;
+    void addPosition(const TypeInfo& type, const void* transform, Json& fields) const;
     void addKeptKeys(const KeptEntity& kept, Json& json) const;
     void addName(EntityId entity, std::string_view inPrefab, const KeptEntity* kept, Json& json) const;
     Json entityToJson(const Item& item);

@@ -1,11 +1,16 @@
 #include "scene/import/import_tiled.hpp"
 
+#include <map>
+
 #include <gtest/gtest.h>
 
+#include "assets/autotile.hpp"
 #include "core/text.hpp"
 #include "platform/image_file.hpp"
 #include "reflect/json.hpp"
 #include "reflect/json_text.hpp"
+#include "scene/tiles_json.hpp"
+#include "tests/support/foreign_maps.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace plumb {
@@ -123,6 +128,87 @@ TEST_F(ImportTiledTest, theColorKeyBecomesTransparent) {
     ASSERT_TRUE(image.ok());
     EXPECT_EQ(image->rgba[3], 0);
     EXPECT_EQ(image->rgba[7], 255);
+}
+
+TEST_F(ImportTiledTest, wangSetsBecomeTerrainsOneForEachColor) {
+    ASSERT_TRUE(
+        writeFile(folder_.path / "art/level.tmx",
+                  R"(<map orientation="orthogonal" width="1" height="1" tilewidth="16" tileheight="16">
+ <tileset firstgid="1" name="land" tilewidth="16" tileheight="16"><image source="sheet.png"/>
+  <tile id="1" probability="0.25"/>
+  <wangsets><wangset name="shore" type="corner" tile="-1">
+    <wangcolor name="grass" color="#80ff0000" tile="-1" probability="1"/>
+    <wangcolor name="" color="#0000ff" tile="-1" probability="1"/>
+    <wangtile tileid="0" wangid="0,1,0,1,0,1,0,1"/><wangtile tileid="1" wangid="0,1,0,2,0,2,0,1"/></wangset>
+   <wangset name="fence" type="edge" tile="-1"><wangcolor name="" color="#00ff00" tile="-1" probability="1"/>
+    <wangtile tileid="2" wangid="1,0,0,0,1,0,0,0"/></wangset>
+   <wangset name="wall" type="mixed" tile="-1"><wangcolor name="brick" color="#00ff00" tile="-1" probability="1"/>
+    <wangtile tileid="3" wangid="1,1,1,1,0,0,0,0"/></wangset></wangsets></tileset>
+ <layer name="ground" width="1" height="1"><data encoding="csv">1</data></layer></map>)")
+            .ok());
+    const Result<ImportReport> report = import();
+    ASSERT_TRUE(report.ok()) << report.error().text();
+
+    const Json tileset = read(project_ / "assets/level/land.tileset.json");
+    using N = Neighbour;
+    const auto tilesOf = [&](std::size_t terrain) {
+        std::vector<std::pair<int, int>> tiles;
+        for (const Json& tile : tileset["terrains"][terrain]["tiles"])
+            tiles.emplace_back(tile["tile"], tile["mask"]);
+        return tiles;
+    };
+    using Tiles = std::vector<std::pair<int, int>>;
+    const Json& terrains = tileset["terrains"];
+    ASSERT_EQ(terrains.size(), 4u);
+    EXPECT_EQ(terrains[0]["name"], "grass");
+    EXPECT_EQ(terrains[0]["color"], "#ff0000");
+    EXPECT_EQ(terrains[0]["mode"], "corners");
+    EXPECT_EQ(tilesOf(0), (Tiles{{0, N::kCorners}}));
+    // A tile of both colors belongs to the later one, which has no name but the set's.
+    EXPECT_EQ(terrains[1]["name"], "shore");
+    EXPECT_EQ(tilesOf(1), (Tiles{{1, N::kDownRight | N::kDownLeft}}));
+    EXPECT_EQ(terrains[2]["mode"], "edges");
+    EXPECT_EQ(tilesOf(2), (Tiles{{2, N::kUp | N::kDown}}));
+    // A corner counts only between two sides: the one below right goes.
+    EXPECT_EQ(terrains[3]["mode"], "blob");
+    EXPECT_EQ(tilesOf(3), (Tiles{{3, N::kUp | N::kUpRight | N::kRight}}));
+    EXPECT_EQ(tileset["tiles"][0]["probability"], 0.25f);
+}
+
+/// Tiles that its terrains choose for a map that was painted in Tiled have the masks of those that were
+/// there.
+TEST_F(ImportTiledTest, aMapOfTiledIsPaintedAgainByItsTerrains) {
+    const std::vector<Path> maps = test::foreignMaps({"desert.tmx"});
+    if (maps.empty()) GTEST_SKIP() << "Tiled's example desert.tmx is not on this machine (Debian: tiled)";
+    const Result<ImportReport> report = importTiled(maps.front(), scene_);
+    ASSERT_TRUE(report.ok()) << report.error().text();
+    const std::string file = "assets/level/Desert.tileset.json";
+    std::vector<Error> problems;
+    const Result<Tileset> tileset = parseTileset(*readFile(project_ / file), file, problems);
+    ASSERT_TRUE(tileset.ok()) << tileset.error().text();
+    EXPECT_TRUE(problems.empty());
+    std::map<int, std::pair<int, int>> meaning;  // of a tile: its terrain and its mask
+    for (const Terrain& terrain : tileset->terrains) {
+        for (const TerrainTile& tile : terrain.tiles) meaning[tile.tile] = {terrain.id, tile.mask};
+    }
+    const Json ground = entity("Ground");
+    const Result<ReadTiles> read = tilesFromJson(ground["components"]["TileLayer"]["cells"]);
+    ASSERT_TRUE(read.ok());
+    const TileGrid& cells = read->grid;
+    const TileGrid terrain = terrainFromTiles(cells, *tileset);
+    const Autotile autotile{*tileset};
+    int compared = 0;
+    for (int y = 0; y < cells.height(); ++y) {
+        for (int x = 0; x < cells.width(); ++x) {
+            const auto was = meaning.find(tileOf(cells.at(x, y)));
+            if (was == meaning.end()) continue;
+            const std::optional<TileCell> is = autotile.cellAt(terrain, x, y);
+            ASSERT_TRUE(is.has_value());
+            EXPECT_EQ(meaning[tileOf(*is)], was->second) << x << ", " << y;
+            ++compared;
+        }
+    }
+    EXPECT_GT(compared, 1000);
 }
 
 TEST_F(ImportTiledTest, aMissingPictureIsToldAndTheMapComesInAllTheSame) {

@@ -47,44 +47,52 @@ bool drawFrame(Ui& ui, const Tileset& tileset, TileFrame& frame, std::size_t ind
     return stays;
 }
 
+class TileAnimationPage final : public TilesetPage {
+public:
+    void draw(Ui& ui, const Tileset& tileset, std::span<const int> chosen) override {
+        if (chosen.empty()) {
+            ImGui::TextWrapped(
+                "Choose the tile that moves, then with Shift its other frames, in their order.");
+            return;
+        }
+        const int tile = chosen.front();
+        const Tile* known = tileset.find(tile);
+        const bool typing = ImGui::IsAnyItemActive() && edited_ == tile;
+        if (!typing) frames_ = known == nullptr ? std::vector<TileFrame>{} : known->animation;
+        edited_ = tile;
+        drawPreview(ui, tileset, tile);
+        ImGui::SameLine();
+        ImGui::BeginGroup();
+        ImGui::TextUnformatted(format("Tile {}, {} frames", tile, frames_.size()).c_str());
+        ui.widgets.mark("Tileset/frames", format("{}", frames_.size()));
+        const bool make = ImGui::Button("Chosen tiles as frames");
+        ui.widgets.mark("Tileset/makeFrames");
+        tooltip("The chosen tiles, in the order in which they were chosen, become the frames of the first.");
+        ImGui::EndGroup();
+        bool changed = false;
+        for (std::size_t i = 0; i < frames_.size(); ++i) {
+            if (drawFrame(ui, tileset, frames_[i], i, changed)) continue;
+            frames_.erase(frames_.begin() + static_cast<std::ptrdiff_t>(i));
+            changed = true;
+            break;
+        }
+        if (make) {
+            frames_.clear();
+            for (const int frame : chosen) frames_.push_back({frame, kSeconds});
+            changed = true;
+        }
+        if (!changed) return;
+        setFrames(ui, tile, frames_);
+        ui.workspace.undo.endGesture();
+    }
+
+private:
+    std::vector<TileFrame> frames_;  // as they are being typed
+    int edited_ = -1;                // the tile that they are of
+};
+
 }  // namespace
 
-void drawTileAnimation(Ui& ui, const Tileset& tileset, std::span<const int> chosen) {
-    static std::vector<TileFrame> frames;
-    static int edited = -1;
-    if (chosen.empty()) {
-        ImGui::TextWrapped("Choose the tile that moves, then with Shift its other frames, in their order.");
-        return;
-    }
-    const int tile = chosen.front();
-    const Tile* known = tileset.find(tile);
-    const bool typing = ImGui::IsAnyItemActive() && edited == tile;
-    if (!typing) frames = known == nullptr ? std::vector<TileFrame>{} : known->animation;
-    edited = tile;
-    drawPreview(ui, tileset, tile);
-    ImGui::SameLine();
-    ImGui::BeginGroup();
-    ImGui::TextUnformatted(format("Tile {}, {} frames", tile, frames.size()).c_str());
-    ui.widgets.mark("Tileset/frames", format("{}", frames.size()));
-    const bool make = ImGui::Button("Chosen tiles as frames");
-    ui.widgets.mark("Tileset/makeFrames");
-    tooltip("The chosen tiles, in the order in which they were chosen, become the frames of the first.");
-    ImGui::EndGroup();
-    bool changed = false;
-    for (std::size_t i = 0; i < frames.size(); ++i) {
-        if (drawFrame(ui, tileset, frames[i], i, changed)) continue;
-        frames.erase(frames.begin() + static_cast<std::ptrdiff_t>(i));
-        changed = true;
-        break;
-    }
-    if (make) {
-        frames.clear();
-        for (const int frame : chosen) frames.push_back({frame, kSeconds});
-        changed = true;
-    }
-    if (!changed) return;
-    setFrames(ui, tile, frames);
-    ui.workspace.undo.endGesture();
-}
+std::unique_ptr<TilesetPage> makeTileAnimationPage() { return std::make_unique<TileAnimationPage>(); }
 
 }  // namespace plumb::editor::ui

@@ -195,73 +195,80 @@ void drawNumber(Ui& ui, const Tileset& tileset, std::span<const int> chosen, con
         changeTiles(ui, "set tiles", chosen, [&](Tile& tile) { tile.*member = std::max(value, least); });
 }
 
-void drawProperties(Ui& ui, const Tileset& tileset, std::span<const int> chosen) {
-    static std::array<char, 64> name{};
-    static std::array<char, 128> value{};
-    ImGui::TextDisabled("Properties");
-    const std::vector<int> tiles{chosen.begin(), chosen.end()};
-    for (const TileProperty& property : firstOf(tileset, chosen).properties) {
-        ImGui::PushID(property.name.c_str());
-        ImGui::AlignTextToFramePadding();
-        ImGui::TextUnformatted(format("{} = {}", property.name, property.json).c_str());
-        ui.widgets.mark("Tileset/property/" + property.name, property.json);
-        ImGui::SameLine();
-        const bool gone = ImGui::SmallButton("x");
-        ui.widgets.mark("Tileset/property/" + property.name + "/remove");
-        ImGui::PopID();
-        if (!gone) continue;
-        const std::string removed = property.name;
-        changeTileset(ui.workspace, "remove property",
-                      [&](Tileset& set) { setProperty(set, tiles, removed, ""); });
-        ui.workspace.undo.endGesture();
-        return;
+class TileMeaningPage final : public TilesetPage {
+public:
+    void draw(Ui& ui, const Tileset& tileset, std::span<const int> chosen) override {
+        if (chosen.empty()) {
+            ImGui::TextWrapped("Choose tiles on the left: click, drag a box, Shift adds.");
+            return;
+        }
+        ImGui::TextUnformatted(chosen.size() == 1 ? format("Tile {}", chosen.front()).c_str()
+                                                  : format("{} tiles", chosen.size()).c_str());
+        ui.widgets.mark("Tileset/chosen", format("{}", chosen.size()));
+        drawShapes(ui, tileset, chosen);
+        polygon_.draw(ui, tileset, chosen);
+        ImGui::SameLine(0.0f, ui.px(10.0f));
+        ImGui::BeginGroup();
+        bool oneWay = firstOf(tileset, chosen).oneWay;
+        if (ImGui::Checkbox("one-way", &oneWay))
+            changeTiles(ui, "set one-way", chosen, [&](Tile& tile) { tile.oneWay = oneWay; });
+        ui.widgets.mark("Tileset/oneWay", oneWay ? "on" : "off");
+        tooltip("Solid only from above, whatever the shape.");
+        drawNumber(ui, tileset, chosen, "friction", &Tile::friction, -1.0f,
+                   "0 is ice; -1 takes the TileCollider's.");
+        drawNumber(ui, tileset, chosen, "bounciness", &Tile::bounciness, -1.0f,
+                   "Part of the speed that comes back; -1 takes the TileCollider's.");
+        drawNumber(ui, tileset, chosen, "probability", &Tile::probability, 0.0f,
+                   "Weight among variants of terrain and in random painting; 0 is never chosen.");
+        ImGui::EndGroup();
+        drawProperties(ui, tileset, chosen);
     }
-    ImGui::SetNextItemWidth(ui.px(96.0f));
-    ImGui::InputTextWithHint("##name", "name", name.data(), name.size());
-    ui.widgets.mark("Tileset/newName");
-    ImGui::SameLine(0.0f, ui.px(4.0f));
-    ImGui::SetNextItemWidth(ui.px(96.0f));
-    ImGui::InputTextWithHint("##value", "true", value.data(), value.size());
-    ui.widgets.mark("Tileset/newValue");
-    ImGui::SameLine(0.0f, ui.px(4.0f));
-    const bool add = ImGui::Button("Add") && name[0] != 0;
-    ui.widgets.mark("Tileset/addProperty");
-    if (!add) return;
-    const std::string json = propertyJson(value.data());
-    changeTileset(ui.workspace, "add property",
-                  [&](Tileset& set) { setProperty(set, tiles, name.data(), json); });
-    ui.workspace.undo.endGesture();
-    name[0] = value[0] = 0;
-}
+
+private:
+    void drawProperties(Ui& ui, const Tileset& tileset, std::span<const int> chosen) {
+        ImGui::TextDisabled("Properties");
+        const std::vector<int> tiles{chosen.begin(), chosen.end()};
+        for (const TileProperty& property : firstOf(tileset, chosen).properties) {
+            ImGui::PushID(property.name.c_str());
+            ImGui::AlignTextToFramePadding();
+            ImGui::TextUnformatted(format("{} = {}", property.name, property.json).c_str());
+            ui.widgets.mark("Tileset/property/" + property.name, property.json);
+            ImGui::SameLine();
+            const bool gone = ImGui::SmallButton("x");
+            ui.widgets.mark("Tileset/property/" + property.name + "/remove");
+            ImGui::PopID();
+            if (!gone) continue;
+            const std::string removed = property.name;
+            changeTileset(ui.workspace, "remove property",
+                          [&](Tileset& set) { setProperty(set, tiles, removed, ""); });
+            ui.workspace.undo.endGesture();
+            return;
+        }
+        ImGui::SetNextItemWidth(ui.px(96.0f));
+        ImGui::InputTextWithHint("##name", "name", name_.data(), name_.size());
+        ui.widgets.mark("Tileset/newName");
+        ImGui::SameLine(0.0f, ui.px(4.0f));
+        ImGui::SetNextItemWidth(ui.px(96.0f));
+        ImGui::InputTextWithHint("##value", "true", value_.data(), value_.size());
+        ui.widgets.mark("Tileset/newValue");
+        ImGui::SameLine(0.0f, ui.px(4.0f));
+        const bool add = ImGui::Button("Add") && name_[0] != 0;
+        ui.widgets.mark("Tileset/addProperty");
+        if (!add) return;
+        const std::string json = propertyJson(value_.data());
+        changeTileset(ui.workspace, "add property",
+                      [&](Tileset& set) { setProperty(set, tiles, name_.data(), json); });
+        ui.workspace.undo.endGesture();
+        name_[0] = value_[0] = 0;
+    }
+
+    PolygonEditor polygon_;
+    std::array<char, 64> name_{};    // of the property that is being typed
+    std::array<char, 128> value_{};  // its value
+};
 
 }  // namespace
 
-void drawTileMeaning(Ui& ui, const Tileset& tileset, std::span<const int> chosen) {
-    static PolygonEditor polygon;
-    if (chosen.empty()) {
-        ImGui::TextWrapped("Choose tiles on the left: click, drag a box, Shift adds.");
-        return;
-    }
-    ImGui::TextUnformatted(chosen.size() == 1 ? format("Tile {}", chosen.front()).c_str()
-                                              : format("{} tiles", chosen.size()).c_str());
-    ui.widgets.mark("Tileset/chosen", format("{}", chosen.size()));
-    drawShapes(ui, tileset, chosen);
-    polygon.draw(ui, tileset, chosen);
-    ImGui::SameLine(0.0f, ui.px(10.0f));
-    ImGui::BeginGroup();
-    bool oneWay = firstOf(tileset, chosen).oneWay;
-    if (ImGui::Checkbox("one-way", &oneWay))
-        changeTiles(ui, "set one-way", chosen, [&](Tile& tile) { tile.oneWay = oneWay; });
-    ui.widgets.mark("Tileset/oneWay", oneWay ? "on" : "off");
-    tooltip("Solid only from above, whatever the shape.");
-    drawNumber(ui, tileset, chosen, "friction", &Tile::friction, -1.0f,
-               "0 is ice; -1 takes the TileCollider's.");
-    drawNumber(ui, tileset, chosen, "bounciness", &Tile::bounciness, -1.0f,
-               "Part of the speed that comes back; -1 takes the TileCollider's.");
-    drawNumber(ui, tileset, chosen, "probability", &Tile::probability, 0.0f,
-               "Weight among variants of terrain and in random painting; 0 is never chosen.");
-    ImGui::EndGroup();
-    drawProperties(ui, tileset, chosen);
-}
+std::unique_ptr<TilesetPage> makeTileMeaningPage() { return std::make_unique<TileMeaningPage>(); }
 
 }  // namespace plumb::editor::ui

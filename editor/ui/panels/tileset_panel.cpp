@@ -166,8 +166,8 @@ private:
             return true;
         };
         if (!ImGui::BeginTabBar("pages")) return;
-        if (tab("Tile", Page::Tile)) drawTileMeaning(ui, tileset, chosen_), ImGui::EndTabItem();
-        if (tab("Animation", Page::Animation)) drawTileAnimation(ui, tileset, chosen_), ImGui::EndTabItem();
+        if (tab("Tile", Page::Tile)) meaning_->draw(ui, tileset, chosen_), ImGui::EndTabItem();
+        if (tab("Animation", Page::Animation)) animation_->draw(ui, tileset, chosen_), ImGui::EndTabItem();
         if (tab("Terrain", Page::Terrain))
             drawTerrainPage(ui, tileset, chosen_, terrain_), ImGui::EndTabItem();
         ImGui::EndTabBar();
@@ -179,6 +179,8 @@ private:
     CellPlace start_;
     bool dragging_ = false;
     Page page_ = Page::Tile;
+    std::unique_ptr<TilesetPage> meaning_ = makeTileMeaningPage();
+    std::unique_ptr<TilesetPage> animation_ = makeTileAnimationPage();
     int terrain_ = 0;
 };
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -8,12 +9,17 @@
 
 namespace plumb::editor::ui {
 
-// The pages of the Tileset panel.
+/// A page of the Tileset panel; it keeps what is being typed and dragged there.
+class TilesetPage {
+public:
+    virtual ~TilesetPage() = default;
+    virtual void draw(Ui& ui, const Tileset& tileset, std::span<const int> chosen) = 0;
+};
 
 /// What the chosen tiles are to bodies and to the game.
-void drawTileMeaning(Ui& ui, const Tileset& tileset, std::span<const int> chosen);
+std::unique_ptr<TilesetPage> makeTileMeaningPage();
 /// The frames that are shown instead of a tile.
-void drawTileAnimation(Ui& ui, const Tileset& tileset, std::span<const int> chosen);
+std::unique_ptr<TilesetPage> makeTileAnimationPage();
 /// The terrains of the set, and which tile stands for which neighbours.
 /// @param terrain  the id of the one that is edited; changed by a click on another one
 void drawTerrainPage(Ui& ui, const Tileset& tileset, std::span<const int> chosen, int& terrain);

@@ -107,7 +107,9 @@ void tellChanges(const tiled::Map& map, const std::vector<ImportedTileset>& tile
             report.note(format("tileset {}: tiles are stretched to their cells", tileset.original->name));
         if (!tileset.original->wangSets.empty())
             report.note(
-                format("tileset {}: its terrains are kept as data under \"tiled\"", tileset.original->name));
+                format("tileset {}: each color of its terrains is a terrain of its own; a tile of two colors "
+                       "belongs to the later one",
+                       tileset.original->name));
     }
     if (!map.idle.empty())
         report.note("left out, as it means something only inside Tiled: " + joined(map.idle));

@@ -8,6 +8,7 @@
 #include "math/angle.hpp"
 #include "math/portable.hpp"
 #include "reflect/json_text.hpp"
+#include "scene/import/import_terrains.hpp"
 #include "scene/import/tiled_json.hpp"
 
 namespace plumb {
@@ -127,7 +128,7 @@ Json tileJson(const tiled::Tile& tile, Vec2 tileSize, Vec2 cellSize, ImportStage
     }
     if (!tile.properties.empty()) json["properties"] = tile.properties;
     if (!tile.type.empty()) json["tiled"]["type"] = tile.type;
-    if (tile.probability != 1.0) json["tiled"]["probability"] = tile.probability;
+    if (tile.probability != 1.0) json["probability"] = static_cast<float>(tile.probability);
     if (!tile.terrain.empty()) json["tiled"]["terrain"] = tile.terrain;
     return json;
 }
@@ -213,6 +214,7 @@ ImportedTileset importTileset(const tiled::Map& map, const tiled::Tileset& tiles
         if (item.size() > 1) json["tiles"].push_back(std::move(item));
     }
     if (!tileset.properties.empty()) json["properties"] = tileset.properties;
+    if (Json terrains = terrainsOf(tileset); !terrains.empty()) json["terrains"] = std::move(terrains);
     json["tiled"] = tilesetNotes(tileset);
     imported.path = stage.add(tileset.name, ".tileset.json", writeJson(json));
     return imported;

@@ -118,15 +118,13 @@ inline constexpr std::string_view kSceneText = R"({
 class EditorFixture : public testing::Test {
 protected:
     EditorFixture()
-        : root_{makeFolder()},
-          types_{engineTypes()},
+        : types_{engineTypes()},
           assets_{root_},
           prefabs_{types_, root_},
           workspace{types_, assets_, {root_}, &prefabs_} {
         EXPECT_TRUE(writeFile(root_ / kScene, kSceneText).ok());
         EXPECT_TRUE(workspace.open(kScene).ok());
     }
-    ~EditorFixture() override { std::filesystem::remove_all(root_); }
 
     [[nodiscard]] ObjectId named(std::string_view name) const {
         for (const ObjectId id : workspace.document.objects()) {
@@ -152,7 +150,13 @@ private:
         std::filesystem::create_directories(folder / "scenes");
         return folder;
     }
-    Path root_;
+    /// Removed last: an editor that closes still writes to its project.
+    struct Folder {
+        Path path;
+        ~Folder() { std::filesystem::remove_all(path); }
+    };
+    Folder folder_{makeFolder()};
+    Path root_ = folder_.path;
     TypeRegistry types_;
     AssetStore assets_;
     PrefabLibrary prefabs_;
