@@ -12,6 +12,7 @@
 #include "platform/image_file.hpp"
 #include "render/recording_device.hpp"
 #include "scene/draw_scene.hpp"
+#include "tests/support/places.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace plumb {
@@ -70,9 +71,9 @@ protected:
         write("assets/sheet.png", pngOf(32, 16));
         write("assets/map.tileset.json", kTileset);
         write("assets/hero.anim.json", kAnimation);
-        const Path font = Path{PLUMB_SOURCE_DIR} / "projects/platformer/assets/wickwood.ttf";
+        const Path font = test::sourceFolder() / "projects/platformer/assets/wickwood.ttf";
         write("assets/text.ttf", *readFile(font));
-        write("assets/tune.wav", *readFile(Path{PLUMB_SOURCE_DIR} / "projects/platformer/assets/coin.wav"));
+        write("assets/tune.wav", *readFile(test::sourceFolder() / "projects/platformer/assets/coin.wav"));
         write(kScene, kSceneText);
         Result<Project> project = loadProject(root_);
         SceneGame game{*project};

@@ -6,6 +6,7 @@
 #include "scene/components/transform.hpp"
 #include "scene/draw_scene.hpp"
 #include "scene/scene_requests.hpp"
+#include "tests/support/places.hpp"
 
 namespace plumb {
 namespace {
@@ -28,7 +29,7 @@ float cameraStep(World& world) {
 }
 
 TEST(Interpolation, nothingSmearsAcrossTheScreenInPlayInDeathAndFromSceneToScene) {
-    Result<Project> project = loadProject(Path{PLUMB_SOURCE_DIR} / "projects/platformer");
+    Result<Project> project = loadProject(test::sourceFolder() / "projects/platformer");
     ASSERT_TRUE(project.ok());
     SceneGame game{*project, "level1"};
     game.assets.logging = false;

@@ -7,6 +7,7 @@
 #include "scene/components.hpp"
 #include "scene/physics_drawing.hpp"
 #include "scene/systems/physics_system.hpp"
+#include "tests/support/places.hpp"
 
 namespace plumb {
 namespace {
@@ -67,7 +68,7 @@ TEST(PhysicsView, eachLayerIsSeenWithItsLegendAndNothingWhenItIsOff) {
     ASSERT_TRUE(opened) << opened.error().text();
     Screen& screen = **opened;
     World world;
-    AssetStore assets{{}, Path{PLUMB_SOURCE_DIR} / "assets"};
+    AssetStore assets{{}, test::sourceFolder() / "assets"};
     fill(world);
     const std::uint64_t before = world.hash();
     for (const PhysicsLayer& layer : physicsLayers()) {

@@ -9,11 +9,12 @@
 #include "core/file.hpp"
 #include "ecs/world.hpp"
 #include "scene/components/transform.hpp"
+#include "tests/support/places.hpp"
 
 namespace plumb {
 
 inline Project platformer() {
-    Result<Project> project = loadProject(Path{PLUMB_SOURCE_DIR} / "projects/platformer");
+    Result<Project> project = loadProject(test::sourceFolder() / "projects/platformer");
     EXPECT_TRUE(project.ok());
     return *project;
 }
@@ -22,7 +23,7 @@ inline Project platformer() {
 inline std::vector<std::string> platformerScenes() {
     std::vector<std::string> scenes;
     for (const std::string& name :
-         filesBelow(Path{PLUMB_SOURCE_DIR} / "projects/platformer/scenes", ".scene.json")) {
+         filesBelow(test::sourceFolder() / "projects/platformer/scenes", ".scene.json")) {
         scenes.push_back("scenes/" + name);
     }
     return scenes;

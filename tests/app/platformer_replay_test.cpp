@@ -4,6 +4,7 @@
 #include "gameplay/game_progress.hpp"
 #include "input/recorder.hpp"
 #include "tests/app/platformer.hpp"
+#include "tests/support/places.hpp"
 
 namespace plumb {
 namespace {
@@ -13,7 +14,7 @@ namespace {
 constexpr std::uint64_t kHashAtTheEnd = 0x4e76d2f2b629a920ull;
 
 TEST(PlatformerReplay, playsFromTheTitleThroughAllLevelsToTheEndScreenBitForBit) {
-    Result<Replay> replay = loadReplay(Path{PLUMB_SOURCE_DIR} / "tests/replay/platformer.replay");
+    Result<Replay> replay = loadReplay(test::sourceFolder() / "tests/replay/platformer.replay");
     ASSERT_TRUE(replay.ok());
     SceneGame game{platformer()};
     game.assets.logging = false;

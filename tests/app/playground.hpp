@@ -18,13 +18,14 @@
 #include "scene/physics_state.hpp"
 #include "scene/soft_sync.hpp"
 #include "scene/world_transform.hpp"
+#include "tests/support/places.hpp"
 
 namespace plumb {
 
 /// The scenes of the gallery by name, without the menu and the overlay.
 inline std::vector<std::string> galleryScenes() {
     std::vector<std::string> scenes;
-    const Path folder = Path{PLUMB_SOURCE_DIR} / "projects/physics-playground/scenes";
+    const Path folder = test::sourceFolder() / "projects/physics-playground/scenes";
     for (const std::string& file : filesBelow(folder, ".scene.json")) {
         const std::string name = file.substr(0, file.find('.'));
         if (name != "menu" && name != "pause") scenes.push_back(name);
@@ -35,7 +36,7 @@ inline std::vector<std::string> galleryScenes() {
 /// A scene of projects/physics-playground that is played without a window.
 struct Playground {
     static Project project() {
-        Result<Project> loaded = loadProject(Path{PLUMB_SOURCE_DIR} / "projects/physics-playground");
+        Result<Project> loaded = loadProject(test::sourceFolder() / "projects/physics-playground");
         EXPECT_TRUE(loaded.ok());
         return *loaded;
     }

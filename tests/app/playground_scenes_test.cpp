@@ -4,6 +4,7 @@
 
 #include "core/text.hpp"
 #include "tests/app/playground.hpp"
+#include "tests/support/places.hpp"
 
 namespace plumb {
 namespace {
@@ -81,7 +82,7 @@ TEST(PlaygroundScenes, eachSeventhTickGoneBackToComesOutTheSame) {
 /// UPDATE_GOLDEN=1 writes it anew: say in the commit which change of the scenes or of the simulation that
 /// comes from.
 TEST(PlaygroundScenes, goldenHashesAreThoseOfEveryMachine) {
-    const Path file = Path{PLUMB_SOURCE_DIR} / "tests/replay/playground.hashes";
+    const Path file = test::sourceFolder() / "tests/replay/playground.hashes";
     std::string text;
     for (const std::string& scene : galleryScenes()) {
         Playground play{scene};

@@ -8,6 +8,7 @@
 #include "core/text.hpp"
 #include "ecs/world.hpp"
 #include "reflect/type_builder.hpp"
+#include "tests/support/places.hpp"
 
 namespace plumb {
 namespace {
@@ -32,8 +33,8 @@ std::string between(const std::string& text, std::string_view begin, std::string
 }
 
 TEST(ReadmeComponent, theComponentShownInTheMapIsThisOneAndTakesLessThanTenLines) {
-    const auto map = readFile(Path{PLUMB_SOURCE_DIR} / "engine/README.md");
-    const auto self = readFile(Path{PLUMB_SOURCE_DIR} / "tests/app/readme_component_test.cpp");
+    const auto map = readFile(test::sourceFolder() / "engine/README.md");
+    const auto self = readFile(test::sourceFolder() / "tests/app/readme_component_test.cpp");
     ASSERT_TRUE(map.ok() && self.ok());
 
     const std::string shown = between(*map, "```cpp\n", "```");

@@ -16,6 +16,7 @@
 #include "scene/prefab.hpp"
 #include "scene/scene_file.hpp"
 #include "tests/support/damage.hpp"
+#include "tests/support/places.hpp"
 #include "tests/support/random_world.hpp"
 
 namespace plumb {
@@ -43,7 +44,7 @@ struct SceneMutations : testing::Test {
     std::deque<Sample> samples;
 
     SceneMutations() {
-        const Path projects = Path{PLUMB_SOURCE_DIR} / "projects";
+        const Path projects = test::sourceFolder() / "projects";
         game.assets = AssetStore{projects / "platformer", engineAssets()};
         game.assets.logging = false;
         device.keepsDraws = false;

@@ -5,13 +5,14 @@
 
 #include "assets/asset_store.hpp"
 #include "core/text.hpp"
+#include "tests/support/places.hpp"
 
 namespace plumb {
 namespace {
 
 /// Loads every asset file below a project and gives what was told.
 std::vector<Error> problemsOf(const Path& project) {
-    AssetStore assets{project, Path{PLUMB_SOURCE_DIR} / "assets"};
+    AssetStore assets{project, test::sourceFolder() / "assets"};
     assets.logging = false;
     for (const std::string& path : filesBelow(project, "")) {
         if (endsWith(path, ".png")) static_cast<void>(assets.image(assets.loadTexture(path)));
@@ -24,7 +25,7 @@ std::vector<Error> problemsOf(const Path& project) {
 }
 
 TEST(ProjectAssets, everyAssetOfEveryProjectLoadsWithoutAProblem) {
-    for (const auto& entry : std::filesystem::directory_iterator{Path{PLUMB_SOURCE_DIR} / "projects"}) {
+    for (const auto& entry : std::filesystem::directory_iterator{test::sourceFolder() / "projects"}) {
         if (!entry.is_directory()) continue;
         for (const Error& problem : problemsOf(entry.path()))
             ADD_FAILURE() << entry.path() << ": " << problem.text();
@@ -32,7 +33,7 @@ TEST(ProjectAssets, everyAssetOfEveryProjectLoadsWithoutAProblem) {
 }
 
 TEST(ProjectAssets, everyTilesetAndAnimationOfEveryProjectIsWrittenBackByteForByte) {
-    const Path projects = Path{PLUMB_SOURCE_DIR} / "projects";
+    const Path projects = test::sourceFolder() / "projects";
     std::vector<Error> problems;
     for (const std::string& path : filesBelow(projects, ".tileset.json")) {
         const std::string text = *readFile(projects / path);

@@ -8,6 +8,7 @@
 #include "scene/components/animator.hpp"
 #include "tests/editor/support/editor_fixture.hpp"
 #include "tests/editor/support/hands.hpp"
+#include "tests/support/places.hpp"
 
 namespace plumb::editor::ui {
 namespace {
@@ -27,7 +28,7 @@ Image sheet() {
 class AssetsPanelTest : public EditorFixture {
 protected:
     AssetsPanelTest()
-        : window{workspace, log, nullptr, Path{PLUMB_SOURCE_DIR} / "assets/fonts"}, hands{window} {
+        : window{workspace, log, nullptr, test::sourceFolder() / "assets/fonts"}, hands{window} {
         putFile("assets/hero.png", *encodePng(sheet()));
         putFile("assets/use.tileset.json", R"({"format": 1, "image": "assets/hero.png"})");
         show("Assets");

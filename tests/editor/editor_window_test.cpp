@@ -7,6 +7,7 @@
 #include "scene/physics_state.hpp"
 #include "tests/editor/support/editor_fixture.hpp"
 #include "tests/editor/support/hands.hpp"
+#include "tests/support/places.hpp"
 
 namespace plumb::editor::ui {
 namespace {
@@ -14,7 +15,7 @@ namespace {
 class EditorWindowTest : public EditorFixture {
 protected:
     EditorWindowTest()
-        : window{workspace, log, nullptr, Path{PLUMB_SOURCE_DIR} / "assets/fonts"}, hands{window} {
+        : window{workspace, log, nullptr, test::sourceFolder() / "assets/fonts"}, hands{window} {
         workspace.makeSession = [this](const std::string& path, const std::string& text) {
             Project project;
             project.root = workspace.project.root;
@@ -211,7 +212,7 @@ TEST_F(EditorWindowTest, theViewGoesWithTheGameAndComesBackAfterwards) {
 TEST_F(EditorWindowTest, theConsoleShowsWhatWasSaidBeforeThereWasAWindow) {
     LogBook early;
     logNote("Test", "said early");
-    EditorWindow second{workspace, early, nullptr, Path{PLUMB_SOURCE_DIR} / "assets/fonts"};
+    EditorWindow second{workspace, early, nullptr, test::sourceFolder() / "assets/fonts"};
     const Hands others{second};
     ASSERT_NE(second.widgets().find("Console/last"), nullptr);
     EXPECT_EQ(second.widgets().find("Console/last")->value, "said early");

@@ -17,6 +17,7 @@
 #include "tests/editor/support/editor_fixture.hpp"
 #include "tests/editor/support/hands.hpp"
 #include "tests/editor/support/project_copy.hpp"
+#include "tests/support/places.hpp"
 
 namespace plumb::editor::ui {
 namespace {
@@ -155,7 +156,7 @@ TEST_F(Kill, savingLosesNothingWhenItIsKilledAnywhere) {
 TEST_F(Kill, anEditorKilledAtAnyMomentLosesAtMostTwentyActionsOrFiveSeconds) {
     const int kills = fromEnvironment("PLUMB_KILLS", 15);
     LogBook log;
-    EditorWindow window{workspace, log, nullptr, Path{PLUMB_SOURCE_DIR} / "assets/fonts"};
+    EditorWindow window{workspace, log, nullptr, test::sourceFolder() / "assets/fonts"};
     Random random = Random::seeded(5);
     std::size_t recovered = 0, most = 0;
     for (int i = 0; i < kills; ++i) {

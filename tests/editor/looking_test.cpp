@@ -14,6 +14,7 @@
 #include "scene/physics_state.hpp"
 #include "tests/editor/support/editor_fixture.hpp"
 #include "tests/editor/support/hands.hpp"
+#include "tests/support/places.hpp"
 
 namespace plumb::editor::ui {
 namespace {
@@ -38,7 +39,7 @@ constexpr std::string_view kBallText = R"({"format": 1, "entities": [
 /// How one looks at a scene.
 class Looking : public EditorFixture {
 protected:
-    Looking() : window{workspace, log, nullptr, Path{PLUMB_SOURCE_DIR} / "assets/fonts"}, hands{window} {
+    Looking() : window{workspace, log, nullptr, test::sourceFolder() / "assets/fonts"}, hands{window} {
         workspace.makeSession = [this](const std::string& path, const std::string& text) {
             Project project;
             project.root = workspace.project.root;

@@ -8,6 +8,7 @@
 
 #include "tests/editor/support/monkey_life.hpp"
 #include "tests/editor/support/project_copy.hpp"
+#include "tests/support/places.hpp"
 
 namespace plumb::editor::ui {
 namespace {
@@ -104,7 +105,7 @@ private:
     std::string scene_;
     ProjectCopy copy_;
     LogBook log_;
-    EditorWindow window_{copy_.workspace(), log_, nullptr, Path{PLUMB_SOURCE_DIR} / "assets/fonts"};
+    EditorWindow window_{copy_.workspace(), log_, nullptr, test::sourceFolder() / "assets/fonts"};
     Monkey monkey_;
     Beginning beginning_;
     std::size_t changes_ = 0, plays_ = 0;

@@ -6,6 +6,7 @@
 #include "scene/scene_requests.hpp"
 #include "tests/editor/support/editor_fixture.hpp"
 #include "tests/editor/support/hands.hpp"
+#include "tests/support/places.hpp"
 
 namespace plumb::editor::ui {
 namespace {
@@ -13,7 +14,7 @@ namespace {
 /// Somebody plays in the editor: the crate has no body, the player falls.
 class Playing : public EditorFixture {
 protected:
-    Playing() : window{workspace, log, nullptr, Path{PLUMB_SOURCE_DIR} / "assets/fonts"}, hands{window} {
+    Playing() : window{workspace, log, nullptr, test::sourceFolder() / "assets/fonts"}, hands{window} {
         workspace.makeSession = [this](const std::string& path, const std::string& text) {
             Project project;
             project.root = workspace.project.root;

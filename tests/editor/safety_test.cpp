@@ -3,6 +3,7 @@
 #include "editor/model/safety/scene_differences.hpp"
 #include "tests/editor/support/editor_fixture.hpp"
 #include "tests/editor/support/hands.hpp"
+#include "tests/support/places.hpp"
 
 namespace plumb::editor::ui {
 namespace {
@@ -10,7 +11,7 @@ namespace {
 /// Work that might be lost.
 class Safety : public EditorFixture {
 protected:
-    Safety() : window{workspace, log, nullptr, Path{PLUMB_SOURCE_DIR} / "assets/fonts"}, hands{window} {}
+    Safety() : window{workspace, log, nullptr, test::sourceFolder() / "assets/fonts"}, hands{window} {}
 
     void createOne() { ASSERT_TRUE(runAction(workspace, "entity.create")); }
     [[nodiscard]] Path root() const { return workspace.project.root; }

@@ -4,6 +4,7 @@
 #include "editor/model/tile_layers.hpp"
 #include "tests/editor/support/hands.hpp"
 #include "tests/editor/support/tile_scene.hpp"
+#include "tests/support/places.hpp"
 
 namespace plumb::editor::ui {
 namespace {
@@ -13,7 +14,7 @@ constexpr std::string_view kPath = "assets/ground.tileset.json";
 /// A real window without a screen, on a layer whose tileset is a file.
 class TilesWindow : public TileScene {
 protected:
-    TilesWindow() : window{workspace, log, nullptr, Path{PLUMB_SOURCE_DIR} / "assets/fonts"}, hands{window} {
+    TilesWindow() : window{workspace, log, nullptr, test::sourceFolder() / "assets/fonts"}, hands{window} {
         putFile(kPath, writeTileset(terrainSet(TerrainMode::Blob, 1)));
         workspace.document.world.get<TileLayer>(workspace.document.find(layer())).tileset =
             workspace.assets.loadTileset(kPath);

@@ -1,13 +1,14 @@
 #include "editor/ui/tour.hpp"
 
 #include "tests/editor/support/editor_fixture.hpp"
+#include "tests/support/places.hpp"
 
 namespace plumb::editor::ui {
 namespace {
 
 class TourTest : public EditorFixture {
 protected:
-    TourTest() : window{workspace, log, nullptr, Path{PLUMB_SOURCE_DIR} / "assets/fonts"} {}
+    TourTest() : window{workspace, log, nullptr, test::sourceFolder() / "assets/fonts"} {}
 
     Result<Done> play(std::string_view text) {
         const Result<Tour> tour = Tour::read(text, "a.tour");

@@ -9,6 +9,7 @@
 #include "tests/editor/support/editor_fixture.hpp"
 #include "tests/editor/support/hands.hpp"
 #include "tests/editor/support/played_games.hpp"
+#include "tests/support/places.hpp"
 
 namespace plumb::editor::ui {
 namespace {
@@ -28,7 +29,7 @@ std::string ledgeScene(float height) {
 /// What an overlay says about where things go.
 class Ways : public EditorFixture {
 protected:
-    Ways() : window{workspace, log, nullptr, Path{PLUMB_SOURCE_DIR} / "assets/fonts"}, hands{window} {
+    Ways() : window{workspace, log, nullptr, test::sourceFolder() / "assets/fonts"}, hands{window} {
         workspace.makeSession = [this](const std::string& path, const std::string& text) {
             Project project;
             project.root = workspace.project.root;

@@ -9,6 +9,7 @@
 #include "scene/prefab.hpp"
 #include "scene/register_components.hpp"
 #include "scene/scene_file.hpp"
+#include "tests/support/places.hpp"
 
 namespace plumb {
 namespace {
@@ -17,7 +18,7 @@ TEST(ProjectScenes, goldenOpenAndSaveChangesNoByteOfAnyScene) {
     TypeRegistry types;
     registerSceneComponents(types);
     registerGameplayComponents(types);
-    const Path projects = Path{PLUMB_SOURCE_DIR} / "projects";
+    const Path projects = test::sourceFolder() / "projects";
     const std::vector<std::string> scenes = filesBelow(projects, ".scene.json");
     EXPECT_FALSE(scenes.empty());
     for (const std::string& name : scenes) {

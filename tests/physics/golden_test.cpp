@@ -9,6 +9,7 @@
 #include "core/task_pool.hpp"
 #include "physics/simulation.hpp"
 #include "tests/physics/golden_scenes.hpp"
+#include "tests/support/places.hpp"
 
 // One number for each scene, whoever works it out: tests/replay/physics.golden.
 
@@ -20,7 +21,7 @@ using test::goldenScenes;
 
 std::map<std::string, std::string> readGoldens() {
     std::map<std::string, std::string> goldens;
-    std::ifstream file{PLUMB_SOURCE_DIR "/tests/replay/physics.golden"};
+    std::ifstream file{test::sourceFolder() / "tests/replay/physics.golden"};
     for (std::string name, hash; file >> name >> hash;) goldens[name] = hash;
     return goldens;
 }

@@ -1,10 +1,11 @@
 // Plays projects/platformer from the title to the end screen by itself and writes the replay that the test
 // plays again. Run it after a change of the levels or of how the player moves:
 //
-//   ninja -C build/release solve_platformer && build/release/bin/solve_platformer tests/replay/platformer.replay
+//   ninja -C build/release solve_platformer && build/release/bin/solve_platformer
+//   tests/replay/platformer.replay
 //
-// How: best-first search over short bursts of input, each tried from a snapshot of the world; what is near the
-// goal along free tiles comes first. Snapshots make it cheap: nothing is played twice.
+// How: best-first search over short bursts of input, each tried from a snapshot of the world; what is near
+// the goal along free tiles comes first. Snapshots make it cheap: nothing is played twice.
 
 #include <cstdio>
 #include <deque>
@@ -22,6 +23,7 @@
 #include "input/recorder.hpp"
 #include "scene/components.hpp"
 #include "scene/scene_requests.hpp"
+#include "tests/support/places.hpp"
 
 namespace plumb {
 namespace {
@@ -33,7 +35,7 @@ struct Burst {
     int jumpTicks = 0;
 };
 
-constexpr Burst kBursts[] = {{1, 10, 0},  {1, 10, 10}, {1, 22, 14}, {1, 6, 3},  {-1, 10, 0}, {-1, 10, 10},
+constexpr Burst kBursts[] = {{1, 10, 0},   {1, 10, 10}, {1, 22, 14}, {1, 6, 3},  {-1, 10, 0}, {-1, 10, 10},
                              {-1, 22, 14}, {0, 10, 0},  {0, 24, 14}, {0, 30, 0}, {1, 34, 14}};
 
 InputFrame frameOf(const Burst& burst, int tick) {
@@ -70,10 +72,12 @@ public:
 
 private:
     [[nodiscard]] std::pair<int, int> cellOf(Vec2 place) const {
-        return {static_cast<int>((place.x - origin_.x) / 16.0f), static_cast<int>((place.y - origin_.y) / 16.0f)};
+        return {static_cast<int>((place.x - origin_.x) / 16.0f),
+                static_cast<int>((place.y - origin_.y) / 16.0f)};
     }
     [[nodiscard]] std::size_t slot(int x, int y) const {
-        return static_cast<std::size_t>(y) * static_cast<std::size_t>(grid_->width()) + static_cast<std::size_t>(x);
+        return static_cast<std::size_t>(y) * static_cast<std::size_t>(grid_->width()) +
+               static_cast<std::size_t>(x);
     }
     [[nodiscard]] bool isFree(int x, int y) const {
         if (!grid_->has(x, y)) return false;
@@ -155,7 +159,8 @@ std::vector<Burst> solveLevel(SceneGame& game) {
             node.burst = burst;
             if (finished) {
                 std::vector<Burst> path;
-                for (int i = static_cast<int>(nodes.size()) - 1; nodes[static_cast<std::size_t>(i)].parent >= 0;
+                for (int i = static_cast<int>(nodes.size()) - 1;
+                     nodes[static_cast<std::size_t>(i)].parent >= 0;
                      i = nodes[static_cast<std::size_t>(i)].parent) {
                     path.insert(path.begin(), nodes[static_cast<std::size_t>(i)].burst);
                 }
@@ -166,7 +171,8 @@ std::vector<Burst> solveLevel(SceneGame& game) {
             world.save(node.snapshot);
             const int distance = distances.of(at + Vec2{4.0f, 4.0f});
             if (distance < nearest) nearest = distance;
-            open.emplace(distance * 4 + static_cast<int>(nodes.size() / 400), static_cast<int>(nodes.size()) - 1);
+            open.emplace(distance * 4 + static_cast<int>(nodes.size() / 400),
+                         static_cast<int>(nodes.size()) - 1);
         }
     }
     std::printf("  gave up after %zu tries, %d tiles from the goal\n", nodes.size(), nearest);
@@ -221,7 +227,8 @@ int solve(const Path& root, const Path& file) {
         if (path.empty()) return 1;
         const std::size_t reached = game.world.resource<GameProgress>().levelsReached.size();
         for (const Burst& burst : path) {
-            for (int tick = 0; tick < burst.ticks && !game.world.resource<GameProgress>().levelFinished; ++tick) {
+            for (int tick = 0; tick < burst.ticks && !game.world.resource<GameProgress>().levelFinished;
+                 ++tick) {
                 player.play(frameOf(burst, tick));
             }
         }
@@ -251,5 +258,5 @@ int main(int count, char** arguments) {
         std::fprintf(stderr, "usage: solve_platformer FILE.replay\n");
         return 2;
     }
-    return plumb::solve(plumb::Path{PLUMB_SOURCE_DIR} / "projects/platformer", arguments[1]);
+    return plumb::solve(plumb::test::sourceFolder() / "projects/platformer", arguments[1]);
 }

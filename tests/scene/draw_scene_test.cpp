@@ -16,6 +16,7 @@
 #include "scene/register_components.hpp"
 #include "scene/systems/camera_system.hpp"
 #include "scene/world_transform.hpp"
+#include "tests/support/places.hpp"
 
 namespace plumb {
 namespace {
@@ -27,7 +28,7 @@ constexpr float kDt = 1.0f / 60.0f;
 struct DrawScene : testing::Test {
     TypeRegistry types;
     World world{types};
-    AssetStore assets{{}, Path{PLUMB_SOURCE_DIR} / "assets"};
+    AssetStore assets{{}, test::sourceFolder() / "assets"};
     RecordingDevice device;
     SceneRenderer renderer{device, assets};
 

@@ -11,6 +11,7 @@
 #include "reflect/json_text.hpp"
 #include "scene/tiles_json.hpp"
 #include "tests/support/foreign_maps.hpp"
+#include "tests/support/places.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace plumb {
@@ -222,7 +223,7 @@ TEST_F(ImportTiledTest, aMissingPictureIsToldAndTheMapComesInAllTheSame) {
 }
 
 TEST_F(ImportTiledTest, theMapsThatOthersMadeComeInWithoutLoss) {
-    const Path maps = Path{PLUMB_SOURCE_DIR} / "../shared/data/maps/tiled";
+    const Path maps = test::sourceFolder() / "../shared/data/maps/tiled";
     for (const std::string& file : filesBelow(maps, ".tmx")) {
         SCOPED_TRACE(file);
         const Result<ImportReport> report = importTiled(maps / file, scene_);

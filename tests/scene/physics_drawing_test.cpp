@@ -11,6 +11,7 @@
 #include "scene/physics_state.hpp"
 #include "scene/physics_times.hpp"
 #include "scene/systems/physics_system.hpp"
+#include "tests/support/places.hpp"
 
 namespace plumb {
 namespace {
@@ -169,7 +170,7 @@ TEST(PhysicsDrawing, thePreviewFollowsWhatWasEdited) {
 TEST(PhysicsDrawing, whoIsWatchedDoesTheSame) {
     World watched, alone;
     fill(watched), fill(alone);
-    AssetStore assets{{}, Path{PLUMB_SOURCE_DIR} / "assets"};
+    AssetStore assets{{}, test::sourceFolder() / "assets"};
     RecordingDevice device;
     SceneRenderer renderer{device, assets};
     unsigned all = 0;

@@ -5,6 +5,7 @@
 
 #include "core/file.hpp"
 #include "core/text.hpp"
+#include "tests/support/places.hpp"
 
 namespace plumb::test {
 
@@ -13,7 +14,7 @@ namespace plumb::test {
 inline std::vector<Path> foreignMaps(std::initializer_list<std::string_view> endings) {
     std::vector<Path> maps;
     for (const Path& folder :
-         {Path{PLUMB_SOURCE_DIR} / "../shared/data/maps", Path{"/usr/share/doc/tiled/examples"}}) {
+         {test::sourceFolder() / "../shared/data/maps", Path{"/usr/share/doc/tiled/examples"}}) {
         for (const std::string_view ending : endings) {
             for (const std::string& file : filesBelow(folder, ending)) maps.push_back(folder / file);
         }

@@ -9,6 +9,7 @@
 #include "core/text.hpp"
 #include "editor/model/game_session.hpp"
 #include "tests/app/platformer.hpp"
+#include "tests/support/places.hpp"
 
 namespace plumb::editor {
 
@@ -46,7 +47,7 @@ inline std::string heapScene(int boxes) {
 }
 
 inline Project playgroundProject() {
-    Result<Project> project = loadProject(Path{PLUMB_SOURCE_DIR} / "projects/physics-playground");
+    Result<Project> project = loadProject(test::sourceFolder() / "projects/physics-playground");
     EXPECT_TRUE(project.ok());
     return *project;
 }

@@ -6,6 +6,7 @@
 
 #include "core/file.hpp"
 #include "editor/model/project_session.hpp"
+#include "tests/support/places.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace plumb::editor {
@@ -15,7 +16,7 @@ namespace plumb::editor {
 class ProjectCopy {
 public:
     explicit ProjectCopy(const std::string& name = "platformer", std::string_view scene = "level1") {
-        std::filesystem::copy(Path{PLUMB_SOURCE_DIR} / "projects" / name, folder_.path,
+        std::filesystem::copy(test::sourceFolder() / "projects" / name, folder_.path,
                               std::filesystem::copy_options::recursive);
         reopen(scene);
     }
