@@ -64,10 +64,12 @@ void SceneWriter::addKeptFields(const TypeInfo& type, const void* object, const 
 
 /// Where an entity stands is always written, the default too: so moving it is a change of one line of the file.
 void SceneWriter::addPosition(const TypeInfo& type, const void* transform, Json& fields) const {
-    constexpr std::string_view kPosition = "position";
+    constexpr const char* kPosition = "position";
     if (fields.contains(kPosition)) return;
-    auto& list = *fields.get_ptr<Json::object_t*>();
-    list.insert(list.begin(), {std::string{kPosition}, fieldToJson(*type.find(kPosition), transform, fields_)});
+    Json placed = Json::object();
+    placed[kPosition] = fieldToJson(*type.find(kPosition), transform, fields_);
+    placed.update(fields);
+    fields = std::move(placed);
 }
 
 Json SceneWriter::componentsOf(EntityId entity, const PrefabEntity* base, PartContext* parts,

@@ -21,7 +21,7 @@ using test::goldenScenes;
 
 std::map<std::string, std::string> readGoldens() {
     std::map<std::string, std::string> goldens;
-    std::ifstream file{test::sourceFolder() / "tests/replay/physics.golden"};
+    std::ifstream file{plumb::test::sourceFolder() / "tests/replay/physics.golden"};
     for (std::string name, hash; file >> name >> hash;) goldens[name] = hash;
     return goldens;
 }

@@ -136,7 +136,7 @@ protected:
 
 TEST_F(ImportCompletenessTest, nothingOfAMapOfTiledVanishesWithoutALine) {
     const std::vector<Path> maps = test::foreignMaps({".tmx", ".tmx.gz"});
-    if (maps.empty()) GTEST_SKIP() << "no foreign maps on this machine";
+    ASSERT_FALSE(maps.empty());
     int looked = 0;
     for (const Path& file : maps) {
         SCOPED_TRACE(file.generic_string());
@@ -169,12 +169,12 @@ TEST_F(ImportCompletenessTest, nothingOfAMapOfTiledVanishesWithoutALine) {
             }
         }
     }
-    EXPECT_GT(looked, 3);
+    EXPECT_GT(looked, 1);
 }
 
 TEST_F(ImportCompletenessTest, aWorldAndMapsInJsonComeInToo) {
     const std::vector<Path> worlds = test::foreignMaps({".world"});
-    if (worlds.empty()) GTEST_SKIP() << "no foreign worlds on this machine";
+    ASSERT_FALSE(worlds.empty());
     for (const Path& file : worlds) {
         SCOPED_TRACE(file.generic_string());
         const Imported imported{file, project_};
@@ -227,7 +227,7 @@ void countLdtk(const Json& project, LdtkCounts& counts) {
 
 TEST_F(ImportCompletenessTest, nothingOfAProjectOfLdtkVanishesWithoutALine) {
     const std::vector<Path> projects = test::foreignMaps({".ldtk"});
-    if (projects.empty()) GTEST_SKIP() << "no foreign projects of LDtk on this machine";
+    ASSERT_FALSE(projects.empty());
     for (const Path& file : projects) {
         SCOPED_TRACE(file.generic_string());
         const Imported imported{file, project_};

@@ -211,7 +211,7 @@ std::unique_ptr<GlDevice> ImportPixelsTest::device;
 TEST_F(ImportPixelsTest, orthogonalMapsLookAsTiledDrawsThem) {
     if (!canRasterize()) GTEST_SKIP() << "tmxrasterizer is not installed (Debian: tiled)";
     const std::vector<Path> maps = test::foreignMaps({".tmx", ".tmx.gz", "title.json"});
-    if (maps.empty()) GTEST_SKIP() << "no foreign maps on this machine";
+    ASSERT_FALSE(maps.empty());
     int compared = 0;
     for (const Path& original : maps) {
         SCOPED_TRACE(original.generic_string());
@@ -240,7 +240,7 @@ TEST_F(ImportPixelsTest, orthogonalMapsLookAsTiledDrawsThem) {
             static_cast<void>(writeFile(Path{keep} / (stem + "-tiled.png"), *encodePng(*theirs)).ok());
         }
     }
-    EXPECT_GT(compared, 3);
+    EXPECT_GT(compared, 0);
 }
 
 }  // namespace

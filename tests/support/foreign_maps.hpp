@@ -9,12 +9,13 @@
 
 namespace plumb::test {
 
-/// Maps that nobody of this project made, where this machine has them: beside the repository, and those that
-/// Debian's package `tiled` brings. Empty elsewhere.
+/// Maps of other editors: small ones of our own, and, where this machine has them, those that nobody of this
+/// project made: beside the repository, and those that Debian's package `tiled` brings.
 inline std::vector<Path> foreignMaps(std::initializer_list<std::string_view> endings) {
     std::vector<Path> maps;
     for (const Path& folder :
-         {test::sourceFolder() / "../shared/data/maps", Path{"/usr/share/doc/tiled/examples"}}) {
+         {test::sourceFolder() / "tests/scene/maps", test::sourceFolder() / "../shared/data/maps",
+          Path{"/usr/share/doc/tiled/examples"}}) {
         for (const std::string_view ending : endings) {
             for (const std::string& file : filesBelow(folder, ending)) maps.push_back(folder / file);
         }

@@ -5,6 +5,7 @@
 
 #include "assets/terrain.hpp"
 #include "assets/tileset.hpp"
+#include "core/text.hpp"
 
 namespace plumb {
 namespace {
@@ -29,7 +30,7 @@ std::uint8_t maskOf(const Json& ids, int color, TerrainMode mode) {
 }
 
 /// "#rrggbb" of "#aarrggbb", which Tiled also writes.
-std::string opaque(const std::string& color) { return color.size() == 9 ? "#" + color.substr(3) : color; }
+std::string opaque(const std::string& color) { return color.size() == 9 ? format("#{}", color.substr(3)) : color; }
 
 /// @param number  of the color, from 1 on
 Json terrainOf(const Json& set, int number) {
