@@ -53,11 +53,19 @@ struct Prefabs : testing::Test {
 
 constexpr const char* kPlainLamp = R"(    {
       "id": "00000000000000a1",
-      "prefab": "prefabs/lamp.prefab.json"
+      "prefab": "prefabs/lamp.prefab.json",
+      "components": {
+        "Transform": {
+          "position": [0, 4]
+        }
+      }
     })";
 
-TEST_F(Prefabs, anInstanceIsTheWholePrefabAndSavesNothingOfIt) {
-    load(sceneOf(kPlainLamp));
+TEST_F(Prefabs, anInstanceIsTheWholePrefabAndSavesNothingOfItButItsPlace) {
+    load(sceneOf(R"(    {
+      "id": "00000000000000a1",
+      "prefab": "prefabs/lamp.prefab.json"
+    })"));
 
     const Entity lamp = findById(world, 0xa1);
     EXPECT_EQ(lamp.get<Sprite>().height, 24);
@@ -142,7 +150,9 @@ TEST_F(Prefabs, entitiesOfTheSceneMayBeChildrenOfAnInstance) {
       "id": "00000000000000a2",
       "parent": "00000000000000a1",
       "components": {
-        "Transform": {}
+        "Transform": {
+          "position": [0, 0]
+        }
       }
     })");
     load(text);
