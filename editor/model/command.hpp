@@ -1,10 +1,19 @@
 #pragma once
 
+#include <cstddef>
 #include <string>
+
+#include "editor/model/object_id.hpp"
 
 namespace plumb::editor {
 
 class Document;
+
+/// Whom a command is about.
+struct Subject {
+    ObjectId first;
+    std::size_t count = 0;
+};
 
 /// One change of a document that can be taken back.
 class Command {
@@ -13,6 +22,8 @@ public:
 
     /// Completes "Undo …": "move 3 entities".
     [[nodiscard]] virtual std::string label() const = 0;
+    /// For lists of what was done; nobody for what is not about entities.
+    [[nodiscard]] virtual Subject subject() const { return {}; }
     virtual void apply(Document& document) = 0;
     /// Brings back exactly what was before `apply`.
     virtual void revert(Document& document) = 0;

@@ -40,8 +40,12 @@ constexpr std::array kOptions{
               [](EditorOptions& o, Values v) { return o.scene = v[0], true; }},
     OptionRow{"--select", 1, "NAME        select this entity",
               [](EditorOptions& o, Values v) { return o.select = v[0], true; }},
-    OptionRow{"--validate", 0, "           check every scene, tell the problems, end",
+    OptionRow{"--validate", 0, "           check every scene, prefab and asset, tell the problems, end",
               [](EditorOptions& o, Values) { return o.validate = true; }},
+    OptionRow{"--export", 1,
+              "FOLDER      copy the game, its player and what both need into a folder that\n"
+              "                        can be given to others, end",
+              [](EditorOptions& o, Values v) { return o.exportTo = v[0], !o.exportTo.empty(); }},
     OptionRow{"--screenshot", 1, "FILE.png  write a picture of the window, end",
               [](EditorOptions& o, Values v) { return o.screenshot = v[0], true; }},
     OptionRow{"--tour", 1, "FILE          play the actions of this file, take its pictures, end",

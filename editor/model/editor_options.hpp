@@ -12,6 +12,7 @@ struct EditorOptions {
     std::string project = "projects/platformer";
     std::string scene;       ///< empty: the project's start scene
     bool validate = false;   ///< open every scene, tell its problems, end
+    std::string exportTo;    ///< a folder to copy the game to, then end
     std::string screenshot;  ///< PNG of the window, then end
     std::string tour;        ///< a file of actions to play, then end: see Tour
     std::string importFrom;  ///< a file of another editor …

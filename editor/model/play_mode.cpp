@@ -72,8 +72,7 @@ void PlayMode::step(const InputFrame& input) {
         return;
     }
     recording_.record(input);
-    session_->tick(input);
-    ++ticks_;
+    tick(input, false);
     recording_.tickDone(world());
     edits_.forgetBefore(recording_.keyframes().front().tick);
 }
@@ -121,10 +120,16 @@ void PlayMode::edit(ObjectId object, const TypeInfo& type, const FieldInfo& fiel
     edits_.add(edit);
 }
 
+void PlayMode::tick(const InputFrame& input, bool again) {
+    if (watchTicks != nullptr) watchTicks->before(world());
+    session_->tick(input);
+    ++ticks_;
+    if (watchTicks != nullptr) watchTicks->after(world(), ticks_, again);
+}
+
 /// One tick again, as it was.
 void PlayMode::playRecorded() {
-    session_->tick(recording_.inputAfter(ticks_));
-    ++ticks_;
+    tick(recording_.inputAfter(ticks_), true);
     edits_.replay(world(), *this, ticks_);
 }
 

@@ -34,6 +34,16 @@ public:
     }
 };
 
+/// Hears of every tick that is played, also of those that are played again to look at the past.
+class TickWatch {
+public:
+    virtual ~TickWatch() = default;
+    virtual void before(World& world) = 0;
+    /// @param tick   the number of ticks since the game began, with this one
+    /// @param again  it was played before
+    virtual void after(World& world, std::int64_t tick, bool again) = 0;
+};
+
 /// Plays the document in a second world; stopping throws that world away. The document is never touched, so
 /// there is nothing to undo. The last 30 s can be gone back to, looked at, and gone on from.
 class PlayMode final : public ObjectNames {
@@ -78,6 +88,8 @@ public:
     [[nodiscard]] bool watching() const { return watching_; }
     [[nodiscard]] const PlayRecording& recording() const { return recording_; }
 
+    TickWatch* watchTicks = nullptr;  ///< null: nobody listens
+
     // Changes by hand.
 
     /// Sets a field in the running game. In the past this makes another future.
@@ -85,6 +97,7 @@ public:
     [[nodiscard]] const PlayEdits& edits() const { return edits_; }
 
 private:
+    void tick(const InputFrame& input, bool again);
     void playRecorded();
     void branch();
 

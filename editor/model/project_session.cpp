@@ -5,8 +5,11 @@
 
 #include "app/engine_types.hpp"
 #include "core/log.hpp"
+#include "core/text.hpp"
 #include "editor/model/actions.hpp"
 #include "editor/model/game_session.hpp"
+#include "editor/model/headless/project_check.hpp"
+#include "editor/model/headless/project_export.hpp"
 #include "platform/paths.hpp"
 #include "scene/import/import_file.hpp"
 
@@ -24,6 +27,7 @@ ProjectSession::ProjectSession(Project project)
                          project_.layers};
     workspace_ = std::make_unique<Workspace>(types_, assets_, std::move(folder), &prefabs_);
     workspace_->makeSession = [this](const std::string& path, const std::string& text) {
+        if (const Result<Project> now = loadProject(project_.root)) project_.actions = now->actions;
         return makeGameSession(project_, path, text);
     };
 }
@@ -50,29 +54,38 @@ void ProjectSession::openFirst(std::string_view scene) {
 }
 
 int ProjectSession::validate() {
-    std::size_t problems = 0;
-    for (const std::string& path : workspace_->scenes()) {
-        const Result<LoadReport> report = workspace_->open(path);
-        if (!report) {
-            std::printf("%s\n", report.error().text().c_str());
-            ++problems;
-            continue;
-        }
-        for (const Error& problem : report->problems) {
-            std::printf("%s\n", problem.text().c_str());
-        }
-        problems += report->problems.size();
+    const ProjectCheck check = checkProject(project_, *workspace_, prefabs_);
+    std::printf("%s", check.text().c_str());
+    return check.problems.empty() ? 0 : 1;
+}
+
+int ProjectSession::exportTo(const std::string& folder) {
+    const ProjectCheck check = checkProject(project_, *workspace_, prefabs_);
+    std::printf("%s", check.text().c_str());
+    if (!check.playable) {
+        std::fprintf(stderr, "plumb-editor: nothing was exported; mend the scenes first\n");
+        return 1;
     }
-    for (const Error& problem : assets_.errors()) {
-        std::printf("%s\n", problem.text().c_str());
-        ++problems;
+#if defined(_WIN32)
+    constexpr const char* kPlayer = "plumb-player.exe";
+#else
+    constexpr const char* kPlayer = "plumb-player";
+#endif
+    const Result<ExportReport> report =
+        exportProject(project_.root, folder, {executableFolder() / kPlayer, engineAssets()});
+    if (!report) {
+        std::fprintf(stderr, "plumb-editor: %s\n", report.error().text().c_str());
+        return 1;
     }
-    std::printf("%zu scenes, %zu problems\n", workspace_->scenes().size(), problems);
-    return problems == 0 ? 0 : 1;
+    std::printf("Exported %zu files, %s MB, to %s%s\n", report->files,
+                fixedText(static_cast<double>(report->bytes) / 1e6, 1).c_str(), folder.c_str(),
+                report->runnable ? "; its program is play" : "; plumb-player FOLDER/game plays it");
+    return 0;
 }
 
 int importFile(const EditorOptions& options) {
-    const Result<ImportReport> report = plumb::importFile(options.importFrom, options.importTo, options.project);
+    const Result<ImportReport> report =
+        plumb::importFile(options.importFrom, options.importTo, options.project);
     if (!report) {
         std::fprintf(stderr, "plumb-editor: %s\n", report.error().text().c_str());
         return 1;

@@ -26,8 +26,10 @@ public:
     /// Opens the scene of this name, else the start scene, else the first one there is.
     void openFirst(std::string_view scene);
 
-    /// Opens every scene and tells what is wrong with it. @return the program's exit code
+    /// Opens every scene, prefab and asset and tells what is wrong with it. @return the program's exit code
     int validate();
+    /// Copies the project into a folder that plays by itself. @return the program's exit code
+    int exportTo(const std::string& folder);
 
 private:
     explicit ProjectSession(Project project);

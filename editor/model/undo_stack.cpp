@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "core/text.hpp"
+
 namespace plumb::editor {
 namespace {
 
@@ -31,22 +33,40 @@ private:
 }  // namespace
 
 void UndoStack::push(std::unique_ptr<Command> command) {
+    // What it deletes has a name before, what it creates has one afterwards.
+    std::string subject = nameOf(command->subject());
     command->apply(document_);
+    if (subject.empty()) subject = nameOf(command->subject());
     ++document_.sceneRevision;
     if (group_ != nullptr) {
+        if (groupSubject_.empty()) groupSubject_ = std::move(subject);
         group_->push_back(std::move(command));
         return;
     }
     if (gesture_ && position_ > 0 && commands_[position_ - 1]->absorb(*command)) return;
     endGesture();
-    append(std::move(command));
+    append(std::move(command), std::move(subject));
     gesture_ = true;
 }
 
-void UndoStack::append(std::unique_ptr<Command> command) {
+std::string UndoStack::nameOf(Subject subject) const {
+    if (subject.count == 0 || !document_.find(subject.first)) return {};
+    const std::string name = document_.nameOf(subject.first);
+    return subject.count == 1 ? name : format("{} and {} more", name, subject.count - 1);
+}
+
+void UndoStack::append(std::unique_ptr<Command> command, std::string subject) {
     if (saved_ != kNever && saved_ > position_) saved_ = kNever;
+    std::erase_if(lost_, [this](const Lost& branch) { return branch.position > position_; });
+    if (position_ < commands_.size()) {
+        const std::string& whom = subjects_.back();
+        lost_.push_back({position_, commands_.size() - position_,
+                         commands_.back()->label() + (whom.empty() ? "" : ": " + whom)});
+    }
     commands_.resize(position_);
+    subjects_.resize(position_);
     commands_.push_back(std::move(command));
+    subjects_.push_back(std::move(subject));
     ++position_;
 }
 
@@ -54,6 +74,7 @@ void UndoStack::endGesture() {
     if (!std::exchange(gesture_, false)) return;
     if (position_ == commands_.size() && commands_.back()->changesNothing(document_)) {
         commands_.pop_back();
+        subjects_.pop_back();
         --position_;
     }
 }
@@ -62,6 +83,7 @@ void UndoStack::cancelGesture() {
     if (!std::exchange(gesture_, false)) return;
     commands_.back()->revert(document_);
     commands_.pop_back();
+    subjects_.pop_back();
     --position_;
     ++document_.sceneRevision;
 }
@@ -98,6 +120,8 @@ void UndoStack::markSaved() {
 
 void UndoStack::clear() {
     commands_.clear();
+    subjects_.clear();
+    lost_.clear();
     position_ = 0;
     saved_ = 0;
     gesture_ = false;
@@ -105,7 +129,10 @@ void UndoStack::clear() {
 }
 
 Transaction::Transaction(UndoStack& undo, std::string label) : undo_{undo}, label_{std::move(label)} {
-    if (undo_.group_ == nullptr) undo_.endGesture();
+    if (undo_.group_ == nullptr) {
+        undo_.endGesture();
+        undo_.groupSubject_.clear();
+    }
     outer_ = std::exchange(undo_.group_, &commands_);
 }
 
@@ -127,7 +154,7 @@ bool Transaction::commit() {
     if (outer_ != nullptr) {
         outer_->push_back(std::move(group));
     } else {
-        undo_.append(std::move(group));
+        undo_.append(std::move(group), std::exchange(undo_.groupSubject_, {}));
     }
     return true;
 }

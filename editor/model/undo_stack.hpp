@@ -29,7 +29,17 @@ public:
     [[nodiscard]] std::size_t size() const { return position_; }          ///< steps that can be undone
     [[nodiscard]] std::size_t total() const { return commands_.size(); }  ///< with those that can be redone
     [[nodiscard]] std::string label(std::size_t step) const { return commands_[step]->label(); }
+    /// Whom a step was about, by the name it had then: "crate", "crate and 2 more"; empty for nobody.
+    [[nodiscard]] const std::string& subject(std::size_t step) const { return subjects_[step]; }
     [[nodiscard]] bool inGesture() const { return gesture_; }
+
+    /// Steps that were undone and can never be redone, because another change was made instead.
+    struct Lost {
+        std::size_t position = 0;  ///< after so many steps
+        std::size_t steps = 0;
+        std::string last;  ///< label and subject of the last one
+    };
+    [[nodiscard]] const std::vector<Lost>& lost() const { return lost_; }
 
     void markSaved();
     /// No step is as in the file: it was changed by somebody else, or never written.
@@ -45,15 +55,19 @@ public:
 private:
     friend class Transaction;
 
-    void append(std::unique_ptr<Command> command);
+    void append(std::unique_ptr<Command> command, std::string subject);
+    [[nodiscard]] std::string nameOf(Subject subject) const;
 
     Document& document_;
     std::vector<std::unique_ptr<Command>> commands_;
+    std::vector<std::string> subjects_;  // of each command
+    std::vector<Lost> lost_;
     std::size_t position_ = 0;
     std::size_t saved_ = 0;
     std::size_t cleared_ = 0;
     bool gesture_ = false;
     std::vector<std::unique_ptr<Command>>* group_ = nullptr;  // of the open transaction
+    std::string groupSubject_;                                // of the first command in it that has one
 };
 
 /// Makes several commands one step. Destroyed without commit, it takes them back.

@@ -216,6 +216,7 @@ void Workspace::keepTicked() {
 
 void Workspace::tend(double seconds) {
     safety.tend(seconds);
+    profiler.tend(play);
     const bool open = !document.scenePath.empty();
     const PhysicsReach jumps = open ? reachOf("reach") : PhysicsReach::Off;
     jumps == PhysicsReach::Off ? reach.clear() : reach.tend(*this, jumps == PhysicsReach::All);

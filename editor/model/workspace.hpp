@@ -12,6 +12,7 @@
 #include "editor/model/overlays/trajectories.hpp"
 #include "editor/model/play_mode.hpp"
 #include "editor/model/prefab_edit.hpp"
+#include "editor/model/profiler/profiler.hpp"
 #include "editor/model/safety/safety_net.hpp"
 #include "editor/model/tools/tool.hpp"
 #include "editor/model/undo_stack.hpp"
@@ -42,7 +43,9 @@ enum class WindowRequest : unsigned char {
     LargerText,
     SmallerText,
     RenameSelected,
-    Import
+    Import,
+    FindFile,
+    FindCommand
 };
 
 struct GridSettings {
@@ -66,6 +69,7 @@ public:
     ViewCamera view;
     PhysicsTimes physicsTimes;  ///< of the game that plays
     PlayMode play;
+    Profiler profiler{physicsTimes};
     bool followsGame =
         true;  ///< the view goes with the camera of the game that plays, until it is moved by hand
     GridSettings grid;
@@ -78,6 +82,8 @@ public:
     WindowRequest request = WindowRequest::None;
     std::string importFrom;   ///< with WindowRequest::Import: the file; empty: the person chooses
     std::string assetToEdit;  ///< path of a file that the panel for its kind shall open
+    std::string panelToShow;  ///< title of a panel that comes to the front
+    std::string assetToShow;  ///< path of a file that the asset browser shall show
     /// How this program plays a scene, given its path and its text with all changes.
     std::function<std::unique_ptr<PlaySession>(const std::string& path, const std::string& text)> makeSession;
     std::function<InputFrame()> gameInput;  ///< what the player's hands do now

@@ -128,6 +128,7 @@ int runEditor(const EditorOptions& options) {
     Result<std::unique_ptr<ProjectSession>> session = ProjectSession::open(options.project);
     if (!session) return fail(session.error());
     if (options.validate) return (*session)->validate();
+    if (!options.exportTo.empty()) return (*session)->exportTo(options.exportTo);
 
     (*session)->openFirst(options.scene);
     Workspace& workspace = (*session)->workspace();

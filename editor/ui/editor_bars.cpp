@@ -195,6 +195,7 @@ void EditorWindow::drawStatus(float height) {
     }
     ImGui::TextDisabled("%s", left.c_str());
     widgets_.mark("Status/notice", left);
+    drawLogCounts(ui_);
 
     const std::string place = !ui_.mouseOverScene ? std::string{}
                                                   : format("{}, {}    ", std::lround(ui_.mouseInScene.x),
@@ -241,6 +242,8 @@ void EditorWindow::drawDialogs() {
         case WindowRequest::LargerText:
         case WindowRequest::SmallerText:
         case WindowRequest::Import:
+        case WindowRequest::FindFile:
+        case WindowRequest::FindCommand:
         case WindowRequest::RenameSelected: break;
     }
     drawSceneChooser();
@@ -251,6 +254,8 @@ void EditorWindow::drawDialogs() {
     keep_.draw(ui_);
     safety_.draw(ui_);
     import_.draw(ui_);
+    if (const std::string scene = finder_.draw(ui_); !scene.empty())
+        leaveFor([=, this] { openScene(scene); });
 }
 
 void EditorWindow::drawSceneChooser() {

@@ -14,7 +14,7 @@ namespace {
 constexpr float kToolbarHeight = 38.0f;  // px at scale 1
 constexpr float kStatusHeight = 24.0f;
 constexpr std::size_t kTilesTab = 0;  // among those at the bottom
-constexpr std::string_view kTallTabs[] = {"Tiles", "Tileset", "Assets", "Animation"};
+constexpr std::string_view kTallTabs[] = {"Tiles", "Tileset", "Assets", "Animation", "Profiler", "Input"};
 
 /// The titles of the panels at the bottom, as their tabs stand.
 std::vector<std::string_view> bottomTitles() {
@@ -79,10 +79,12 @@ EditorWindow::EditorWindow(Workspace& workspace, LogBook& log, ScenePicture* pic
         panels_.push_back(row.make());
     }
     workspace_.gameInput = [this] { return takeGameInput(); };
+    log.tick = [this] { return workspace_.play.running() ? workspace_.play.ticks() : std::int64_t{-1}; };
 }
 
 EditorWindow::~EditorWindow() {
     workspace_.gameInput = nullptr;
+    ui_.log.tick = nullptr;
     ImGui::DestroyContext(context_);
 }
 
@@ -126,6 +128,7 @@ void EditorWindow::handleKeys(std::span<const Event> events) {
     const bool playing = workspace_.play.running() && !workspace_.play.paused();
     ui_.panHeld = !typing && !playing && feed_->held(Key::Space);
     for (const Event& event : events) {
+        if (ui_.takeEvent && ui_.takeEvent(event)) continue;
         if (event.kind == EventKind::Quit) workspace_.request = WindowRequest::Quit;
         if (event.kind == EventKind::FileDropped) bringIn(workspace_, event.text);
         if (playing && !typing && isForGame(event)) devices_.handle(event);
@@ -217,9 +220,12 @@ void EditorWindow::drawOverlayMenu() {
 }
 
 void EditorWindow::showAssetPanel() {
-    if (workspace_.assetToEdit.empty()) return;
+    std::string wanted = std::exchange(workspace_.panelToShow, {});
+    if (!workspace_.assetToShow.empty()) wanted = "Assets";
+    if (!workspace_.assetToEdit.empty()) wanted = "Animation";
+    if (wanted.empty()) return;
     const std::vector<std::string_view> titles = bottomTitles();
-    const auto at = std::find(titles.begin(), titles.end(), "Animation");
+    const auto at = std::find(titles.begin(), titles.end(), wanted);
     if (at != titles.end()) bottomTab_ = static_cast<std::size_t>(at - titles.begin());
 }
 

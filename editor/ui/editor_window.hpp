@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "editor/model/assets/hot_reload.hpp"
+#include "editor/ui/dialogs/finder_dialog.hpp"
 #include "editor/ui/dialogs/import_dialog.hpp"
 #include "editor/ui/dialogs/keep_dialog.hpp"
 #include "editor/ui/dialogs/safety_dialogs.hpp"
@@ -94,6 +95,7 @@ private:
     KeepDialog keep_;
     SafetyDialogs safety_;
     ImportDialog import_;
+    FinderDialog finder_;
     HotReload hotReload_{workspace_};
     std::function<void()> next_;  ///< what comes once the person said what to do with unsaved changes
     std::array<char, 64> newScene_{};

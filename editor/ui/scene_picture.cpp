@@ -34,8 +34,10 @@ std::uintptr_t ScenePicture::draw(World& world, AssetStore* assets, const View& 
     renderer.collect(world, how, list_);
     device_.setViewport(viewport);
     device_.clear(kBackground);
+    renderer.renderer().resetCounts();
     renderer.renderer().draw(list_, viewport);
     renderer.drawPhysics(world, physics, how, viewport);
+    counts = renderer.renderer().counts();
     return device_.nativeTexture(device_.targetTexture(target_));
 }
 

@@ -43,6 +43,7 @@ public:
         std::vector<EntityId> hiddenLayers;  ///< tile layers
     };
     Preview preview;
+    RenderCounts counts;  ///< of the last picture
 
     /// Where a part of one of the editor's pictures is on the card. @param source  px; empty: all of it
     TexturePart part(TextureId id, const Rect& source);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <string>
 #include <string_view>
 
@@ -25,6 +26,8 @@ struct Ui {
     bool mouseOverScene = false;
     bool panHeld = false;    ///< Space is held over the scene
     bool viewReady = false;  ///< the viewport has had its size once
+    /// Who waits for a key or a button gets each event first. @return whether it was meant for them
+    std::function<bool(const Event&)> takeEvent;
 
     [[nodiscard]] float px(float size) const { return size * scale; }
 };
@@ -44,6 +47,9 @@ struct PanelRow {
     std::unique_ptr<Panel> (*make)();
 };
 std::span<const PanelRow> panelTable();
+
+/// How many errors and warnings the log has, behind the last item of the status bar; a click shows them.
+void drawLogCounts(Ui& ui);
 
 /// Shows text when the mouse rests on the last item.
 void tooltip(std::string_view text);

@@ -20,6 +20,8 @@ public:
     void reset();
     [[nodiscard]] const std::vector<Zone>& zones() const { return zones_; }
 
+    bool on = true;  ///< else it measures nothing, as if there was none
+
 private:
     std::vector<Zone> zones_;
 };
@@ -28,7 +30,9 @@ private:
 class ProfileScope {
 public:
     ProfileScope(Profile* profile, std::string_view name)
-        : profile_{profile}, name_{name}, start_{profile != nullptr ? threadSeconds() : 0.0} {}
+        : profile_{profile != nullptr && profile->on ? profile : nullptr},
+          name_{name},
+          start_{profile_ != nullptr ? threadSeconds() : 0.0} {}
     ~ProfileScope() {
         if (profile_ != nullptr) profile_->add(name_, threadSeconds() - start_);
     }

@@ -12,7 +12,9 @@
 #include "scene/collider_shapes.hpp"
 #include "scene/components/character_body.hpp"
 #include "scene/components/kinematic_body.hpp"
+#include "scene/components/name.hpp"
 #include "scene/components/rigid_body.hpp"
+#include "scene/components/scene_entity.hpp"
 #include "scene/components/scene_physics.hpp"
 #include "scene/components/static_body.hpp"
 #include "scene/components/tile_collider.hpp"
@@ -134,7 +136,7 @@ private:
         definition.user = userOf(entity);
         const auto made = physics::createBody(bodies_, definition);
         if (!made) {
-            tellRefusal(state_, entity, made.error());
+            tellRefusal(world_, state_, entity, made.error());
             state_.unplaced.push_back(entity);
             return;
         }
@@ -282,7 +284,7 @@ private:
     }
 
     bool accept(const Result<Done>& result, EntityId entity) {
-        if (!result) tellRefusal(state_, entity, result.error());
+        if (!result) tellRefusal(world_, state_, entity, result.error());
         return result.ok();
     }
 
@@ -293,6 +295,14 @@ private:
     bool collidersChanged_;
     bool tryAgain_ = false;  // somebody without a body may have found a place for it
 };
+
+std::string nameOf(const World& world, EntityId entity) {
+    const Name* name = world.find<Name>(entity);
+    const SceneEntity* part = world.find<SceneEntity>(entity);
+    const std::string words{name == nullptr ? std::string_view{} : world.texts().find(name->text)};
+    if (part == nullptr) return words.empty() ? format("entity {}", entity.index) : words;
+    return format("{} @{}", words.empty() ? "entity" : words, hexText(part->id));
+}
 
 void takeSettings(World& world, PhysicsState& state, const physics::Settings& settings) {
     const auto& wanted = world.resource<PhysicsSettings>();
@@ -331,11 +341,11 @@ void placeEntity(World& world, EntityId entity, const Pose& pose) {
     transform->rotation = local.rotation;
 }
 
-void tellRefusal(PhysicsState& state, EntityId entity, const Error& error) {
+void tellRefusal(const World& world, PhysicsState& state, EntityId entity, const Error& error) {
     if (contains(state.refused, entity)) return;
     state.refused.push_back(entity);
     logWarning("Physics",
-               Error{format("entity {}: {}", entity.index, error.where), error.what, error.remedy});
+               Error{format("{}: {}", nameOf(world, entity), error.where), error.what, error.remedy});
 }
 
 physics::Settings physicsSettingsOf(World& world) {
@@ -350,7 +360,7 @@ physics::Settings physicsSettingsOf(World& world) {
         if (checked) {
             settings.gravity = gravity;
         } else {
-            tellRefusal(world.resource<PhysicsState>(), entity, checked.error());
+            tellRefusal(world, world.resource<PhysicsState>(), entity, checked.error());
         }
     };
     takeGravity({}, "PhysicsSettings.gravity", project.gravity);

@@ -18,8 +18,9 @@ void followComponents(World& world, PhysicsState& state, const physics::Settings
 /// Puts an entity at a pose in the world (px), through the pose of its parent if it has one. Its scale stays.
 void placeEntity(World& world, EntityId entity, const Pose& pose);
 
-/// Warns once per entity: a broken one would fill the log.
-void tellRefusal(PhysicsState& state, EntityId entity, const Error& error);
+/// Warns once per entity: a broken one would fill the log. The line names it as "crate @9f3c1a77d2e0b154", by
+/// the id that its scene's file has, so that the editor's console finds it.
+void tellRefusal(const World& world, PhysicsState& state, EntityId entity, const Error& error);
 
 [[nodiscard]] constexpr std::uint64_t userOf(EntityId entity) {
     return std::uint64_t{entity.index} << 32 | entity.generation;

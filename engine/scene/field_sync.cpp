@@ -144,7 +144,7 @@ private:
     }
 
     void accept(const FieldLinkage& linkage, const Result<Done>& result) {
-        if (!result) tellRefusal(state_, linkage.entity, result.error());
+        if (!result) tellRefusal(world_, state_, linkage.entity, result.error());
     }
 
     const World& world_;

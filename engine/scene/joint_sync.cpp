@@ -152,7 +152,7 @@ private:
         if (joint) {
             linkage.joint = *joint;
         } else {
-            tellRefusal(state_, linkage.entity, joint.error());
+            tellRefusal(world_, state_, linkage.entity, joint.error());
         }
     }
 
@@ -163,7 +163,7 @@ private:
             set = physics::setMotorSpeed(bodies_, linkage.joint, definition.motor.speed);
         if (known.kind == JointKind::Mouse && !(known.target == definition.target))
             set = physics::setTarget(bodies_, linkage.joint, definition.target);
-        if (!set) tellRefusal(state_, linkage.entity, set.error());
+        if (!set) tellRefusal(world_, state_, linkage.entity, set.error());
     }
 
     /// @return false while one of the bodies does not exist

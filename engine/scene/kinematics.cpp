@@ -53,7 +53,7 @@ void follow(World& world, PhysicsState& state, std::uint32_t index) {
     const physics::Place place = placeInMetres(pose.position, state.scale);
     if (!(std::abs(place.x) < physics::kFarthest && std::abs(place.y) < physics::kFarthest &&
           std::abs(pose.rotation) < 1e5f)) {
-        tellRefusal(state, link.entity,
+        tellRefusal(world, state, link.entity,
                     {"Transform", "expected finite numbers", "put it back into the scene"});
         placeEntity(world, link.entity, link.pose);
         return;
@@ -105,7 +105,7 @@ void drive(World& world, PhysicsState& state, std::uint32_t index, float dt) {
             }
         }
     }
-    if (!result) tellRefusal(state, link.entity, result.error());
+    if (!result) tellRefusal(world, state, link.entity, result.error());
 }
 
 }  // namespace

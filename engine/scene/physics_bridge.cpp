@@ -101,7 +101,7 @@ void stepPhysics(World& world, float dt) {
     PhysicsState& state = world.resource<PhysicsState>();
     PhysicsTimes* times = world.service<PhysicsTimes>();
     Profile* profile = world.service<Profile>();
-    if (profile == nullptr && times != nullptr) profile = times->profile();
+    if ((profile == nullptr || !profile->on) && times != nullptr) profile = times->profile();
     const Calls calls = callsOf(world);
     {
         const ProfileScope scope{profile, kPhysicsSync};

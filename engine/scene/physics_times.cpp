@@ -29,6 +29,13 @@ void PhysicsTimes::endStep() {
     steps_ = 0;
 }
 
+void PhysicsTimes::take(const Profile& tick) {
+    if (!watching_) return;
+    for (const Profile::Zone& zone : tick.zones()) {
+        if (zone.calls > 0) profile_.add(zone.name, zone.seconds);
+    }
+}
+
 void PhysicsTimes::readRows() {
     rows_.clear();
     const auto add = [&](std::string_view name) {

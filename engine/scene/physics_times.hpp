@@ -28,6 +28,8 @@ public:
     /// Where to measure; null when nobody watches.
     [[nodiscard]] Profile* profile() { return watching_ ? &profile_ : nullptr; }
     void endStep();
+    /// Counts what another profile measured of a tick: a world has one at a time.
+    void take(const Profile& tick);
 
 private:
     void readRows();

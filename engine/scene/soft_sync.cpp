@@ -100,7 +100,7 @@ public:
         const auto made =
             row.make(*look, state_.world, placeInMetres(place, state_.scale), state_.scale.metres);
         if (!made) {
-            tellRefusal(state_, linkage.entity, made.error());
+            tellRefusal(world_, state_, linkage.entity, made.error());
             return;
         }
         linkage.body = *made;

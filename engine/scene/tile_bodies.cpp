@@ -162,7 +162,7 @@ private:
         definition.cellSize = toMetres(size, state_.scale);
         definition.user = userOf(entity_);
         auto body = physics::TerrainBody::create(state_.world, *terrain.outlines, definition);
-        if (!body) return tellRefusal(state_, entity_, body.error());
+        if (!body) return tellRefusal(reader_, state_, entity_, body.error());
         terrain.body = std::move(*body);
         update(terrain);
     }
@@ -194,7 +194,7 @@ private:
 
     void update(TileTerrain& terrain) {
         const auto updated = terrain.body.update(state_.world, *terrain.outlines, terrain.outlines->update());
-        if (!updated) tellRefusal(state_, entity_, updated.error());
+        if (!updated) tellRefusal(reader_, state_, entity_, updated.error());
     }
 
     [[nodiscard]] const Tileset* tileset() const {

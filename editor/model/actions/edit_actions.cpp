@@ -54,6 +54,10 @@ const std::array kRows{
     line("Edit"),
     Action{"edit.selectAll", "Edit", "Select all", control(Key::A), editable,
            [](Workspace& w) { w.document.selection.set(w.document.objects()); }},
+    line("Edit"),
+    Action{"edit.find", "Edit", "Go to...", control(Key::P), always, ask<WindowRequest::FindFile>},
+    Action{"edit.commands", "Edit", "Commands...", control(Key::P, true), always,
+           ask<WindowRequest::FindCommand>},
     Action{"edit.escape", "Edit", "Cancel or select nothing", {Key::Escape}, always, escape},
 };
 

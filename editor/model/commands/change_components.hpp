@@ -22,6 +22,9 @@ public:
         : label_{std::move(label)}, type_{type}, changes_{std::move(changes)} {}
 
     [[nodiscard]] std::string label() const override { return label_; }
+    [[nodiscard]] Subject subject() const override {
+        return changes_.empty() ? Subject{} : Subject{changes_.front().object, changes_.size()};
+    }
     void apply(Document& document) override { swapComponents(document); }
     void revert(Document& document) override { swapComponents(document); }
     bool absorb(const Command& next) override;

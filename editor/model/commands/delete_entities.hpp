@@ -14,6 +14,9 @@ public:
     explicit DeleteEntities(std::vector<ObjectId> objects) : objects_{std::move(objects)} {}
 
     [[nodiscard]] std::string label() const override;
+    [[nodiscard]] Subject subject() const override {
+        return objects_.empty() ? Subject{} : Subject{objects_.front(), objects_.size()};
+    }
     void apply(Document& document) override;
     void revert(Document& document) override;
 

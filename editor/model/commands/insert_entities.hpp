@@ -16,6 +16,9 @@ public:
         : label_{std::move(label)}, states_{std::move(states)} {}
 
     [[nodiscard]] std::string label() const override { return label_; }
+    [[nodiscard]] Subject subject() const override {
+        return states_.empty() ? Subject{} : Subject{states_.front().id, states_.size()};
+    }
     void apply(Document& document) override;
     void revert(Document& document) override;
     [[nodiscard]] std::vector<ObjectId> ids() const;

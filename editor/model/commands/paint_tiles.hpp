@@ -39,6 +39,7 @@ public:
     }
 
     [[nodiscard]] std::string label() const override { return label_; }
+    [[nodiscard]] Subject subject() const override { return {layer_, 1}; }
     void apply(Document& document) override;
     void revert(Document& document) override;
     bool absorb(const Command& next) override;

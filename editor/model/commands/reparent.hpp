@@ -24,6 +24,9 @@ public:
     [[nodiscard]] std::string label() const override {
         return parent_ ? "change parent" : "take from parent";
     }
+    [[nodiscard]] Subject subject() const override {
+        return changes_.empty() ? Subject{} : Subject{changes_.front().object, changes_.size()};
+    }
     void apply(Document& document) override;
     void revert(Document& document) override;
 

@@ -20,6 +20,9 @@ public:
         : type_{type}, field_{field}, changes_{std::move(changes)} {}
 
     [[nodiscard]] std::string label() const override;
+    [[nodiscard]] Subject subject() const override {
+        return changes_.empty() ? Subject{} : Subject{changes_.front().object, changes_.size()};
+    }
     void apply(Document& document) override { swapValues(document); }
     void revert(Document& document) override { swapValues(document); }
     bool absorb(const Command& next) override;

@@ -39,6 +39,7 @@ public:
             browser.refresh();
             nextLook_ = now + kLookAgain;
         }
+        if (!ui.workspace.assetToShow.empty()) show(browser, std::exchange(ui.workspace.assetToShow, {}));
         drawBar(ui, browser);
         beginChild("folders", {ui.px(kTreeWidth), 0.0f}, false);
         drawFolder(ui, browser, "");
@@ -55,6 +56,13 @@ private:
     AssetBrowser& browserOf(Ui& ui) {
         if (!browser_) browser_ = std::make_unique<AssetBrowser>(ui.workspace);
         return *browser_;
+    }
+
+    static void show(AssetBrowser& browser, const std::string& path) {
+        browser.refresh();
+        browser.search.clear();
+        browser.enter(path.substr(0, path.find('/') == std::string::npos ? 0 : path.rfind('/')));
+        browser.selected = path;
     }
 
     void drawBar(Ui& ui, AssetBrowser& browser) {

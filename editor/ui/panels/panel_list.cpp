@@ -15,6 +15,8 @@ std::span<const PanelRow> panelTable() {
         PanelRow{"Tileset", Dock::Bottom, &makeTilesetPanel},
         PanelRow{"Assets", Dock::Bottom, &makeAssetsPanel},
         PanelRow{"Animation", Dock::Bottom, &makeAnimationPanel},
+        PanelRow{"Profiler", Dock::Bottom, &makeProfilerPanel},
+        PanelRow{"Input", Dock::Bottom, &makeInputPanel},
     };
     return kPanels;
 }

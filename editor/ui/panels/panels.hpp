@@ -14,6 +14,8 @@ std::unique_ptr<Panel> makeTilesPanel();
 std::unique_ptr<Panel> makeTilesetPanel();
 std::unique_ptr<Panel> makeHistoryPanel();
 std::unique_ptr<Panel> makeAssetsPanel();
+std::unique_ptr<Panel> makeProfilerPanel();
+std::unique_ptr<Panel> makeInputPanel();
 std::unique_ptr<Panel> makeAnimationPanel();
 
 }  // namespace plumb::editor::ui

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "assets/asset_store.hpp"
+#include "core/clock.hpp"
 #include "editor/model/actions.hpp"
 #include "editor/model/bounds.hpp"
 #include "editor/model/tile_layers.hpp"
@@ -206,8 +207,12 @@ private:
         }
         const PixelSize pixels{static_cast<int>(view.size.x), static_cast<int>(view.size.y)};
         ui.picture->preview = previewOf(workspace);
+        const double start = workspace.profiler.measures() ? threadSeconds() : 0.0;
         const std::uintptr_t texture = ui.picture->draw(world, workspace.play.assets(), view, pixels,
                                                         ui.playAlpha, asGame, shownPhysics(workspace));
+        if (workspace.profiler.measures())
+            workspace.profiler.drew(threadSeconds() - start, ui.picture->counts.drawCalls,
+                                    ui.picture->counts.sprites);
         imageOfPixels(
             list, textureId(texture), from,
             {from.x + static_cast<float>(pixels.width), from.y + static_cast<float>(pixels.height)});

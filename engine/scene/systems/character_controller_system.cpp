@@ -89,8 +89,8 @@ CharacterLinkage* linkageOf(PhysicsState& state, EntityId entity) {
 }
 
 /// The character, with its component's numbers and where its Transform was put; nobody when they are bad.
-CharacterLinkage* prepared(PhysicsState& state, EntityId entity, const CharacterController& character,
-                           const Outline& outline, Vec2 middle) {
+CharacterLinkage* prepared(const World& world, PhysicsState& state, EntityId entity,
+                           const CharacterController& character, const Outline& outline, Vec2 middle) {
     const physics::CharacterDefinition definition = definitionOf(state, entity, character, outline);
     const std::uint64_t made = madeFrom(definition);
     CharacterLinkage* linkage = linkageOf(state, entity);
@@ -111,7 +111,7 @@ CharacterLinkage* prepared(PhysicsState& state, EntityId entity, const Character
         result = linkage->controller.setPosition(placeInMetres(middle, state.scale));
     if (linkage != nullptr && result)
         result = linkage->controller.setVelocity(toMetres(character.velocity, state.scale));
-    if (!result) tellRefusal(state, entity, result.error());
+    if (!result) tellRefusal(world, state, entity, result.error());
     return result ? linkage : nullptr;
 }
 
@@ -120,7 +120,7 @@ void move(World& world, PhysicsState& state, EntityId entity, CharacterControlle
     const Outline outline = outlineOf(std::as_const(world), entity, transform.scale, state.scale);
     if (outline.surface == nullptr) return;
     CharacterLinkage* linkage =
-        prepared(state, entity, character, outline, transform.position + outline.middle);
+        prepared(world, state, entity, character, outline, transform.position + outline.middle);
     if (linkage == nullptr) return;
     const physics::CharacterMotion motion = linkage->controller.update(state.world, dt);
     const Vec2 middle = placeInPixels(linkage->controller.position(), state.scale);

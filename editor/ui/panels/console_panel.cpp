@@ -1,0 +1,275 @@
+#include <algorithm>
+
+#include "core/text.hpp"
+#include "editor/model/actions.hpp"
+#include "editor/model/log_view.hpp"
+#include "editor/ui/panels/panels.hpp"
+#include "editor/ui/ui_compat.hpp"
+#include "editor/ui/widgets/text_field.hpp"
+
+namespace plumb::editor::ui {
+namespace {
+
+constexpr float kTimeWidth = 66.0f;     // px at scale 1
+constexpr float kChannelWidth = 66.0f;  // px at scale 1
+constexpr float kLinkWidth = 120.0f;    // px at scale 1
+
+ImU32 colorOfLevel(LogLevel level) {
+    switch (level) {
+        case LogLevel::Warning: return palette::kWarning;
+        case LogLevel::Error: return palette::kError;
+        case LogLevel::Detail: return palette::kTextDim;
+        case LogLevel::Note: break;
+    }
+    return palette::kText;
+}
+
+/// "3 errors", "1 note".
+std::string counted(std::size_t count, std::string_view one) {
+    return format("{} {}{}", count, one, count == 1 ? "" : "s");
+}
+
+void drawDot(ImDrawList& list, const Ui& ui, ImVec2 middle, ImU32 color) {
+    list.AddCircleFilled(middle, ui.px(3.5f), color);
+}
+
+/// What engine, game and editor said.
+class ConsolePanel final : public Panel {
+public:
+    void draw(Ui& ui) override {
+        view_.update(ui.log);
+        drawBar(ui);
+        if (ui.log.lines().empty()) {
+            ImGui::TextDisabled(
+                "Nothing has been said yet. Messages of the game and the editor appear here.");
+            return;
+        }
+        if (view_.rows().empty()) {
+            ImGui::TextDisabled("No line is of these levels and channels and has these words.");
+            return;
+        }
+        drawLines(ui);
+    }
+
+private:
+    void drawBar(Ui& ui) {
+        struct Button {
+            LogLevel level;
+            const char* name;
+        };
+        for (const auto& [level, name] :
+             {Button{LogLevel::Error, "error"}, Button{LogLevel::Warning, "warning"},
+              Button{LogLevel::Note, "note"}}) {
+            bool& shown = view_.levels[static_cast<std::size_t>(level)];
+            if (toggle(ui, counted(view_.count(level), name), format("Console/{}s", name), shown,
+                       colorOfLevel(level)))
+                shown = !shown;
+            tooltip(format("{} lines of this kind", shown ? "Hides" : "Shows"));
+            ImGui::SameLine(0.0f, ui.px(4.0f));
+        }
+        drawChannels(ui);
+        ImGui::SameLine(0.0f, ui.px(4.0f));
+        const float buttons = ui.px(218.0f);
+        ImGui::SetNextItemWidth(std::max(ImGui::GetContentRegionAvail().x - buttons, ui.px(60.0f)));
+        textField("##search", view_.search, 0, "Search");
+        ui.widgets.mark("Console/search", view_.search);
+        ImGui::SameLine(0.0f, ui.px(4.0f));
+        if (toggle(ui, "Once", "Console/once", view_.once)) view_.once = !view_.once;
+        tooltip("Equal lines are one, with how often they were said");
+        ImGui::SameLine(0.0f, ui.px(4.0f));
+        if (toggle(ui, "Follow", "Console/follow", follows_)) follows_ = !follows_;
+        tooltip("Goes with what is said last; scrolling up stops that");
+        ImGui::SameLine(0.0f, ui.px(4.0f));
+        if (ImGui::Button("Copy")) {
+            ui.workspace.clipboard = view_.text(ui.log);
+            ui.workspace.notice = format("Copied {}", counted(view_.rows().size(), "line"));
+        }
+        ui.widgets.mark("Console/copy");
+        tooltip("Copies all lines that are shown");
+        ImGui::SameLine(0.0f, ui.px(4.0f));
+        if (ImGui::Button("Clear")) ui.log.clear();
+        ui.widgets.mark("Console/clear");
+        view_.update(ui.log);
+    }
+
+    static bool toggle(Ui& ui, const std::string& label, const std::string& path, bool on,
+                       ImU32 color = palette::kText) {
+        ImGui::PushStyleColor(ImGuiCol_Button, on ? palette::kAccentSoft : IM_COL32(0, 0, 0, 0));
+        ImGui::PushStyleColor(ImGuiCol_Text, on ? color : palette::kTextDim);
+        const bool pressed = ImGui::Button(format("{}##{}", label, path).c_str());
+        ImGui::PopStyleColor(2);
+        ui.widgets.mark(path, label);
+        return pressed;
+    }
+
+    void drawChannels(Ui& ui) {
+        const std::size_t hidden = view_.hiddenChannels.size();
+        const std::string label = hidden == 0 ? "All channels" : format("{} hidden", hidden);
+        if (toggle(ui, label, "Console/channels", hidden > 0)) ImGui::OpenPopup("channels");
+        if (!ImGui::BeginPopup("channels")) return;
+        for (const std::string& channel : view_.channels()) {
+            const auto found = view_.hiddenChannels.find(channel);
+            bool shown = found == view_.hiddenChannels.end();
+            if (ImGui::Checkbox(channel.c_str(), &shown)) {
+                if (shown)
+                    view_.hiddenChannels.erase(found);
+                else
+                    view_.hiddenChannels.insert(channel);
+            }
+            ui.widgets.mark("Console/channel/" + channel, shown ? "on" : "off");
+        }
+        ImGui::EndPopup();
+    }
+
+    void drawLines(Ui& ui) {
+        beginChild("lines", {0.0f, 0.0f}, false);
+        const float width = ImGui::GetContentRegionAvail().x;
+        measure(ui, width);
+        // Only the rows in sight are drawn; their heights differ, so a clipper does not help.
+        const float top = ImGui::GetCursorPosY();
+        const float from = ImGui::GetScrollY() - top;
+        const auto first = std::upper_bound(ends_.begin(), ends_.end(), from);
+        for (auto at = first; at != ends_.end(); ++at) {
+            const auto row = static_cast<std::size_t>(at - ends_.begin());
+            const float start = row == 0 ? 0.0f : ends_[row - 1];
+            if (start > from + ImGui::GetWindowHeight()) break;
+            ImGui::SetCursorPosY(top + start);
+            drawRow(ui, row, width, *at - start);
+        }
+        ImGui::SetCursorPosY(top + ends_.back());
+        ImGui::Dummy({1.0f, 0.0f});
+        follow(ui);
+        ui.widgets.mark("Console/last", ui.log.lines()[view_.rows().back().line].text);
+        ImGui::EndChild();
+    }
+
+    /// Scrolling up by hand stops following, going to the end begins it again.
+    void follow(const Ui& ui) {
+        const bool atEnd = ImGui::GetScrollY() >= ImGui::GetScrollMaxY() - 1.0f;
+        if (ImGui::IsWindowHovered() && ImGui::GetIO().MouseWheel != 0.0f)
+            follows_ = ImGui::GetIO().MouseWheel < 0.0f && atEnd;
+        if (follows_ && (ui.log.revision() != shown_ || !atEnd)) ImGui::SetScrollHereY(1.0f);
+        shown_ = ui.log.revision();
+    }
+
+    [[nodiscard]] static float textWidth(const Ui& ui, float width) {
+        return std::max(width - ui.px(kTimeWidth + kChannelWidth + kLinkWidth), ui.px(80.0f));
+    }
+
+    /// Where each row ends (px); anew when the rows or the room for them changed.
+    void measure(const Ui& ui, float width) {
+        if (measured_ == view_.revision() && width == measuredWidth_) return;
+        measured_ = view_.revision();
+        measuredWidth_ = width;
+        ends_.clear();
+        float y = 0.0f;
+        const float gap = ui.px(3.0f);
+        for (const LogView::Row& row : view_.rows()) {
+            const std::string& text = ui.log.lines()[row.line].text;
+            y += ImGui::CalcTextSize(text.c_str(), nullptr, false, textWidth(ui, width)).y + gap;
+            ends_.push_back(y);
+        }
+    }
+
+    void drawRow(Ui& ui, std::size_t index, float width, float height) {
+        const LogView::Row& row = view_.rows()[index];
+        const LogEntry& line = ui.log.lines()[row.line];
+        const ObjectId object = entityIn(ui.workspace.document, line.text);
+        const ImVec2 at = ImGui::GetCursorScreenPos();
+        ImGui::PushID(static_cast<int>(index));
+        const bool clicked = ImGui::InvisibleButton("line", {width, height});
+        ui.widgets.mark(format("Console/{}", index), format("{} x{}", line.text, row.times));
+        const bool hovered = ImGui::IsItemHovered();
+        if (ImGui::BeginPopupContextItem("menu")) {
+            if (ImGui::MenuItem("Copy line")) ui.workspace.clipboard = textOf(line);
+            ui.widgets.mark("Console/menu/Copy line");
+            if (ImGui::MenuItem("Hide this channel")) view_.hiddenChannels.insert(line.channel);
+            ui.widgets.mark("Console/menu/Hide this channel");
+            ImGui::EndPopup();
+        }
+        ImGui::PopID();
+
+        ImDrawList& list = *ImGui::GetWindowDrawList();
+        if (hovered)
+            list.AddRectFilled(at, {at.x + width, at.y + height}, IM_COL32(128, 128, 128, 26), ui.px(3.0f));
+        const std::string time =
+            line.tick < 0 ? fixedText(line.seconds, 1) + " s" : format("tick {}", line.tick);
+        list.AddText(at, palette::kTextDim, time.c_str());
+        const float x = at.x + ui.px(kTimeWidth);
+        list.PushClipRect({x, at.y}, {x + ui.px(kChannelWidth - 4.0f), at.y + height}, true);
+        list.AddText({x, at.y}, palette::kTextDim, line.channel.c_str());
+        list.PopClipRect();
+        list.AddText(ui.fonts.text, ui.fonts.size, {x + ui.px(kChannelWidth), at.y}, colorOfLevel(line.level),
+                     line.text.c_str(), nullptr, textWidth(ui, width));
+        drawEnd(ui, list, row, object, {at.x + width, at.y}, height);
+        if (hovered && (object || ImGui::GetIO().MousePos.x < x)) tooltip(hint(ui, line, object));
+        if (!clicked || !object) return;
+        ui.workspace.document.selection.set({object});
+        runAction(ui.workspace, "view.frame");
+    }
+
+    static std::string hint(const Ui& ui, const LogEntry& line, ObjectId object) {
+        std::string text =
+            format("{} s{}", fixedText(line.seconds, 2), line.tick < 0 ? "" : format(", tick {}", line.tick));
+        if (object) text += format("\nA click selects \"{}\"", ui.workspace.document.nameOf(object));
+        return text;
+    }
+
+    /// At the right: how often, and whom the line is about.
+    static void drawEnd(const Ui& ui, ImDrawList& list, const LogView::Row& row, ObjectId object, ImVec2 end,
+                        float height) {
+        float x = end.x - ui.px(6.0f);
+        if (row.times > 1) {
+            const std::string times = format("x{}", row.times);
+            const float wide = ImGui::CalcTextSize(times.c_str()).x;
+            list.AddRectFilled({x - wide - ui.px(8.0f), end.y}, {x, end.y + ImGui::GetTextLineHeight()},
+                               palette::kAccentSoft, ui.px(7.0f));
+            list.AddText({x - wide - ui.px(4.0f), end.y}, palette::kText, times.c_str());
+            x -= wide + ui.px(14.0f);
+        }
+        if (!object) return;
+        const std::string name = ui.workspace.document.nameOf(object);
+        const float wide = ImGui::CalcTextSize(name.c_str()).x;
+        const float left = end.x - ui.px(kLinkWidth - 6.0f);
+        list.PushClipRect({left, end.y}, {x, end.y + height}, true);
+        list.AddText({std::max(x - wide, left), end.y}, palette::kAccent, name.c_str());
+        list.PopClipRect();
+    }
+
+    LogView view_;
+    std::vector<float> ends_;  ///< px, of the rows
+    std::size_t measured_ = 0;
+    float measuredWidth_ = 0.0f;
+    bool follows_ = true;
+    std::size_t shown_ = 0;
+};
+
+}  // namespace
+
+void drawLogCounts(Ui& ui) {
+    std::size_t errors = 0, warnings = 0;
+    for (const LogEntry& line : ui.log.lines()) {
+        errors += line.level == LogLevel::Error ? 1 : 0;
+        warnings += line.level == LogLevel::Warning ? 1 : 0;
+    }
+    if (errors + warnings == 0) return;
+    const std::string text = errors == 0 ? counted(warnings, "warning")
+                             : warnings == 0
+                                 ? counted(errors, "error")
+                                 : format("{}, {}", counted(errors, "error"), counted(warnings, "warning"));
+    ImGui::SameLine(0.0f, ui.px(22.0f));
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const float line = ImGui::GetTextLineHeight();
+    const ImVec2 size{ImGui::CalcTextSize(text.c_str()).x + ui.px(12.0f), line};
+    if (ImGui::InvisibleButton("log counts", size)) ui.workspace.panelToShow = "Console";
+    ui.widgets.mark("Status/log", text);
+    tooltip("Shows the console");
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const ImU32 color = errors > 0 ? palette::kError : palette::kWarning;
+    drawDot(list, ui, {at.x + ui.px(4.0f), at.y + line * 0.5f}, color);
+    list.AddText({at.x + ui.px(12.0f), at.y}, color, text.c_str());
+}
+
+std::unique_ptr<Panel> makeConsolePanel() { return std::make_unique<ConsolePanel>(); }
+
+}  // namespace plumb::editor::ui

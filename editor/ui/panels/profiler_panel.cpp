@@ -1,0 +1,299 @@
+#include <algorithm>
+#include <cmath>
+
+#include "core/text.hpp"
+#include "editor/model/profiler/profiler.hpp"
+#include "editor/ui/panels/panels.hpp"
+#include "editor/ui/ui_compat.hpp"
+#include "physics/simulation.hpp"
+
+namespace plumb::editor::ui {
+namespace {
+
+constexpr float kBar = 3.0f;              // px at scale 1, of a tick
+constexpr float kGraphHeight = 84.0f;     // px at scale 1
+constexpr float kCountsWidth = 168.0f;    // px at scale 1
+constexpr float kTick = 1000.0f / 60.0f;  // ms: what a tick may take at most
+
+std::string ms(float time) { return fixedText(static_cast<double>(time), time < 9.995f ? 2 : 1); }
+
+/// The next of 0.5, 1, 2, 5, 10 … above the value.
+float roundedUp(float value) {
+    float step = 0.5f;
+    for (const float factor : {2.0f, 2.0f, 2.5f, 2.0f, 2.0f, 2.5f, 2.0f, 2.0f, 2.5f, 2.0f}) {
+        if (step >= value) break;
+        step *= factor;
+    }
+    return std::max(step, value);
+}
+
+/// "contacts, triggers": whose stage of the physics it is; empty for all.
+std::string effectsOfStage(std::string_view stage) {
+    std::string names;
+    for (const physics::StageInfo& info : physics::stages()) {
+        if (info.name != stage) continue;
+        for (std::uint32_t i = 0; i < physics::kEffects; ++i) {
+            const auto effect = static_cast<physics::Effect>(i);
+            if ((info.effects & physics::Manifest::bit(effect)) == 0) continue;
+            names += format("{}{}", names.empty() ? "" : ", ", physics::nameOf(effect));
+        }
+    }
+    return names;
+}
+
+/// What each tick of the game that plays cost.
+class ProfilerPanel final : public Panel {
+public:
+    void draw(Ui& ui) override {
+        Profiler& profiler = ui.workspace.profiler;
+        profiler.want();
+        if (profiler.samples().empty()) {
+            ImGui::TextDisabled("%s", ui.workspace.play.running()
+                                          ? "The next tick is measured."
+                                          : "Nothing is measured while no game plays. F5 plays the scene.");
+            ui.widgets.mark("Profiler/empty");
+            return;
+        }
+        chosen_ = chosenSample(profiler);
+        drawBar(ui, profiler);
+        drawGraph(ui, profiler);
+        beginChild("zones", {ImGui::GetContentRegionAvail().x - ui.px(kCountsWidth), 0.0f}, false);
+        drawTable(ui, profiler);
+        ImGui::EndChild();
+        ImGui::SameLine();
+        beginChild("counts", {0.0f, 0.0f}, false);
+        drawCounts(ui, profiler.samples()[chosen_]);
+        ImGui::EndChild();
+    }
+
+private:
+    /// The one that was clicked, as long as it is kept; else the last one.
+    std::size_t chosenSample(const Profiler& profiler) {
+        const auto& samples = profiler.samples();
+        if (pinned_ >= 0) {
+            const auto found =
+                std::find_if(samples.begin(), samples.end(),
+                             [&](const Profiler::Sample& sample) { return sample.tick == pinned_; });
+            if (found != samples.end()) return static_cast<std::size_t>(found - samples.begin());
+            pinned_ = -1;
+        }
+        return samples.size() - 1;
+    }
+
+    void choose(Profiler& profiler, std::size_t sample) {
+        pinned_ = profiler.samples()[sample].tick;
+        profiler.held = true;
+    }
+
+    void drawBar(Ui& ui, Profiler& profiler) {
+        ImGui::PushStyleColor(ImGuiCol_Button, profiler.held ? palette::kAccentSoft : IM_COL32(0, 0, 0, 0));
+        if (ImGui::Button("Hold")) {
+            profiler.held = !profiler.held;
+            if (!profiler.held) pinned_ = -1;
+        }
+        ImGui::PopStyleColor();
+        ui.widgets.mark("Profiler/hold", profiler.held ? "on" : "off");
+        tooltip("The graph stands still, the game goes on. A click on a tick holds too.");
+        ImGui::SameLine(0.0f, ui.px(4.0f));
+        drawSpikes(ui, profiler);
+        ImGui::SameLine(0.0f, ui.px(4.0f));
+        drawGoThere(ui, profiler);
+        ImGui::SameLine();
+        float sum = 0.0f, worst = 0.0f;
+        for (const Profiler::Sample& sample : profiler.samples()) {
+            sum += sample.milliseconds;
+            worst = std::max(worst, sample.milliseconds);
+        }
+        const Profiler::Sample& shown = profiler.samples()[chosen_];
+        const std::string text =
+            format("tick {}: {} ms, its picture {} ms.  Of {} ticks: mean {} ms, worst {} ms", shown.tick,
+                   ms(shown.milliseconds), ms(shown.drawing), profiler.samples().size(),
+                   ms(sum / static_cast<float>(profiler.samples().size())), ms(worst));
+        ImGui::AlignTextToFramePadding();
+        ImGui::TextDisabled("%s", text.c_str());
+        ui.widgets.mark("Profiler/summary", text);
+        tooltip("CPU time of the main thread. A tick may take 16.7 ms at most, drawing included.");
+    }
+
+    void drawSpikes(Ui& ui, Profiler& profiler) {
+        const std::vector<std::size_t> spikes = spikesOf(profiler.samples());
+        const std::string label =
+            format("{} {}###spikes", spikes.size(), spikes.size() == 1 ? "spike" : "spikes");
+        ImGui::PushStyleColor(ImGuiCol_Text, spikes.empty() ? palette::kTextDim : palette::kWarning);
+        const bool pressed = ImGui::Button(label.c_str());
+        ImGui::PopStyleColor();
+        ui.widgets.mark("Profiler/spikes", format("{}", spikes.size()));
+        tooltip("Ticks that took much longer than most. A click goes to the next older one.");
+        if (!pressed || spikes.empty()) return;
+        const auto next = std::lower_bound(spikes.begin(), spikes.end(), chosen_);
+        choose(profiler, next == spikes.begin() ? spikes.back() : *std::prev(next));
+    }
+
+    void drawGoThere(Ui& ui, const Profiler& profiler) {
+        PlayMode& play = ui.workspace.play;
+        const std::int64_t tick = profiler.samples()[chosen_].tick;
+        const bool possible = play.running() && tick >= play.oldest() && tick <= play.newest();
+        ImGui::PushStyleColor(ImGuiCol_Text, possible ? palette::kText : palette::kTextDim);
+        if (ImGui::Button("Go there") && possible) play.seek(tick);
+        ImGui::PopStyleColor();
+        ui.widgets.mark("Profiler/go");
+        tooltip("Pauses the game and shows it as it was after this tick");
+    }
+
+    void drawGraph(Ui& ui, Profiler& profiler) {
+        const auto& samples = profiler.samples();
+        const float bar = std::max(std::floor(ui.px(kBar)), 2.0f);
+        const ImVec2 at = ImGui::GetCursorScreenPos();
+        const ImVec2 size{ImGui::GetContentRegionAvail().x, ui.px(kGraphHeight)};
+        ImGui::InvisibleButton("graph", size);
+        ui.widgets.mark("Profiler/graph");
+        const bool hovered = ImGui::IsItemHovered();
+        const bool pressed = ImGui::IsItemActive();
+        const std::size_t count =
+            std::min(samples.size(), static_cast<std::size_t>(std::max(size.x / bar, 1.0f)));
+        const std::size_t first = samples.size() - count;
+        float most = 0.0f;
+        for (std::size_t i = first; i < samples.size(); ++i)
+            most = std::max(most, samples[i].milliseconds + samples[i].drawing);
+        const float whole = roundedUp(most);
+
+        ImDrawList& list = *ImGui::GetWindowDrawList();
+        const ImVec2 to{at.x + size.x, at.y + size.y};
+        list.AddRectFilled(at, to, palette::kField, ui.px(3.0f));
+        const float left = to.x - bar * static_cast<float>(count);
+        const auto height = [&](float time) { return std::floor(time / whole * (size.y - ui.px(4.0f))); };
+        for (std::size_t i = first; i < samples.size(); ++i) {
+            const float x = left + bar * static_cast<float>(i - first);
+            const float game = std::max(height(samples[i].milliseconds), 1.0f);
+            const float all = game + height(samples[i].drawing);
+            if (i == chosen_) list.AddRectFilled({x, at.y}, {x + bar - 1.0f, to.y}, palette::kAccentSoft);
+            list.AddRectFilled({x, to.y - all}, {x + bar - 1.0f, to.y - game}, palette::kTextDim);
+            list.AddRectFilled({x, to.y - game}, {x + bar - 1.0f, to.y},
+                               samples[i].again ? palette::kWarning : palette::kAccent);
+        }
+        for (const std::size_t spike : spikesOf(profiler.samples())) {
+            if (spike < first) continue;
+            const float x = left + bar * (static_cast<float>(spike - first) + 0.5f);
+            list.AddTriangleFilled({x - ui.px(3.0f), at.y}, {x + ui.px(3.0f), at.y}, {x, at.y + ui.px(5.0f)},
+                                   palette::kError);
+        }
+        drawScale(ui, list, at, to, whole, height);
+        if (!hovered && !pressed) return;
+        const float under =
+            std::clamp((ImGui::GetIO().MousePos.x - left) / bar, 0.0f, static_cast<float>(count) - 1.0f);
+        const std::size_t sample = first + static_cast<std::size_t>(under);
+        if (pressed) choose(profiler, sample);
+        const Profiler::Sample& shown = samples[sample];
+        tooltip(format("tick {}{}\n{} ms, and {} ms for its picture", shown.tick,
+                       shown.again ? ", played again" : "", ms(shown.milliseconds), ms(shown.drawing)));
+    }
+
+    template <class Height>
+    static void drawScale(const Ui& ui, ImDrawList& list, ImVec2 at, ImVec2 to, float whole, Height height) {
+        const auto line = [&](float time, ImU32 color, const std::string& label) {
+            const float y = to.y - height(time);
+            list.AddLine({at.x, y}, {to.x, y}, color);
+            list.AddText({at.x + ui.px(4.0f), y + ui.px(1.0f)}, palette::kTextDim, label.c_str());
+        };
+        const ImU32 faint = IM_COL32(128, 128, 128, 60);
+        line(whole, faint, format("{} ms", ms(whole)));
+        line(whole * 0.5f, faint, format("{}", ms(whole * 0.5f)));
+        if (kTick < whole) line(kTick, palette::kError, "16.7");
+    }
+
+    void drawTable(Ui& ui, Profiler& profiler) {
+        constexpr ImGuiTableFlags kFlags =
+            ImGuiTableFlags_ScrollY | ImGuiTableFlags_RowBg | ImGuiTableFlags_SizingFixedFit;
+        if (!ImGui::BeginTable("zones", 5, kFlags)) return;
+        ImGui::TableSetupScrollFreeze(0, 1);
+        ImGui::TableSetupColumn("System", ImGuiTableColumnFlags_WidthStretch);
+        for (const char* column : {"tick", "mean", "worst"})
+            ImGui::TableSetupColumn(column, ImGuiTableColumnFlags_WidthFixed, ui.px(58.0f));
+        ImGui::TableSetupColumn("of the tick", ImGuiTableColumnFlags_WidthFixed, ui.px(110.0f));
+        ImGui::TableHeadersRow();
+        float mean = 0.0f;
+        for (const Profiler::Sample& sample : profiler.samples()) mean += sample.milliseconds;
+        mean /= static_cast<float>(profiler.samples().size());
+        for (const Profiler::Row& row : rowsOf(profiler.samples(), profiler.zones(), chosen_))
+            drawRow(ui, profiler, row, mean);
+        ImGui::EndTable();
+    }
+
+    void drawRow(Ui& ui, Profiler& profiler, const Profiler::Row& row, float mean) {
+        const Profiler::Zone& zone = profiler.zones()[row.zone];
+        const std::string name{zone.name};
+        ImGui::TableNextRow();
+        ImGui::TableNextColumn();
+        ImGui::PushID(static_cast<int>(row.zone));
+        if (zone.inPhysics) ImGui::Indent(ui.px(14.0f));
+        ImGui::PushStyleColor(ImGuiCol_Text, zone.inPhysics ? palette::kTextDim : palette::kText);
+        ImGui::TextUnformatted(name.c_str());
+        ImGui::PopStyleColor();
+        if (zone.inPhysics) ImGui::Unindent(ui.px(14.0f));
+        ui.widgets.mark("Profiler/zone/" + name, ms(row.mean));
+        if (zone.inPhysics) {
+            const std::string effects = effectsOfStage(zone.name);
+            tooltip(effects.empty() ? "A stage of the physics that always runs"
+                                    : format("A stage of the physics, for: {}", effects));
+        }
+        const auto number = [&](float time) {
+            ImGui::TableNextColumn();
+            const std::string text = ms(time);
+            ImGui::SetCursorPosX(ImGui::GetCursorPosX() + ui.px(40.0f) - ImGui::CalcTextSize(text.c_str()).x);
+            ImGui::TextUnformatted(text.c_str());
+        };
+        number(row.chosen);
+        number(row.mean);
+        number(row.worst);
+        ui.widgets.mark("Profiler/worst/" + name, format("{}", row.worstTick));
+        if (ImGui::IsItemClicked()) {
+            const auto& samples = profiler.samples();
+            for (std::size_t i = 0; i < samples.size(); ++i) {
+                if (samples[i].tick == row.worstTick) choose(profiler, i);
+            }
+        }
+        tooltip(format("In tick {}; a click shows it", row.worstTick));
+        ImGui::TableNextColumn();
+        const ImVec2 at = ImGui::GetCursorScreenPos();
+        const float line = ImGui::GetTextLineHeight();
+        const float part = mean > 0.0f ? std::clamp(row.mean / mean, 0.0f, 1.0f) : 0.0f;
+        ImGui::Dummy({ui.px(100.0f), line});
+        ImGui::GetWindowDrawList()->AddRectFilled(
+            {at.x, at.y + line * 0.25f}, {at.x + ui.px(100.0f) * part, at.y + line * 0.8f},
+            zone.inPhysics ? palette::kTextDim : palette::kAccent, ui.px(2.0f));
+        ImGui::PopID();
+    }
+
+    static void drawCounts(Ui& ui, const Profiler::Sample& sample) {
+        const Profiler::Counts& counts = sample.counts;
+        const auto row = [&](const char* name, std::uint32_t number) {
+            ImGui::TextDisabled("%s", name);
+            const std::string text = format("{}", number);
+            ImGui::SameLine(ImGui::GetWindowContentRegionMax().x - ImGui::CalcTextSize(text.c_str()).x);
+            ImGui::TextUnformatted(text.c_str());
+            ui.widgets.mark(format("Profiler/count/{}", name), text);
+        };
+        row("entities", counts.entities);
+        row("bodies", counts.bodies);
+        row("awake", counts.awake);
+        row("contacts", counts.contacts);
+        row("draw calls", counts.drawCalls);
+        row("sprites", counts.sprites);
+        ImGui::Spacing();
+        ImGui::TextUnformatted("Called for");
+        tooltip("Effects of the physics that run, and by how many bodies, shapes, joints or fields");
+        for (std::size_t i = 0; i < physics::kEffects; ++i) {
+            if (counts.callers[i] > 0)
+                row(std::string{physics::nameOf(static_cast<physics::Effect>(i))}.c_str(), counts.callers[i]);
+        }
+    }
+
+    std::size_t chosen_ = 0;    ///< of the samples, in this frame
+    std::int64_t pinned_ = -1;  ///< the tick that was clicked
+};
+
+}  // namespace
+
+std::unique_ptr<Panel> makeProfilerPanel() { return std::make_unique<ProfilerPanel>(); }
+
+}  // namespace plumb::editor::ui

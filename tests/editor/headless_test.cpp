@@ -1,0 +1,115 @@
+#include "app/project.hpp"
+#include "app/scene_game.hpp"
+#include "editor/model/editor_options.hpp"
+#include "editor/model/headless/project_check.hpp"
+#include "editor/model/headless/project_export.hpp"
+#include "platform/paths.hpp"
+#include "tests/editor/support/editor_fixture.hpp"
+
+namespace plumb::editor {
+namespace {
+
+namespace fs = std::filesystem;
+
+class HeadlessTest : public EditorFixture {
+protected:
+    HeadlessTest() : out{fs::temp_directory_path() / (root().filename().string() + "_out")} {
+        fs::remove_all(out);
+        putFile("project.json", R"({"name": "Test", "startScene": "scenes/level.scene.json"})");
+        putFile(kScene, R"({"format": 1, "effects": {}, "layers": [], "entities": [
+            {"id": "0000000000000001", "name": "ball", "components": {"Transform": {"position": [10, 20]},
+             "RigidBody": {}, "CircleCollider": {"radius": 4}}}]})");
+    }
+    ~HeadlessTest() override { fs::remove_all(out); }
+    [[nodiscard]] const Path& root() const { return workspace.project.root; }
+    ProjectCheck check() {
+        const Result<Project> project = loadProject(root());
+        EXPECT_TRUE(project.ok());
+        PrefabLibrary prefabs{workspace.document.types(), root()};
+        workspace.assets.clearErrors();
+        return checkProject(*project, workspace, prefabs);
+    }
+    [[nodiscard]] Result<ExportReport> exportIt(const Path& player = {}) const {
+        return exportProject(root(), out, {player, engineAssets()});
+    }
+    static std::uint64_t hashAfter(const Path& folder, int ticks) {
+        SceneGame game{*loadProject(folder)};
+        game.onCreate();
+        for (int i = 0; i < ticks; ++i) tickGame(game, {});
+        return game.world.hash();
+    }
+
+    Path out;
+};
+
+TEST_F(HeadlessTest, aGoodProjectHasNoProblems) {
+    const ProjectCheck found = check();
+    EXPECT_TRUE(found.problems.empty()) << found.text();
+    EXPECT_EQ(found.text(), "1 scene, 0 prefabs, 0 assets: 0 problems\n");
+}
+
+TEST_F(HeadlessTest, everyKindOfFaultIsFoundAndToldOnce) {
+    putFile("scenes/broken.scene.json", "{ \"entities\": [");
+    putFile("scenes/odd.scene.json", R"({"format": 1, "entities": [{"id": "0000000000000001", "components":
+        {"Transform": {"position": "here"}, "Sprite": {"texture": "assets/none.png"}}}]})");
+    putFile("prefabs/bad.prefab.json", "[]");
+    putFile("assets/bad.tileset.json", "{");
+    putFile("project.json",
+            R"({"startScene": "scenes/away.scene.json", "input": {"actions": {"Jump": ["Spacce"]}}})");
+    const ProjectCheck found = check();
+    const std::string text = found.text();
+    for (const char* part : {"scenes/broken.scene.json", "position", "assets/none.png",
+                             "prefabs/bad.prefab.json", "assets/bad.tileset.json", "startScene", "Spacce"})
+        EXPECT_NE(text.find(part), std::string::npos) << part << " in\n" << text;
+    EXPECT_FALSE(found.playable);
+    EXPECT_EQ(found.scenes, 3u);
+}
+
+TEST_F(HeadlessTest, anExportedGamePlaysAsTheProjectDoes) {
+    putFile(".plumb/journal", "secret");
+    putFile("notes.txt", "taken along");
+    putFile("player", "a program");
+    const Result<ExportReport> report = exportIt(root() / "player");
+    ASSERT_TRUE(report.ok()) << report.error().text();
+    EXPECT_TRUE(report->runnable);
+    EXPECT_FALSE(fs::exists(out / "game/.plumb"));
+    EXPECT_TRUE(fs::exists(out / "game/notes.txt"));
+    EXPECT_TRUE(fs::exists(out / "assets/fonts"));
+    EXPECT_TRUE(fs::exists(out / "player"));
+    EXPECT_NE(fs::status(out / "play").permissions() & fs::perms::owner_exec, fs::perms::none);
+    EXPECT_EQ(hashAfter(out / "game", 60), hashAfter(root(), 60));
+}
+
+TEST_F(HeadlessTest, anExportIsReplacedAndNothingElseIsWrittenOver) {
+    ASSERT_TRUE(exportIt().ok());
+    fs::remove(root() / "notes.txt");
+    putFile("assets/new.txt", "new");
+    ASSERT_TRUE(writeFile(out / "game/old.txt", "of the last export").ok());
+    ASSERT_TRUE(exportIt().ok());
+    EXPECT_TRUE(fs::exists(out / "game/assets/new.txt"));
+    EXPECT_FALSE(fs::exists(out / "game/old.txt"));
+
+    fs::remove_all(out);
+    fs::create_directories(out);
+    ASSERT_TRUE(writeFile(out / "thesis.txt", "mine").ok());
+    EXPECT_FALSE(exportIt().ok());
+    EXPECT_EQ(*readFile(out / "thesis.txt"), "mine");
+    EXPECT_FALSE(exportProject(root(), root() / "out", {}).ok()) << "inside the project";
+    EXPECT_FALSE(exportProject(root(), root().parent_path(), {}).ok()) << "around the project";
+    EXPECT_FALSE(fs::exists(root() / "out"));
+}
+
+TEST(EditorOptionsTest, whatEndsByItselfIsAsked) {
+    const std::vector<const char*> words{"mine", "--export", "to"};
+    const auto options = parseEditorOptions(words);
+    ASSERT_TRUE(options.ok());
+    EXPECT_EQ(options->exportTo, "to");
+    EXPECT_EQ(options->project, "mine");
+    for (const char* option : {"--validate", "--export", "--screenshot"})
+        EXPECT_NE(editorUsage().find(option), std::string::npos);
+    const std::vector<const char*> cut{"--export"};
+    EXPECT_FALSE(parseEditorOptions(cut).ok());
+}
+
+}  // namespace
+}  // namespace plumb::editor
