@@ -23,8 +23,9 @@ struct Ui {
     float playAlpha = 1.0f;           ///< between the last two ticks of the game that plays
     Vec2 mouseInScene;                ///< px, world
     bool mouseOverScene = false;
-    bool panHeld = false;    ///< Space is held over the scene
-    bool viewReady = false;  ///< the viewport has had its size once
+    bool panHeld = false;      ///< Space is held over the scene
+    bool viewReady = false;    ///< the viewport has had its size once
+    bool takesEscape = false;  ///< Esc belongs to what is dragged in a panel: it gives the value back
 
     [[nodiscard]] float px(float size) const { return size * scale; }
 };
