@@ -133,12 +133,14 @@ void EditorWindow::handleKeys(std::span<const Event> events) {
         if (event.kind == EventKind::FileDropped) bringIn(workspace_, event.text);
         if (playing && !typing && isForGame(event)) devices_.handle(event);
         if (event.kind != EventKind::KeyDown || typing) continue;
+        if (event.key == Key::Escape && ui_.takesEscape) continue;
         if (anyPopupOpen()) {  // keys belong to the menu, and Esc leaves it
             if (event.key == Key::Escape) closePopups();
             continue;
         }
         if (!workspace_.play.running() || actsWhilePlaying(event)) runShortcut(workspace_, event);
     }
+    ui_.takesEscape = false;
     // A widget that vanished in the middle of a drag never says that it ended.
     const bool nudging =
         std::any_of(kNudgeKeys.begin(), kNudgeKeys.end(), [&](Key key) { return feed_->held(key); });

@@ -1,5 +1,6 @@
 #include "editor/ui/theme.hpp"
 
+#include <array>
 #include <cmath>
 #include <string>
 
@@ -7,6 +8,9 @@ namespace plumb::editor::ui {
 namespace {
 
 constexpr float kTextSize = 14.0f;  ///< px at scale 1
+/// Western letters, the dash that stands for values that are not the same, and the three dots. Pairs, ended
+/// by 0.
+constexpr std::array<ImWchar, 7> kLetters{0x20, 0xff, 0x2013, 0x2014, 0x2026, 0x2026, 0};
 
 ImFont* loadFont(const Path& file, float size) {
     std::error_code none;
@@ -15,7 +19,7 @@ ImFont* loadFont(const Path& file, float size) {
     config.OversampleH = 2;
     config.OversampleV = 1;
     config.PixelSnapH = true;
-    return ImGui::GetIO().Fonts->AddFontFromFileTTF(file.string().c_str(), size, &config);
+    return ImGui::GetIO().Fonts->AddFontFromFileTTF(file.string().c_str(), size, &config, kLetters.data());
 }
 
 Fonts loadFonts(const Path& folder, float scale) {

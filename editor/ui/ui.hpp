@@ -24,8 +24,9 @@ struct Ui {
     float playAlpha = 1.0f;           ///< between the last two ticks of the game that plays
     Vec2 mouseInScene;                ///< px, world
     bool mouseOverScene = false;
-    bool panHeld = false;    ///< Space is held over the scene
-    bool viewReady = false;  ///< the viewport has had its size once
+    bool panHeld = false;      ///< Space is held over the scene
+    bool viewReady = false;    ///< the viewport has had its size once
+    bool takesEscape = false;  ///< Esc belongs to what is dragged in a panel: it gives the value back
     /// Who waits for a key or a button gets each event first. @return whether it was meant for them
     std::function<bool(const Event&)> takeEvent;
 

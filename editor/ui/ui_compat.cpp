@@ -53,6 +53,22 @@ void closePopups() {
     if (anyPopupOpen()) ImGui::ClosePopupToLevel(0, true);
 }
 
+bool checkbox(const char* label, bool& on, bool mixed) {
+    ImGui::PushItemFlag(ImGuiItemFlags_MixedValue, mixed);
+    const bool changed = ImGui::Checkbox(label, &on);
+    ImGui::PopItemFlag();
+    return changed;
+}
+
+bool pressed(Key key) {
+#if IMGUI_VERSION_NUM >= 18700
+    return ImGui::IsKeyPressed(static_cast<ImGuiKey>(imguiKey(key)), false);
+#else
+    return ImGui::IsKeyPressed(ImGui::GetKeyIndex(imguiKey(key)), false);
+#endif
+}
+void dropActiveItem() { ImGui::ClearActiveID(); }
+
 int imguiKey(Key key) {
     for (const KeyPair& pair : kKeys) {
         if (pair.ours == key) return pair.theirs;

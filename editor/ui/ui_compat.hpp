@@ -109,6 +109,14 @@ inline void buildFonts() {
 bool anyPopupOpen();
 void closePopups();
 
+/// A check box; mixed: it stands for several things, of which some are on.
+bool checkbox(const char* label, bool& on, bool mixed);
+
+/// Whether a key went down in this frame, for what ImGui acts on too.
+bool pressed(Key key);
+/// Takes the mouse and the keyboard from the item that has them.
+void dropActiveItem();
+
 /// ImGui's name of a key, or none.
 int imguiKey(Key key);
 

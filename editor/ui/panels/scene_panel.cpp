@@ -16,8 +16,6 @@
 namespace plumb::editor::ui {
 namespace {
 
-constexpr const char* kDragKind = "plumb.entity";
-
 /// The entities of the scene as a tree.
 class ScenePanel final : public Panel {
 public:
@@ -218,14 +216,14 @@ private:
 
     static void dragFrom(ObjectId id, const std::string& name) {
         if (!ImGui::BeginDragDropSource()) return;
-        ImGui::SetDragDropPayload(kDragKind, &id, sizeof id);
+        ImGui::SetDragDropPayload(kEntityPayload, &id, sizeof id);
         ImGui::TextUnformatted(name.c_str());
         ImGui::EndDragDropSource();
     }
 
     static void dropOn(Ui& ui, ObjectId parent) {
         if (!ui.workspace.canEdit() || !ImGui::BeginDragDropTarget()) return;
-        if (const ImGuiPayload* payload = ImGui::AcceptDragDropPayload(kDragKind)) {
+        if (const ImGuiPayload* payload = ImGui::AcceptDragDropPayload(kEntityPayload)) {
             ObjectId id;
             std::memcpy(&id, payload->Data, sizeof id);
             std::vector<ObjectId> moved{id};

@@ -1,25 +1,34 @@
 #pragma once
 
-#include <optional>
-#include <string>
-
-#include "editor/model/field_value.hpp"
-#include "editor/ui/ui.hpp"
+#include "editor/ui/widgets/field_row.hpp"
+#include "editor/ui/widgets/number_edit.hpp"
+#include "editor/ui/widgets/pickers.hpp"
+#include "editor/ui/widgets/typing.hpp"
 
 namespace plumb::editor::ui {
 
-/// Draws the widget of a field by its kind, range and unit; angles are shown in degrees.
-/// @param path       how tests call it, e.g. "Inspector/Transform/position"
-/// @param component  the component that is shown; not changed
-/// @return           the value that the person made of it in this frame
-std::optional<FieldValue> editField(Ui& ui, const std::string& path, const FieldInfo& field,
-                                    const void* component);
+/// The widgets of a panel's fields, by their kind, range and unit, and what of them is under the hands now.
+class FieldEdit {
+public:
+    /// Draws the widget of a field and lets it change all of the target; a dash stands where they differ.
+    void draw(const FieldRow& row);
+    /// After all were drawn.
+    void endFrame(Ui& ui) { typing_.endFrame(ui), numbers_.endFrame(ui); }
 
-/// "px", "deg/s", "s": what a number of the unit is shown in.
-const char* shownUnit(Unit unit);
+private:
+    /// @param at  bytes from the start of the value
+    void drawNumbers(const FieldRow& row, const char* letters, std::size_t at);
+    void drawList(const FieldRow& row);
+    void drawText(const FieldRow& row);
+    void drawColor(const FieldRow& row);
+    /// A text that a click makes one to type over. @param take  makes a value of what was typed
+    void drawWord(const FieldRow& row, const std::string& path, const std::string& text,
+                  Result<FieldValue> (*take)(Workspace& workspace, std::string_view text));
 
-/// The parts of `to` that differ from `from` put into `into`: one number of a pair, one channel of a color.
-FieldValue withChangedParts(const FieldInfo& field, FieldValue into, const FieldValue& from,
-                            const FieldValue& to);
+    Typing typing_;
+    NumberEdit numbers_{typing_};
+    EntityPicker entities_;
+    AssetPicker assets_;
+};
 
 }  // namespace plumb::editor::ui

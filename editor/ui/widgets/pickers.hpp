@@ -1,18 +1,44 @@
 #pragma once
 
 #include <string>
+#include <string_view>
+#include <vector>
 
-#include "core/text_store.hpp"
-#include "editor/ui/ui.hpp"
-#include "reflect/type_info.hpp"
+#include "editor/model/assets/asset_catalog.hpp"
+#include "editor/ui/widgets/field_row.hpp"
 
 namespace plumb::editor::ui {
 
-/// Chooses an entity of the scene, or nobody.
-bool pickEntity(Ui& ui, const std::string& path, ObjectId& id);
+inline constexpr const char* kEntityPayload = "plumb.entity";  ///< what is dragged: the ObjectId
 
-/// Chooses a file of the project of one kind, or none.
-bool pickAsset(Ui& ui, const std::string& path, AssetKind kind, TextId& id);
+/// Chooses an entity of the scene: from a list that is searched, by dragging one from the tree onto it, or by
+/// dragging its aim onto one in the scene. One for a panel.
+class EntityPicker {
+public:
+    void draw(const FieldRow& row);
+
+private:
+    void drawList(const FieldRow& row);
+    void drawAim(const FieldRow& row);
+    void drawGoTo(const FieldRow& row, ObjectId id);
+
+    std::string search_;
+    std::vector<ObjectId> found_;
+};
+
+/// Chooses a file of one kind: from a list with pictures that is searched, or by dropping one from the
+/// assets.
+class AssetPicker {
+public:
+    void draw(const FieldRow& row);
+
+private:
+    void drawList(const FieldRow& row, std::string_view now);
+    static void set(const FieldRow& row, std::string_view path);
+
+    std::string search_;
+    std::vector<AssetItem> files_;  // of the kind, since the list was opened
+};
 
 /// Whether `text` has `part` in it, in any case.
 bool containsWord(std::string_view text, std::string_view part);

@@ -1,0 +1,61 @@
+#include "editor/model/shared_components.hpp"
+
+#include <algorithm>
+
+#include "ecs/hierarchy.hpp"
+#include "editor/model/workspace.hpp"
+#include "scene/components/name.hpp"
+#include "scene/components/prefab_instance.hpp"
+#include "scene/components/scene_entity.hpp"
+
+namespace plumb::editor {
+
+bool hasOwnPlace(const TypeInfo& type) {
+    return type.key == typeKey<SceneEntity>() || type.key == typeKey<PrefabInstance>() ||
+           type.key == typeKey<PrefabPart>() || type.key == typeKey<Name>() ||
+           type.key == typeKey<Parent>() || type.key == typeKey<Children>();
+}
+
+SelectedState selectedState(const Workspace& workspace) {
+    return {workspace.document.sceneRevision, workspace.document.selection.revision(),
+            workspace.play.running() ? workspace.play.ticks() : -1};
+}
+
+std::vector<ObjectId> holdersOf(const Workspace& workspace, std::span<const ObjectId> ids,
+                                const TypeInfo& type) {
+    std::vector<ObjectId> holders;
+    for (const ObjectId id : ids) {
+        if (workspace.shownWorld().has(type, workspace.shownEntity(id))) holders.push_back(id);
+    }
+    return holders;
+}
+
+std::vector<ComponentHolders> componentHolders(const Workspace& workspace, std::span<const ObjectId> ids) {
+    std::vector<EntityId> entities;
+    entities.reserve(ids.size());
+    for (const ObjectId id : ids) entities.push_back(workspace.shownEntity(id));
+    std::vector<ComponentHolders> held;
+    const World& world = workspace.shownWorld();
+    for (const TypeInfo& type : workspace.document.types().all()) {
+        if (hasOwnPlace(type)) continue;
+        const auto count = static_cast<std::size_t>(std::count_if(
+            entities.begin(), entities.end(), [&](EntityId entity) { return world.has(type, entity); }));
+        if (count > 0) held.push_back({&type, count});
+    }
+    return held;
+}
+
+bool isShown(const Workspace& workspace, const FieldTarget& target) {
+    const FieldInfo* other = target.field.shownIf.empty() ? nullptr : target.type.find(target.field.shownIf);
+    if (other == nullptr) return true;
+    for (const ObjectId id : target.objects) {
+        const void* component = workspace.shownWorld().find(target.type, workspace.shownEntity(id));
+        if (component == nullptr) continue;
+        int value = 0;  // a bool, or an enum of 1 or 4 bytes; the low byte comes first
+        std::memcpy(&value, other->in(component), std::min(other->size, sizeof value));
+        if (value == target.field.shownIfValue) return true;
+    }
+    return false;
+}
+
+}  // namespace plumb::editor

@@ -1,0 +1,60 @@
+#pragma once
+
+#include <functional>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "editor/model/prefab_edit.hpp"
+#include "editor/model/shared_components.hpp"
+#include "editor/ui/widgets/field_edit.hpp"
+
+namespace plumb::editor::ui {
+
+/// One component of what is selected: its title with its menu, and a row for each field.
+class ComponentView {
+public:
+    /// @param ids        all of them have the component
+    /// @param overrides  how the one selected last differs from its prefab
+    void draw(Ui& ui, const TypeInfo& type, const std::vector<ObjectId>& ids,
+              const PrefabOverrides& overrides);
+    /// After all were drawn: does what was asked for. Only now, as components that are being drawn must not
+    /// come, go or move in memory.
+    void endFrame(Ui& ui);
+    /// The same for others.
+    void ask(std::function<void(Workspace& workspace)> what) { asked_ = std::move(what); }
+
+private:
+    struct Shown {
+        Ui& ui;
+        const TypeInfo& type;
+        const std::vector<ObjectId>& ids;
+        const PrefabOverrides& overrides;
+        ComponentState fresh;  ///< with its defaults
+    };
+
+    struct Found {
+        SharedField shared;
+        bool visible = true;
+    };
+
+    /// What the widget shows. Found out once for each change of the scene, as thousands may be selected.
+    const Found& find(const Shown& shown, const FieldInfo& field);
+    void drawMenu(const Shown& shown, bool differs);
+    void drawField(const Shown& shown, const FieldInfo& field);
+    void drawFieldMenu(const FieldRow& row, const Shown& shown);
+    /// An arrow at the end of the name: back to the default, or to the prefab.
+    void drawReset(const FieldRow& row, const Shown& shown, float end);
+    void reset(const FieldRow& row, const Shown& shown);
+    void prefabItems(Ui& ui, const std::string& path, const PrefabScope& scope, bool differs);
+
+    FieldEdit fields_;
+    std::map<const FieldInfo*, Found> found_;  // as it was at `looked_`
+    SelectedState looked_;
+    std::function<void(Workspace& workspace)> asked_;
+};
+
+/// The bar beside what differs from the prefab.
+void drawPrefabBar(const Ui& ui, ImVec2 from, float height);
+
+}  // namespace plumb::editor::ui
