@@ -1,7 +1,5 @@
 #include "editor/ui/widgets/pickers.hpp"
 
-#include <algorithm>
-#include <cctype>
 #include <vector>
 
 #include "assets/asset_store.hpp"
@@ -31,13 +29,6 @@ bool choice(Ui& ui, const std::string& path, const std::string& label, bool now)
 }
 
 }  // namespace
-
-bool containsWord(std::string_view text, std::string_view part) {
-    const auto same = [](char a, char b) {
-        return std::tolower(static_cast<unsigned char>(a)) == std::tolower(static_cast<unsigned char>(b));
-    };
-    return std::search(text.begin(), text.end(), part.begin(), part.end(), same) != text.end();
-}
 
 bool pickEntity(Ui& ui, const std::string& path, ObjectId& id) {
     const Document& document = ui.workspace.document;

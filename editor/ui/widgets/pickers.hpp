@@ -3,6 +3,7 @@
 #include <string>
 
 #include "core/text_store.hpp"
+#include "editor/model/name_filter.hpp"
 #include "editor/ui/ui.hpp"
 #include "reflect/type_info.hpp"
 
@@ -13,8 +14,5 @@ bool pickEntity(Ui& ui, const std::string& path, ObjectId& id);
 
 /// Chooses a file of the project of one kind, or none.
 bool pickAsset(Ui& ui, const std::string& path, AssetKind kind, TextId& id);
-
-/// Whether `text` has `part` in it, in any case.
-bool containsWord(std::string_view text, std::string_view part);
 
 }  // namespace plumb::editor::ui

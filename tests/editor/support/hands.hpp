@@ -15,6 +15,8 @@ class Hands {
 public:
     explicit Hands(EditorWindow& window) : window_{window} { rest(3); }
 
+    Modifiers held;  ///< keys that are held while the mouse clicks and drags
+
     void rest(int frames = 1) {
         for (int i = 0; i < frames; ++i) {
             send({});
@@ -67,7 +69,7 @@ public:
 
 private:
     void sendMouse(EventKind kind, MouseButton button) {
-        send({{.kind = kind, .mouseButton = button, .position = place_}});
+        send({{.kind = kind, .modifiers = held, .mouseButton = button, .position = place_}});
     }
     void send(std::vector<Event> events) { window_.frame({events}); }
 
