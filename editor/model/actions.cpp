@@ -9,8 +9,8 @@ namespace {
 
 std::vector<Action> allRows() {
     std::vector<Action> rows;
-    for (const auto rowsOfMenu : {fileActions(), editActions(), entityActions(), toolActions(), tileActions(),
-                                  viewActions(), runActions()}) {
+    for (const auto rowsOfMenu : {fileActions(), editActions(), entityActions(), arrangeActions(),
+                                  toolActions(), tileActions(), viewActions(), runActions()}) {
         rows.insert(rows.end(), rowsOfMenu.begin(), rowsOfMenu.end());
     }
     return rows;

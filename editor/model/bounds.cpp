@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "editor/model/scene_boxes.hpp"
+#include "editor/model/sight.hpp"
 #include "math/angle.hpp"
 #include "scene/components/attractor.hpp"
 #include "scene/components/box_collider.hpp"
@@ -143,10 +145,10 @@ std::vector<ObjectId> pickAll(const Document& document, Vec2 point, float reach)
     };
     std::vector<Hit> hits;
     const std::vector<ObjectId>& all = document.objects();
+    const SceneBoxes& boxes = document.boxes();
     for (std::size_t i = 0; i < all.size(); ++i) {
+        if (!contains(grown(boxes.at(i), reach), point) || isOutOfHand(document, all[i])) continue;
         const EntityId entity = document.find(all[i]);
-        if (!isSomewhere(document.world, entity)) continue;
-        if (!contains(grown(boundsOf(document.world, entity), reach), point)) continue;
         hits.push_back({isGround(document.world, entity), layerOf(document.world, entity), i, all[i]});
     }
     std::sort(hits.begin(), hits.end(), [](const Hit& a, const Hit& b) {
@@ -171,11 +173,11 @@ ObjectId pickFirst(const Document& document, Vec2 point, float reach) {
 
 std::vector<ObjectId> pickInside(const Document& document, const AABB& box) {
     std::vector<ObjectId> ids;
-    for (const ObjectId id : document.objects()) {
-        const EntityId entity = document.find(id);
-        if (!isSomewhere(document.world, entity)) continue;
-        if (!isGround(document.world, entity) && intersects(boundsOf(document.world, entity), box))
-            ids.push_back(id);
+    const std::vector<ObjectId>& all = document.objects();
+    const SceneBoxes& boxes = document.boxes();
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        if (!intersects(boxes.at(i), box) || isOutOfHand(document, all[i])) continue;
+        if (!isGround(document.world, document.find(all[i]))) ids.push_back(all[i]);
     }
     return ids;
 }

@@ -17,7 +17,8 @@ AABB boundsOf(const World& world, EntityId entity);
 /// The box around several; nothing when there are none.
 std::optional<AABB> boundsOf(const Document& document, const std::vector<ObjectId>& objects);
 
-/// What lies under a point, front first. Tile layers, backdrops and fields come last: they are everywhere.
+/// What lies under a point, front first; the mouse goes through what is hidden or locked. Tile layers,
+/// backdrops and fields come last: they are everywhere.
 std::vector<ObjectId> pickAll(const Document& document, Vec2 point, float reach);
 
 /// What a click takes: the front-most thing, and the whole instance where that is a part of a prefab, unless

@@ -5,6 +5,7 @@
 #include <tuple>
 #include <utility>
 
+#include "editor/model/scene_boxes.hpp"
 #include "scene/components/name.hpp"
 #include "scene/components/scene_entity.hpp"
 
@@ -17,6 +18,14 @@ constexpr std::array<std::string_view, 9> kMainComponents{
     "ParallaxLayer",    "RigidBody", "BoxCollider", "CircleCollider"};
 
 }  // namespace
+
+Document::Document(const TypeRegistry& types) : world{types}, boxes_{std::make_unique<SceneBoxes>()} {}
+Document::~Document() = default;
+
+const SceneBoxes& Document::boxes() const {
+    boxes_->follow(*this);
+    return *boxes_;
+}
 
 EntityId Document::find(ObjectId id) const {
     const auto found = entities_.find(id.value);
@@ -69,13 +78,13 @@ std::int32_t Document::nextOrder() const {
 
 void Document::forget(ObjectId id) {
     entities_.erase(id.value);
-    sorted_ = false;
+    reordered();
     selection.remove(id);
 }
 
 void Document::reindex() {
     entities_.clear();
-    sorted_ = false;
+    reordered();
     std::vector<EntityId> strangers;
     world.each<SceneEntity>([&](EntityId entity, SceneEntity& part) {
         if (part.id == 0 || !entities_.emplace(part.id, entity).second) strangers.push_back(entity);

@@ -1,11 +1,13 @@
 #pragma once
 
+#include <memory>
 #include <string>
 #include <unordered_map>
 #include <vector>
 
 #include "core/random.hpp"
 #include "ecs/world.hpp"
+#include "editor/model/entity_view.hpp"
 #include "editor/model/object_id.hpp"
 #include "editor/model/selection.hpp"
 #include "reflect/field_types.hpp"
@@ -13,19 +15,25 @@
 
 namespace plumb::editor {
 
+class SceneBoxes;
+
 /// A scene that is open for editing. Everyone may read it; only commands change its world, so that undo
 /// knows all. Stays at one address.
 class Document final : public ObjectNames {
 public:
-    explicit Document(const TypeRegistry& types) : world{types} {}
+    explicit Document(const TypeRegistry& types);
+    ~Document() override;
     Document(const Document&) = delete;
     Document& operator=(const Document&) = delete;
 
     World world;
     Selection selection;
+    EntityView view;
     std::string scenePath;            ///< in the project, e.g. "scenes/cave.scene.json"; empty: none is open
     SceneId scene;                    ///< what new entities belong to
     std::uint64_t sceneRevision = 0;  ///< counts changes; a panel that caches compares it
+    std::uint64_t treeRevision = 0;  ///< counts changes of who there is, below whom, in which order, by which
+                                     ///< name and with which components
 
     /// The entity with this lasting id; nobody when there is none.
     [[nodiscard]] EntityId find(ObjectId id) const override;
@@ -36,6 +44,8 @@ public:
     /// until then, so take a copy before changing the document in a loop over it.
     [[nodiscard]] const std::vector<ObjectId>& objects() const;
     [[nodiscard]] std::size_t objectCount() const { return entities_.size(); }
+    /// The box around each of `objects()`, as they are now.
+    [[nodiscard]] const SceneBoxes& boxes() const;
     /// What people call it: its name, or its main component, or "Entity".
     [[nodiscard]] std::string nameOf(ObjectId id) const;
 
@@ -43,8 +53,10 @@ public:
 
     [[nodiscard]] ObjectId newId();
     [[nodiscard]] std::int32_t nextOrder() const;
-    void remember(ObjectId id, EntityId entity) { entities_[id.value] = entity, sorted_ = false; }
+    void remember(ObjectId id, EntityId entity) { entities_[id.value] = entity, reordered(); }
     void forget(ObjectId id);
+    /// After places in the file were changed.
+    void reordered() { sorted_ = false, ++treeRevision; }
     /// After the world was filled from outside: gives an id to what has none, and finds all again.
     void reindex();
     /// The seed of new ids; the program takes one from the clock, tests keep theirs.
@@ -54,6 +66,7 @@ private:
     std::unordered_map<std::uint64_t, EntityId> entities_;  // only looked up, never iterated for a result
     mutable std::vector<ObjectId> objects_;                 // as they were when `sorted_` was set
     mutable bool sorted_ = false;
+    mutable std::unique_ptr<SceneBoxes> boxes_;
     Random random_;
 };
 

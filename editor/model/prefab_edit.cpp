@@ -99,6 +99,32 @@ bool revertToPrefab(const PrefabEdit& edit, const std::vector<ObjectId>& ids, co
     return changed;
 }
 
+bool restorePart(const PrefabEdit& edit, ObjectId wanted) {
+    for (const ObjectId id : edit.document.objects()) {
+        const auto instance = InstancePart::of(edit.document, edit.prefabs, id);
+        if (!instance || !instance->isRoot()) continue;
+        std::vector<EntityState> states;
+        ObjectId next = wanted;
+        std::vector<EntityState> missing = missingParts(edit.document, instance->prefab(), id);
+        // From the part up to what is still there; parents stand before their children.
+        for (auto state = missing.rbegin(); state != missing.rend(); ++state) {
+            if (state->id != next) continue;
+            next = state->parent;
+            states.insert(states.begin(), std::move(*state));
+        }
+        if (states.empty()) continue;
+        Transaction transaction{edit.undo, "restore a part of a prefab"};
+        std::vector<ObjectId> ids;
+        for (const EntityState& state : states) ids.push_back(state.id);
+        edit.undo.push(std::make_unique<InsertEntities>("restore parts", std::move(states)));
+        for (const ObjectId part : ids) {
+            for (const TypeInfo& type : edit.document.types().all()) revertComponent(edit, part, type);
+        }
+        return transaction.commit();
+    }
+    return false;
+}
+
 Result<Done> addInstance(const PrefabEdit& edit, std::string_view path, Vec2 position) {
     const std::string name{path};
     if (edit.prefabs == nullptr) return Error{name, "this project has no prefabs", "open a project"};

@@ -25,6 +25,9 @@ struct PrefabScope {
 /// @return false when there was nothing to revert
 bool revertToPrefab(const PrefabEdit& edit, const std::vector<ObjectId>& ids, const PrefabScope& scope = {});
 
+/// Brings back a part of an instance that was taken out, with what is above it. @return false when none was
+bool restorePart(const PrefabEdit& edit, ObjectId part);
+
 /// Writes what an instance has for itself into its prefab's file, at once and as a whole. Other instances in
 /// the document follow where they had the prefab's value. Undo writes the file back as it was.
 /// References to entities outside the instance stay with it.

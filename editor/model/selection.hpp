@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <unordered_set>
 #include <vector>
 
 #include "editor/model/object_id.hpp"
@@ -13,23 +14,40 @@ public:
     [[nodiscard]] const std::vector<ObjectId>& all() const { return ids_; }
     [[nodiscard]] bool empty() const { return ids_.empty(); }
     [[nodiscard]] std::size_t size() const { return ids_.size(); }
-    [[nodiscard]] bool has(ObjectId id) const {
-        return std::find(ids_.begin(), ids_.end(), id) != ids_.end();
-    }
+    [[nodiscard]] bool has(ObjectId id) const { return known_.count(id.value) > 0; }
     [[nodiscard]] std::uint64_t revision() const { return revision_; }
 
     void clear() { set({}); }
-    void set(std::vector<ObjectId> ids) { ids_ = std::move(ids), ++revision_; }
+    void set(std::vector<ObjectId> ids) {
+        ids_.clear(), known_.clear(), ++revision_;
+        for (const ObjectId id : ids) append(id);
+    }
     void add(ObjectId id) {
-        if (!has(id)) ids_.push_back(id), ++revision_;
+        if (append(id)) ++revision_;
+    }
+    /// Several at once, in this order; the last one comes into the hand even when it was there already.
+    void add(const std::vector<ObjectId>& ids) {
+        for (const ObjectId id : ids) append(id);
+        if (!ids.empty()) takeInHand(ids.back());
     }
     void remove(ObjectId id) {
-        if (std::erase(ids_, id) > 0) ++revision_;
+        if (known_.erase(id.value) > 0) std::erase(ids_, id), ++revision_;
     }
     void toggle(ObjectId id) { has(id) ? remove(id) : add(id); }
 
 private:
+    bool append(ObjectId id) {
+        if (!known_.insert(id.value).second) return false;
+        ids_.push_back(id);
+        return true;
+    }
+    void takeInHand(ObjectId id) {
+        std::erase(ids_, id), ids_.push_back(id);
+        ++revision_;
+    }
+
     std::vector<ObjectId> ids_;
+    std::unordered_set<std::uint64_t> known_;  // the same, only looked up
     std::uint64_t revision_ = 0;
 };
 

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "assets/asset_store.hpp"
+#include "scene/components/scene_entity.hpp"
 #include "scene/components/tile_collider.hpp"
 #include "scene/components/tile_layer.hpp"
 #include "scene/tile_bodies.hpp"
@@ -33,6 +35,18 @@ const TileLayer* layerOf(const Document& document, ObjectId layer) {
     return document.world.find<TileLayer>(document.find(layer));
 }
 
+/// In the order of the file. Asked in every frame, so it looks at nothing else.
+std::vector<ObjectId> layersInFile(const Document& document) {
+    std::vector<std::pair<std::int32_t, ObjectId>> found;
+    document.world.each<const TileLayer, const SceneEntity>([&](const TileLayer&, const SceneEntity& part) {
+        found.emplace_back(part.order, ObjectId{part.id});
+    });
+    std::sort(found.begin(), found.end());
+    std::vector<ObjectId> layers;
+    for (const auto& [order, id] : found) layers.push_back(id);
+    return layers;
+}
+
 }  // namespace
 
 ObjectId activeTileLayer(const Document& document, const TilePaint& paint) {
@@ -41,20 +55,15 @@ ObjectId activeTileLayer(const Document& document, const TilePaint& paint) {
         if (isLayer(id)) return id;
     }
     if (isLayer(paint.layer)) return paint.layer;
-    ObjectId first;
-    for (const ObjectId id : document.objects()) {
-        if (!isLayer(id)) continue;
-        if (document.world.has<TileCollider>(document.find(id))) return id;
-        if (!first) first = id;
-    }
-    return first;
+    const std::vector<ObjectId> layers = layersInFile(document);
+    const auto solid = std::find_if(layers.begin(), layers.end(), [&](ObjectId id) {
+        return document.world.has<TileCollider>(document.find(id));
+    });
+    return solid != layers.end() ? *solid : layers.empty() ? ObjectId{} : layers.front();
 }
 
 std::vector<ObjectId> tileLayers(const Document& document) {
-    std::vector<ObjectId> layers;
-    for (const ObjectId id : document.objects()) {
-        if (document.world.has<TileLayer>(document.find(id))) layers.push_back(id);
-    }
+    std::vector<ObjectId> layers = layersInFile(document);
     // What stands later in the file is drawn over what has the same number.
     std::reverse(layers.begin(), layers.end());
     std::stable_sort(layers.begin(), layers.end(), [&](ObjectId a, ObjectId b) {

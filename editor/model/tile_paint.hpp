@@ -4,7 +4,6 @@
 #include <optional>
 
 #include "editor/model/cell_selection.hpp"
-#include "editor/model/layer_view.hpp"
 #include "editor/model/object_id.hpp"
 #include "editor/model/tile_stamp.hpp"
 
@@ -22,7 +21,6 @@ struct TilePaint {
     bool rightErases = false;    ///< what the right button does: else it takes a stamp from the layer
     std::array<std::optional<TileStamp>, kKept> kept;
     CellSelection selected;
-    LayerView layers;
 };
 
 }  // namespace plumb::editor

@@ -48,6 +48,7 @@ Result<LoadReport> Workspace::openText(std::string_view path, const std::string&
 /// @param text  instead of the file's; null for that
 Result<LoadReport> Workspace::load(const std::string& wanted, const std::string* text) {
     safety.leaving();
+    viewFile.keep(document.scenePath, document.view);
     play.stop();
     toKeep.clear();
     if (!document.scenePath.empty()) unloadScene(document.world, document.scene);
@@ -63,7 +64,7 @@ Result<LoadReport> Workspace::load(const std::string& wanted, const std::string*
     safety.opened();
     tiles.layer = {};
     tiles.selected.clear();
-    tiles.layers.clear();
+    viewFile.read(document.scenePath, document.view);
     if (!report) {
         logError("Editor", report.error());
         notice = report.error().text();
@@ -217,6 +218,7 @@ void Workspace::keepTicked() {
 void Workspace::tend(double seconds) {
     safety.tend(seconds);
     profiler.tend(play);
+    viewFile.keep(document.scenePath, document.view);
     const bool open = !document.scenePath.empty();
     const PhysicsReach jumps = open ? reachOf("reach") : PhysicsReach::Off;
     jumps == PhysicsReach::Off ? reach.clear() : reach.tend(*this, jumps == PhysicsReach::All);

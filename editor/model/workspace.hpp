@@ -17,6 +17,8 @@
 #include "editor/model/tools/tool.hpp"
 #include "editor/model/undo_stack.hpp"
 #include "editor/model/view_camera.hpp"
+#include "editor/model/view_file.hpp"
+#include "math/color.hpp"
 #include "scene/physics_times.hpp"
 #include "scene/physics_view.hpp"
 #include "scene/scene_file.hpp"
@@ -45,12 +47,28 @@ enum class WindowRequest : unsigned char {
     RenameSelected,
     Import,
     FindFile,
-    FindCommand
+    FindCommand,
+    NamePrefab,
+    ShowOverrides
 };
+
+/// What things come to when they are moved with snapping.
+enum class SnapTo : unsigned char { Grid, HalfGrid, Pixel };
 
 struct GridSettings {
     Vec2 size{16.0f, 16.0f};  ///< px
     bool snap = true;
+    SnapTo to = SnapTo::Grid;
+    bool snapAngles = true;                             ///< with `snap`: turning goes in steps
+    float angle = kSnapAngle;                           ///< rad, of one step
+    Color color = kGridColor;                           ///< of its lines
+    static constexpr float kSnapAngle = 0.2617993878f;  ///< rad: 15 degrees
+    static constexpr Color kGridColor{255, 255, 255, 16};
+
+    /// px between two places that things come to.
+    [[nodiscard]] Vec2 step() const {
+        return to == SnapTo::Pixel ? Vec2{1.0f, 1.0f} : to == SnapTo::HalfGrid ? size * 0.5f : size;
+    }
 };
 
 /// Everything that is open in one editor, without the window around it.
@@ -113,6 +131,10 @@ public:
     void useTool(std::size_t index);
     void useTool(std::string_view action);
     [[nodiscard]] ToolContext tools() { return {document, undo, document.selection, tiles}; }
+    /// Whether the tool has a part of the thing in hand that Del would take out.
+    [[nodiscard]] bool hasChosen() const {
+        return tool().hasChosen(const_cast<Workspace*>(this)->tools());  // only looks
+    }
     [[nodiscard]] bool paintsTiles() const { return toolTable()[tool_].forTiles; }
 
     // Prefabs.
@@ -156,7 +178,8 @@ public:
     ReachView reach;            ///< of the overlay "reach"
     Trajectories trajectories;  ///< of the overlay "trajectories"
 
-    SafetyNet safety{*this};  ///< of what is not saved
+    ViewFile viewFile{project.root};  ///< what is hidden and locked, between two sessions
+    SafetyNet safety{*this};          ///< of what is not saved
 
 private:
     [[nodiscard]] SceneContext context() const;

@@ -9,6 +9,7 @@
 #include "editor/ui/icons.hpp"
 #include "editor/ui/overlays/overlay_list.hpp"
 #include "editor/ui/ui_compat.hpp"
+#include "editor/ui/widgets/snap_menu.hpp"
 
 namespace plumb::editor::ui {
 namespace {
@@ -78,6 +79,7 @@ void EditorWindow::drawToolbar(float height) {
     }
     gap();
     toolButton("view.snap", workspace_.grid.snap, workspace_.grid.snap ? palette::kAccent : palette::kText);
+    snapMenu(ui_);
 
     const float side = ui_.px(31.0f);
     // In the middle, or behind the tools where those need the room.
@@ -244,6 +246,8 @@ void EditorWindow::drawDialogs() {
         case WindowRequest::Import:
         case WindowRequest::FindFile:
         case WindowRequest::FindCommand:
+        case WindowRequest::NamePrefab:
+        case WindowRequest::ShowOverrides:
         case WindowRequest::RenameSelected: break;
     }
     drawSceneChooser();
@@ -252,6 +256,7 @@ void EditorWindow::drawDialogs() {
     if (std::exchange(askUnsaved_, false)) ImGui::OpenPopup("Unsaved changes");
     drawUnsaved();
     keep_.draw(ui_);
+    prefabDialogs_.draw(ui_);
     safety_.draw(ui_);
     import_.draw(ui_);
     if (const std::string scene = finder_.draw(ui_); !scene.empty())

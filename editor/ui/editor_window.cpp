@@ -56,7 +56,11 @@ void selectionMenu(Ui& ui, const std::string& path) {
         actionItem(ui, id, path);
     }
     ImGui::Separator();
-    for (const char* id : {"entity.revert", "entity.apply"}) {
+    for (const char* id : {"entity.group", "entity.hide", "entity.lock"}) {
+        actionItem(ui, id, path);
+    }
+    ImGui::Separator();
+    for (const char* id : {"entity.makePrefab", "entity.overrides", "entity.revert", "entity.apply"}) {
         actionItem(ui, id, path);
     }
     ImGui::Separator();
@@ -175,7 +179,7 @@ void EditorWindow::playGame(float seconds) {
 
 void EditorWindow::drawMenus() {
     if (!ImGui::BeginMainMenuBar()) return;
-    for (const char* menu : {"File", "Edit", "Entity", "Tool", "Tiles", "View", "Run"}) {
+    for (const char* menu : {"File", "Edit", "Entity", "Arrange", "Tool", "Tiles", "View", "Run"}) {
         const bool open = ImGui::BeginMenu(menu);
         widgets_.mark(std::string{"Menu/"} + menu);
         if (!open) continue;

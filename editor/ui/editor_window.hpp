@@ -9,6 +9,7 @@
 #include "editor/ui/dialogs/finder_dialog.hpp"
 #include "editor/ui/dialogs/import_dialog.hpp"
 #include "editor/ui/dialogs/keep_dialog.hpp"
+#include "editor/ui/dialogs/prefab_dialogs.hpp"
 #include "editor/ui/dialogs/safety_dialogs.hpp"
 #include "editor/ui/platform_feed.hpp"
 #include "editor/ui/ui.hpp"
@@ -93,6 +94,7 @@ private:
     bool paintedTiles_ = false;
     DeviceState devices_;
     KeepDialog keep_;
+    PrefabDialogs prefabDialogs_;
     SafetyDialogs safety_;
     ImportDialog import_;
     FinderDialog finder_;

@@ -66,6 +66,17 @@ void drawScale(const Pen& pen) {
     pen.line(-0.05f, 0.05f, 0.55f, -0.55f);
     pen.triangle(0.9f, -0.9f, 0.15f, -0.75f, 0.75f, -0.15f);
 }
+/// An outline with its corners.
+void drawShape(const Pen& pen) {
+    pen.line(-0.6f, 0.6f, -0.45f, -0.6f);
+    pen.line(-0.45f, -0.6f, 0.65f, -0.3f);
+    pen.line(0.65f, -0.3f, 0.35f, 0.65f);
+    pen.line(0.35f, 0.65f, -0.6f, 0.6f);
+    for (const auto& [x, y] : {std::pair{-0.6f, 0.6f}, std::pair{-0.45f, -0.6f}, std::pair{0.65f, -0.3f},
+                               std::pair{0.35f, 0.65f}}) {
+        pen.fill(x - 0.25f, y - 0.25f, x + 0.25f, y + 0.25f);
+    }
+}
 /// Ground with grass on it that bends around a corner.
 void drawTerrain(const Pen& pen) {
     pen.line(-0.9f, -0.2f, -0.3f, -0.2f);
@@ -229,6 +240,7 @@ void drawIcon(ImDrawList& list, Icon icon, ImVec2 center, float size, ImU32 colo
         case Icon::Move: drawMove(pen); break;
         case Icon::Rotate: drawRotate(pen); break;
         case Icon::Scale: drawScale(pen); break;
+        case Icon::Shape: drawShape(pen); break;
         case Icon::Rectangle: pen.box(-0.8f, -0.6f, 0.8f, 0.6f), pen.fill(-0.5f, -0.3f, 0.5f, 0.3f); break;
         case Icon::Pick: drawPick(pen); break;
         case Icon::Brush: drawBrush(pen); break;
@@ -307,6 +319,7 @@ Icon iconOfAction(std::string_view action) {
         std::pair<std::string_view, Icon>{"tool.move", Icon::Move},
         std::pair<std::string_view, Icon>{"tool.rotate", Icon::Rotate},
         std::pair<std::string_view, Icon>{"tool.scale", Icon::Scale},
+        std::pair<std::string_view, Icon>{"tool.shape", Icon::Shape},
         std::pair<std::string_view, Icon>{"tool.rectangle", Icon::Rectangle},
         std::pair<std::string_view, Icon>{"tool.pick", Icon::Pick},
         std::pair<std::string_view, Icon>{"tool.brush", Icon::Brush},

@@ -13,6 +13,7 @@ enum class Icon : unsigned char {
     Move,
     Rotate,
     Scale,
+    Shape,
     Rectangle,
     Pick,
     Brush,

@@ -29,7 +29,7 @@ std::uintptr_t ScenePicture::draw(World& world, AssetStore* assets, const View& 
     how.parallax = asGame;
     how.labelText = &fillPlaceholders;
     how.ahead = preview.ahead;
-    how.hiddenLayers = preview.hiddenLayers;
+    how.hidden = preview.hidden;
     list_.begin(how.view);
     renderer.collect(world, how, list_);
     device_.setViewport(viewport);

@@ -39,8 +39,8 @@ public:
 
     /// What only the editor's own look at a scene has.
     struct Preview {
-        double ahead = 0.0;                  ///< s: animated tiles move though nothing plays
-        std::vector<EntityId> hiddenLayers;  ///< tile layers
+        double ahead = 0.0;            ///< s: animated tiles move though nothing plays
+        std::vector<EntityId> hidden;  ///< who is not drawn (sorted)
     };
     Preview preview;
     RenderCounts counts;  ///< of the last picture

@@ -97,6 +97,11 @@ bool isAt(const World& world, EntityId entity, int place) {
     return place == kEveryScene || placeOf(world, entity) == static_cast<std::size_t>(place);
 }
 
+bool isSeen(const World& world, EntityId entity, const SceneView& how) {
+    return isAt(world, entity, how.place) &&
+           (how.hidden.empty() || !std::binary_search(how.hidden.begin(), how.hidden.end(), entity));
+}
+
 }  // namespace
 
 View cameraView(World& world, Vec2 picture, float alpha, int place) {
@@ -252,13 +257,13 @@ void SceneRenderer::collectSprites(World& world, const SceneView& how, DrawList&
     // Most sprites have no parent; they skip the walk up.
     for (auto [entity, sprite, transform] :
          world.query<const Sprite, const Transform>(without<Hidden, ParallaxLayer, Parent>, withPaused)) {
-        if (!isAt(world, entity, how.place)) continue;
+        if (!isSeen(world, entity, how)) continue;
         const Pose pose = interpolated(transform, alphaOf(world, entity, how));
         add(quadOf(sprite, pose, textures_.regionOf(sprite.texture)), pose.position.y, how, list);
     }
     for (auto [entity, sprite] :
          world.query<const Sprite>(with<Parent>, without<Hidden, ParallaxLayer>, withPaused)) {
-        if (!isAt(world, entity, how.place)) continue;
+        if (!isSeen(world, entity, how)) continue;
         const Pose pose = worldPose(world, entity, alphaOf(world, entity, how));
         add(quadOf(sprite, pose, textures_.regionOf(sprite.texture)), pose.position.y, how, list);
     }
@@ -269,7 +274,7 @@ void SceneRenderer::collectBackdrops(World& world, const SceneView& how, DrawLis
     const Vec2 moved = topLeftOf(how.view) - how.parallaxOrigin;
     for (auto [entity, sprite, backdrop] :
          world.query<const Sprite, const ParallaxLayer>(without<Hidden>, withPaused)) {
-        if (!isAt(world, entity, how.place)) continue;
+        if (!isSeen(world, entity, how)) continue;
         const Pose pose = worldPose(world, entity, alphaOf(world, entity, how));
         SpriteQuad quad = quadOf(sprite, pose, textures_.regionOf(sprite.texture));
         if (!isPlain(pose)) nearLayer_ = std::min(nearLayer_, quad.layer);
@@ -299,9 +304,7 @@ void SceneRenderer::collectBackdrops(World& world, const SceneView& how, DrawLis
 void SceneRenderer::collectTiles(World& world, const SceneView& how, DrawList& list) {
     const Vec2 moved = topLeftOf(how.view) - how.parallaxOrigin;
     for (auto [entity, layer] : world.query<const TileLayer>(without<Hidden>, withPaused)) {
-        if (!isAt(world, entity, how.place)) continue;
-        const auto& hidden = how.hiddenLayers;
-        if (std::find(hidden.begin(), hidden.end(), entity.id()) != hidden.end()) continue;
+        if (!isSeen(world, entity, how)) continue;
         Pose pose = worldPose(world, entity, alphaOf(world, entity, how));
         if (const auto* backdrop = world.find<ParallaxLayer>(entity); backdrop != nullptr && how.parallax) {
             pose.position += {moved.x * (1.0f - backdrop->factor.x), moved.y * (1.0f - backdrop->factor.y)};
@@ -319,7 +322,7 @@ void SceneRenderer::collectTiles(World& world, const SceneView& how, DrawList& l
 void SceneRenderer::collectLabels(World& world, const SceneView& how, DrawList& list) {
     const Vec2 corner = how.parallax ? topLeftOf(how.view) : Vec2{};
     for (auto [entity, label] : world.query<const Label>(without<Hidden>, withPaused)) {
-        if (!isAt(world, entity, how.place)) continue;
+        if (!isSeen(world, entity, how)) continue;
         Pose pose = worldPose(world, entity, alphaOf(world, entity, how));
         if (label.screen) pose.position += corner;
         if (const SceneLayer* look = layerOf(label.layer); look != nullptr && !look->visible) continue;

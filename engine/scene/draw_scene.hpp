@@ -33,10 +33,10 @@ struct SceneView {
     bool parallax = true;  ///< false draws backdrops where they are, as part of the world
     float grid = 0.0f;     ///< px of the target for each px of the picture: backdrops keep to them; 0: they
                            ///< lie where they come to lie
-    int place = kEveryScene;        ///< in the stack of scenes: what is drawn
-    LabelText labelText = nullptr;  ///< null shows texts as they are written
-    double ahead = 0.0;             ///< s by which animated tiles are shown ahead of the world's time
-    std::span<const EntityId> hiddenLayers;  ///< tile layers that are not drawn
+    int place = kEveryScene;           ///< in the stack of scenes: what is drawn
+    LabelText labelText = nullptr;     ///< null shows texts as they are written
+    double ahead = 0.0;                ///< s by which animated tiles are shown ahead of the world's time
+    std::span<const EntityId> hidden;  ///< who is not drawn (sorted), without those below them
 };
 
 /// Turns a world into draw lists: sprites, backdrops, tile layers, texts. Keeps what is costly to make

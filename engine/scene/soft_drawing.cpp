@@ -89,6 +89,7 @@ private:
 void drawThoseOf(const PhysicsState& state, const World& world, const SceneView& how, DrawList& list) {
     for (const SoftLinkage& linkage : state.softBodies) {
         if (!physics::alive(state.world, linkage.body) || world.has<Hidden>(linkage.entity)) continue;
+        if (std::binary_search(how.hidden.begin(), how.hidden.end(), linkage.entity)) continue;
         if (how.place != kEveryScene && placeOf(world, linkage.entity) != static_cast<std::size_t>(how.place))
             continue;
         const SoftLook* look = softLookOf(world, linkage);

@@ -64,6 +64,7 @@ bool writeRows(const std::string& path, std::span<const Row> rows);
 
 int runBroadphase(const Options& options);
 int runEcs(const Options& options);
+int runEditor(const Options& options);
 int runIntegrators(const Options& options);
 int runPhysics(const Options& options);
 int runRender(const Options& options);

@@ -22,6 +22,7 @@ constexpr std::array kPrograms{
     Program{"render", &plumb::bench::runRender},
     Program{"scene", &plumb::bench::runScene},
 #if PLUMB_WITH_EDITOR
+    Program{"editor", &plumb::bench::runEditor},
     Program{"tiles", &plumb::bench::runTiles},
 #endif
 };

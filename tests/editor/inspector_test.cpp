@@ -211,14 +211,14 @@ TEST_F(Inspector, shiftDragsTenTimesAsFastAndAltAHundredthAsFast) {
     const float plain = positionOf(named("crate")).x - 200.0f;
     ASSERT_EQ(plain, std::round(plain)) << "whole pixels";
     workspace.undo.undo();
-    hands.hold({.shift = true});
+    hands.held = {.shift = true};
     dragBy(kX, 50.0f);
     EXPECT_FLOAT_EQ(positionOf(named("crate")).x - 200.0f, plain * 10.0f);
     workspace.undo.undo();
-    hands.hold({.alt = true});
+    hands.held = {.alt = true};
     dragBy(kX, 50.0f);
     EXPECT_NEAR(positionOf(named("crate")).x - 200.0f, plain * 0.01f, 1e-4f);
-    hands.hold({});
+    hands.held = {};
 }
 
 TEST_F(Inspector, whatIsWrongIsSaidWithItsColumnAndTheValueStays) {

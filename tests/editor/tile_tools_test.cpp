@@ -246,11 +246,11 @@ TEST_F(TileTools, layersAreAddedChosenRaisedHiddenAndShownAlone) {
     press(Key::PageUp, {.shift = true, .control = true});
     EXPECT_EQ(tileLayers(workspace.document).front(), layer());
     EXPECT_TRUE(press(Key::H));
-    EXPECT_TRUE(workspace.tiles.layers.hides(above));
+    EXPECT_TRUE(workspace.document.view.hides(above));
     press(Key::H);
-    EXPECT_FALSE(workspace.tiles.layers.hides(above));
+    EXPECT_FALSE(workspace.document.view.hides(above));
     press(Key::H, {.control = true});
-    EXPECT_TRUE(workspace.tiles.layers.hides(layer()));
+    EXPECT_TRUE(workspace.document.view.hides(layer()));
     while (workspace.undo.undo()) {
     }
     EXPECT_EQ(workspace.text(), empty_);

@@ -60,11 +60,11 @@ TEST_F(TilesWindow, theLayerListChoosesHidesLocksAndShowsAlone) {
     EXPECT_EQ(activeTileLayer(workspace.document, workspace.tiles), layer());
     EXPECT_EQ(valueOf("Tiles/layers/ground"), "in hand");
     hands.click("Tiles/layers/ground/seen");
-    EXPECT_TRUE(workspace.tiles.layers.isHidden(layer()));
+    EXPECT_TRUE(workspace.document.view.isHidden(layer()));
     hands.click("Tiles/layers/ground/lock");
-    EXPECT_TRUE(workspace.tiles.layers.locks(layer()));
+    EXPECT_TRUE(workspace.document.view.locks(layer()));
     hands.click("Tiles/layers/ground/solo");
-    EXPECT_EQ(workspace.tiles.layers.solo(), layer());
+    EXPECT_EQ(workspace.document.view.solo(), layer());
     EXPECT_EQ(workspace.undo.size(), 1u) << "ways of looking are no edits";
 }
 

@@ -11,6 +11,7 @@ namespace plumb::editor {
 std::span<const Action> fileActions();
 std::span<const Action> editActions();
 std::span<const Action> entityActions();
+std::span<const Action> arrangeActions();
 std::span<const Action> toolActions();
 std::span<const Action> tileActions();
 std::span<const Action> viewActions();

@@ -4,6 +4,7 @@
 #include "editor/model/actions/action_rows.hpp"
 #include "editor/model/clipboard.hpp"
 #include "editor/model/commands/delete_entities.hpp"
+#include "editor/model/sight.hpp"
 
 namespace plumb::editor {
 namespace {
@@ -36,6 +37,12 @@ void paste(Workspace& w) {
         w.notice = "The clipboard holds no entities";
     }
 }
+/// But for what the mouse goes through.
+void selectAll(Workspace& w) {
+    std::vector<ObjectId> ids = w.document.objects();
+    std::erase_if(ids, [&](ObjectId id) { return isOutOfHand(w.document, id); });
+    w.document.selection.set(std::move(ids));
+}
 void escape(Workspace& w) {
     if (w.tool().cancel(w.tools())) return;
     if (w.paintsTiles() && !w.tiles.selected.empty()) return w.tiles.selected.clear();
@@ -51,9 +58,17 @@ const std::array kRows{
     Action{"edit.paste", "Edit", "Paste", control(Key::V), editable, paste},
     Action{"edit.duplicate", "Edit", "Duplicate", control(Key::D), withSelection, duplicate},
     Action{"edit.delete", "Edit", "Delete", {Key::Delete}, withSelection, remove},
+    Action{"shape.remove",
+           "Edit",
+           "Take out the corner",
+           {Key::Delete},
+           [](const Workspace& w) { return editable(w) && w.hasChosen(); },
+           [](Workspace& w) { w.tool().removeChosen(w.tools()); },
+           nullptr,
+           {},
+           During::Entities},
     line("Edit"),
-    Action{"edit.selectAll", "Edit", "Select all", control(Key::A), editable,
-           [](Workspace& w) { w.document.selection.set(w.document.objects()); }},
+    Action{"edit.selectAll", "Edit", "Select all", control(Key::A), editable, selectAll},
     line("Edit"),
     Action{"edit.find", "Edit", "Go to...", control(Key::P), always, ask<WindowRequest::FindFile>},
     Action{"edit.commands", "Edit", "Commands...", control(Key::P, true), always,

@@ -3,6 +3,7 @@
 #include "editor/model/actions/action_rows.hpp"
 #include "editor/model/commands/insert_entities.hpp"
 #include "editor/model/tools/transform_drag.hpp"
+#include "editor/model/tree_edit.hpp"
 
 namespace plumb::editor {
 namespace {
@@ -20,6 +21,35 @@ template <int X, int Y>
 void nudgeGrid(Workspace& w) {
     nudge(w.tools(), scaled({static_cast<float>(X), static_cast<float>(Y)}, w.grid.size));
 }
+
+// What is selected, in the tree and in the view.
+
+template <void (EntityView::*Set)(ObjectId, bool), bool (EntityView::*Is)(ObjectId) const>
+void switchView(Workspace& w) {
+    EntityView& view = w.document.view;
+    const bool now = (view.*Is)(w.document.selection.all().back());
+    for (const ObjectId id : w.document.selection.all()) (view.*Set)(id, !now);
+}
+template <bool (EntityView::*Is)(ObjectId) const>
+bool isInView(const Workspace& w) {
+    return anySelection(w) && (w.document.view.*Is)(w.document.selection.all().back());
+}
+void showAll(Workspace& w) {
+    const ObjectId solo = w.document.view.solo();
+    w.document.view.clear();
+    if (solo) w.document.view.toggleSolo(solo);
+}
+bool hidesAny(const Workspace& w) { return editable(w) && !w.document.view.showsAll(); }
+void group(Workspace& w) {
+    if (!groupEntities(w.document, w.undo, w.document.selection.all()))
+        w.notice = "Parts of a prefab stay where their prefab has them";
+}
+template <int By>
+void stepInTreeBy(Workspace& w) {
+    if (!stepInTree(w.document, w.undo, w.document.selection.all().back(), By))
+        w.notice = "It is at the end already, or a part of a prefab";
+}
+
 bool onInstance(const Workspace& w) { return withSelection(w) && w.selectsInstance(); }
 
 const std::array kRows{
@@ -27,7 +57,48 @@ const std::array kRows{
     Action{"entity.prefab", "Entity", "Add prefab...", control(Key::N, true), editable,
            ask<WindowRequest::ChoosePrefab>},
     Action{"entity.rename", "Entity", "Rename", {Key::F2}, withSelection, ask<WindowRequest::RenameSelected>},
+    Action{"entity.group", "Entity", "Group", control(Key::G), withSelection, group},
+    Action{"entity.earlier",
+           "Entity",
+           "Earlier in the tree",
+           {Key::Up, false, false, true},
+           withSelection,
+           stepInTreeBy<-1>},
+    Action{"entity.later",
+           "Entity",
+           "Later in the tree",
+           {Key::Down, false, false, true},
+           withSelection,
+           stepInTreeBy<1>},
     line("Entity"),
+    Action{"entity.hide",
+           "Entity",
+           "Hide in the editor",
+           control(Key::H),
+           withSelection,
+           switchView<&EntityView::setHidden, &EntityView::isHidden>,
+           isInView<&EntityView::isHidden>,
+           {},
+           During::Entities},
+    Action{"entity.lock",
+           "Entity",
+           "Lock",
+           control(Key::L),
+           withSelection,
+           switchView<&EntityView::setLocked, &EntityView::locks>,
+           isInView<&EntityView::locks>,
+           {},
+           During::Entities},
+    Action{"entity.showAll", "Entity", "Show and unlock all", {Key::H, true, false, true}, hidesAny, showAll},
+    line("Entity"),
+    Action{
+        "entity.makePrefab", "Entity", "Make prefab...", {}, withSelection, ask<WindowRequest::NamePrefab>},
+    Action{"entity.overrides",
+           "Entity",
+           "Changes against the prefab...",
+           {},
+           onInstance,
+           ask<WindowRequest::ShowOverrides>},
     Action{"entity.revert", "Entity", "Revert to prefab", control(Key::R), onInstance,
            [](Workspace& w) { w.revertToPrefab(); }},
     Action{"entity.apply", "Entity", "Apply to prefab", control(Key::R, true), onInstance,

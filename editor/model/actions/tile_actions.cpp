@@ -143,16 +143,16 @@ std::vector<Action> makeRows() {
                  [](Workspace& w) { moveTileLayer(w, -1); }),
         layerRow(
             "layer.solo", "Only this layer", {Key::H},
-            [](Workspace& w) { w.tiles.layers.toggleSolo(layer(w)); },
-            [](const Workspace& w) { return w.tiles.layers.solo() && w.tiles.layers.solo() == layer(w); }),
+            [](Workspace& w) { w.document.view.toggleSolo(layer(w)); },
+            [](const Workspace& w) { return w.document.view.solo() && w.document.view.solo() == layer(w); }),
         layerRow(
             "layer.hide", "Hide layer", control(Key::H),
-            [](Workspace& w) { w.tiles.layers.toggleHidden(layer(w)); },
-            [](const Workspace& w) { return w.tiles.layers.isHidden(layer(w)); }),
+            [](Workspace& w) { w.document.view.toggleHidden(layer(w)); },
+            [](const Workspace& w) { return w.document.view.isHidden(layer(w)); }),
         layerRow(
             "layer.lock", "Lock layer", control(Key::L),
-            [](Workspace& w) { w.tiles.layers.toggleLocked(layer(w)); },
-            [](const Workspace& w) { return w.tiles.layers.locks(layer(w)); }),
+            [](Workspace& w) { w.document.view.toggleLocked(layer(w)); },
+            [](const Workspace& w) { return w.document.view.locks(layer(w)); }),
     };
     addStampRows(rows, std::make_index_sequence<TilePaint::kKept>{});
     return rows;

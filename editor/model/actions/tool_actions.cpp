@@ -15,6 +15,7 @@ const std::array kRows{
     tool("tool.move", "Move", Key::W),
     tool("tool.rotate", "Rotate", Key::E, During::Entities),
     tool("tool.scale", "Scale", Key::R),
+    tool("tool.shape", "Shape", Key::C),
     line("Tool"),
     tool("tool.brush", "Brush", Key::B),
     tool("tool.terrain", "Terrain", Key::T),

@@ -13,6 +13,16 @@ void frameAll(Workspace& w) {
     if (const auto box = boundsOf(w.document, w.document.objects())) w.view.frame(*box);
 }
 
+template <SnapTo To>
+void snapTo(Workspace& w) {
+    w.grid.to = To;
+    w.grid.snap = true;
+}
+template <SnapTo To>
+bool snapsTo(const Workspace& w) {
+    return w.grid.to == To;
+}
+
 const std::array kRows{
     Action{"view.frame", "View", "Frame selection", {Key::F}, anySelection, frameSelection},
     Action{"view.all", "View", "Frame all", {Key::Home}, always, frameAll, nullptr, shifted(Key::F)},
@@ -21,8 +31,36 @@ const std::array kRows{
     Action{"view.actual", "View", "Actual size", control(Key::Digit0), always,
            [](Workspace& w) { w.view.setZoom(1.0f); }},
     line("View"),
-    Action{"view.snap", "View", "Snap to grid", shifted(Key::S), always,
+    Action{"view.snap", "View", "Snap", shifted(Key::S), always,
            [](Workspace& w) { w.grid.snap = !w.grid.snap; }, [](const Workspace& w) { return w.grid.snap; }},
+    Action{"view.snapGrid",
+           "View",
+           "Snap to the grid's lines",
+           {},
+           always,
+           snapTo<SnapTo::Grid>,
+           snapsTo<SnapTo::Grid>},
+    Action{"view.snapHalf",
+           "View",
+           "Snap to half the grid",
+           {},
+           always,
+           snapTo<SnapTo::HalfGrid>,
+           snapsTo<SnapTo::HalfGrid>},
+    Action{"view.snapPixel",
+           "View",
+           "Snap to pixels",
+           {},
+           always,
+           snapTo<SnapTo::Pixel>,
+           snapsTo<SnapTo::Pixel>},
+    Action{"view.snapAngles",
+           "View",
+           "Turn in steps",
+           {},
+           always,
+           [](Workspace& w) { w.grid.snapAngles = !w.grid.snapAngles; },
+           [](const Workspace& w) { return w.grid.snapAngles; }},
     line("View"),
     Action{"view.physics",
            "View",

@@ -14,6 +14,8 @@ void ChangeComponents::swapComponents(Document& document) {
         std::optional<ComponentState> now;
         if (document.world.has(type_, entity)) now = readComponent(document, type_, entity);
         const std::optional<ComponentState> next = std::exchange(change.state, std::move(now));
+        if (next.has_value() != change.state.has_value() || type_.key == typeKey<Name>())
+            ++document.treeRevision;
         if (next) {
             writeComponent(document, entity, *next);
         } else {

@@ -32,6 +32,7 @@ Reparent::Reparent(std::vector<ObjectId> objects, ObjectId parent, KeepPlace kee
 
 void Reparent::apply(Document& document) {
     World& world = document.world;
+    ++document.treeRevision;
     for (Change& change : changes_) {
         const EntityId entity = document.find(change.object);
         const Pose pose = worldPose(world, entity);
@@ -49,6 +50,7 @@ void Reparent::apply(Document& document) {
 }
 
 void Reparent::revert(Document& document) {
+    ++document.treeRevision;
     for (auto change = changes_.rbegin(); change != changes_.rend(); ++change) {
         const EntityId entity = document.find(change->object);
         setParent(document.world, entity, document.find(change->parentBefore));

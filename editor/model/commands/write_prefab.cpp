@@ -15,6 +15,7 @@ void WritePrefab::swap(Document& document) {
         logError("Editor", written.error());
     }
     prefabs_.forget();
+    ++document.treeRevision;
     for (Change& change : changes_) {
         const EntityId entity = document.find(change.object);
         std::optional<ComponentState> now;

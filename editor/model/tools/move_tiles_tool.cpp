@@ -52,8 +52,8 @@ std::vector<PaintTiles::Cell> moved(const TileGrid& grid, const CellSelection& s
 
 ObjectId freeLayer(const ToolContext& context) {
     const ObjectId layer = activeTileLayer(context.document, context.tiles);
-    const bool free = gridOf(context.document, layer) != nullptr && !context.tiles.layers.locks(layer) &&
-                      !context.tiles.layers.hides(layer);
+    const bool free = gridOf(context.document, layer) != nullptr && !context.document.view.locks(layer) &&
+                      !context.document.view.hides(layer);
     return free ? layer : ObjectId{};
 }
 

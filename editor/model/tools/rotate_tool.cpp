@@ -10,7 +10,6 @@ namespace plumb::editor {
 namespace {
 
 constexpr float kTolerance = 6.0f;  // px on screen, to both sides of the ring
-constexpr float kSnapAngle = radiansFromDegrees(15.0f);
 
 float angleOf(Vec2 arm) { return std::atan2(arm.y, arm.x); }
 
@@ -31,7 +30,8 @@ void RotateTool::pull(const ToolContext& context, const Pointer& pointer) {
     turned_ += wrapAngle(now - std::exchange(before_, now));
     const float start = drag_.pivot().rotation;
     angle_ = turned_;
-    if (pointer.snap) angle_ = std::round((start + turned_) / kSnapAngle) * kSnapAngle - start;
+    if (pointer.snap && pointer.angle > 0.0f)
+        angle_ = std::round((start + turned_) / pointer.angle) * pointer.angle - start;
     drag_.turn(context, angle_);
 }
 

@@ -25,7 +25,7 @@ ObjectId hitOf(const ToolContext& context, const Pointer& pointer) {
 void SelectTool::press(const ToolContext& context, const Pointer& pointer) {
     start_ = end_ = pointer.position;
     mode_ = Mode::Pressed;
-    const ObjectId hit = hitOf(context, pointer);
+    const ObjectId hit = hit_ = hitOf(context, pointer);
     const bool ground =
         hit && boundsOf(context.document.world, context.document.find(hit)).size().x > 1000.0f;
     onThing_ = hit && (!ground || context.selection.has(hit));
@@ -51,11 +51,13 @@ void SelectTool::drag(const ToolContext& context, const Pointer& pointer) {
 
 void SelectTool::release(const ToolContext& context, const Pointer& pointer) {
     if (mode_ == Mode::Moving) move_.finish(context);
+    // One of several that are selected, clicked and not dragged: that one alone.
+    if (mode_ == Mode::Pressed && hit_ && pointer.modifiers == Modifiers{}) context.selection.set({hit_});
     if (mode_ == Mode::Boxing) {
         std::vector<ObjectId> found = pickInside(context.document, {min(start_, end_), max(start_, end_)});
         if (pointer.modifiers.shift || pointer.modifiers.control) {
             for (const ObjectId id : found) {
-                context.selection.add(id);
+                pointer.modifiers.control ? context.selection.toggle(id) : context.selection.add(id);
             }
         } else {
             context.selection.set(std::move(found));

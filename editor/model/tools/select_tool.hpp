@@ -19,6 +19,7 @@ private:
 
     Mode mode_ = Mode::Idle;
     bool onThing_ = false;
+    ObjectId hit_;  ///< what was pressed
     Vec2 start_;
     Vec2 end_;
     TransformDrag move_;

@@ -55,7 +55,7 @@ void TileTool::press(const ToolContext& context, const Pointer& pointer) {
     doing_ = Doing::Nothing;
     if (picks(context, pointer)) {
         doing_ = Doing::Picking;
-    } else if (context.tiles.layers.locks(layer) || context.tiles.layers.hides(layer)) {
+    } else if (context.document.view.locks(layer) || context.document.view.hides(layer)) {
         return;
     } else if (isShape(mode_) || ((mode_ == Mode::Brush || mode_ == Mode::Erase) &&
                                   pointer.modifiers.control && pointer.modifiers.shift)) {

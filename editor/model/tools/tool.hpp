@@ -14,12 +14,13 @@ namespace plumb::editor {
 
 /// Where the mouse is in the scene, and what is held with it.
 struct Pointer {
-    Vec2 position;            ///< px, world
-    bool snap = false;        ///< to the grid
-    Vec2 grid{16.0f, 16.0f};  ///< px
-    float reach = 3.0f;       ///< px, world: how far beside a thing still hits it
-    float pixel = 1.0f;       ///< px of the world for one px on screen: handles keep their size
-    bool secondary = false;   ///< the right button instead of the left one
+    Vec2 position;                ///< px, world
+    bool snap = false;            ///< to the grid
+    Vec2 grid{16.0f, 16.0f};      ///< px
+    float angle = 0.2617993878f;  ///< rad: of the steps in which things turn; 0: freely, though `snap` is set
+    float reach = 3.0f;           ///< px, world: how far beside a thing still hits it
+    float pixel = 1.0f;           ///< px of the world for one px on screen: handles keep their size
+    bool secondary = false;       ///< the right button instead of the left one
     Modifiers modifiers{};
 };
 
@@ -41,6 +42,9 @@ public:
     /// Esc: takes back what is under way. @return false when nothing was
     virtual bool cancel(const ToolContext& context) = 0;
     virtual void draw(const ToolContext& context, const Pointer& pointer, Overlay& overlay) const = 0;
+    /// Whether a part of the thing in hand is chosen that can be taken out: Del means that then.
+    [[nodiscard]] virtual bool hasChosen(const ToolContext&) const { return false; }
+    virtual void removeChosen(const ToolContext&) {}
     /// The action of the tool that takes over after a release; empty: this one stays.
     [[nodiscard]] virtual std::string_view next() const { return {}; }
 };

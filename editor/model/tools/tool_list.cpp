@@ -3,6 +3,7 @@
 #include "editor/model/tools/rotate_tool.hpp"
 #include "editor/model/tools/scale_tool.hpp"
 #include "editor/model/tools/select_tool.hpp"
+#include "editor/model/tools/shape_tool.hpp"
 #include "editor/model/tools/tile_tools.hpp"
 
 namespace plumb::editor {
@@ -34,6 +35,10 @@ const std::vector<ToolRow>& toolTable() {
         {"Scale", "tool.scale",
          "Drag a box to scale along it, the square to scale both. Ctrl inverts snapping.", false, Hand::Keeps,
          &make<ScaleTool>},
+        {"Shape", "tool.shape",
+         "Drag sides and corners of colliders, anchors, the pivot. An outline takes new corners; Del "
+         "removes.",
+         false, Hand::Keeps, &make<ShapeTool>},
         {"Brush", "tool.brush",
          "Paints tiles. Shift draws a line from the last stroke, Ctrl+Shift a box, the right button picks.",
          true, Hand::Stamp, &makeTileTool<Mode::Brush>},

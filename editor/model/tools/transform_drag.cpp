@@ -6,19 +6,15 @@
 #include "ecs/hierarchy.hpp"
 #include "editor/model/commands/change_components.hpp"
 #include "editor/model/entity_state.hpp"
+#include "editor/model/sight.hpp"
 #include "math/angle.hpp"
 
 namespace plumb::editor {
-namespace {
-
-/// An offset in the world as one in a parent that is turned and scaled.
 Vec2 inParent(Vec2 offset, const Pose& parent) {
     const Vec2 turned = rotated(offset, -parent.rotation);
     return {parent.scale.x == 0.0f ? 0.0f : turned.x / parent.scale.x,
             parent.scale.y == 0.0f ? 0.0f : turned.y / parent.scale.y};
 }
-
-}  // namespace
 
 Vec2 snapped(Vec2 point, Vec2 grid) {
     return {std::round(point.x / grid.x) * grid.x, std::round(point.y / grid.y) * grid.y};
@@ -48,7 +44,7 @@ void TransformDrag::grab(const ToolContext& context) {
     for (const ObjectId id : outermost(document, context.selection.all())) {
         const EntityId entity = document.find(id);
         const Transform* transform = document.world.find<Transform>(entity);
-        if (transform == nullptr) continue;
+        if (transform == nullptr || isLocked(document, id)) continue;
         const EntityId parent = parentOf(document.world, entity);
         grabbed_.push_back({id, *transform, worldPose(document.world, entity),
                             parent ? worldPose(document.world, parent) : Pose{}});

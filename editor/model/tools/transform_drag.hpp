@@ -9,7 +9,7 @@
 namespace plumb::editor {
 
 /// Moves, turns and scales what is selected, always from where it was when it was grabbed. One drag is one
-/// step of undo; what is below another selected thing goes with it.
+/// step of undo; what is below another selected thing goes with it, and what is locked stays.
 class TransformDrag {
 public:
     void grab(const ToolContext& context);
@@ -43,6 +43,9 @@ std::optional<Pose> poseInHand(const Document& document);
 
 /// How far a drag moves: Shift keeps to one axis, and what moves comes to the grid or to whole pixels.
 Vec2 dragOffset(Vec2 grabPoint, Vec2 origin, const Pointer& pointer);
+
+/// An offset in the world as one in a parent that is turned and scaled.
+Vec2 inParent(Vec2 offset, const Pose& parent);
 
 /// Moves what is selected by px of the world: one change of a gesture.
 void nudge(const ToolContext& context, Vec2 offset);

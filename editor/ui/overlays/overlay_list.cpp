@@ -1,5 +1,6 @@
 #include "editor/ui/overlays/overlay_list.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -13,8 +14,6 @@
 namespace plumb::editor::ui {
 namespace {
 
-constexpr Color kGridLine{255, 255, 255, 16};
-constexpr Color kGridStrong{255, 255, 255, 34};
 constexpr Color kCamera{190, 150, 240, 220};
 constexpr Color kName{221, 224, 229, 220};
 constexpr float kClosestLines = 12.0f;  // px on screen; of a finer grid each eighth line is drawn
@@ -27,16 +26,18 @@ bool showsGamePicture(const Workspace& workspace) {
 void drawGrid(const Workspace& workspace, const World&, Overlay& overlay) {
     if (showsGamePicture(workspace)) return;
     const AABB seen = visibleBox(workspace.view.view());
+    const Color weak = workspace.grid.color;
+    const Color heavy{weak.r, weak.g, weak.b, static_cast<std::uint8_t>(std::min(weak.a * 2 + 2, 255))};
     Vec2 step = workspace.grid.size;
     while (step.x * workspace.view.zoom() < kClosestLines || step.y * workspace.view.zoom() < kClosestLines) {
         step = step * 8.0f;
     }
     const auto strong = [](float line) { return static_cast<long>(line) % 8 == 0; };
     for (float i = std::floor(seen.min.x / step.x); i * step.x <= seen.max.x; ++i) {
-        overlay.line({i * step.x, seen.min.y}, {i * step.x, seen.max.y}, strong(i) ? kGridStrong : kGridLine);
+        overlay.line({i * step.x, seen.min.y}, {i * step.x, seen.max.y}, strong(i) ? heavy : weak);
     }
     for (float i = std::floor(seen.min.y / step.y); i * step.y <= seen.max.y; ++i) {
-        overlay.line({seen.min.x, i * step.y}, {seen.max.x, i * step.y}, strong(i) ? kGridStrong : kGridLine);
+        overlay.line({seen.min.x, i * step.y}, {seen.max.x, i * step.y}, strong(i) ? heavy : weak);
     }
 }
 

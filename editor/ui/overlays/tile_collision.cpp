@@ -71,7 +71,7 @@ void drawTileCollision(const Workspace& workspace, const World&, Overlay& overla
     const Document& document = workspace.document;
     for (const ObjectId layer : tileLayers(document)) {
         const bool solid = document.world.has<TileCollider>(document.find(layer));
-        if (solid && !workspace.tiles.layers.hides(layer)) drawLayer(workspace, layer, overlay);
+        if (solid && !workspace.document.view.hides(layer)) drawLayer(workspace, layer, overlay);
     }
 }
 

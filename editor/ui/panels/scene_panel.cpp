@@ -1,30 +1,36 @@
 #include <algorithm>
 #include <array>
-#include <map>
+#include <cstring>
+#include <optional>
+#include <utility>
 
+#include "core/text.hpp"
 #include "ecs/hierarchy.hpp"
 #include "editor/model/actions.hpp"
 #include "editor/model/commands/change_components.hpp"
-#include "editor/model/commands/reparent.hpp"
-#include "editor/model/entity_state.hpp"
+#include "editor/model/scene_tree.hpp"
+#include "editor/model/sight.hpp"
+#include "editor/model/tree_edit.hpp"
 #include "editor/ui/icons.hpp"
 #include "editor/ui/panels/panels.hpp"
 #include "editor/ui/ui_compat.hpp"
 #include "editor/ui/widgets/pickers.hpp"
 #include "scene/components/hidden.hpp"
+#include "scene/components/prefab_instance.hpp"
 
 namespace plumb::editor::ui {
 namespace {
+
+constexpr ImU32 kOfPrefab = IM_COL32(146, 186, 232, 255);  // names of what comes from a prefab
+constexpr float kIconRoom = 18.0f;                         // px at scale 1, for the eye and for the lock
+constexpr float kScrollEdge = 24.0f;                       // px at scale 1: there a drag scrolls
 
 /// The entities of the scene as a tree.
 class ScenePanel final : public Panel {
 public:
     void draw(Ui& ui) override {
         const Document& document = ui.workspace.document;
-        ImGui::SetNextItemWidth(-1.0f);
-        ImGui::InputTextWithHint("##filter", "Filter by name or component", filter_.data(), filter_.size());
-        ui.widgets.mark("Scene/filter", filter_.data());
-        ImGui::Dummy({0.0f, ui.px(1.0f)});
+        drawFilter(ui);
         beginChild("tree", {0.0f, 0.0f}, false);
         if (document.scenePath.empty()) {
             ImGui::TextDisabled("No scene is open.");
@@ -40,92 +46,79 @@ public:
     }
 
 private:
+    using Row = SceneTree::Row;
+
+    void drawFilter(Ui& ui) {
+        const bool any = filter_[0] != '\0';
+        const float clear = any ? ImGui::GetFrameHeight() + ui.px(2.0f) : 0.0f;
+        ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - clear);
+        ImGui::InputTextWithHint("##filter", "Filter: name, component, c:RigidBody", filter_.data(),
+                                 filter_.size());
+        ui.widgets.mark("Scene/filter", filter_.data());
+        tooltip("Words that are all in the name or in that of a component; c: looks at components only.");
+        if (any) {
+            ImGui::SameLine(0.0f, ui.px(2.0f));
+            if (ImGui::Button("x", {ImGui::GetFrameHeight(), 0.0f})) filter_.fill('\0');
+            ui.widgets.mark("Scene/filter/clear");
+        }
+        ImGui::Dummy({0.0f, ui.px(1.0f)});
+    }
+
     void drawTree(Ui& ui) {
-        const Selection& selection = ui.workspace.document.selection;
+        const Document& document = ui.workspace.document;
+        const Selection& selection = document.selection;
         const bool moved = std::exchange(shownSelection_, selection.revision()) != selection.revision();
-        if (moved && !selection.empty()) openParents(ui.workspace.document, selection.all().back());
-        collect(ui.workspace.document);
+        if (moved && !selection.empty()) tree_.openTo(document, selection.all().back());
+        tree_.follow(document, filter_.data());
         if (moved && !selection.empty()) scrollTo(ui, selection.all().back());
+        scrollWhileDragging(ui);
         ImGuiListClipper clipper;
-        clipper.Begin(static_cast<int>(rows_.size()), rowHeight(ui));
+        clipper.Begin(static_cast<int>(tree_.rows().size()), rowHeight(ui));
         while (clipper.Step()) {
             for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) {
-                drawRow(ui, rows_[static_cast<std::size_t>(i)]);
+                drawRow(ui, tree_.rows()[static_cast<std::size_t>(i)]);
             }
         }
         const ImVec2 rest = ImGui::GetContentRegionAvail();
         if (rest.y > 4.0f && ImGui::InvisibleButton("below", {rest.x, rest.y}))
             ui.workspace.document.selection.clear();
-        dropOn(ui, {});
-    }
-
-    void openParents(const Document& document, ObjectId id) {
-        for (EntityId at = parentOf(document.world, document.find(id)); at;
-             at = parentOf(document.world, at)) {
-            closed_.erase(document.idOf(at));
+        if (rest.y > 4.0f) dropOn(ui, nullptr);
+        if (const std::optional<Dropped> dropped = std::exchange(dropped_, std::nullopt)) {
+            static_cast<void>(moveInTree(ui.workspace.document, ui.workspace.undo, dropped->moved,
+                                         dropped->place,
+                                         ImGui::GetIO().KeyAlt ? KeepPlace::InParent : KeepPlace::InWorld));
         }
     }
 
     /// Brings a row into sight that was selected elsewhere.
     void scrollTo(const Ui& ui, ObjectId id) const {
-        const auto row =
-            std::find_if(rows_.begin(), rows_.end(), [&](const Row& item) { return item.id == id; });
-        if (row == rows_.end()) return;
-        const float top = rowHeight(ui) * static_cast<float>(row - rows_.begin());
+        const std::size_t row = tree_.rowOf(id);
+        if (row == tree_.rows().size()) return;
+        const float top = rowHeight(ui) * static_cast<float>(row);
         const float room = ImGui::GetWindowHeight();
         if (top < ImGui::GetScrollY() || top + rowHeight(ui) > ImGui::GetScrollY() + room)
             ImGui::SetScrollY(top - room * 0.5f);
     }
 
-    struct Row {
-        ObjectId id;
-        int depth = 0;
-        bool parent = false;
-    };
+    static void scrollWhileDragging(const Ui& ui) {
+        const ImGuiPayload* payload = ImGui::GetDragDropPayload();
+        if (payload == nullptr || !payload->IsDataType(kEntityPayload)) return;
+        const float top = ImGui::GetWindowPos().y;
+        const float mouse = ImGui::GetMousePos().y;
+        const float edge = ui.px(kScrollEdge);
+        const float above = top + edge - mouse;
+        const float below = mouse - (top + ImGui::GetWindowHeight() - edge);
+        const float by = above > 0.0f ? -std::min(above, edge) : std::clamp(below, 0.0f, edge);
+        if (by != 0.0f) ImGui::SetScrollY(ImGui::GetScrollY() + by * 0.5f);
+    }
 
     [[nodiscard]] static float rowHeight(const Ui& ui) { return ui.px(22.0f); }
-
-    /// The rows of the tree in order, flat, so that only those in sight are drawn.
-    void collect(const Document& document) {
-        std::map<ObjectId, std::vector<ObjectId>> children;
-        const bool filtering = filter_[0] != '\0';
-        rows_.clear();
-        for (const ObjectId id : document.objects()) {
-            const ObjectId parent = document.idOf(parentOf(document.world, document.find(id)));
-            if (!filtering) {
-                children[parent].push_back(id);
-            } else if (matches(document, id)) {
-                rows_.push_back({id, 0, false});
-            }
-        }
-        if (!filtering) addRows(children, {}, 0);
-    }
-
-    [[nodiscard]] bool matches(const Document& document, ObjectId id) const {
-        if (containsWord(document.nameOf(id), filter_.data())) return true;
-        for (const TypeInfo& type : document.types().all()) {
-            if (document.world.has(type, document.find(id)) && containsWord(type.name, filter_.data()))
-                return true;
-        }
-        return false;
-    }
-
-    void addRows(const std::map<ObjectId, std::vector<ObjectId>>& children, ObjectId parent, int depth) {
-        const auto found = children.find(parent);
-        if (found == children.end()) return;
-        for (const ObjectId id : found->second) {
-            const bool isParent = children.find(id) != children.end();
-            rows_.push_back({id, depth, isParent});
-            if (isParent && closed_.count(id) == 0) addRows(children, id, depth + 1);
-        }
-    }
 
     void drawRow(Ui& ui, const Row& row) {
         Workspace& workspace = ui.workspace;
         Document& document = workspace.document;
-        const EntityId entity = document.find(row.id);
         const std::string name = document.nameOf(row.id);
-        ImGui::PushID(static_cast<int>(row.id.value));
+        ImGui::PushID(static_cast<int>(row.id.value ^ (row.id.value >> 32)));
         const ImVec2 at = ImGui::GetCursorScreenPos();
         const float height = rowHeight(ui);
         const float indent = ui.px(16.0f) * static_cast<float>(row.depth);
@@ -134,22 +127,30 @@ private:
             ImGui::PopID();
             return;
         }
+        const float icons = at.x + ImGui::GetContentRegionAvail().x - ui.px(2.0f * kIconRoom);
         const ImVec2 spacing = ImGui::GetStyle().ItemSpacing;
         ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {spacing.x, 0.0f});
         const bool clicked = ImGui::Selectable("##row", document.selection.has(row.id),
                                                ImGuiSelectableFlags_AllowDoubleClick, {0.0f, height});
         ImGui::PopStyleVar();
-        ui.widgets.mark("Scene/" + name, name);
-        if (clicked) choose(ui, row, at.x + indent + ui.px(16.0f));
+        const bool hovered = ImGui::IsItemHovered();
+        // Only what is not covered by the icons, so that a click in its middle selects.
+        ui.widgets.mark("Scene/" + name, {{at.x, at.y}, {icons, at.y + height}}, name);
+        if (clicked && ImGui::GetMousePos().x >= icons) {
+            toggleView(document, row.id, ImGui::GetMousePos().x >= icons + ui.px(kIconRoom));
+        } else if (clicked) {
+            choose(ui, row, at.x + indent + ui.px(16.0f));
+        }
         if (ImGui::IsItemClicked(ImGuiMouseButton_Right) && !document.selection.has(row.id))
             document.selection.set({row.id});
         if (ImGui::BeginPopupContextItem("menu")) {
             selectionMenu(ui, "Scene/menu");
             ImGui::EndPopup();
         }
-        dragFrom(row.id, name);
-        dropOn(ui, row.id);
-        drawContent(ui, row, entity, name, {at.x + indent, at.y}, height);
+        dragFrom(document, row.id, name);
+        dropOn(ui, &row);
+        drawContent(ui, row, name, {at.x + indent, at.y}, {icons, at.y + height});
+        drawIcons(ui, row, name, {icons, at.y}, hovered);
         if (workspace.request == WindowRequest::RenameSelected && document.selection.has(row.id) &&
             document.selection.all().back() == row.id) {
             workspace.request = WindowRequest::None;
@@ -161,12 +162,21 @@ private:
         ImGui::PopID();
     }
 
-    void drawContent(Ui& ui, const Row& row, EntityId entity, const std::string& name, ImVec2 at,
-                     float height) {
+    /// Of all that is selected, when that is clicked.
+    static void toggleView(Document& document, ObjectId id, bool lock) {
+        EntityView& view = document.view;
+        const bool now = lock ? view.locks(id) : view.isHidden(id);
+        const bool all = document.selection.has(id);
+        for (const ObjectId each : all ? document.selection.all() : std::vector{id}) {
+            lock ? view.setLocked(each, !now) : view.setHidden(each, !now);
+        }
+    }
+
+    void drawContent(Ui& ui, const Row& row, const std::string& name, ImVec2 at, ImVec2 end) {
         ImDrawList& list = *ImGui::GetWindowDrawList();
-        const float middle = at.y + height * 0.5f;
+        const float middle = (at.y + end.y) * 0.5f;
         if (row.parent) {
-            const bool closed = closed_.count(row.id) > 0;
+            const bool closed = tree_.isClosed(row.id);
             const ImVec2 c{at.x + ui.px(8.0f), middle};
             const float r = ui.px(3.5f);
             if (closed) {
@@ -178,62 +188,119 @@ private:
             }
         }
         const Document& document = ui.workspace.document;
-        const Icon icon = iconOf(document.world, entity);
-        drawIcon(list, icon, {at.x + ui.px(24.0f), middle}, ui.px(13.0f), iconColor(icon));
-        const bool hidden = document.world.has<Hidden>(entity);
-        const float top = at.y + (height - ImGui::GetTextLineHeight()) * 0.5f;
-        list.AddText({at.x + ui.px(38.0f), top}, hidden ? palette::kTextDim : palette::kText, name.c_str());
+        const World& world = document.world;
+        const EntityId entity = document.find(row.id);
+        const Icon icon = iconOf(world, entity);
+        const bool faint = world.has<Hidden>(entity) || isOutOfSight(document, row.id);
+        const bool ofPrefab = world.has<PrefabInstance>(entity) || world.has<PrefabPart>(entity);
+        const float top = at.y + (end.y - at.y - ImGui::GetTextLineHeight()) * 0.5f;
+        list.PushClipRect(at, end, true);
+        drawIcon(list, icon, {at.x + ui.px(24.0f), middle}, ui.px(13.0f),
+                 faint ? palette::kTextDim : iconColor(icon));
+        list.AddText({at.x + ui.px(38.0f), top},
+                     faint      ? palette::kTextDim
+                     : ofPrefab ? kOfPrefab
+                                : palette::kText,
+                     name.c_str());
+        list.PopClipRect();
+    }
+
+    /// The eye and the lock: shown where they say something, and in the row under the mouse.
+    static void drawIcons(Ui& ui, const Row& row, const std::string& name, ImVec2 at, bool hovered) {
+        const Document& document = ui.workspace.document;
+        const bool hidden = document.view.isHidden(row.id);
+        const bool locked = document.view.locks(row.id);
+        const float room = ui.px(kIconRoom);
+        const float height = rowHeight(ui);
+        const auto icon = [&](Icon which, float x, bool on, const char* part, const char* words) {
+            const AABB box{{at.x + x, at.y}, {at.x + x + room, at.y + height}};
+            ui.widgets.mark(format("Scene/{}/{}", name, part), box, on ? "on" : "off");
+            const Vec2 mouse{ImGui::GetMousePos().x, ImGui::GetMousePos().y};
+            const bool under = hovered && contains(box, mouse);
+            if (!on && !hovered) return;
+            drawIcon(*ImGui::GetWindowDrawList(), which, {at.x + x + room * 0.5f, at.y + height * 0.5f},
+                     ui.px(12.0f), on || under ? palette::kText : IM_COL32(100, 106, 117, 255));
+            if (under) tooltip(words);
+        };
+        icon(hidden ? Icon::EyeClosed : Icon::Eye, 0.0f, hidden, "eye",
+             "Hides or shows it in the editor; the game shows it all the same (Ctrl+H)");
+        icon(locked ? Icon::Lock : Icon::Unlocked, room, locked, "lock",
+             "Locked: clicks in the scene go through it (Ctrl+L)");
     }
 
     void choose(Ui& ui, const Row& row, float arrowEnd) {
         Workspace& workspace = ui.workspace;
         Selection& selection = workspace.document.selection;
         if (row.parent && ImGui::GetMousePos().x < arrowEnd) {
-            if (closed_.erase(row.id) == 0) closed_[row.id] = true;
+            tree_.setClosed(row.id, !tree_.isClosed(row.id));
             return;
         }
         const ImGuiIO& io = ImGui::GetIO();
-        if (io.KeyCtrl) {
-            selection.toggle(row.id);
-        } else if (io.KeyShift) {
-            addRange(selection, row.id);
+        if (io.KeyShift) {
+            chooseRange(selection, row.id, io.KeyCtrl);
         } else {
-            selection.set({row.id});
+            io.KeyCtrl ? selection.toggle(row.id) : selection.set({row.id});
+            rangeFrom_ = row.id;
         }
+        // The mouse is there already.
+        shownSelection_ = selection.revision();
         if (ImGui::IsMouseDoubleClicked(0)) runAction(workspace, "view.frame");
     }
 
-    void addRange(Selection& selection, ObjectId to) const {
-        if (selection.empty()) return selection.add(to);
-        bool inside = false;
-        const ObjectId from = selection.all().back();
-        for (const Row& row : rows_) {
-            const bool edge = row.id == from || row.id == to;
-            if (inside || edge) selection.add(row.id);
-            if (edge && from != to) inside = !inside;
-        }
+    /// From the row that was clicked last without Shift.
+    void chooseRange(Selection& selection, ObjectId to, bool keepOthers) {
+        if (!selection.has(rangeFrom_)) rangeFrom_ = selection.empty() ? to : selection.all().back();
+        const std::vector<ObjectId> range = tree_.range(rangeFrom_, to);
+        keepOthers ? selection.add(range) : selection.set(range);
     }
 
-    static void dragFrom(ObjectId id, const std::string& name) {
+    static void dragFrom(const Document& document, ObjectId id, const std::string& name) {
         if (!ImGui::BeginDragDropSource()) return;
         ImGui::SetDragDropPayload(kEntityPayload, &id, sizeof id);
-        ImGui::TextUnformatted(name.c_str());
+        const std::size_t count = document.selection.has(id) ? document.selection.size() : 1;
+        ImGui::TextUnformatted(count == 1 ? name.c_str() : format("{} entities", count).c_str());
         ImGui::EndDragDropSource();
     }
 
-    static void dropOn(Ui& ui, ObjectId parent) {
+    /// @param row  null: the room below all rows, where one drops what is to have no parent
+    void dropOn(Ui& ui, const Row* row) {
         if (!ui.workspace.canEdit() || !ImGui::BeginDragDropTarget()) return;
-        if (const ImGuiPayload* payload = ImGui::AcceptDragDropPayload(kEntityPayload)) {
+        const ImVec2 from = ImGui::GetItemRectMin();
+        const ImVec2 to = ImGui::GetItemRectMax();
+        const float part = (ImGui::GetMousePos().y - from.y) / std::max(to.y - from.y, 1.0f);
+        const bool into = row == nullptr || tree_.filters() || (part > 0.28f && part < 0.72f);
+        constexpr ImGuiDragDropFlags kOwnLook =
+            ImGuiDragDropFlags_AcceptBeforeDelivery | ImGuiDragDropFlags_AcceptNoDrawDefaultRect;
+        if (const ImGuiPayload* payload = ImGui::AcceptDragDropPayload(kEntityPayload, kOwnLook)) {
+            const Document& document = ui.workspace.document;
+            ImDrawList& list = *ImGui::GetWindowDrawList();
+            const float thick = ui.px(2.0f);
+            const float y = part < 0.5f ? from.y : to.y;
+            if (into) {
+                outline(list, from, to, palette::kAccent, ui.px(3.0f), thick);
+            } else {
+                const float left = from.x + ui.px(16.0f) * static_cast<float>(row->depth) + ui.px(16.0f);
+                list.AddCircle({left, y}, ui.px(3.0f), palette::kAccent, 0, thick);
+                list.AddLine({left + ui.px(3.0f), y}, {to.x, y}, palette::kAccent, thick);
+            }
             ObjectId id;
             std::memcpy(&id, payload->Data, sizeof id);
-            std::vector<ObjectId> moved{id};
-            if (ui.workspace.document.selection.has(id)) moved = ui.workspace.document.selection.all();
-            const KeepPlace keep = ImGui::GetIO().KeyAlt ? KeepPlace::InParent : KeepPlace::InWorld;
-            ui.workspace.undo.push(
-                std::make_unique<Reparent>(outermost(ui.workspace.document, moved), parent, keep));
-            ui.workspace.undo.endGesture();
+            const TreePlace place = into ? TreePlace{row == nullptr ? ObjectId{} : row->id}
+                                         : placeBeside(document, *row, part > 0.5f);
+            if (payload->IsDelivery())
+                dropped_ =
+                    Dropped{document.selection.has(id) ? document.selection.all() : std::vector{id}, place};
         }
         ImGui::EndDragDropTarget();
+    }
+
+    /// Below an open parent is before its first child.
+    [[nodiscard]] TreePlace placeBeside(const Document& document, const Row& row, bool below) const {
+        const std::vector<Row>& rows = tree_.rows();
+        const std::size_t next = tree_.rowOf(row.id) + 1;
+        if (below && next < rows.size() && rows[next].depth > row.depth)
+            return {row.id, rows[next].id, false};
+        return {document.idOf(parentOf(document.world, document.find(row.id))), row.id, below};
     }
 
     void drawRename(Ui& ui, float indent) {
@@ -258,9 +325,16 @@ private:
     std::array<char, 256> rename_{};
     ObjectId renaming_;
     bool focusRename_ = false;
-    std::map<ObjectId, bool> closed_;
+    SceneTree tree_;
+    ObjectId rangeFrom_;                ///< the row clicked last without Shift
     std::uint64_t shownSelection_ = 0;  ///< revision
-    std::vector<Row> rows_;
+
+    /// What was let go over a row in this frame.
+    struct Dropped {
+        std::vector<ObjectId> moved;
+        TreePlace place;
+    };
+    std::optional<Dropped> dropped_;
 };
 
 }  // namespace

@@ -30,7 +30,7 @@ bool iconButton(Ui& ui, Icon icon, bool strong, const std::string& path, const c
 
 void drawRow(Ui& ui, ObjectId layer, bool active) {
     Workspace& workspace = ui.workspace;
-    LayerView& view = workspace.tiles.layers;
+    EntityView& view = workspace.document.view;
     const std::string name = workspace.document.nameOf(layer);
     const std::string path = "Tiles/layers/" + name;
     ImGui::PushID(static_cast<int>(layer.value ^ (layer.value >> 32)));

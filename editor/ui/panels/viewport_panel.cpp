@@ -1,12 +1,14 @@
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include "assets/asset_store.hpp"
 #include "core/clock.hpp"
 #include "editor/model/actions.hpp"
 #include "editor/model/bounds.hpp"
-#include "editor/model/tile_layers.hpp"
+#include "editor/model/scene_boxes.hpp"
+#include "editor/model/sight.hpp"
 #include "editor/ui/overlays/overlay_list.hpp"
 #include "editor/ui/panels/panels.hpp"
 #include "editor/ui/scene_picture.hpp"
@@ -15,13 +17,15 @@
 #include "editor/ui/widgets/tile_picture.hpp"
 #include "editor/ui/widgets/timeline.hpp"
 #include "gameplay/components/mouse_drag.hpp"
+#include "render/view.hpp"
 #include "scene/draw_scene.hpp"
 #include "scene/soft_sync.hpp"
 
 namespace plumb::editor::ui {
 namespace {
 
-constexpr float kReach = 3.0f;  // px on screen
+constexpr float kReach = 3.0f;           // px on screen
+constexpr std::size_t kMostBoxes = 500;  // of selected things: more would hide the scene, and cost
 constexpr Color kSelected{77, 163, 255, 255};
 constexpr Color kHovered{255, 255, 255, 110};
 
@@ -117,7 +121,8 @@ private:
         pointer_.position = ui.mouseInScene;
         pointer_.modifiers = {io.KeyShift, io.KeyCtrl, io.KeyAlt};
         pointer_.snap = workspace.grid.snap != io.KeyCtrl;
-        pointer_.grid = workspace.grid.size;
+        pointer_.grid = workspace.grid.step();
+        pointer_.angle = workspace.grid.snapAngles ? workspace.grid.angle : 0.0f;
         pointer_.reach = kReach / workspace.view.zoom();
         pointer_.pixel = 1.0f / workspace.view.zoom();
         if (!workspace.canEdit() || workspace.document.scenePath.empty()) {
@@ -218,15 +223,14 @@ private:
             {from.x + static_cast<float>(pixels.width), from.y + static_cast<float>(pixels.height)});
     }
 
-    /// While nobody plays, animated tiles move all the same, and layers may be out of sight.
-    static ScenePicture::Preview previewOf(const Workspace& workspace) {
+    /// While nobody plays, animated tiles move all the same, and things may be out of sight.
+    ScenePicture::Preview previewOf(const Workspace& workspace) {
         ScenePicture::Preview preview;
         if (workspace.play.running()) return preview;
         preview.ahead = ImGui::GetTime();
-        for (const ObjectId layer : tileLayers(workspace.document)) {
-            if (workspace.tiles.layers.hides(layer))
-                preview.hiddenLayers.push_back(workspace.document.find(layer));
-        }
+        const Hidden now{workspace.document.view.revision(), workspace.document.treeRevision};
+        if (std::exchange(hiddenAt_, now) != now) hidden_ = outOfSight(workspace.document);
+        preview.hidden = hidden_;
         return preview;
     }
 
@@ -269,10 +273,27 @@ private:
             if (under && !document.selection.has(under))
                 overlay_.box(boundsOf(world, document.find(under)), kHovered);
         }
+        if (ui.workspace.canEdit() && document.selection.size() > kMostBoxes)
+            return drawManySelected(document, visibleBox(ui.workspace.view.view()));
         for (const ObjectId id : document.selection.all()) {
             const EntityId entity = ui.workspace.shownEntity(id);
             if (isSomewhere(world, entity)) overlay_.box(boundsOf(world, entity), kSelected, 2.0f);
         }
+    }
+
+    /// The boxes of some of those in sight, and one around all.
+    void drawManySelected(const Document& document, const AABB& seen) {
+        const std::vector<ObjectId>& all = document.objects();
+        const SceneBoxes& boxes = document.boxes();
+        std::optional<AABB> whole;
+        std::size_t drawn = 0;
+        for (std::size_t i = 0; i < all.size(); ++i) {
+            const AABB& box = boxes.at(i);
+            if (!isFinite(box.min) || !document.selection.has(all[i])) continue;
+            whole = whole ? merged(*whole, box) : box;
+            if (drawn < kMostBoxes && intersects(box, seen)) overlay_.box(box, kSelected, 2.0f), ++drawn;
+        }
+        if (whole) overlay_.box(*whole, kSelected, 2.0f);
     }
 
     [[nodiscard]] ImVec2 onScreen(const Ui& ui, Vec2 world) const {
@@ -328,6 +349,15 @@ private:
     bool playing_ = false;
     Overlay overlay_;
     std::vector<EntityId> selected_;
+
+    /// What the list of hidden things was made from.
+    struct Hidden {
+        std::uint64_t view = ~0ull;
+        std::uint64_t tree = ~0ull;
+        bool operator==(const Hidden&) const = default;
+    };
+    Hidden hiddenAt_;
+    std::vector<EntityId> hidden_;  ///< while editing
 };
 
 }  // namespace

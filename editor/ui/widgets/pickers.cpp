@@ -1,12 +1,12 @@
 #include "editor/ui/widgets/pickers.hpp"
 
 #include <algorithm>
-#include <cctype>
 
 #include "assets/asset_store.hpp"
 #include "core/text.hpp"
 #include "editor/model/actions.hpp"
 #include "editor/model/bounds.hpp"
+#include "editor/model/name_filter.hpp"
 #include "editor/ui/icons.hpp"
 #include "editor/ui/ui_compat.hpp"
 #include "editor/ui/widgets/asset_picture.hpp"
@@ -73,13 +73,6 @@ bool mouseIsOver(const Ui& ui, std::string_view widget) {
 }
 
 }  // namespace
-
-bool containsWord(std::string_view text, std::string_view part) {
-    const auto same = [](char a, char b) {
-        return std::tolower(static_cast<unsigned char>(a)) == std::tolower(static_cast<unsigned char>(b));
-    };
-    return std::search(text.begin(), text.end(), part.begin(), part.end(), same) != text.end();
-}
 
 // ---- entities
 

@@ -40,7 +40,4 @@ private:
     std::vector<AssetItem> files_;  // of the kind, since the list was opened
 };
 
-/// Whether `text` has `part` in it, in any case.
-bool containsWord(std::string_view text, std::string_view part);
-
 }  // namespace plumb::editor::ui

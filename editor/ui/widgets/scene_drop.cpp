@@ -18,7 +18,7 @@ void dropIntoScene(Ui& ui, Vec2 corner) {
     Workspace& workspace = ui.workspace;
     const ImVec2 mouse = ImGui::GetIO().MousePos;
     Vec2 at = workspace.view.toWorldPoint(Vec2{mouse.x, mouse.y} - corner);
-    if (workspace.grid.snap != ImGui::GetIO().KeyCtrl) at = snapped(at, workspace.grid.size);
+    if (workspace.grid.snap != ImGui::GetIO().KeyCtrl) at = snapped(at, workspace.grid.step());
     if (dropped.empty()) {
         const AssetKind kind = assetKindOf(hovering);
         const Vec2 half = placedSize(workspace, hovering) * (0.5f * workspace.view.zoom());

@@ -15,14 +15,14 @@ class Hands {
 public:
     explicit Hands(EditorWindow& window) : window_{window} { rest(3); }
 
+    Modifiers held;  ///< keys that are held while the mouse clicks and drags
+
     void rest(int frames = 1) {
         for (int i = 0; i < frames; ++i) {
             send({});
         }
     }
     void moveTo(Vec2 at) { send({{.kind = EventKind::MouseMoved, .position = at}}), place_ = at; }
-    /// Keys that stay down while the mouse works, until they are let go by hold({}).
-    void hold(Modifiers modifiers) { held_ = modifiers; }
     void press(MouseButton button = MouseButton::Left) { sendMouse(EventKind::MouseDown, button); }
     void release(MouseButton button = MouseButton::Left) { sendMouse(EventKind::MouseUp, button); }
 
@@ -69,13 +69,12 @@ public:
 
 private:
     void sendMouse(EventKind kind, MouseButton button) {
-        send({{.kind = kind, .modifiers = held_, .mouseButton = button, .position = place_}});
+        send({{.kind = kind, .modifiers = held, .mouseButton = button, .position = place_}});
     }
     void send(std::vector<Event> events) { window_.frame({events}); }
 
     EditorWindow& window_;
     Vec2 place_;
-    Modifiers held_;
 };
 
 }  // namespace plumb::editor::ui

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "editor/model/command.hpp"
+#include "editor/model/field_value.hpp"
+
+namespace plumb::editor {
+
+/// Exchanges the values of components of several types on any entities, all of which have them.
+class ChangeStates final : public Command {
+public:
+    struct Change {
+        ObjectId object;
+        ComponentState state;
+    };
+
+    ChangeStates(std::string label, std::vector<Change> changes)
+        : label_{std::move(label)}, changes_{std::move(changes)} {}
+
+    [[nodiscard]] std::string label() const override { return label_; }
+    void apply(Document& document) override { swapStates(document); }
+    void revert(Document& document) override { swapStates(document); }
+    bool absorb(const Command& next) override;
+    [[nodiscard]] bool changesNothing(const Document& document) const override;
+
+private:
+    void swapStates(Document& document);
+
+    std::string label_;
+    std::vector<Change> changes_;  // what is not in the document now
+};
+
+}  // namespace plumb::editor

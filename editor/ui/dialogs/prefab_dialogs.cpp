@@ -1,0 +1,160 @@
+#include "editor/ui/dialogs/prefab_dialogs.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "core/text.hpp"
+#include "editor/model/actions.hpp"
+#include "editor/model/make_prefab.hpp"
+#include "editor/ui/ui_compat.hpp"
+
+namespace plumb::editor::ui {
+namespace {
+
+constexpr const char* kName = "Make prefab";
+constexpr const char* kOverrides = "Changes against the prefab";
+
+bool beginDialog(const char* title, ImVec2 wanted, const Ui& ui) {
+    const ImVec2 display = ImGui::GetIO().DisplaySize;
+    const ImVec2 size{std::min(wanted.x, display.x - ui.px(20.0f)),
+                      std::min(wanted.y, display.y - ui.px(20.0f))};
+    ImGui::SetNextWindowPos({(display.x - size.x) * 0.5f, (display.y - size.y) * 0.4f});
+    ImGui::SetNextWindowSize(size);
+    return ImGui::BeginPopupModal(title, nullptr, ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove);
+}
+
+void cell(const std::string& text, ImU32 color) {
+    ImGui::TableNextColumn();
+    ImGui::PushStyleColor(ImGuiCol_Text, color);
+    ImGui::TextUnformatted(text.c_str());
+    ImGui::PopStyleColor();
+    tooltip(text);
+}
+
+}  // namespace
+
+void PrefabDialogs::draw(Ui& ui) {
+    open(ui);
+    drawName(ui);
+    drawOverrides(ui);
+}
+
+void PrefabDialogs::open(Ui& ui) {
+    Workspace& workspace = ui.workspace;
+    const Document& document = workspace.document;
+    if (document.selection.empty()) return;
+    if (workspace.request == WindowRequest::NamePrefab) {
+        workspace.request = WindowRequest::None;
+        const std::string name = document.nameOf(document.selection.all().back());
+        name_.fill('\0');
+        name.copy(name_.data(), name_.size() - 1);
+        problem_.clear();
+        ImGui::OpenPopup(kName);
+    } else if (workspace.request == WindowRequest::ShowOverrides) {
+        workspace.request = WindowRequest::None;
+        instance_ = document.selection.all().back();
+        rowsOf_ = ~0ull;
+        ImGui::OpenPopup(kOverrides);
+    }
+}
+
+void PrefabDialogs::drawName(Ui& ui) {
+    if (!beginDialog(kName, {ui.px(420.0f), ui.px(164.0f)}, ui)) return;
+    ImGui::TextDisabled("Its name in the folder prefabs/");
+    if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
+    ImGui::SetNextItemWidth(-1.0f);
+    bool done = ImGui::InputText("##name", name_.data(), name_.size(),
+                                 ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
+    ui.widgets.mark("MakePrefab/name", name_.data());
+    ImGui::PushStyleColor(ImGuiCol_Text, palette::kWarning);
+    ImGui::TextWrapped("%s", problem_.c_str());
+    ImGui::PopStyleColor();
+    ImGui::SetCursorPosY(ImGui::GetWindowHeight() - ui.px(40.0f));
+    const ImVec2 button{ui.px(110.0f), 0.0f};
+    done |= ImGui::Button("Make", button);
+    ui.widgets.mark("MakePrefab/Make");
+    ImGui::SameLine();
+    if (ImGui::Button("Cancel", button)) ImGui::CloseCurrentPopup();
+    ui.widgets.mark("MakePrefab/Cancel");
+    if (done) {
+        Workspace& workspace = ui.workspace;
+        const Result<ObjectId> made =
+            makePrefab(workspace, workspace.document.selection.all(), prefabPath(name_.data()));
+        problem_ = made ? std::string{} : format("{}; {}", made.error().what, made.error().remedy);
+        if (made) {
+            workspace.notice = format("Made {}; Ctrl+Z takes it back", prefabPath(name_.data()));
+            ImGui::CloseCurrentPopup();
+        }
+    }
+    ImGui::EndPopup();
+}
+
+void PrefabDialogs::drawOverrides(Ui& ui) {
+    if (!beginDialog(kOverrides, {ui.px(760.0f), ui.px(420.0f)}, ui)) return;
+    Workspace& workspace = ui.workspace;
+    if (std::exchange(rowsOf_, workspace.document.sceneRevision) != workspace.document.sceneRevision)
+        rows_ = overrideList(workspace.prefabs(), instance_);
+    const auto part = InstancePart::of(workspace.document, workspace.prefabs().prefabs, instance_);
+    ImGui::TextDisabled("%s", part ? part->prefab().path.c_str() : "This is no instance any more.");
+    constexpr ImGuiTableFlags kFlags = ImGuiTableFlags_RowBg | ImGuiTableFlags_ScrollY |
+                                       ImGuiTableFlags_BordersInnerH | ImGuiTableFlags_SizingStretchProp;
+    if (rows_.empty()) {
+        ImGui::TextUnformatted("It is as its prefab says.");
+    } else if (ImGui::BeginTable("rows", 5, kFlags, {0.0f, -ui.px(44.0f)})) {
+        ImGui::TableSetupScrollFreeze(0, 1);
+        ImGui::TableSetupColumn("Entity", 0, 0.8f);
+        ImGui::TableSetupColumn("Field", 0, 1.3f);
+        ImGui::TableSetupColumn("In the prefab", 0, 1.0f);
+        ImGui::TableSetupColumn("Here", 0, 1.0f);
+        ImGui::TableSetupColumn("", ImGuiTableColumnFlags_WidthFixed, ui.px(118.0f));
+        ImGui::TableHeadersRow();
+        for (std::size_t i = 0; i < rows_.size(); ++i) drawRow(ui, rows_[i], i);
+        ImGui::EndTable();
+    }
+    ImGui::SetCursorPosY(ImGui::GetWindowHeight() - ui.px(40.0f));
+    const ImVec2 button{ui.px(110.0f), 0.0f};
+    if (ImGui::Button("Revert all", button)) runAction(workspace, "entity.revert");
+    ui.widgets.mark("Overrides/revert all");
+    ImGui::SameLine();
+    if (ImGui::Button("Apply all", button)) runAction(workspace, "entity.apply");
+    ui.widgets.mark("Overrides/apply all");
+    ImGui::SameLine(ImGui::GetWindowWidth() - ui.px(118.0f));
+    if (ImGui::Button("Close", button)) ImGui::CloseCurrentPopup();
+    ui.widgets.mark("Overrides/Close");
+    ImGui::EndPopup();
+}
+
+void PrefabDialogs::drawRow(Ui& ui, const OverrideRow& row, std::size_t index) {
+    Workspace& workspace = ui.workspace;
+    ImGui::PushID(static_cast<int>(index));
+    ImGui::TableNextRow();
+    ImGui::TableNextColumn();
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextUnformatted(row.entity.c_str());
+    const std::string field = row.type == nullptr ? std::string{"the whole part"}
+                              : row.field.empty() ? std::string{row.type->name}
+                                                  : format("{}.{}", row.type->name, row.field);
+    cell(field, palette::kText);
+    ui.widgets.mark(format("Overrides/{}", index), format("{} {}", row.entity, field));
+    cell(row.prefab, palette::kTextDim);
+    cell(row.here, palette::kText);
+    ImGui::TableNextColumn();
+    const bool revert = ImGui::SmallButton("Revert");
+    ui.widgets.mark(format("Overrides/{}/revert", index));
+    tooltip("Takes over what the prefab says.");
+    ImGui::SameLine();
+    const bool apply = row.type != nullptr && ImGui::SmallButton("Apply");
+    if (row.type != nullptr) {
+        ui.widgets.mark(format("Overrides/{}/apply", index));
+        tooltip("Writes it into the prefab's file; other instances follow.");
+    }
+    ImGui::PopID();
+    if (revert) {
+        static_cast<void>(revertOverride(workspace.prefabs(), row));
+    } else if (apply) {
+        const Result<Done> applied = applyToPrefab(workspace.prefabs(), row.object, row.scope());
+        if (!applied) workspace.notice = applied.error().text();
+    }
+}
+
+}  // namespace plumb::editor::ui

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "editor/model/override_list.hpp"
+#include "editor/ui/ui.hpp"
+
+namespace plumb::editor::ui {
+
+/// Asks for the name of a new prefab, and lists what an instance has for itself.
+class PrefabDialogs {
+public:
+    void draw(Ui& ui);
+
+private:
+    void open(Ui& ui);
+    void drawName(Ui& ui);
+    void drawOverrides(Ui& ui);
+    void drawRow(Ui& ui, const OverrideRow& row, std::size_t index);
+
+    std::array<char, 64> name_{};
+    std::string problem_;
+    std::vector<OverrideRow> rows_;
+    std::uint64_t rowsOf_ = ~0ull;  // revision of the scene
+    ObjectId instance_;
+};
+
+}  // namespace plumb::editor::ui

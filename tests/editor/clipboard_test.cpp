@@ -1,0 +1,106 @@
+// Copying between scenes and between projects, as text.
+
+#include "editor/model/clipboard.hpp"
+
+#include "ecs/hierarchy.hpp"
+#include "editor/model/actions.hpp"
+#include "editor/model/make_prefab.hpp"
+#include "reflect/json.hpp"
+#include "reflect/json_text.hpp"
+#include "scene/components/distance_joint.hpp"
+#include "scene/components/prefab_instance.hpp"
+#include "scene/world_transform.hpp"
+#include "tests/editor/support/editor_fixture.hpp"
+#include "tests/support/temporary_folder.hpp"
+
+namespace plumb::editor {
+namespace {
+
+constexpr std::string_view kEmpty = R"({"format": 1, "effects": {}, "layers": [], "entities": []})";
+constexpr std::string_view kOther = "scenes/other.scene.json";
+
+class Clipboards : public EditorFixture {
+protected:
+    Clipboards() {
+        putFile(kOther, kEmpty);
+        EXPECT_TRUE(writeFile(folder_.path / kOther, kEmpty).ok());
+        EXPECT_TRUE(elsewhere.open(kOther).ok());
+    }
+    void copy(std::vector<ObjectId> ids) {
+        workspace.document.selection.set(std::move(ids));
+        ASSERT_TRUE(runAction(workspace, "edit.copy"));
+    }
+    static ObjectId namedIn(const Workspace& w, std::string_view name) {
+        for (const ObjectId id : w.document.objects()) {
+            if (w.document.nameOf(id) == name) return id;
+        }
+        return {};
+    }
+
+private:
+    test::TemporaryFolder folder_;
+    TypeRegistry otherTypes_ = engineTypes();
+    AssetStore otherAssets_{folder_.path};
+    PrefabLibrary otherPrefabs_{otherTypes_, folder_.path};
+
+protected:
+    Workspace elsewhere{otherTypes_, otherAssets_, {folder_.path}, &otherPrefabs_};
+};
+
+TEST_F(Clipboards, whatIsCopiedIsReadableText) {
+    copy({named("player")});
+    const Result<Json> json = parseJson(workspace.clipboard, "clipboard");
+    ASSERT_TRUE(json.ok());
+    EXPECT_NE(workspace.clipboard.find("\"BoxCollider\""), std::string::npos);
+}
+
+TEST_F(Clipboards, familiesTilesAndReferencesComeAlongIntoAnotherSceneAndAnotherProject) {
+    World& world = workspace.document.world;
+    auto& joint = world.add<DistanceJoint>(workspace.document.find(named("lamp")));
+    joint.other = workspace.document.find(named("player"));
+    copy({named("player"), named("ground")});
+    const std::string text = workspace.clipboard;
+    ASSERT_TRUE(workspace.open(kOther).ok());
+    for (Workspace* target : {&workspace, &elsewhere}) {
+        Document& document = target->document;
+        target->clipboard = text;
+        ASSERT_TRUE(runAction(*target, "edit.paste"));
+        EXPECT_EQ(document.objectCount(), 3u);
+        EXPECT_EQ(target->undo.size(), 1u);
+        const EntityId player = document.find(namedIn(*target, "player"));
+        const EntityId lamp = document.find(namedIn(*target, "lamp"));
+        const World& there = document.world;
+        EXPECT_EQ(parentOf(there, lamp), player);
+        EXPECT_EQ(there.get<DistanceJoint>(lamp).other, player);
+        EXPECT_EQ(there.get<Transform>(player).position, (Vec2{40.0f, 100.0f}));
+        const auto& layer = there.get<TileLayer>(document.find(namedIn(*target, "ground")));
+        ASSERT_NE(there.tiles().find(layer.cells), nullptr);
+        EXPECT_EQ(there.tiles().find(layer.cells)->width(), 4);
+        EXPECT_NE(there.tiles().find(layer.cells)->at(0, 2), 0);
+        ASSERT_TRUE(target->undo.undo());
+        EXPECT_EQ(document.objectCount(), 0u);
+    }
+}
+
+TEST_F(Clipboards, anInstanceStaysOneWithWhatItHasForItself) {
+    ASSERT_TRUE(makePrefab(workspace, {named("player")}, prefabPath("hero")).ok());
+    workspace.document.world.get<BoxCollider>(workspace.document.find(named("player"))).width = 77.0f;
+    copy({named("player")});
+    const std::string text = workspace.clipboard;
+    ASSERT_TRUE(workspace.open(kOther).ok());
+    workspace.clipboard = text;
+    ASSERT_TRUE(runAction(workspace, "edit.paste"));
+    const std::string scene = workspace.text();
+    EXPECT_NE(scene.find("prefabs/hero.prefab.json"), std::string::npos);
+    EXPECT_NE(scene.find("77"), std::string::npos);
+    EXPECT_EQ(scene.find("\"lamp\""), std::string::npos) << "its parts are still parts";
+    // Where there is no such prefab, all of it is there all the same.
+    elsewhere.clipboard = text;
+    ASSERT_TRUE(runAction(elsewhere, "edit.paste"));
+    ASSERT_TRUE(elsewhere.save().ok());
+    ASSERT_TRUE(elsewhere.open(kOther).ok());
+    EXPECT_EQ(elsewhere.document.objectCount(), 2u);
+}
+
+}  // namespace
+}  // namespace plumb::editor
