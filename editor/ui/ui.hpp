@@ -36,14 +36,15 @@ public:
     virtual void draw(Ui& ui) = 0;
 };
 
-enum class Dock : unsigned char { Left, Center, Right, Bottom };
-
 struct PanelRow {
     const char* title;
-    Dock dock;
+    Dock dock;  ///< where it stands until somebody moves it
     std::unique_ptr<Panel> (*make)();
+    bool tall = false;  ///< at the bottom it needs more height than others
 };
 std::span<const PanelRow> panelTable();
+/// The same as the layouts know them.
+std::span<const PanelHome> panelHomes();
 
 /// Shows text when the mouse rests on the last item.
 void tooltip(std::string_view text);

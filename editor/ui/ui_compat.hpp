@@ -109,6 +109,12 @@ inline void buildFonts() {
 bool anyPopupOpen();
 void closePopups();
 
+/// A bar that divides two panes; a drag gives the one what it takes of the other.
+/// @param least  px that each keeps
+/// @return whether it is held
+bool splitterBar(const char* id, ImVec2 from, ImVec2 to, bool upright, float& before, float& after,
+                 float least);
+
 /// ImGui's name of a key, or none.
 int imguiKey(Key key);
 

@@ -55,6 +55,9 @@ const std::array kRows{
     Action{"edit.selectAll", "Edit", "Select all", control(Key::A), editable,
            [](Workspace& w) { w.document.selection.set(w.document.objects()); }},
     Action{"edit.escape", "Edit", "Cancel or select nothing", {Key::Escape}, always, escape},
+    line("Edit"),
+    Action{"edit.preferences", "Edit", "Preferences...", control(Key::Comma), always,
+           ask<WindowRequest::Preferences>},
 };
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include "editor/ui/icons.hpp"
 #include "editor/ui/panels/panels.hpp"
 #include "editor/ui/ui_compat.hpp"
+#include "editor/ui/widgets/empty_state.hpp"
 #include "editor/ui/widgets/field_edit.hpp"
 #include "editor/ui/widgets/pickers.hpp"
 #include "scene/components/name.hpp"
@@ -29,12 +30,9 @@ public:
     void draw(Ui& ui) override {
         const std::vector<ObjectId>& selected = ui.workspace.document.selection.all();
         if (selected.empty()) {
-            ImGui::TextWrapped("Select an entity to see its components.");
-            ImGui::Spacing();
-            ImGui::PushStyleColor(ImGuiCol_Text, palette::kTextDim);
-            ImGui::TextWrapped("Click it in the scene or in the tree on the left. Ctrl+N creates a new one.");
-            ImGui::PopStyleColor();
-            return;
+            return emptyState(ui, "Inspector", "Nothing is selected.",
+                              "Click something in the scene or in its tree, and its components are here.",
+                              {"entity.create", "edit.selectAll"});
         }
         const World& world = ui.workspace.shownWorld();
         const ObjectId shown = selected.back();
@@ -168,8 +166,8 @@ private:
         const std::string name{type.name};
         ImGui::PushID(name.c_str());
         ImGui::PushStyleColor(ImGuiCol_Header, palette::kHeader);
-        ImGui::PushStyleColor(ImGuiCol_HeaderHovered, IM_COL32(54, 58, 67, 255));
-        ImGui::PushStyleColor(ImGuiCol_HeaderActive, IM_COL32(54, 58, 67, 255));
+        ImGui::PushStyleColor(ImGuiCol_HeaderHovered, palette::kHeaderHovered);
+        ImGui::PushStyleColor(ImGuiCol_HeaderActive, palette::kHeaderHovered);
         pushFont(ui.fonts.strong, ui.fonts.size);
         bool keep = true;
         const bool open = ImGui::CollapsingHeader(name.c_str(), ui.workspace.canEdit() ? &keep : nullptr,
@@ -244,7 +242,7 @@ private:
         ImDrawList& list = *ImGui::GetWindowDrawList();
         list.PushClipRect(at, {at.x + size.x, at.y + size.y}, true);
         list.AddText({at.x, at.y + ImGui::GetStyle().FramePadding.y},
-                     isDefault ? IM_COL32(172, 178, 188, 255) : palette::kText, field.name.data(),
+                     isDefault ? palette::kTextSoft : palette::kText, field.name.data(),
                      field.name.data() + field.name.size());
         list.PopClipRect();
         ImGui::Dummy(size);  // all of it takes the mouse, not only the letters

@@ -1,6 +1,7 @@
 #include "core/text.hpp"
 #include "editor/ui/panels/panels.hpp"
 #include "editor/ui/ui_compat.hpp"
+#include "editor/ui/widgets/empty_state.hpp"
 
 namespace plumb::editor::ui {
 namespace {
@@ -21,9 +22,8 @@ public:
     void draw(Ui& ui) override {
         const std::deque<LogLine>& lines = ui.log.lines();
         if (lines.empty()) {
-            ImGui::TextDisabled(
-                "Nothing has been said yet. Messages of the game and the editor appear here.");
-            return;
+            return emptyState(ui, "Console", "Nothing has been said yet.",
+                              "Messages of the game and of the editor appear here.", {"run.play"});
         }
         beginChild("lines", {0.0f, 0.0f}, false);
         for (const LogLine& line : lines) {
@@ -49,8 +49,8 @@ public:
     void draw(Ui& ui) override {
         UndoStack& undo = ui.workspace.undo;
         if (undo.total() == 0) {
-            ImGui::TextDisabled("Nothing has been changed yet. Every change appears here and can be undone.");
-            return;
+            return emptyState(ui, "History", "Nothing has been changed yet.",
+                              "Every change appears here; a click goes back to before it, or forth again.");
         }
         beginChild("steps", {0.0f, 0.0f}, false);
         drawStep(ui, 0, "opened");
