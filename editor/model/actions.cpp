@@ -55,7 +55,7 @@ bool runShortcut(Workspace& workspace, const Event& event) {
     for (const bool special : {true, false}) {
         for (const Action& action : actionTable()) {
             if ((action.during != During::Always) != special || !counts(action.during, workspace)) continue;
-            if (!action.shortcut.matches(event) && !action.alternative.matches(event)) continue;
+            if (!workspace.settings.keys.matches(action, event)) continue;
             if (runAction(workspace, action.id)) return true;
         }
     }

@@ -33,6 +33,11 @@ bool setScale(EditorOptions& options, std::span<const char* const> values) {
     return true;
 }
 
+bool setTheme(EditorOptions& options, std::span<const char* const> values) {
+    options.theme = values[0];
+    return options.theme == "dark" || options.theme == "light";
+}
+
 using Values = std::span<const char* const>;
 
 constexpr std::array kOptions{
@@ -57,6 +62,9 @@ constexpr std::array kOptions{
               [](EditorOptions& o, Values v) { return o.importFrom = v[0], true; }},
     OptionRow{"--size", 1, "WxH           size of the window, e.g. 1600x900", &setSize},
     OptionRow{"--scale", 1, "RATIO        size of the interface, 0.75 to 3", &setScale},
+    OptionRow{"--theme", 1, "NAME         dark or light", &setTheme},
+    OptionRow{"--welcome", 0, "            choose or make a project first",
+              [](EditorOptions& o, Values) { return o.welcome = true; }},
     OptionRow{"--help", 0, "               this text",
               [](EditorOptions& o, Values) { return o.help = true; }},
 };

@@ -9,7 +9,7 @@ namespace plumb::editor {
 
 /// What a person asked the editor for on its command line.
 struct EditorOptions {
-    std::string project = "projects/platformer";
+    std::string project;     ///< its folder; empty: the welcome screen
     std::string scene;       ///< empty: the project's start scene
     bool validate = false;   ///< open every scene, tell its problems, end
     std::string exportTo;    ///< a folder to copy the game to, then end
@@ -20,7 +20,9 @@ struct EditorOptions {
     std::string select;      ///< name of the entity to select at the start
     int width = 1280;        ///< px of the window
     int height = 720;        ///< px of the window
-    float scale = 1.0f;      ///< of the interface
+    float scale = 0.0f;      ///< of the interface; 0: as the person set it
+    std::string theme;       ///< "dark" or "light"; empty: as the person set it
+    bool welcome = false;    ///< the screen of projects comes first, whatever project is named
     bool help = false;
 };
 

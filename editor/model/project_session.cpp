@@ -41,6 +41,15 @@ Result<std::unique_ptr<ProjectSession>> ProjectSession::open(const std::string& 
     return std::unique_ptr<ProjectSession>{new ProjectSession{*std::move(project)}};
 }
 
+std::unique_ptr<ProjectSession> ProjectSession::none() {
+    Project project;
+    project.root = configFolder() / "no project";  // nothing is there, and nothing is written there
+    project.name = "Welcome";
+    std::unique_ptr<ProjectSession> session{new ProjectSession{std::move(project)}};
+    session->workspace().project.isNone = true;
+    return session;
+}
+
 void ProjectSession::openFirst(std::string_view scene) {
     const std::vector<std::string> scenes = workspace_->scenes();
     const std::string wanted{scene.empty() ? std::string_view{project_.startScene} : scene};

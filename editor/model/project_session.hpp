@@ -19,6 +19,8 @@ public:
     /// @param folder  the project's folder
     /// @error         no such project
     static Result<std::unique_ptr<ProjectSession>> open(const std::string& folder);
+    /// Nothing to edit yet, for the welcome screen.
+    static std::unique_ptr<ProjectSession> none();
 
     [[nodiscard]] Workspace& workspace() { return *workspace_; }
     [[nodiscard]] AssetStore& assets() { return assets_; }

@@ -17,6 +17,7 @@ struct Shortcut {
         return key != Key::None && event.kind == EventKind::KeyDown && event.key == key &&
                event.modifiers == Modifiers{shift, control, alt};
     }
+    friend bool operator==(const Shortcut&, const Shortcut&) = default;
     /// "Ctrl+Shift+Z", for menus and tooltips.
     [[nodiscard]] std::string text() const {
         if (key == Key::None) return {};

@@ -14,6 +14,7 @@
 #include "editor/model/prefab_edit.hpp"
 #include "editor/model/profiler/profiler.hpp"
 #include "editor/model/safety/safety_net.hpp"
+#include "editor/model/settings.hpp"
 #include "editor/model/tools/tool.hpp"
 #include "editor/model/undo_stack.hpp"
 #include "editor/model/view_camera.hpp"
@@ -32,6 +33,7 @@ struct ProjectFolder {
     Vec2 picture{640.0f, 360.0f};       ///< px of the game's own picture
     bool smooth = false;                ///< its pictures are drawings, not pixel art
     std::vector<std::string> layers{};  ///< names of the layers of collisions, from the lowest bit on
+    bool isNone = false;                ///< no project is open: the welcome screen
 };
 
 /// What only the window can do; set by an action, taken by the window.
@@ -49,7 +51,11 @@ enum class WindowRequest : unsigned char {
     FindFile,
     FindCommand,
     NamePrefab,
-    ShowOverrides
+    ShowOverrides,
+    Preferences,
+    Welcome,
+    OpenProject,
+    NameLayout
 };
 
 /// What things come to when they are moved with snapping.
@@ -92,16 +98,18 @@ public:
         true;  ///< the view goes with the camera of the game that plays, until it is moved by hand
     GridSettings grid;
     TilePaint tiles;
+    Settings settings;                                    ///< of the person, whatever the project
     PhysicsView physics;                                  ///< what of it is shown over the scene
     std::vector<std::string> overlays{"grid", "camera"};  ///< those that are shown, by name
     std::vector<std::string> overlaysOfSelected;          ///< those that are shown of what is selected
     std::string clipboard;
     std::string notice;  ///< what was done last, for the status bar
     WindowRequest request = WindowRequest::None;
-    std::string importFrom;   ///< with WindowRequest::Import: the file; empty: the person chooses
-    std::string assetToEdit;  ///< path of a file that the panel for its kind shall open
-    std::string panelToShow;  ///< title of a panel that comes to the front
-    std::string assetToShow;  ///< path of a file that the asset browser shall show
+    std::string importFrom;     ///< with WindowRequest::Import: the file; empty: the person chooses
+    std::string projectToOpen;  ///< with WindowRequest::OpenProject: its folder
+    std::string assetToEdit;    ///< path of a file that the panel for its kind shall open
+    std::string panelToShow;    ///< title of a panel that comes to the front
+    std::string assetToShow;    ///< path of a file that the asset browser shall show
     /// How this program plays a scene, given its path and its text with all changes.
     std::function<std::unique_ptr<PlaySession>(const std::string& path, const std::string& text)> makeSession;
     std::function<InputFrame()> gameInput;  ///< what the player's hands do now

@@ -1,6 +1,8 @@
 #include "editor/ui/editor_app.hpp"
 
+#include <algorithm>
 #include <cstdio>
+#include <cstdlib>
 #include <memory>
 #include <vector>
 
@@ -8,6 +10,8 @@
 #include "core/clock.hpp"
 #include "core/text.hpp"
 #include "editor/model/project_session.hpp"
+#include "editor/model/project_templates.hpp"
+#include "editor/model/thumbnail.hpp"
 #include "editor/ui/editor_window.hpp"
 #include "editor/ui/imgui_renderer.hpp"
 #include "editor/ui/scene_picture.hpp"
@@ -20,6 +24,9 @@
 namespace plumb::editor::ui {
 namespace {
 
+constexpr const char* kExample = "projects/platformer";
+constexpr int kPictureWidth = 256;  // px
+constexpr int kPictureHeight = 144;
 constexpr int kScreenshotFrames = 4;  // panes and fonts have settled by then
 
 int fail(const Error& error) {
@@ -27,23 +34,27 @@ int fail(const Error& error) {
     return 1;
 }
 
-/// The window, the graphics card and the editor in them.
+/// The window, the graphics card, and one project after another in the editor in them.
 class App {
 public:
-    App(ProjectSession& session, LogBook& log, std::unique_ptr<Window> window,
-        std::unique_ptr<GlDevice> device, float scale)
-        : session_{session},
-          window_{std::move(window)},
-          device_{std::move(device)},
-          picture_{*device_, session.assets(),
-                   session.workspace().project.smooth ? TextureFilter::Linear : TextureFilter::Nearest},
-          editor_{session.workspace(), log, &picture_, engineAssets() / "fonts", scale} {}
+    /// @param settingsFile  null: what the person chooses is not kept
+    App(std::unique_ptr<ProjectSession> session, LogBook& log, SettingsFile* settingsFile,
+        std::unique_ptr<Window> window, std::unique_ptr<GlDevice> device)
+        : settingsFile_{settingsFile}, log_{log}, window_{std::move(window)}, device_{std::move(device)} {
+        use(std::move(session));
+    }
+    ~App() { letGo(); }
+    App(const App&) = delete;
+    App& operator=(const App&) = delete;
+
+    [[nodiscard]] EditorWindow& editor() { return *editor_; }
 
     void run() {
+        remember();
         double before = wallSeconds();
-        while (!editor_.wantsQuit()) {
+        while (!editor_->wantsQuit()) {
             std::vector<Event> events;
-            const bool busy = session_.workspace().play.running() || editor_.pending() || --idleFrames_ > 0;
+            const bool busy = workspace().play.running() || editor_->pending() || --idleFrames_ > 0;
             if (busy) {
                 window_->pollEvents(events);
             } else {
@@ -52,9 +63,13 @@ public:
             if (!events.empty()) idleFrames_ = kIdleFrames;
             const double now = wallSeconds();
             frame(events, static_cast<float>(now - before));
+            if (settingsFile_ != nullptr) settingsFile_->tend(workspace().settings, now - before);
             before = now;
             window_->swap();
+            if (const std::string project = editor_->takeProject(); !project.empty()) change(project);
         }
+        keepPicture();
+        if (settingsFile_ != nullptr) static_cast<void>(settingsFile_->save(workspace().settings).ok());
     }
 
     Result<Done> screenshot(const std::string& path) {
@@ -70,13 +85,73 @@ public:
         if (!text) return text.error();
         const Result<Tour> tour = Tour::read(*text, path.filename().string());
         if (!tour) return tour.error();
-        return tour->play(editor_, session_.workspace(),
+        return tour->play(*editor_, workspace(),
                           {[this](const std::vector<Event>& events) { frame(events, 1.0f / 60.0f); },
                            [&](std::string_view name) { return writePicture(path.parent_path() / name); }});
     }
 
 private:
     static constexpr int kIdleFrames = 30;
+
+    [[nodiscard]] Workspace& workspace() { return session_->workspace(); }
+
+    void use(std::unique_ptr<ProjectSession> session) {
+        session_ = std::move(session);
+        const bool smooth = workspace().project.smooth;
+        picture_ = std::make_unique<ScenePicture>(*device_, session_->assets(),
+                                                  smooth ? TextureFilter::Linear : TextureFilter::Nearest);
+        editor_ = std::make_unique<EditorWindow>(workspace(), log_, picture_.get(), engineAssets() / "fonts",
+                                                 workspace().settings.scale);
+        renderer_ = std::make_unique<ImguiRenderer>();
+    }
+
+    void letGo() {
+        renderer_.reset();
+        editor_.reset();
+        picture_.reset();
+        session_.reset();
+    }
+
+    /// Another project takes the place of this one; what the person likes stays.
+    void change(const std::string& project) {
+        Result<std::unique_ptr<ProjectSession>> next = ProjectSession::open(project);
+        if (!next) {
+            workspace().notice = next.error().text();
+            logError("Project", next.error());
+            return;
+        }
+        keepPicture();
+        Settings settings = workspace().settings;
+        letGo();
+        (*next)->workspace().settings = std::move(settings);
+        (*next)->openFirst({});
+        use(*std::move(next));
+        workspace().safety.begin();
+        remember();
+        idleFrames_ = kIdleFrames;
+    }
+
+    void remember() {
+        if (workspace().project.isNone) return;
+        std::error_code failed;
+        const Path folder = std::filesystem::absolute(workspace().project.root, failed).lexically_normal();
+        workspace().settings.remember((folder.has_filename() ? folder : folder.parent_path()).string());
+    }
+
+    /// The scene as it is seen, for the list of recent projects.
+    void keepPicture() {
+        const WidgetMap::Widget* scene = editor_->widgets().find("Viewport");
+        if (workspace().project.isNone || workspace().document.scenePath.empty() || scene == nullptr) return;
+        const AABB box = scene->box;
+        frame({}, 1.0f / 60.0f);  // what was shown last is gone from the card
+        const float pixels = static_cast<float>(window_->drawableSize().width) /
+                             static_cast<float>(std::max(window_->size().width, 1));
+        const Image small = thumbnailOf(device_->readPixels({}), {box.min * pixels, box.max * pixels},
+                                        kPictureWidth, kPictureHeight);
+        if (const Result<std::string> png = encodePng(small); png) {
+            static_cast<void>(writeFile(projectPicture(workspace().project.root), *png).ok());
+        }
+    }
 
     Result<Done> writePicture(const Path& path) {
         const Result<std::string> png = encodePng(device_->readPixels({}));
@@ -85,29 +160,31 @@ private:
     }
 
     void frame(const std::vector<Event>& events, float seconds) {
-        if (editor_.takeFontsChanged()) renderer_.uploadFonts();
-        Workspace& workspace = session_.workspace();
-        const std::string copied = workspace.clipboard = window_->clipboardText();
-        editor_.frame({events, window_->size(), window_->drawableSize(), seconds});
-        if (workspace.clipboard != copied) window_->setClipboardText(workspace.clipboard);
-        window_->setMouseShape(editor_.mouseShape());
-        const std::string title =
-            format("{}{} - Plumb", workspace.unsaved() ? "* " : "", workspace.project.name);
+        if (editor_->takeFontsChanged()) renderer_->uploadFonts();
+        Workspace& open = workspace();
+        const std::string copied = open.clipboard = window_->clipboardText();
+        editor_->frame({events, window_->size(), window_->drawableSize(), seconds});
+        if (open.clipboard != copied) window_->setClipboardText(open.clipboard);
+        window_->setMouseShape(editor_->mouseShape());
+        const std::string title = format("{}{} - Plumb", open.unsaved() ? "* " : "", open.project.name);
         if (title != title_) window_->setTitle(title_ = title);
 
         const PixelSize size = window_->drawableSize();
         device_->setWindowSize(size);
         device_->setViewport({{}, 0, 0, size.width, size.height});
         device_->clear({20, 21, 25, 255});
-        renderer_.draw();
+        renderer_->draw();
     }
 
-    ProjectSession& session_;
+    SettingsFile* settingsFile_;
+    LogBook& log_;
     std::unique_ptr<Window> window_;
     std::unique_ptr<GlDevice> device_;
-    ScenePicture picture_;
-    EditorWindow editor_;
-    ImguiRenderer renderer_;
+    // In the order in which they need each other.
+    std::unique_ptr<ProjectSession> session_;
+    std::unique_ptr<ScenePicture> picture_;
+    std::unique_ptr<EditorWindow> editor_;
+    std::unique_ptr<ImguiRenderer> renderer_;
     std::string title_;
     int idleFrames_ = kIdleFrames;
 };
@@ -120,30 +197,67 @@ void selectByName(Workspace& workspace, const std::string& name) {
     if (document.selection.empty()) workspace.notice = format("There is no entity \"{}\"", name);
 }
 
+/// What the person chose before, and what the command line says instead.
+/// @param file    null: as at first
+/// @param notice  what was wrong with the file
+Settings loadSettings(SettingsFile* file, const EditorOptions& options, std::string& notice) {
+    Settings settings;
+    if (file != nullptr) {
+        for (const Error& problem : file->load(settings)) {
+            logWarning("Settings", problem);
+            notice = problem.text();
+        }
+    }
+    if (options.scale > 0.0f) settings.scale = options.scale;
+    if (!options.theme.empty()) settings.theme = options.theme == "light" ? Theme::Light : Theme::Dark;
+    return settings;
+}
+
 }  // namespace
 
-int runEditor(const EditorOptions& options) {
+int runEditor(const EditorOptions& given) {
+    EditorOptions options = given;
+    const bool namesScene = !options.scene.empty() || !options.select.empty();
+    const bool withoutWindow = !options.importFrom.empty() || options.validate;
+    if (options.project.empty() && (namesScene || withoutWindow)) options.project = kExample;
     if (!options.importFrom.empty()) return importFile(options);
     LogBook log;
-    Result<std::unique_ptr<ProjectSession>> session = ProjectSession::open(options.project);
+    // Pictures look the same whoever takes them, unless somebody names a folder of settings for them.
+    const bool takesPictures = !options.screenshot.empty() || !options.tour.empty();
+    SettingsFile file;
+    SettingsFile* kept = takesPictures && std::getenv("PLUMB_CONFIG") == nullptr ? nullptr : &file;
+    std::string notice;
+    Settings settings;
+    if (!options.validate) settings = loadSettings(kept, options, notice);
+    if (options.project.empty() && !settings.welcome && !settings.recent.empty() &&
+        isProject(settings.recent.front()))
+        options.project = settings.recent.front();
+
+    const bool noProject = !options.project.empty() && !takesPictures && !options.validate &&
+                           std::filesystem::is_directory(options.project) && !isProject(options.project);
+    const bool welcome = options.welcome || options.project.empty() || noProject;
+    Result<std::unique_ptr<ProjectSession>> session =
+        welcome ? Result<std::unique_ptr<ProjectSession>>{ProjectSession::none()}
+                : ProjectSession::open(options.project);
     if (!session) return fail(session.error());
     if (options.validate) return (*session)->validate();
     if (!options.exportTo.empty()) return (*session)->exportTo(options.exportTo);
 
-    (*session)->openFirst(options.scene);
     Workspace& workspace = (*session)->workspace();
+    workspace.settings = settings;
+    if (!welcome) (*session)->openFirst(options.scene);
+    if (!notice.empty()) workspace.notice = notice;
     if (!options.select.empty()) selectByName(workspace, options.select);
 
-    auto window = Window::open({.title = "Plumb",
-                                .width = options.width,
-                                .height = options.height,
-                                .hidden = !options.screenshot.empty() || !options.tour.empty()});
+    auto window = Window::open(
+        {.title = "Plumb", .width = options.width, .height = options.height, .hidden = takesPictures});
     if (!window) return fail(window.error());
     auto device = GlDevice::create();
     if (!device) return fail(device.error());
-    App app{**session, log, std::move(*window), std::move(*device), options.scale};
-    if (options.screenshot.empty() && options.tour.empty()) {
-        workspace.safety.begin();
+    App app{*std::move(session), log, kept, std::move(*window), std::move(*device)};
+    if (noProject) app.editor().welcome(options.project);
+    if (!takesPictures) {
+        if (!welcome) workspace.safety.begin();
         app.run();
         return 0;
     }

@@ -50,14 +50,12 @@ void EditorWindow::toolButton(std::string_view id, bool on, ImU32 color) {
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const ImVec2 to{at.x + side, at.y + side};
     if (on) list.AddRectFilled(at, to, palette::kAccentSoft, ui_.px(4.0f));
-    if (enabled && ImGui::IsItemHovered())
-        list.AddRectFilled(at, to, IM_COL32(255, 255, 255, 20), ui_.px(4.0f));
+    if (enabled && ImGui::IsItemHovered()) list.AddRectFilled(at, to, palette::kHover, ui_.px(4.0f));
     const Icon icon = id == "run.play" && workspace_.play.running() ? Icon::Stop : iconOfAction(id);
     drawIcon(list, icon, {at.x + side * 0.5f, at.y + side * 0.5f}, ui_.px(15.0f),
-             enabled ? color : IM_COL32(84, 89, 99, 255));
+             enabled ? color : palette::kIconOff);
     const std::string_view label = id == "run.play" && workspace_.play.running() ? "Stop" : action.label;
-    tooltip(action.shortcut.key == Key::None ? std::string{label}
-                                             : format("{}  ({})", label, action.shortcut.text()));
+    tooltip(workspace_.settings.keys.labelOf(action, label));
     if (pressed) runAction(workspace_, id);
     ImGui::SameLine(0.0f, ui_.px(3.0f));
 }
@@ -100,7 +98,7 @@ void EditorWindow::drawToolbar(float height) {
     for (const OverlayRow& row : overlayTable()) {
         if (row.ofEntities) continue;  // in the list of layers
         const bool on = workspace_.shows(row.name);
-        ImGui::PushStyleColor(ImGuiCol_Button, on ? palette::kAccentSoft : IM_COL32(0, 0, 0, 0));
+        ImGui::PushStyleColor(ImGuiCol_Button, on ? palette::kAccentSoft : palette::kNothing);
         ImGui::PushStyleColor(ImGuiCol_Text, on ? palette::kText : palette::kTextDim);
         if (ImGui::Button(std::string{row.label}.c_str(), {0.0f, ui_.px(26.0f)}))
             workspace_.toggleOverlay(row.name);
@@ -115,7 +113,7 @@ void EditorWindow::drawToolbar(float height) {
 
 void EditorWindow::drawPhysicsButton() {
     PhysicsView& view = workspace_.physics;
-    ImGui::PushStyleColor(ImGuiCol_Button, view.on ? palette::kAccentSoft : IM_COL32(0, 0, 0, 0));
+    ImGui::PushStyleColor(ImGuiCol_Button, view.on ? palette::kAccentSoft : palette::kNothing);
     ImGui::PushStyleColor(ImGuiCol_Text, view.on ? palette::kText : palette::kTextDim);
     if (ImGui::Button("Physics", {0.0f, ui_.px(26.0f)})) runAction(workspace_, "view.physics");
     widgets_.mark("Overlay/physics", view.on ? "on" : "off");
@@ -240,9 +238,32 @@ void EditorWindow::drawDialogs() {
             workspace_.request = WindowRequest::None;
             leaveFor([this] { quit_ = true; });
             break;
-        case WindowRequest::None:
+        case WindowRequest::NameLayout:
+            layoutMenu_.askName();
+            workspace_.request = WindowRequest::None;
+            break;
         case WindowRequest::LargerText:
         case WindowRequest::SmallerText:
+            // Applied before the next frame.
+            workspace_.settings.scale += workspace_.request == WindowRequest::LargerText ? 0.125f : -0.125f;
+            workspace_.settings.scale =
+                std::clamp(workspace_.settings.scale, Settings::kLeastScale, Settings::kMostScale);
+            workspace_.request = WindowRequest::None;
+            break;
+        case WindowRequest::Preferences:
+            preferences_.open();
+            workspace_.request = WindowRequest::None;
+            break;
+        case WindowRequest::Welcome:
+            workspace_.stopPlaying();
+            welcome_.open(ui_);
+            workspace_.request = WindowRequest::None;
+            break;
+        case WindowRequest::OpenProject:
+            workspace_.request = WindowRequest::None;
+            leaveFor([this] { project_ = std::exchange(workspace_.projectToOpen, {}); });
+            break;
+        case WindowRequest::None:
         case WindowRequest::Import:
         case WindowRequest::FindFile:
         case WindowRequest::FindCommand:
@@ -261,6 +282,8 @@ void EditorWindow::drawDialogs() {
     import_.draw(ui_);
     if (const std::string scene = finder_.draw(ui_); !scene.empty())
         leaveFor([=, this] { openScene(scene); });
+    layoutMenu_.drawQuestion(ui_);
+    preferences_.draw(ui_);
 }
 
 void EditorWindow::drawSceneChooser() {

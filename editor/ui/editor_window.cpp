@@ -13,17 +13,6 @@ namespace {
 
 constexpr float kToolbarHeight = 38.0f;  // px at scale 1
 constexpr float kStatusHeight = 24.0f;
-constexpr std::size_t kTilesTab = 0;  // among those at the bottom
-constexpr std::string_view kTallTabs[] = {"Tiles", "Tileset", "Assets", "Animation", "Profiler", "Input"};
-
-/// The titles of the panels at the bottom, as their tabs stand.
-std::vector<std::string_view> bottomTitles() {
-    std::vector<std::string_view> titles;
-    for (const PanelRow& row : panelTable()) {
-        if (row.dock == Dock::Bottom) titles.emplace_back(row.title);
-    }
-    return titles;
-}
 constexpr std::array kNudgeKeys{Key::Left, Key::Right, Key::Up, Key::Down};
 
 /// While a game plays, plain letters belong to it; what is left are function keys and Ctrl combinations.
@@ -45,7 +34,8 @@ void tooltip(std::string_view text) {
 void actionItem(Ui& ui, std::string_view id, const std::string& path) {
     const Action& action = *findAction(id);
     const bool on = isOn(action, ui.workspace);
-    const bool chosen = ImGui::MenuItem(std::string{action.label}.c_str(), action.shortcut.text().c_str(), on,
+    const bool chosen = ImGui::MenuItem(std::string{action.label}.c_str(),
+                                        ui.workspace.settings.keys.shownOf(action).text().c_str(), on,
                                         action.enabled(ui.workspace));
     ui.widgets.mark(format("{}/{}", path, action.label));
     if (chosen) runAction(ui.workspace, id);
@@ -78,12 +68,12 @@ EditorWindow::EditorWindow(Workspace& workspace, LogBook& log, ScenePicture* pic
                                                                                                   picture} {
     ImGui::SetCurrentContext(context_);
     feed_ = std::make_unique<PlatformFeed>();
-    setScale(scale);
-    for (const PanelRow& row : panelTable()) {
-        panels_.push_back(row.make());
-    }
+    workspace_.settings.scale = scale;
+    applyLook();
+    workspace_.tiles.rightErases = workspace_.settings.rightErases;
     workspace_.gameInput = [this] { return takeGameInput(); };
     log.tick = [this] { return workspace_.play.running() ? workspace_.play.ticks() : std::int64_t{-1}; };
+    if (workspace_.project.isNone) welcome_.open(ui_);
 }
 
 EditorWindow::~EditorWindow() {
@@ -92,39 +82,69 @@ EditorWindow::~EditorWindow() {
     ImGui::DestroyContext(context_);
 }
 
-void EditorWindow::setScale(float scale) {
-    ui_.scale = std::clamp(scale, 0.75f, 3.0f);
-    ui_.fonts = applyTheme(fontFolder_, ui_.scale);
+bool EditorWindow::looksOld() const {
+    const Settings& settings = workspace_.settings;
+    return settings.scale != ui_.scale || settings.theme != theme_ || settings.textSize != textSize_;
+}
+
+void EditorWindow::applyLook() {
+    Settings& settings = workspace_.settings;
+    settings.scale = std::clamp(settings.scale, Settings::kLeastScale, Settings::kMostScale);
+    ui_.scale = settings.scale;
+    theme_ = settings.theme;
+    textSize_ = settings.textSize;
+    ui_.fonts = applyTheme(fontFolder_, theme_, ui_.scale, textSize_);
     buildFonts();
     fontsChanged_ = true;
 }
 
 void EditorWindow::frame(const FrameInput& input) {
     ImGui::SetCurrentContext(context_);
-    if (workspace_.request == WindowRequest::LargerText || workspace_.request == WindowRequest::SmallerText) {
-        setScale(ui_.scale + (workspace_.request == WindowRequest::LargerText ? 0.125f : -0.125f));
-        workspace_.request = WindowRequest::None;
+    if (looksOld()) {
+        applyLook();
+        feed_->keep(input.events);
         return;  // the fonts must be on the graphics card before the next frame
     }
+    workspace_.settings.rightErases = workspace_.tiles.rightErases;
     const std::span<const Event> events = feed_->beginFrame(input);
     ImGui::NewFrame();
     widgets_.beginFrame();
-    handleKeys(events);
-    playGame(input.seconds);
-    hotReload_.poll(ImGui::GetTime());
-    showAssetPanel();
-    workspace_.tend(input.seconds);
-    drawMenus();
+    if (welcome_.shown()) {
+        handleWelcomeKeys(events);
+        welcome_.draw(ui_, ImGui::GetIO().DisplaySize);
+    } else {
+        handleKeys(events);
+        playGame(input.seconds);
+        hotReload_.poll(ImGui::GetTime());
+        showAssetPanel();
+        workspace_.tend(input.seconds);
+        drawAll();
+    }
+    drawDialogs();
+    ImGui::Render();
+}
 
+void EditorWindow::drawAll() {
+    drawMenus();
     const ImVec2 display = ImGui::GetIO().DisplaySize;
     const float top = ImGui::GetFrameHeight();
     const float toolbar = ui_.px(kToolbarHeight);
     const float status = ui_.px(kStatusHeight);
     drawToolbar(toolbar);
-    drawPanes({0.0f, top + toolbar}, {display.x, std::max(display.y - top - toolbar - status, 1.0f)});
+    panes_.draw(ui_, {0.0f, top + toolbar}, {display.x, std::max(display.y - top - toolbar - status, 1.0f)});
     drawStatus(status);
-    drawDialogs();
-    ImGui::Render();
+}
+
+void EditorWindow::handleWelcomeKeys(std::span<const Event> events) {
+    for (const Event& event : events) {
+        if (event.kind == EventKind::Quit) workspace_.request = WindowRequest::Quit;
+        if (event.kind != EventKind::KeyDown || event.key != Key::Escape) continue;
+        if (anyPopupOpen()) {
+            closePopups();
+        } else if (!ImGui::GetIO().WantTextInput) {
+            welcome_.close(ui_);
+        }
+    }
 }
 
 void EditorWindow::handleKeys(std::span<const Event> events) {
@@ -136,6 +156,7 @@ void EditorWindow::handleKeys(std::span<const Event> events) {
         if (event.kind == EventKind::Quit) workspace_.request = WindowRequest::Quit;
         if (event.kind == EventKind::FileDropped) bringIn(workspace_, event.text);
         if (playing && !typing && isForGame(event)) devices_.handle(event);
+        if (preferences_.take(workspace_.settings.keys, event)) continue;
         if (event.kind != EventKind::KeyDown || typing) continue;
         if (event.key == Key::Escape && ui_.takesEscape) continue;
         if (anyPopupOpen()) {  // keys belong to the menu, and Esc leaves it
@@ -191,7 +212,10 @@ void EditorWindow::drawMenus() {
             }
             actionItem(ui_, action.id, std::string{"Menu/"} + menu);
         }
-        if (std::string_view{menu} == "View") drawOverlayMenu();
+        if (std::string_view{menu} == "View") {
+            layoutMenu_.drawItems(ui_);
+            drawOverlayMenu();
+        }
         ImGui::EndMenu();
     }
     const std::string title =
@@ -229,110 +253,7 @@ void EditorWindow::showAssetPanel() {
     std::string wanted = std::exchange(workspace_.panelToShow, {});
     if (!workspace_.assetToShow.empty()) wanted = "Assets";
     if (!workspace_.assetToEdit.empty()) wanted = "Animation";
-    if (wanted.empty()) return;
-    const std::vector<std::string_view> titles = bottomTitles();
-    const auto at = std::find(titles.begin(), titles.end(), wanted);
-    if (at != titles.end()) bottomTab_ = static_cast<std::size_t>(at - titles.begin());
-}
-
-void EditorWindow::showTilesWhilePainting() {
-    const bool painting = workspace_.paintsTiles();
-    if (std::exchange(paintedTiles_, painting) == painting) return;
-    if (painting) {
-        tabBefore_ = bottomTab_;
-        bottomTab_ = kTilesTab;
-    } else if (bottomTab_ == kTilesTab) {
-        bottomTab_ = tabBefore_;
-    }
-}
-
-void EditorWindow::drawPanes(ImVec2 from, ImVec2 size) {
-    ImGui::SetNextWindowPos(from);
-    ImGui::SetNextWindowSize(size);
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0.0f, 0.0f});
-    ImGui::PushStyleColor(ImGuiCol_WindowBg, palette::kLine);
-    ImGui::Begin("panes", nullptr,
-                 ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
-                     ImGuiWindowFlags_NoBringToFrontOnFocus);
-    ImGui::PopStyleColor();
-    ImGui::PopStyleVar();
-
-    showTilesWhilePainting();
-    const std::vector<std::string_view> titles = bottomTitles();
-    const std::string_view title = titles[std::min(bottomTab_, titles.size() - 1)];
-    const bool tall = std::find(std::begin(kTallTabs), std::end(kTallTabs), title) != std::end(kTallTabs);
-    float& bottomPart = tall ? layout_.tiles : layout_.bottom;
-    const float gap = ui_.px(3.0f);
-    const float left = std::floor(size.x * layout_.left);
-    const float right = std::floor(size.x * layout_.right);
-    const float bottom = std::floor(size.y * bottomPart);
-    const float middle = size.x - left - right - 2.0f * gap;
-    const float upper = size.y - bottom - gap;
-    drawPane(Dock::Left, from, {left, size.y});
-    drawPane(Dock::Center, {from.x + left + gap, from.y}, {middle, upper});
-    drawPane(Dock::Bottom, {from.x + left + gap, from.y + upper + gap}, {middle, bottom});
-    drawPane(Dock::Right, {from.x + size.x - right, from.y}, {right, size.y});
-    splitter("Splitter/left", {from.x + left, from.y}, {gap, size.y}, true, layout_.left, size.x, 1.0f);
-    splitter("Splitter/right", {from.x + size.x - right - gap, from.y}, {gap, size.y}, true, layout_.right,
-             size.x, -1.0f);
-    splitter("Splitter/bottom", {from.x + left + gap, from.y + upper}, {middle, gap}, false, bottomPart,
-             size.y, -1.0f);
-    ImGui::End();
-}
-
-void EditorWindow::splitter(const char* id, ImVec2 from, ImVec2 size, bool vertical, float& part, float whole,
-                            float sign) {
-    ImGui::SetCursorScreenPos(from);
-    ImGui::InvisibleButton(id, {std::max(size.x, 1.0f), std::max(size.y, 1.0f)});
-    widgets_.mark(id);
-    const bool held = ImGui::IsItemActive();
-    if (held || ImGui::IsItemHovered()) {
-        ImGui::SetMouseCursor(vertical ? ImGuiMouseCursor_ResizeEW : ImGuiMouseCursor_ResizeNS);
-        ImGui::GetWindowDrawList()->AddRectFilled(from, {from.x + size.x, from.y + size.y},
-                                                  held ? palette::kAccent : palette::kAccentSoft);
-    }
-    const ImVec2 delta = ImGui::GetIO().MouseDelta;
-    if (held) part = std::clamp(part + sign * (vertical ? delta.x : delta.y) / whole, 0.1f, 0.5f);
-}
-
-void EditorWindow::drawPane(Dock dock, ImVec2 from, ImVec2 size) {
-    ImDrawList& list = *ImGui::GetWindowDrawList();
-    const float header = ui_.px(27.0f);
-    list.AddRectFilled(from, {from.x + size.x, from.y + size.y}, palette::kPanel);
-    list.AddRectFilled(from, {from.x + size.x, from.y + header}, palette::kHeader);
-
-    std::vector<std::size_t> here;
-    for (std::size_t i = 0; i < panels_.size(); ++i) {
-        if (panelTable()[i].dock == dock) here.push_back(i);
-    }
-    std::size_t shown = dock == Dock::Bottom ? std::min(bottomTab_, here.size() - 1) : 0;
-    float x = from.x;
-    for (std::size_t i = 0; i < here.size(); ++i) {
-        const char* title = panelTable()[here[i]].title;
-        const float width = ImGui::CalcTextSize(title).x + ui_.px(22.0f);
-        if (here.size() > 1) {
-            ImGui::SetCursorScreenPos({x, from.y});
-            if (ImGui::InvisibleButton(title, {width, header})) bottomTab_ = shown = i;
-            widgets_.mark(std::string{"Tab/"} + title);
-            if (i == shown) list.AddRectFilled({x, from.y}, {x + width, from.y + header}, palette::kPanel);
-            if (i == shown)
-                list.AddRectFilled({x, from.y}, {x + width, from.y + ui_.px(2.0f)}, palette::kAccent);
-        }
-        const float top = from.y + (header - ImGui::GetTextLineHeight()) * 0.5f;
-        list.AddText({x + ui_.px(11.0f), top}, i == shown ? palette::kText : palette::kTextDim, title);
-        x += width;
-    }
-
-    const bool scene = dock == Dock::Center;
-    ImGui::SetCursorScreenPos({from.x, from.y + header});
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding,
-                        scene ? ImVec2{0.0f, 0.0f} : ImVec2{ui_.px(8.0f), ui_.px(8.0f)});
-    ImGuiWindowFlags flags = scene ? ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse : 0;
-    flags |= ImGuiWindowFlags_AlwaysUseWindowPadding;
-    beginChild(panelTable()[here[shown]].title, {size.x, std::max(size.y - header, 1.0f)}, false, flags);
-    ImGui::PopStyleVar();
-    panels_[here[shown]]->draw(ui_);
-    ImGui::EndChild();
+    if (!wanted.empty()) workspace_.settings.layout.show(wanted);
 }
 
 MouseShape EditorWindow::mouseShape() const {

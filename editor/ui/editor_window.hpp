@@ -10,9 +10,13 @@
 #include "editor/ui/dialogs/import_dialog.hpp"
 #include "editor/ui/dialogs/keep_dialog.hpp"
 #include "editor/ui/dialogs/prefab_dialogs.hpp"
+#include "editor/ui/dialogs/preferences_dialog.hpp"
 #include "editor/ui/dialogs/safety_dialogs.hpp"
+#include "editor/ui/layout_menu.hpp"
+#include "editor/ui/panes.hpp"
 #include "editor/ui/platform_feed.hpp"
 #include "editor/ui/ui.hpp"
+#include "editor/ui/welcome_screen.hpp"
 #include "input/device_state.hpp"
 
 struct ImGuiContext;
@@ -36,21 +40,20 @@ public:
 
     [[nodiscard]] const WidgetMap& widgets() const { return widgets_; }
     [[nodiscard]] bool wantsQuit() const { return quit_; }
+    /// The folder of another project that the person chose, once; empty: none.
+    std::string takeProject() { return std::exchange(project_, {}); }
+    /// For a folder in which there is no project yet.
+    void welcome(const std::string& folder) { welcome_.open(ui_, folder); }
     [[nodiscard]] MouseShape mouseShape() const;
     /// True once after the fonts changed: their texture must be made again.
     bool takeFontsChanged() { return std::exchange(fontsChanged_, false); }
     [[nodiscard]] bool pending() const { return feed_->pending(); }
 
 private:
-    /// Sizes of the panes as parts of the window, so that they survive any size.
-    struct Layout {
-        float left = 0.18f;
-        float right = 0.24f;
-        float bottom = 0.22f;
-        float tiles = 0.38f;  ///< the bottom, while the tiles are shown in it
-    };
-
     void handleKeys(std::span<const Event> events);
+    /// Those of the welcome screen: the scene behind it shall not hear them.
+    void handleWelcomeKeys(std::span<const Event> events);
+    void drawAll();
     [[nodiscard]] bool isForGame(const Event& event) const;
     /// What the hands do; the mouse where it is in the game's own picture.
     InputFrame takeGameInput();
@@ -62,14 +65,8 @@ private:
     /// For each layer of the physics: of nobody, of the selected, of all. @param path  how tests call them
     void physicsLayerItems(const std::string& path);
     void toolButton(std::string_view action, bool on, ImU32 color);
-    void drawPanes(ImVec2 from, ImVec2 size);
-    /// The palette comes with the first tile tool, and goes with the last.
-    void showTilesWhilePainting();
     /// The panel of a file that somebody wants to edit comes to the front.
     void showAssetPanel();
-    void drawPane(Dock dock, ImVec2 from, ImVec2 size);
-    void splitter(const char* id, ImVec2 from, ImVec2 size, bool vertical, float& part, float whole,
-                  float sign);
     void drawStatus(float height);
     void drawDialogs();
     void drawSceneChooser();
@@ -79,7 +76,9 @@ private:
     void leaveFor(std::function<void()> next);
     void drawUnsaved();
     void openScene(const std::string& path);
-    void setScale(float scale);
+    /// Whether theme or size are no longer those that are shown.
+    [[nodiscard]] bool looksOld() const;
+    void applyLook();
 
     Workspace& workspace_;
     ImGuiContext* context_ = nullptr;
@@ -87,21 +86,23 @@ private:
     WidgetMap widgets_;
     std::unique_ptr<PlatformFeed> feed_;
     Ui ui_;
-    std::vector<std::unique_ptr<Panel>> panels_;
-    Layout layout_;
-    std::size_t bottomTab_ = 1;  ///< the console
-    std::size_t tabBefore_ = 1;  ///< what the tiles took the place of
-    bool paintedTiles_ = false;
+    Panes panes_;
+    LayoutMenu layoutMenu_;
     DeviceState devices_;
     KeepDialog keep_;
     PrefabDialogs prefabDialogs_;
     SafetyDialogs safety_;
     ImportDialog import_;
     FinderDialog finder_;
+    PreferencesDialog preferences_;
+    WelcomeScreen welcome_;
+    std::string project_;  ///< to be opened instead of this one
     HotReload hotReload_{workspace_};
     std::function<void()> next_;  ///< what comes once the person said what to do with unsaved changes
     std::array<char, 64> newScene_{};
     std::string newSceneError_;
+    Theme theme_ = Theme::Dark;  ///< as it is shown, like the two below
+    float textSize_ = 0.0f;
     bool askUnsaved_ = false;
     bool quit_ = false;
     bool fontsChanged_ = true;

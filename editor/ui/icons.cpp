@@ -301,14 +301,14 @@ Icon iconOf(const World& world, EntityId entity) {
 ImU32 iconColor(Icon icon) {
     switch (icon) {
         case Icon::Person: return palette::kPlay;
-        case Icon::Camera: return IM_COL32(190, 150, 240, 255);
-        case Icon::Tiles: return IM_COL32(226, 164, 96, 255);
+        case Icon::Camera: return palette::kViolet;
+        case Icon::Tiles: return palette::kOrange;
         case Icon::Picture: return palette::kAccent;
         case Icon::Star: return palette::kWarning;
-        case Icon::Soft: return IM_COL32(232, 200, 150, 255);
-        case Icon::Field: return IM_COL32(190, 232, 90, 255);
-        case Icon::Layers: return IM_COL32(110, 190, 190, 255);
-        case Icon::Text: return IM_COL32(210, 214, 220, 255);
+        case Icon::Soft: return palette::kSand;
+        case Icon::Field: return palette::kLime;
+        case Icon::Layers: return palette::kTeal;
+        case Icon::Text: return palette::kText;
         default: return palette::kTextDim;
     }
 }

@@ -122,6 +122,8 @@ void PlatformFeed::feed(const Event& event) {
 
 void PlatformFeed::feedKey(Key key, bool down) {
     keys_[static_cast<std::size_t>(key)] = down;
+    // Where nothing is typed, Tab hides the panels; ImGui would go into their first field.
+    if (key == Key::Tab && down && !ImGui::GetIO().WantTextInput) return;
 #if IMGUI_VERSION_NUM >= 18700
     const auto theirs = static_cast<ImGuiKey>(imguiKey(key));
     if (theirs != ImGuiKey_None) ImGui::GetIO().AddKeyEvent(theirs, down);

@@ -31,6 +31,11 @@ public:
     /// @return the events of this frame, in order
     std::span<const Event> beginFrame(const FrameInput& input);
 
+    /// Events of a frame that does not come to be: they wait for the next one.
+    void keep(std::span<const Event> events) {
+        waiting_.insert(waiting_.end(), events.begin(), events.end());
+    }
+
     [[nodiscard]] bool pending() const { return !waiting_.empty(); }
     [[nodiscard]] Modifiers modifiers() const { return modifiers_; }
     [[nodiscard]] Vec2 mouse() const { return mouse_; }

@@ -7,10 +7,11 @@
 namespace plumb::editor::ui {
 namespace {
 
-constexpr float kTextSize = 14.0f;  ///< px at scale 1
-/// Western letters, the dash that stands for values that are not the same, and the three dots. Pairs, ended
-/// by 0.
-constexpr std::array<ImWchar, 7> kLetters{0x20, 0xff, 0x2013, 0x2014, 0x2026, 0x2026, 0};
+/// What io.UserData points to while the light theme is in use; without it the dark one is.
+constexpr bool kLightInUse = true;
+
+/// Latin with all its accents, and the signs of punctuation.
+constexpr std::array<ImWchar, 5> kLetters{0x20, 0x17f, 0x2010, 0x2044, 0};
 
 ImFont* loadFont(const Path& file, float size) {
     std::error_code none;
@@ -22,17 +23,20 @@ ImFont* loadFont(const Path& file, float size) {
     return ImGui::GetIO().Fonts->AddFontFromFileTTF(file.string().c_str(), size, &config, kLetters.data());
 }
 
-Fonts loadFonts(const Path& folder, float scale) {
+Fonts loadFonts(const Path& folder, float size) {
     ImFontAtlas& atlas = *ImGui::GetIO().Fonts;
     atlas.Clear();
     Fonts fonts;
-    fonts.size = std::round(kTextSize * scale);
+    fonts.size = std::round(size);
     fonts.text = loadFont(folder / "b612.otf", fonts.size);
     if (fonts.text == nullptr) fonts.text = atlas.AddFontDefault();
     fonts.strong = loadFont(folder / "b612_bold.otf", fonts.size);
     if (fonts.strong == nullptr) fonts.strong = fonts.text;
     fonts.mono = loadFont(folder / "b612_mono.otf", fonts.size);
     if (fonts.mono == nullptr) fonts.mono = fonts.text;
+    fonts.titleSize = std::round(fonts.size * 2.0f);
+    fonts.title = loadFont(folder / "b612_bold.otf", fonts.titleSize);
+    if (fonts.title == nullptr) fonts.title = fonts.strong;
     ImGui::GetIO().FontDefault = fonts.text;
     return fonts;
 }
@@ -40,39 +44,48 @@ Fonts loadFonts(const Path& folder, float scale) {
 void setColors(ImGuiStyle& style) {
     const struct {
         ImGuiCol slot;
-        ImU32 color;
+        Swatch color;
     } colors[] = {
         {ImGuiCol_Text, palette::kText},
         {ImGuiCol_TextDisabled, palette::kTextDim},
         {ImGuiCol_WindowBg, palette::kPanel},
-        {ImGuiCol_ChildBg, IM_COL32(0, 0, 0, 0)},
-        {ImGuiCol_PopupBg, IM_COL32(43, 46, 53, 252)},
-        {ImGuiCol_Border, IM_COL32(58, 62, 71, 255)},
+        {ImGuiCol_ChildBg, palette::kNothing},
+        {ImGuiCol_PopupBg, palette::kPopup},
+        {ImGuiCol_Border, palette::kBorder},
         {ImGuiCol_FrameBg, palette::kField},
-        {ImGuiCol_FrameBgHovered, IM_COL32(33, 36, 42, 255)},
-        {ImGuiCol_FrameBgActive, IM_COL32(33, 36, 42, 255)},
+        {ImGuiCol_FrameBgHovered, palette::kFieldHovered},
+        {ImGuiCol_FrameBgActive, palette::kFieldHovered},
         {ImGuiCol_TitleBg, palette::kHeader},
         {ImGuiCol_TitleBgActive, palette::kHeader},
         {ImGuiCol_MenuBarBg, palette::kChrome},
-        {ImGuiCol_ScrollbarBg, IM_COL32(0, 0, 0, 0)},
-        {ImGuiCol_ScrollbarGrab, IM_COL32(68, 73, 84, 255)},
-        {ImGuiCol_ScrollbarGrabHovered, IM_COL32(86, 92, 105, 255)},
-        {ImGuiCol_ScrollbarGrabActive, IM_COL32(100, 107, 122, 255)},
+        {ImGuiCol_ScrollbarBg, palette::kNothing},
+        {ImGuiCol_ScrollbarGrab, palette::kScroll},
+        {ImGuiCol_ScrollbarGrabHovered, palette::kScrollHovered},
+        {ImGuiCol_ScrollbarGrabActive, palette::kScrollActive},
         {ImGuiCol_CheckMark, palette::kAccent},
-        {ImGuiCol_SliderGrab, IM_COL32(77, 163, 255, 150)},
+        {ImGuiCol_SliderGrab, palette::kAccentGrab},
         {ImGuiCol_SliderGrabActive, palette::kAccent},
-        {ImGuiCol_Button, IM_COL32(56, 60, 69, 255)},
-        {ImGuiCol_ButtonHovered, IM_COL32(68, 73, 84, 255)},
-        {ImGuiCol_ButtonActive, IM_COL32(77, 163, 255, 120)},
+        {ImGuiCol_Button, palette::kButton},
+        {ImGuiCol_ButtonHovered, palette::kButtonHovered},
+        {ImGuiCol_ButtonActive, palette::kAccentPressed},
         {ImGuiCol_Header, palette::kAccentSoft},
-        {ImGuiCol_HeaderHovered, IM_COL32(255, 255, 255, 18)},
-        {ImGuiCol_HeaderActive, IM_COL32(77, 163, 255, 100)},
-        {ImGuiCol_Separator, IM_COL32(58, 62, 71, 255)},
+        {ImGuiCol_HeaderHovered, palette::kHover},
+        {ImGuiCol_HeaderActive, palette::kAccentPressed},
+        {ImGuiCol_Separator, palette::kBorder},
+        {ImGuiCol_SeparatorHovered, palette::kAccentSoft},
+        {ImGuiCol_SeparatorActive, palette::kAccent},
         {ImGuiCol_Tab, palette::kChrome},
-        {ImGuiCol_TabHovered, IM_COL32(58, 62, 71, 255)},
-        {ImGuiCol_TextSelectedBg, IM_COL32(77, 163, 255, 90)},
+        {ImGuiCol_TabHovered, palette::kButtonHovered},
+        {ImGuiCol_TabActive, palette::kPanel},
+        {ImGuiCol_TableHeaderBg, palette::kHeader},
+        {ImGuiCol_TableBorderStrong, palette::kBorder},
+        {ImGuiCol_TableBorderLight, palette::kBorder},
+        {ImGuiCol_TableRowBgAlt, palette::kCard},
+        {ImGuiCol_PlotHistogram, palette::kAccent},
+        {ImGuiCol_TextSelectedBg, palette::kAccentPressed},
         {ImGuiCol_DragDropTarget, palette::kAccent},
-        {ImGuiCol_ModalWindowDimBg, IM_COL32(10, 11, 13, 150)},
+        {ImGuiCol_NavHighlight, palette::kAccent},
+        {ImGuiCol_ModalWindowDimBg, palette::kShade},
     };
     for (const auto& [slot, color] : colors) {
         style.Colors[slot] = colorOf(color);
@@ -83,11 +96,19 @@ void setColors(ImGuiStyle& style) {
 
 ImVec4 colorOf(ImU32 color) { return ImGui::ColorConvertU32ToFloat4(color); }
 
-Fonts applyTheme(const Path& fontFolder, float scale) {
+Swatch::operator ImU32() const { return ImGui::GetIO().UserData == &kLightInUse ? light : dark; }
+
+void applyColors(Theme theme) {
+    const bool light = theme == Theme::Light;
+    ImGui::GetIO().UserData = light ? const_cast<bool*>(&kLightInUse) : nullptr;
+    ImGuiStyle& style = ImGui::GetStyle();
+    light ? ImGui::StyleColorsLight(&style) : ImGui::StyleColorsDark(&style);
+    setColors(style);
+}
+
+Fonts applyTheme(const Path& fontFolder, Theme theme, float scale, float textSize) {
     // Scaling a scaled style drifts, so each change starts from a fresh one.
     ImGuiStyle style;
-    ImGui::StyleColorsDark(&style);
-    setColors(style);
     style.WindowPadding = {8.0f, 8.0f};
     style.FramePadding = {7.0f, 4.0f};
     style.ItemSpacing = {7.0f, 5.0f};
@@ -108,7 +129,8 @@ Fonts applyTheme(const Path& fontFolder, float scale) {
     style.TabRounding = 4.0f;
     style.ScaleAllSizes(scale);
     ImGui::GetStyle() = style;
-    return loadFonts(fontFolder, scale);
+    applyColors(theme);
+    return loadFonts(fontFolder, textSize * scale);
 }
 
 }  // namespace plumb::editor::ui

@@ -40,14 +40,15 @@ public:
     virtual void draw(Ui& ui) = 0;
 };
 
-enum class Dock : unsigned char { Left, Center, Right, Bottom };
-
 struct PanelRow {
     const char* title;
-    Dock dock;
+    Dock dock;  ///< where it stands until somebody moves it
     std::unique_ptr<Panel> (*make)();
+    bool tall = false;  ///< at the bottom it needs more height than others
 };
 std::span<const PanelRow> panelTable();
+/// The same as the layouts know them.
+std::span<const PanelHome> panelHomes();
 
 /// How many errors and warnings the log has, behind the last item of the status bar; a click shows them.
 void drawLogCounts(Ui& ui);

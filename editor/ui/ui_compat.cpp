@@ -69,6 +69,15 @@ bool pressed(Key key) {
 }
 void dropActiveItem() { ImGui::ClearActiveID(); }
 
+bool splitterBar(const char* id, ImVec2 from, ImVec2 to, bool upright, float& before, float& after,
+                 float least) {
+    ImGui::PushStyleColor(ImGuiCol_Separator, ImVec4{});  // the gap has its color already
+    const bool held = ImGui::SplitterBehavior(
+        {from, to}, ImGui::GetID(id), upright ? ImGuiAxis_X : ImGuiAxis_Y, &before, &after, least, least);
+    ImGui::PopStyleColor();
+    return held;
+}
+
 int imguiKey(Key key) {
     for (const KeyPair& pair : kKeys) {
         if (pair.ours == key) return pair.theirs;

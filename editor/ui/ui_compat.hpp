@@ -116,6 +116,11 @@ bool checkbox(const char* label, bool& on, bool mixed);
 bool pressed(Key key);
 /// Takes the mouse and the keyboard from the item that has them.
 void dropActiveItem();
+/// A bar that divides two panes; a drag gives the one what it takes of the other.
+/// @param least  px that each keeps
+/// @return whether it is held
+bool splitterBar(const char* id, ImVec2 from, ImVec2 to, bool upright, float& before, float& after,
+                 float least);
 
 /// ImGui's name of a key, or none.
 int imguiKey(Key key);

@@ -74,6 +74,9 @@ const std::array kRows{
     Action{"edit.commands", "Edit", "Commands...", control(Key::P, true), always,
            ask<WindowRequest::FindCommand>},
     Action{"edit.escape", "Edit", "Cancel or select nothing", {Key::Escape}, always, escape},
+    line("Edit"),
+    Action{"edit.preferences", "Edit", "Preferences...", control(Key::Comma), always,
+           ask<WindowRequest::Preferences>},
 };
 
 }  // namespace

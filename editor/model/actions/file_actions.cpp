@@ -24,6 +24,8 @@ const std::array kRows{
     line("File"),
     Action{"file.import", "File", "Import...", control(Key::I, true), always, ask<WindowRequest::Import>},
     line("File"),
+    Action{"file.welcome", "File", "Projects...", control(Key::O, true), always, ask<WindowRequest::Welcome>},
+    line("File"),
     Action{"file.quit", "File", "Quit", control(Key::Q), always, ask<WindowRequest::Quit>},
 };
 

@@ -132,7 +132,7 @@ std::vector<Action> makeRows() {
             [](const Workspace& w) { return w.tiles.rightErases; }),
         layerRow("tiles.retile", "Choose the tiles of terrain anew", {}, retileLayer),
         line("Tiles"),
-        layerRow("layer.add", "Add layer", {}, addTileLayer),
+        Action{"layer.add", "Tiles", "Add layer", {}, editable, addTileLayer},
         layerRow("layer.above", "Layer above", control(Key::PageUp),
                  [](Workspace& w) { selectNextTileLayer(w, 1); }),
         layerRow("layer.below", "Layer below", control(Key::PageDown),

@@ -1,5 +1,6 @@
 #include <array>
 
+#include "core/text.hpp"
 #include "editor/model/actions/action_rows.hpp"
 #include "editor/model/bounds.hpp"
 
@@ -21,6 +22,16 @@ void snapTo(Workspace& w) {
 template <SnapTo To>
 bool snapsTo(const Workspace& w) {
     return w.grid.to == To;
+}
+void hidePanels(Workspace& w) {
+    w.settings.layout.hidden = !w.settings.layout.hidden;
+    w.notice = w.settings.layout.hidden ? "Tab shows the panels again" : "";
+}
+template <std::size_t Index>
+void usePreset(Workspace& w) {
+    const LayoutPreset& preset = layoutPresets()[Index];
+    w.settings.layout = preset.layout;
+    w.notice = format("Layout {}: {}", preset.name, preset.what);
 }
 
 const std::array kRows{
@@ -75,6 +86,23 @@ const std::array kRows{
     Action{"view.trajectories", "View", "Trajectories", control(Key::F3), always,
            [](Workspace& w) { w.toggleOverlay("trajectories"); },
            [](const Workspace& w) { return w.shows("trajectories"); }},
+    line("View"),
+    Action{"view.hidePanels",
+           "View",
+           "Hide panels",
+           {Key::Tab},
+           always,
+           hidePanels,
+           [](const Workspace& w) { return w.settings.layout.hidden; }},
+    Action{"layout.paint", "", "Paint", {Key::Digit1, false, false, true}, always, usePreset<0>},
+    Action{"layout.logic", "", "Logic", {Key::Digit2, false, false, true}, always, usePreset<1>},
+    Action{"layout.play", "", "Play", {Key::Digit3, false, false, true}, always, usePreset<2>},
+    Action{"layout.save",
+           "",
+           "Save layout as...",
+           {Key::L, true, true, false},
+           always,
+           ask<WindowRequest::NameLayout>},
     Action{"view.larger", "View", "Larger interface", control(Key::Equals), always,
            ask<WindowRequest::LargerText>},
     Action{"view.smaller", "View", "Smaller interface", control(Key::Minus), always,

@@ -79,7 +79,7 @@ void KeepDialog::draw(Ui& ui) {
     const auto ticked = std::count_if(rows.begin(), rows.end(), [](const KeepRow& row) { return row.keep; });
     ImGui::SetCursorPosY(size.y - ui.px(40.0f));
     const ImVec2 button{ui.px(120.0f), 0.0f};
-    ImGui::PushStyleColor(ImGuiCol_Button, ticked > 0 ? palette::kAccentSoft : IM_COL32(0, 0, 0, 0));
+    ImGui::PushStyleColor(ImGuiCol_Button, ticked > 0 ? palette::kAccentSoft : palette::kNothing);
     const bool keep = ImGui::Button(format("Keep {}###keep", ticked).c_str(), button);
     ImGui::PopStyleColor();
     ui.widgets.mark("Keep/keep", format("{}", ticked));

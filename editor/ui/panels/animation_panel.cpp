@@ -8,6 +8,7 @@
 #include "editor/ui/scene_picture.hpp"
 #include "editor/ui/ui_compat.hpp"
 #include "editor/ui/widgets/asset_picture.hpp"
+#include "editor/ui/widgets/empty_state.hpp"
 #include "editor/ui/widgets/state_graph.hpp"
 #include "editor/ui/widgets/text_field.hpp"
 
@@ -17,7 +18,6 @@ namespace {
 constexpr float kSideWidth = 200.0f;  // px at scale 1
 constexpr float kPreviewWidth = 190.0f;
 constexpr float kFrameSide = 46.0f;
-constexpr ImU32 kCellLine = IM_COL32(255, 255, 255, 40);
 constexpr std::array kLoops{"loop", "once", "back and forth"};
 
 /// Cuts a sheet into cells, makes clips of them and a machine of states that chooses among the clips.
@@ -53,8 +53,9 @@ private:
     }
 
     void drawNothing(Ui& ui) {
-        ImGui::TextWrapped("Double-click an animation or a picture among the assets, or drop one here.");
-        ImGui::TextDisabled("A picture becomes a sheet of equal cells; clips are made of its cells.");
+        emptyState(ui, "Animation", "No animation is open.",
+                   "Double-click an animation or a picture among the assets, or drop one here. A picture "
+                   "becomes a sheet of equal cells; clips are made of its cells.");
         ImGui::InvisibleButton("drop", ImGui::GetContentRegionAvail());
         ui.widgets.mark("Animation/drop");
         if (const std::string dropped = acceptAsset(hovering_); !dropped.empty()) take(ui, dropped);
@@ -159,7 +160,7 @@ private:
             ImGui::GetWindowDrawList()->AddRectFilled(at, {box.max.x, box.max.y}, palette::kCanvas);
             drawCell(ui, frame, box);
             outline(*ImGui::GetWindowDrawList(), at, {box.max.x, box.max.y},
-                    i == playing ? palette::kAccent : kCellLine);
+                    i == playing ? palette::kAccent : palette::kCellLine);
             float ms = frame.seconds * 1000.0f;
             ImGui::SetNextItemWidth(side);
             ImGui::DragFloat("##ms", &ms, 1.0f, 1.0f, 10000.0f, "%.0f", ImGuiSliderFlags_AlwaysClamp);
@@ -215,10 +216,10 @@ private:
                         static_cast<float>(set.frameHeight) * zoom};
         for (int x = 0; x <= edit_->columns(); ++x)
             list.AddLine({at.x + static_cast<float>(x) * cell.x, at.y},
-                         {at.x + static_cast<float>(x) * cell.x, end.y}, kCellLine);
+                         {at.x + static_cast<float>(x) * cell.x, end.y}, palette::kCellLine);
         for (int y = 0; y <= edit_->rows(); ++y)
             list.AddLine({at.x, at.y + static_cast<float>(y) * cell.y},
-                         {end.x, at.y + static_cast<float>(y) * cell.y}, kCellLine);
+                         {end.x, at.y + static_cast<float>(y) * cell.y}, palette::kCellLine);
         if (!ImGui::IsItemHovered()) return;
         const ImVec2 mouse = ImGui::GetIO().MousePos;
         const int x = std::clamp(static_cast<int>((mouse.x - at.x) / cell.x), 0, edit_->columns() - 1);

@@ -9,6 +9,7 @@
 #include "editor/ui/panels/panels.hpp"
 #include "editor/ui/ui_compat.hpp"
 #include "editor/ui/widgets/asset_picture.hpp"
+#include "editor/ui/widgets/empty_state.hpp"
 #include "editor/ui/widgets/text_field.hpp"
 
 namespace plumb::editor::ui {
@@ -105,10 +106,11 @@ private:
     void drawFiles(Ui& ui, AssetBrowser& browser) {
         const std::vector<AssetItem> items = browser.shown();
         if (items.empty()) {
-            ImGui::TextWrapped(browser.search.empty() ? "This folder is empty."
-                                                      : "No file has this in its name.");
-            ImGui::TextDisabled("Put pictures and sounds here with any program; they appear at once.");
-            return;
+            return browser.search.empty()
+                       ? emptyState(ui, "Assets", "This folder is empty.",
+                                    "Save pictures and sounds into it with any program; they appear at once.",
+                                    {"file.import"})
+                       : emptyState(ui, "Assets", "No file has this in its name.", "Try fewer letters.");
         }
         const float side = ui.px(kPictureSide);
         const float step = side + ui.px(12.0f);
@@ -157,7 +159,7 @@ private:
             drawAsset(ui, list, item.kind, item.path, box, playing);
         }
         if (chosen || hovered)
-            outline(list, at, to, chosen ? palette::kAccent : IM_COL32(255, 255, 255, 70), ui.px(4.0f),
+            outline(list, at, to, chosen ? palette::kAccent : palette::kCardLine, ui.px(4.0f),
                     chosen ? 2.0f : 1.0f);
         const std::string name = fitted(item.name(), side);
         const float width = ImGui::CalcTextSize(name.c_str()).x;
@@ -171,7 +173,7 @@ private:
         const Vec2 size = box.size();
         const Vec2 from = box.min + Vec2{size.x * 0.14f, size.y * 0.26f};
         const Vec2 to = box.max - Vec2{size.x * 0.14f, size.y * 0.22f};
-        const ImU32 color = IM_COL32(214, 178, 96, 255);
+        const ImU32 color = palette::kSand;
         list.AddRectFilled({from.x, from.y - size.y * 0.08f}, {from.x + size.x * 0.32f, to.y}, color, 3.0f);
         list.AddRectFilled({from.x, from.y}, {to.x, to.y}, color, 3.0f);
     }

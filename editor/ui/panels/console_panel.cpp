@@ -5,6 +5,7 @@
 #include "editor/model/log_view.hpp"
 #include "editor/ui/panels/panels.hpp"
 #include "editor/ui/ui_compat.hpp"
+#include "editor/ui/widgets/empty_state.hpp"
 #include "editor/ui/widgets/text_field.hpp"
 
 namespace plumb::editor::ui {
@@ -40,9 +41,8 @@ public:
         view_.update(ui.log);
         drawBar(ui);
         if (ui.log.lines().empty()) {
-            ImGui::TextDisabled(
-                "Nothing has been said yet. Messages of the game and the editor appear here.");
-            return;
+            return emptyState(ui, "Console", "Nothing has been said yet.",
+                              "Messages of the game and of the editor appear here.", {"run.play"});
         }
         if (view_.rows().empty()) {
             ImGui::TextDisabled("No line is of these levels and channels and has these words.");

@@ -1,6 +1,7 @@
 #include "core/text.hpp"
 #include "editor/ui/panels/panels.hpp"
 #include "editor/ui/ui_compat.hpp"
+#include "editor/ui/widgets/empty_state.hpp"
 
 namespace plumb::editor::ui {
 namespace {
@@ -14,8 +15,8 @@ public:
     void draw(Ui& ui) override {
         const UndoStack& undo = ui.workspace.undo;
         if (undo.total() == 0) {
-            ImGui::TextDisabled("Nothing has been changed yet. Every change appears here and can be undone.");
-            return;
+            return emptyState(ui, "History", "Nothing has been changed yet.",
+                              "Every change appears here; a click goes back to before it, or forth again.");
         }
         drawSummary(ui, undo);
         collect(undo);

@@ -7,6 +7,7 @@
 #include "editor/ui/panels/component_view.hpp"
 #include "editor/ui/panels/panels.hpp"
 #include "editor/ui/widgets/add_component.hpp"
+#include "editor/ui/widgets/empty_state.hpp"
 #include "editor/ui/widgets/text_field.hpp"
 #include "scene/components/name.hpp"
 
@@ -25,12 +26,9 @@ private:
     void drawSelected(Ui& ui) {
         const std::vector<ObjectId>& selected = ui.workspace.document.selection.all();
         if (selected.empty()) {
-            ImGui::TextWrapped("Select an entity to see its components.");
-            ImGui::Spacing();
-            ImGui::PushStyleColor(ImGuiCol_Text, palette::kTextDim);
-            ImGui::TextWrapped("Click it in the scene or in the tree on the left. Ctrl+N creates a new one.");
-            ImGui::PopStyleColor();
-            return;
+            return emptyState(ui, "Inspector", "Nothing is selected.",
+                              "Click something in the scene or in its tree, and its components are here.",
+                              {"entity.create", "edit.selectAll"});
         }
         const ObjectId shown = selected.back();
         if (!ui.workspace.shownWorld().alive(ui.workspace.shownEntity(shown))) {

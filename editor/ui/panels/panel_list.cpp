@@ -1,4 +1,5 @@
 #include <array>
+#include <vector>
 
 #include "editor/ui/panels/panels.hpp"
 
@@ -9,16 +10,25 @@ std::span<const PanelRow> panelTable() {
         PanelRow{"Scene", Dock::Left, &makeScenePanel},
         PanelRow{"Viewport", Dock::Center, &makeViewportPanel},
         PanelRow{"Inspector", Dock::Right, &makeInspectorPanel},
-        PanelRow{"Tiles", Dock::Bottom, &makeTilesPanel},
+        PanelRow{"Tiles", Dock::Bottom, &makeTilesPanel, true},
         PanelRow{"Console", Dock::Bottom, &makeConsolePanel},
         PanelRow{"History", Dock::Bottom, &makeHistoryPanel},
-        PanelRow{"Tileset", Dock::Bottom, &makeTilesetPanel},
-        PanelRow{"Assets", Dock::Bottom, &makeAssetsPanel},
-        PanelRow{"Animation", Dock::Bottom, &makeAnimationPanel},
-        PanelRow{"Profiler", Dock::Bottom, &makeProfilerPanel},
-        PanelRow{"Input", Dock::Bottom, &makeInputPanel},
+        PanelRow{"Tileset", Dock::Bottom, &makeTilesetPanel, true},
+        PanelRow{"Assets", Dock::Bottom, &makeAssetsPanel, true},
+        PanelRow{"Animation", Dock::Bottom, &makeAnimationPanel, true},
+        PanelRow{"Profiler", Dock::Bottom, &makeProfilerPanel, true},
+        PanelRow{"Input", Dock::Bottom, &makeInputPanel, true},
     };
     return kPanels;
+}
+
+std::span<const PanelHome> panelHomes() {
+    static const std::vector<PanelHome> homes = [] {
+        std::vector<PanelHome> all;
+        for (const PanelRow& row : panelTable()) all.push_back({row.title, row.dock, row.tall});
+        return all;
+    }();
+    return homes;
 }
 
 }  // namespace plumb::editor::ui

@@ -14,6 +14,7 @@
 #include "editor/ui/icons.hpp"
 #include "editor/ui/panels/panels.hpp"
 #include "editor/ui/ui_compat.hpp"
+#include "editor/ui/widgets/empty_state.hpp"
 #include "editor/ui/widgets/pickers.hpp"
 #include "scene/components/hidden.hpp"
 #include "scene/components/prefab_instance.hpp"
@@ -33,12 +34,11 @@ public:
         drawFilter(ui);
         beginChild("tree", {0.0f, 0.0f}, false);
         if (document.scenePath.empty()) {
-            ImGui::TextDisabled("No scene is open.");
+            emptyState(ui, "Scene", "No scene is open.", "", {"file.open", "file.new"});
         } else if (document.objectCount() == 0) {
-            ImGui::TextWrapped("This scene is empty.");
-            ImGui::PushStyleColor(ImGuiCol_Text, palette::kTextDim);
-            ImGui::TextWrapped("Ctrl+N creates an entity, Ctrl+Shift+N adds a prefab.");
-            ImGui::PopStyleColor();
+            emptyState(ui, "Scene", "This scene is empty.",
+                       "Files dragged from the assets into the scene become entities, too.",
+                       {"entity.create", "entity.prefab"});
         } else {
             drawTree(ui);
         }

@@ -118,8 +118,7 @@ void drawMask(Ui& ui, const Terrain& terrain, const Tileset& tileset, std::span<
         if (on)
             list.AddRectFilled(at, {at.x + cell, at.y + cell},
                                IM_COL32(terrain.color.r, terrain.color.g, terrain.color.b, 130));
-        if (i == 4 || (all & bit) != 0)
-            outline(list, at, {at.x + cell, at.y + cell}, IM_COL32(255, 255, 255, 50));
+        if (i == 4 || (all & bit) != 0) outline(list, at, {at.x + cell, at.y + cell}, palette::kCellLine);
         if (!clicked || (i != 4 && (all & bit) == 0)) continue;
         const int next = i == 4 ? (now >= 0 ? -1 : 0) : (std::max(now, 0) ^ bit);
         changeTerrain(ui, "set terrain mask", terrain.id,

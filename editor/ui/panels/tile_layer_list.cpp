@@ -59,8 +59,7 @@ void orderButton(Ui& ui, const char* label, std::string_view action) {
     if (ImGui::SmallButton(label)) runAction(ui.workspace, action);
     ui.widgets.mark(std::string{"Tiles/"} + std::string{action});
     const Action& row = *findAction(action);
-    tooltip(row.shortcut.key == Key::None ? std::string{row.label}
-                                          : format("{}  ({})", row.label, row.shortcut.text()));
+    tooltip(ui.workspace.settings.keys.labelOf(row));
 }
 
 /// Two numbers in a row. @return whether they were changed

@@ -9,6 +9,7 @@
 #include "editor/ui/panels/panels.hpp"
 #include "editor/ui/panels/tile_layer_list.hpp"
 #include "editor/ui/ui_compat.hpp"
+#include "editor/ui/widgets/empty_state.hpp"
 #include "editor/ui/widgets/palette_view.hpp"
 #include "editor/ui/widgets/tile_picture.hpp"
 #include "scene/components/tile_layer.hpp"
@@ -26,9 +27,10 @@ public:
         Workspace& workspace = ui.workspace;
         const ObjectId layer = activeTileLayer(workspace.document, workspace.tiles);
         if (!workspace.document.world.has<TileLayer>(workspace.document.find(layer))) {
-            ImGui::TextWrapped("There are no tiles here to paint with.");
-            ImGui::TextDisabled("Create an entity (Ctrl+N) and add the component TileLayer to it.");
-            return;
+            return emptyState(ui, "Tiles", "This scene has no layer of tiles yet.",
+                              "Tiles are painted on layers. A tileset dragged from the assets into the scene "
+                              "makes one, too.",
+                              {"layer.add"});
         }
         const Tileset* tileset = tilesetOf(workspace.document, layer);
         beginChild("layers", {ui.px(kLayersWidth), 0.0f}, false);
@@ -47,9 +49,8 @@ public:
 private:
     void drawTiles(Ui& ui, const Tileset* tileset) {
         if (tileset == nullptr || tileset->count == 0) {
-            ImGui::TextWrapped("This layer has no tileset yet.");
-            ImGui::TextDisabled("Select the layer and choose one in the inspector: TileLayer, tileset.");
-            return;
+            return emptyState(ui, "Tiles", "This layer has no tileset yet.",
+                              "Select the layer and choose one in the inspector: TileLayer, tileset.");
         }
         drawTerrains(ui, *tileset);
         ImGui::SetNextItemWidth(ui.px(112.0f));
@@ -185,7 +186,7 @@ private:
         const Action& action = *findAction(id);
         if (ImGui::Button(label)) runAction(ui.workspace, id);
         ui.widgets.mark(std::string{"Tiles/"} + label);
-        tooltip(format("{}  ({})", action.label, action.shortcut.text()));
+        tooltip(ui.workspace.settings.keys.labelOf(action));
     }
 
     /// What the brush would paint, as it would look.

@@ -8,6 +8,7 @@
 #include "editor/model/tileset_edit.hpp"
 #include "editor/ui/panels/panels.hpp"
 #include "editor/ui/ui_compat.hpp"
+#include "editor/ui/widgets/empty_state.hpp"
 #include "editor/ui/widgets/palette_view.hpp"
 #include "scene/components/tile_layer.hpp"
 
@@ -15,8 +16,6 @@ namespace plumb::editor::ui {
 namespace {
 
 constexpr float kPagesWidth = 330.0f;  // px at scale 1
-constexpr ImU32 kSolid = IM_COL32(110, 230, 140, 200);
-constexpr ImU32 kOneWay = IM_COL32(120, 200, 255, 220);
 
 enum class Page : unsigned char { Tile, Animation, Terrain };
 
@@ -28,9 +27,8 @@ public:
         const ObjectId layer = activeTileLayer(workspace.document, workspace.tiles);
         const Tileset* tileset = tilesetOf(workspace.document, layer);
         if (tileset == nullptr || tileset->count == 0) {
-            ImGui::TextWrapped("There is no tileset here.");
-            ImGui::TextDisabled("Select a tile layer and choose its tileset in the inspector.");
-            return;
+            return emptyState(ui, "Tileset", "No layer with a tileset is in hand.",
+                              "Select a layer of tiles and choose its tileset in the inspector.");
         }
         const TilesetId id = workspace.document.world.get<TileLayer>(workspace.document.find(layer)).tileset;
         std::erase_if(chosen_, [&](int tile) { return tile >= tileset->count; });
@@ -138,7 +136,7 @@ private:
         };
         const std::size_t lines = oneWay && tile.shape == TileShape::OneWay ? 1 : points.size();
         for (std::size_t i = 0; i < lines; ++i)
-            list.AddLine(at(i), at(i + 1), oneWay ? kOneWay : kSolid, 1.5f);
+            list.AddLine(at(i), at(i + 1), oneWay ? palette::kOneWay : palette::kSolid, 1.5f);
     }
 
     /// The middle, and each neighbour that the tile asks for, in the color of the terrain.

@@ -13,6 +13,7 @@
 #include "editor/ui/panels/panels.hpp"
 #include "editor/ui/scene_picture.hpp"
 #include "editor/ui/ui_compat.hpp"
+#include "editor/ui/widgets/empty_state.hpp"
 #include "editor/ui/widgets/scene_drop.hpp"
 #include "editor/ui/widgets/tile_picture.hpp"
 #include "editor/ui/widgets/timeline.hpp"
@@ -168,8 +169,8 @@ private:
         const ImVec2 to{from.x + size.x, from.y + size.y};
         list.PushClipRect(from, to, true);
         if (workspace.document.scenePath.empty()) {
-            drawHint(list, from, size);
             list.PopClipRect();
+            drawHint(ui, from, size);
             return;
         }
         World& world = workspace.shownWorld();
@@ -263,7 +264,7 @@ private:
         const ImVec2 corner{from.x + (to.x - from.x - extent.x) * 0.5f - ui.px(10.0f), from.y};
         list.AddRectFilled(corner, {corner.x + extent.x + ui.px(20.0f), corner.y + extent.y + ui.px(9.0f)},
                            color, ui.px(5.0f), ImDrawFlags_RoundCornersBottom);
-        list.AddText({corner.x + ui.px(10.0f), corner.y + ui.px(4.0f)}, IM_COL32(16, 22, 18, 255), words);
+        list.AddText({corner.x + ui.px(10.0f), corner.y + ui.px(4.0f)}, palette::kOnStatus, words);
     }
 
     void drawSelection(Ui& ui, const World& world) {
@@ -305,6 +306,7 @@ private:
         const ImVec2 a = onScreen(ui, shape.from);
         const ImVec2 b = onScreen(ui, shape.to);
         const ImU32 color = toImgui(shape.color);
+        drawHalo(ui, list, shape, a, b);
         switch (shape.kind) {
             case Overlay::Kind::Line: list.AddLine(a, b, color, shape.thickness); break;
             case Overlay::Kind::Arrow: drawArrow(list, a, b, color, shape.thickness); break;
@@ -318,9 +320,32 @@ private:
                     drawTile(ui, list, *tileset, shape.cell, {{a.x, a.y}, {b.x, b.y}}, color);
                 break;
             case Overlay::Kind::Text:
-                list.AddText({a.x + 1.0f, a.y - ui.fonts.size}, IM_COL32(0, 0, 0, 200), shape.text.c_str());
+                for (const ImVec2 side :
+                     {ImVec2{-1.0f, 0.0f}, ImVec2{1.0f, 0.0f}, ImVec2{0.0f, -1.0f}, ImVec2{0.0f, 1.0f}})
+                    list.AddText({a.x + side.x, a.y + side.y - ui.fonts.size - 1.0f}, palette::kHaloText,
+                                 shape.text.c_str());
                 list.AddText({a.x, a.y - ui.fonts.size - 1.0f}, color, shape.text.c_str());
                 break;
+        }
+    }
+
+    /// Lines are light, for dark scenes; a dark edge makes them seen on light ones. Faint ones, as those of
+    /// the grid, stay faint.
+    static void drawHalo(const Ui& ui, ImDrawList& list, const Overlay::Shape& shape, ImVec2 a, ImVec2 b) {
+        constexpr std::uint8_t kFaint = 128;
+        if (shape.color.a < kFaint) return;
+        const float thickness = shape.thickness + 2.0f;
+        const ImU32 color = palette::kHalo;
+        switch (shape.kind) {
+            case Overlay::Kind::Line:
+            case Overlay::Kind::Arrow: list.AddLine(a, b, color, thickness); break;
+            case Overlay::Kind::Box: outline(list, a, b, color, 0.0f, thickness); break;
+            case Overlay::Kind::Circle:
+                list.AddCircle(a, shape.radius * ui.workspace.view.zoom(), color, 0, thickness);
+                break;
+            case Overlay::Kind::FilledBox:
+            case Overlay::Kind::Tile:
+            case Overlay::Kind::Text: break;
         }
     }
 
@@ -333,10 +358,14 @@ private:
                                {back.x - side.x * 4.5f, back.y - side.y * 4.5f}, color);
     }
 
-    static void drawHint(ImDrawList& list, ImVec2 from, ImVec2 size) {
-        const char* text = "No scene is open. Ctrl+O chooses one, Ctrl+Alt+N makes a new one.";
-        const ImVec2 extent = ImGui::CalcTextSize(text);
-        list.AddText({from.x + (size.x - extent.x) * 0.5f, from.y + size.y * 0.5f}, palette::kTextDim, text);
+    static void drawHint(Ui& ui, ImVec2 from, ImVec2 size) {
+        const float width = std::min(ui.px(360.0f), size.x);
+        ImGui::SetCursorScreenPos(
+            {from.x + std::floor((size.x - width) * 0.5f), from.y + std::floor(size.y * 0.4f)});
+        beginChild("hint", {width, ui.px(110.0f)}, false);
+        emptyState(ui, "Viewport", "No scene is open.", "A scene is a level, a title, a menu.",
+                   {"file.open", "file.new"});
+        ImGui::EndChild();
     }
 
     Vec2 from_;

@@ -51,7 +51,7 @@ void drawSheet(ImDrawList& list, const Ui& ui, const AABB& box, ImU32 color, con
     const float side = std::min(box.size().x, box.size().y) * 0.3f;
     const ImVec2 from{center.x - side * 0.8f, center.y - side};
     const ImVec2 to{center.x + side * 0.8f, center.y + side};
-    list.AddRectFilled(from, to, IM_COL32(255, 255, 255, 10), ui.px(4.0f));
+    list.AddRectFilled(from, to, palette::kCard, ui.px(4.0f));
     outline(list, from, to, color, ui.px(4.0f), ui.px(1.5f));
     const ImVec2 size = ImGui::CalcTextSize(word);
     list.AddText({center.x - size.x * 0.5f, center.y - size.y * 0.5f}, color, word);
@@ -69,7 +69,7 @@ void drawAsset(Ui& ui, ImDrawList& list, AssetKind kind, std::string_view path, 
             if (!set.image.empty()) return drawPart(ui, list, set.texture, {}, box);
             if (!set.images.empty())
                 return drawPart(ui, list, set.images.front().texture, set.images.front().source, box);
-            return drawSheet(list, ui, box, IM_COL32(120, 190, 120, 255), "Tiles");
+            return drawSheet(list, ui, box, palette::kGreen, "Tiles");
         }
         case AssetKind::Animation: {
             const AnimationSet& set = assets.animation(assets.loadAnimation(path));
@@ -81,10 +81,10 @@ void drawAsset(Ui& ui, ImDrawList& list, AssetKind kind, std::string_view path, 
                               static_cast<float>(set.frameWidth), static_cast<float>(set.frameHeight)};
             return drawPart(ui, list, set.texture, source, box);
         }
-        case AssetKind::Sound: return drawSheet(list, ui, box, IM_COL32(110, 170, 240, 255), "Sound");
-        case AssetKind::Font: return drawSheet(list, ui, box, IM_COL32(230, 200, 120, 255), "Aa");
-        case AssetKind::Scene: return drawSheet(list, ui, box, IM_COL32(235, 150, 90, 255), "Scene");
-        case AssetKind::Prefab: return drawSheet(list, ui, box, IM_COL32(180, 140, 240, 255), "Prefab");
+        case AssetKind::Sound: return drawSheet(list, ui, box, palette::kBlue, "Sound");
+        case AssetKind::Font: return drawSheet(list, ui, box, palette::kSand, "Aa");
+        case AssetKind::Scene: return drawSheet(list, ui, box, palette::kOrange, "Scene");
+        case AssetKind::Prefab: return drawSheet(list, ui, box, palette::kViolet, "Prefab");
         case AssetKind::None: break;
     }
     drawSheet(list, ui, box, palette::kTextDim, "File");

@@ -11,9 +11,6 @@ namespace plumb::editor::ui {
 namespace {
 
 constexpr float kMaxZoom = 8.0f;
-constexpr ImU32 kTileLine = IM_COL32(255, 255, 255, 22);
-constexpr ImU32 kDimmed = IM_COL32(255, 255, 255, 60);
-constexpr ImU32 kHover = IM_COL32(255, 255, 255, 160);
 
 ImVec2 toImgui(Vec2 point) { return {point.x, point.y}; }
 
@@ -88,15 +85,15 @@ void PaletteView::drawTiles(Ui& ui, const Tileset& tileset, const std::vector<in
         if (!ImGui::IsRectVisible(toImgui(box.min), toImgui(box.max))) continue;
         const bool bright = found == nullptr || std::binary_search(found->begin(), found->end(), tile);
         drawTile(ui, list, tileset, cellOf(tileset.shownTile(tile, ImGui::GetTime())), box,
-                 bright ? IM_COL32_WHITE : kDimmed);
-        if (grid) outline(list, toImgui(box.min), toImgui(box.max), kTileLine);
+                 bright ? IM_COL32_WHITE : palette::kFaded);
+        if (grid) outline(list, toImgui(box.min), toImgui(box.max), palette::kCellLine);
     }
 }
 
 void PaletteView::describe(const Tileset& tileset) const {
     const int tile = tiles_.tileAt(at_);
     if (!hovered_ || tile < 0) return;
-    frame(at_, at_, kHover, 1.0f);
+    frame(at_, at_, palette::kCellHovered, 1.0f);
     std::string words = format("Tile {}", tile);
     if (tileset.shapeOf(tile) != TileShape::None)
         words += format(": {}", tileShapeNames()[static_cast<std::size_t>(tileset.shapeOf(tile))]);

@@ -12,11 +12,6 @@ namespace {
 
 constexpr float kHeight = 40.0f;  // px at scale 1
 constexpr float kTicksPerSecond = 60.0f;
-constexpr ImU32 kPast = IM_COL32(88, 201, 130, 110);
-constexpr ImU32 kPastLine = IM_COL32(88, 201, 130, 230);
-constexpr ImU32 kAhead = IM_COL32(240, 185, 74, 70);
-constexpr ImU32 kSecond = IM_COL32(255, 255, 255, 22);
-constexpr ImU32 kFiveSeconds = IM_COL32(255, 255, 255, 60);
 
 /// Where the ticks of the recording are on the screen: all 30 s always take the whole length.
 struct Track {
@@ -52,10 +47,10 @@ void iconButton(Ui& ui, std::string_view id, const std::string& path) {
     ui.widgets.mark(path, enabled ? "" : "off");
     ImDrawList& list = *ImGui::GetWindowDrawList();
     if (enabled && ImGui::IsItemHovered())
-        list.AddRectFilled(at, {at.x + side, at.y + side}, IM_COL32(255, 255, 255, 24), ui.px(4.0f));
+        list.AddRectFilled(at, {at.x + side, at.y + side}, palette::kHover, ui.px(4.0f));
     drawIcon(list, iconOfAction(id), {at.x + side * 0.5f, at.y + side * 0.5f}, ui.px(13.0f),
              enabled ? palette::kText : palette::kTextDim);
-    tooltip(format("{}  ({})", action.label, action.shortcut.text()));
+    tooltip(ui.workspace.settings.keys.labelOf(action));
     if (pressed) runAction(ui.workspace, id);
     ImGui::SameLine(0.0f, ui.px(2.0f));
 }
@@ -68,7 +63,7 @@ void goButton(Ui& ui) {
     if (past) {
         ImGui::PushStyleColor(ImGuiCol_Text, palette::kChrome);
         ImGui::PushStyleColor(ImGuiCol_Button, palette::kPlay);
-        ImGui::PushStyleColor(ImGuiCol_ButtonHovered, kPastLine);
+        ImGui::PushStyleColor(ImGuiCol_ButtonHovered, palette::kPastLine);
     }
     const float width = ImGui::CalcTextSize("Resume from here").x + ui.px(14.0f);
     const bool pressed = ImGui::Button(format("{}###go", label).c_str(), {width, ui.px(26.0f)});
@@ -83,7 +78,7 @@ void goButton(Ui& ui) {
 void drawSpeed(Ui& ui) {
     PlayMode& play = ui.workspace.play;
     const std::string now = speedText(play.speed());
-    ImGui::PushStyleColor(ImGuiCol_Button, play.speed() == 0 ? IM_COL32(0, 0, 0, 0) : palette::kAccentSoft);
+    ImGui::PushStyleColor(ImGuiCol_Button, play.speed() == 0 ? palette::kNothing : palette::kAccentSoft);
     if (ImGui::Button(format("{}##speed", now).c_str(), {ui.px(44.0f), ui.px(26.0f)}))
         ImGui::OpenPopup("speeds");
     ImGui::PopStyleColor();
@@ -106,7 +101,7 @@ void drawTicks(const Ui& ui, ImDrawList& list, const Track& track) {
         const bool strong = tick % 300 == 0;
         const float x = std::floor(track.at(tick));
         list.AddLine({x, strong ? track.from.y : track.to.y - ui.px(6.0f)}, {x, track.to.y},
-                     strong ? kFiveSeconds : kSecond);
+                     strong ? palette::kTickMark : palette::kTick);
     }
 }
 
@@ -115,9 +110,10 @@ void drawTrack(Ui& ui, ImDrawList& list, const Track& track) {
     const float round = ui.px(3.0f);
     list.AddRectFilled(track.from, track.to, palette::kField, round);
     const float now = track.at(play.ticks());
-    list.AddRectFilled({track.at(play.oldest()), track.from.y}, {now, track.to.y}, kPast, round);
+    list.AddRectFilled({track.at(play.oldest()), track.from.y}, {now, track.to.y}, palette::kPast, round);
     if (play.inPast())
-        list.AddRectFilled({now, track.from.y}, {track.at(play.newest()), track.to.y}, kAhead, round);
+        list.AddRectFilled({now, track.from.y}, {track.at(play.newest()), track.to.y}, palette::kAhead,
+                           round);
     drawTicks(ui, list, track);
     for (const PlayEdit& edit : play.edits().log()) {
         const float x = track.at(edit.tick);
@@ -125,7 +121,7 @@ void drawTrack(Ui& ui, ImDrawList& list, const Track& track) {
         const float y = track.from.y + r + 1.0f;
         list.AddQuadFilled({x - r, y}, {x, y - r}, {x + r, y}, {x, y + r}, palette::kWarning);
     }
-    const ImU32 color = play.inPast() ? palette::kWarning : kPastLine;
+    const ImU32 color = play.inPast() ? palette::kWarning : palette::kPastLine;
     list.AddRectFilled({now - ui.px(1.0f), track.from.y - ui.px(3.0f)},
                        {now + ui.px(1.0f), track.to.y + ui.px(3.0f)}, color);
     list.AddCircleFilled({now, track.from.y - ui.px(3.0f)}, ui.px(4.0f), color);

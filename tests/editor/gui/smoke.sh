@@ -4,6 +4,8 @@
 set -eu
 editor=$1 project=$2 work=$3
 rm -rf "$work" && cp -r "$project" "$work"
+export PLUMB_CONFIG=$work.config
+rm -rf "$PLUMB_CONFIG"
 scene=$work/scenes/level1.scene.json
 . "$(dirname "$0")/../../support/xvfb.sh"
 "$editor" "$work" --scene level1 --select player --size 1280x720 > "$work/log" 2>&1 &

@@ -25,6 +25,7 @@ public:
     /// with numbers left out.
     /// @return what it was, for the report of a failure
     std::string act(std::uint64_t number) {
+        leaveWelcome();
         random_ = Random::seeded(mixBits(seed_) + number);
         if (workspace_.play.running() && below(8) == 0) return stop();
         const std::uint32_t chance = below(100);
@@ -66,7 +67,13 @@ private:
 
     /// What ends the program, looks at files outside the project, or would take a test's time without trying
     /// anything new.
-    static bool left(std::string_view id) { return id.empty() || id == "file.quit" || id == "file.import"; }
+    static bool left(std::string_view id) {
+        return id.empty() || id == "file.quit" || id == "file.import" || id == "file.welcome";
+    }
+    /// Keys may have opened it; it would make projects.
+    void leaveWelcome() {
+        for (int i = 0; i < 4 && window_.widgets().find("Welcome/Create") != nullptr; ++i) press(Key::Escape);
+    }
 
     std::string anyAction() {
         const std::span<const Action> table = actionTable();
@@ -129,8 +136,9 @@ private:
     std::string anyWidget() {
         std::vector<std::string> names;
         for (const auto& [name, widget] : window_.widgets().all()) {
-            const bool leaves =
-                name.find("Quit") != std::string::npos || name.find("Import") != std::string::npos;
+            const bool leaves = name.find("Quit") != std::string::npos ||
+                                name.find("Import") != std::string::npos ||
+                                name.find("Projects...") != std::string::npos;
             if (!leaves) names.push_back(name);
         }
         if (names.empty()) return "no widget";

@@ -1,0 +1,140 @@
+#include "editor/model/project_templates.hpp"
+
+#include <array>
+
+#include "core/text.hpp"
+#include "platform/paths.hpp"
+#include "reflect/json.hpp"
+#include "reflect/json_text.hpp"
+
+namespace plumb::editor {
+namespace {
+
+constexpr std::array kTemplates{
+    ProjectTemplate{"empty", "Empty", "One scene with a camera. Begin here to make your own game.", ""},
+    ProjectTemplate{"platformer", "Platformer",
+                    "A copy of the game that comes with Plumb: five levels, enemies, music. Change it.",
+                    "platformer"}};
+
+constexpr std::string_view kFirstScene = R"({
+  "format": 1,
+  "effects": {},
+  "layers": [],
+  "entities": [
+    {
+      "id": "0000000000000001",
+      "name": "camera",
+      "components": {
+        "Transform": {
+          "position": [320, 180]
+        },
+        "Camera": {}
+      }
+    }
+  ]
+}
+)";
+
+std::string emptyProject(std::string_view name) {
+    Json json = Json::object();
+    json["name"] = std::string{name};
+    json["version"] = "0.1.0";
+    json["startScene"] = "scenes/level1.scene.json";
+    json["window"] = {{"width", 1280}, {"height", 720}};
+    json["resolution"] = {640, 360};
+    return writeJson(json);
+}
+
+/// Without what editors leave there, and what only made the pictures.
+Result<Done> copyProject(const Path& from, const Path& to) {
+    std::error_code failed;
+    std::filesystem::create_directories(to, failed);
+    for (const auto& entry : std::filesystem::directory_iterator{from, failed}) {
+        const std::string name = entry.path().filename().string();
+        if (name == ".plumb" || name == "art") continue;
+        std::filesystem::copy(entry.path(), to / name, std::filesystem::copy_options::recursive, failed);
+        if (failed) return Error{(to / name).string(), failed.message(), "choose another folder"};
+    }
+    return Done{};
+}
+
+Result<Done> rename(const Path& folder, std::string_view name) {
+    const Result<std::string> text = readFile(folder / "project.json");
+    if (!text) return text.error();
+    Result<Json> json = parseJson(*text, "project.json");
+    if (!json) return json.error();
+    (*json)["name"] = std::string{name};
+    if (json->contains("window") && (*json)["window"].is_object()) (*json)["window"].erase("title");
+    return writeFile(folder / "project.json", writeJson(*json));
+}
+
+Result<Done> makeEmpty(const Path& folder, std::string_view name) {
+    std::error_code failed;
+    for (const char* part : {"assets", "prefabs"}) std::filesystem::create_directories(folder / part, failed);
+    const Result<Done> scene = writeFile(folder / "scenes/level1.scene.json", kFirstScene);
+    return scene ? writeFile(folder / "project.json", emptyProject(name)) : scene;
+}
+
+}  // namespace
+
+std::span<const ProjectTemplate> projectTemplates() { return kTemplates; }
+
+Path engineProjects() {
+    std::error_code failed;
+    const Path folder = engineAssets().parent_path() / "projects";
+    return std::filesystem::is_directory(folder, failed) ? folder : Path{};
+}
+
+std::string folderNameFor(std::string_view name) {
+    std::string folder;
+    for (const char letter : trimmed(name)) {
+        const bool upper = letter >= 'A' && letter <= 'Z';
+        const bool plain = upper || (letter >= 'a' && letter <= 'z') || (letter >= '0' && letter <= '9') ||
+                           static_cast<unsigned char>(letter) >= 0x80;
+        if (plain) {
+            folder += upper ? static_cast<char>(letter + 32) : letter;
+        } else if (!folder.empty() && folder.back() != '-') {
+            folder += '-';
+        }
+    }
+    while (!folder.empty() && folder.back() == '-') folder.pop_back();
+    return folder;
+}
+
+Result<Path> createProject(const ProjectTemplate& from, std::string_view name, const Path& folder) {
+    std::error_code failed;
+    if (trimmed(name).empty()) return Error{"New project", "it has no name", "write one, e.g. \"My Game\""};
+    if (folder.empty() || !folder.is_absolute())
+        return Error{folder.string(), "this is no whole path",
+                     "write one that begins at the root, e.g. /home/me/game"};
+    if (std::filesystem::exists(folder, failed) &&
+        (!std::filesystem::is_directory(folder, failed) || !std::filesystem::is_empty(folder, failed)))
+        return Error{folder.string(), "there is something already",
+                     "choose an empty folder, or another name"};
+    const Path source = from.copyOf.empty() ? Path{} : engineProjects() / from.copyOf;
+    if (!from.copyOf.empty() && !isProject(source))
+        return Error{std::string{from.name}, "it is not beside this program", "begin with an empty project"};
+    Result<Done> made = from.copyOf.empty() ? makeEmpty(folder, trimmed(name)) : copyProject(source, folder);
+    if (made && !from.copyOf.empty()) made = rename(folder, trimmed(name));
+    if (!made) return made.error();
+    return folder;
+}
+
+bool isProject(const Path& folder) {
+    std::error_code failed;
+    return std::filesystem::is_regular_file(folder / "project.json", failed);
+}
+
+std::string projectNameOf(const Path& folder) {
+    const Result<std::string> text = readFile(folder / "project.json");
+    if (text) {
+        const Result<Json> json = parseJson(*text, "project.json");
+        if (json && json->is_object() && json->contains("name") && (*json)["name"].is_string())
+            return (*json)["name"].get<std::string>();
+    }
+    return folder.filename().string();
+}
+
+Path projectPicture(const Path& folder) { return folder / ".plumb/picture.png"; }
+
+}  // namespace plumb::editor

@@ -1,0 +1,148 @@
+#include "editor/ui/dialogs/preferences_dialog.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+
+#include "core/text.hpp"
+#include "editor/ui/ui_compat.hpp"
+
+namespace plumb::editor::ui {
+namespace {
+
+constexpr float kWidth = 700.0f;  // px at scale 1
+constexpr float kHeight = 500.0f;
+constexpr float kSide = 130.0f;
+constexpr float kLabels = 150.0f;
+constexpr float kSliders = 220.0f;
+
+/// The name of what follows, in a column of its own.
+void label(const Ui& ui, const char* text) {
+    const float start = ImGui::GetCursorPosX();
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextUnformatted(text);
+    ImGui::SameLine(start + ui.px(kLabels));
+}
+
+void choice(Ui& ui, const char* label, const std::string& path, bool chosen,
+            const std::function<void()>& choose) {
+    if (ImGui::RadioButton(label, chosen)) choose();
+    ui.widgets.mark(path, chosen ? "on" : "off");
+}
+
+/// A slider whose value counts when it is let go: what it changes would move it under the mouse.
+bool slider(Ui& ui, const char* id, const std::string& path, float& held, float now, float from, float to,
+            const char* shown) {
+    if (held == 0.0f) held = now;
+    ImGui::SetNextItemWidth(ui.px(kSliders));
+    ImGui::SliderFloat(id, &held, from, to, shown, ImGuiSliderFlags_AlwaysClamp);
+    const bool done = ImGui::IsItemDeactivated() && held != now;
+    ui.widgets.mark(path, fixedText(static_cast<double>(held), 0));
+    if (!ImGui::IsItemActive() && !done) held = 0.0f;
+    return done;
+}
+
+}  // namespace
+
+void PreferencesDialog::draw(Ui& ui) {
+    if (std::exchange(open_, false)) ImGui::OpenPopup("Preferences");
+    const ImVec2 display = ImGui::GetIO().DisplaySize;
+    const ImVec2 size{std::min(ui.px(kWidth), display.x - ui.px(16.0f)),
+                      std::min(ui.px(kHeight), display.y - ui.px(16.0f))};
+    ImGui::SetNextWindowPos(
+        {std::floor((display.x - size.x) * 0.5f), std::floor((display.y - size.y) * 0.4f)});
+    ImGui::SetNextWindowSize(size);
+    bool stays = true;
+    if (!ImGui::BeginPopupModal("Preferences", &stays, ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove)) {
+        keysPage_.stop();
+        return;
+    }
+    drawPages(ui);
+    ImGui::SameLine();
+    beginChild("page", {0.0f, -ui.px(36.0f)}, false);
+    switch (page_) {
+        case Page::Look: drawLook(ui); break;
+        case Page::Keys: keysPage_.draw(ui); break;
+        case Page::Editing: drawEditing(ui); break;
+    }
+    ImGui::EndChild();
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextDisabled("%s", (configFolder() / "settings.json").string().c_str());
+    tooltip("Where all this is kept");
+    ImGui::SameLine(ImGui::GetContentRegionMax().x - ui.px(100.0f));
+    if (ImGui::Button("Close", {ui.px(100.0f), 0.0f})) ImGui::CloseCurrentPopup();
+    ui.widgets.mark("Preferences/Close");
+    ImGui::EndPopup();
+}
+
+void PreferencesDialog::drawPages(Ui& ui) {
+    struct Row {
+        Page page;
+        const char* name;
+    };
+    constexpr std::array kPages{Row{Page::Look, "Look"}, Row{Page::Keys, "Keys"},
+                                Row{Page::Editing, "Editing"}};
+    beginChild("pages", {ui.px(kSide), -ui.px(36.0f)}, false);
+    for (const Row& row : kPages) {
+        if (ImGui::Selectable(row.name, page_ == row.page, 0, {0.0f, ImGui::GetFrameHeight()})) {
+            page_ = row.page;
+            keysPage_.stop();
+        }
+        ui.widgets.mark(format("Preferences/{}", row.name), page_ == row.page ? "on" : "");
+    }
+    ImGui::EndChild();
+}
+
+void PreferencesDialog::drawLook(Ui& ui) {
+    Settings& settings = ui.workspace.settings;
+    label(ui, "Theme");
+    choice(ui, "Dark", "Preferences/theme/dark", settings.theme == Theme::Dark,
+           [&] { settings.theme = Theme::Dark; });
+    ImGui::SameLine(0.0f, ui.px(20.0f));
+    choice(ui, "Light", "Preferences/theme/light", settings.theme == Theme::Light,
+           [&] { settings.theme = Theme::Light; });
+    ImGui::Spacing();
+    label(ui, "Interface");
+    if (slider(ui, "##scale", "Preferences/scale", scale_, settings.scale * 100.0f,
+               Settings::kLeastScale * 100.0f, Settings::kMostScale * 100.0f, "%.0f %%")) {
+        settings.scale = std::round(scale_ / 5.0f) * 0.05f;
+        scale_ = 0.0f;
+    }
+    tooltip("The size of everything. It counts when you let go.");
+    for (const int percent : {100, 150, 200}) {
+        ImGui::SameLine();
+        const std::string name = format("{} %", percent);
+        if (ImGui::Button(name.c_str())) settings.scale = static_cast<float>(percent) / 100.0f;
+        ui.widgets.mark(format("Preferences/scale/{}", percent));
+    }
+    ImGui::Spacing();
+    label(ui, "Text");
+    if (slider(ui, "##text", "Preferences/text", textSize_, settings.textSize, 11.0f, 20.0f, "%.0f px")) {
+        settings.textSize = std::round(textSize_);
+        textSize_ = 0.0f;
+    }
+    tooltip("The size of letters at 100 %. It counts when you let go.");
+}
+
+void PreferencesDialog::drawEditing(Ui& ui) {
+    Workspace& workspace = ui.workspace;
+    bool& erases = workspace.tiles.rightErases;
+    label(ui, "Right button");
+    choice(ui, "takes tiles from the layer", "Preferences/right/takes", !erases, [&] { erases = false; });
+    ImGui::SetCursorPosX(ImGui::GetCursorPosX() + ui.px(kLabels));
+    choice(ui, "erases tiles", "Preferences/right/erases", erases, [&] { erases = true; });
+    ImGui::Spacing();
+    label(ui, "At the start");
+    ImGui::Checkbox("the welcome screen, unless a project is named", &workspace.settings.welcome);
+    ui.widgets.mark("Preferences/welcome", workspace.settings.welcome ? "on" : "off");
+    tooltip("Else the project that was open last");
+    ImGui::Spacing();
+    label(ui, "Recent projects");
+    ImGui::BeginDisabled(workspace.settings.recent.empty());
+    if (ImGui::Button("Forget them")) workspace.settings.recent.clear();
+    ImGui::EndDisabled();
+    ui.widgets.mark("Preferences/forget", format("{}", workspace.settings.recent.size()));
+}
+
+}  // namespace plumb::editor::ui

@@ -1,0 +1,109 @@
+#include "editor/ui/layout_menu.hpp"
+
+#include "core/text.hpp"
+
+namespace plumb::editor::ui {
+namespace {
+
+void useLayout(Workspace& workspace, const NamedLayout& named) {
+    workspace.settings.layout = named.layout;
+    workspace.notice = format("Layout {}", named.name);
+}
+
+}  // namespace
+
+void LayoutMenu::drawItems(Ui& ui) {
+    ImGui::Separator();
+    const bool panels = ImGui::BeginMenu("Panels");
+    ui.widgets.mark("Menu/View/Panels");
+    if (panels) {
+        panelItems(ui);
+        ImGui::EndMenu();
+    }
+    const bool layouts = ImGui::BeginMenu("Layout");
+    ui.widgets.mark("Menu/View/Layout");
+    if (layouts) {
+        layoutItems(ui);
+        ImGui::EndMenu();
+    }
+}
+
+void LayoutMenu::panelItems(Ui& ui) {
+    PaneLayout& layout = ui.workspace.settings.layout;
+    for (const PanelRow& row : panelTable()) {
+        if (row.dock == Dock::Center) continue;  // the scene is always there
+        const bool open = layout.isOpen(row.title);
+        if (ImGui::MenuItem(row.title, nullptr, open)) {
+            layout.hidden = false;
+            open ? layout.close(row.title) : layout.show(row.title);
+        }
+        ui.widgets.mark(format("Menu/View/Panels/{}", row.title), open ? "on" : "off");
+    }
+}
+
+void LayoutMenu::layoutItems(Ui& ui) {
+    for (const char* id : {"layout.paint", "layout.logic", "layout.play"}) {
+        actionItem(ui, id, "Menu/View/Layout");
+    }
+    Settings& settings = ui.workspace.settings;
+    if (!settings.layouts.empty()) ImGui::Separator();
+    for (const NamedLayout& named : settings.layouts) {
+        ImGui::PushID(&named);
+        if (ImGui::MenuItem(named.name.c_str())) useLayout(ui.workspace, named);
+        ui.widgets.mark("Menu/View/Layout/" + named.name);
+        ImGui::PopID();
+    }
+    ImGui::Separator();
+    actionItem(ui, "layout.save", "Menu/View/Layout");
+    if (settings.layouts.empty()) return;
+    const bool open = ImGui::BeginMenu("Delete layout");
+    ui.widgets.mark("Menu/View/Layout/Delete layout");
+    if (!open) return;
+    std::string deleted;
+    for (const NamedLayout& named : settings.layouts) {
+        ImGui::PushID(&named);
+        if (ImGui::MenuItem(named.name.c_str())) deleted = named.name;
+        ui.widgets.mark("Menu/View/Layout/Delete layout/" + named.name);
+        ImGui::PopID();
+    }
+    std::erase_if(settings.layouts, [&](const NamedLayout& named) { return named.name == deleted; });
+    ImGui::EndMenu();
+}
+
+void LayoutMenu::askName() {
+    ask_ = true;
+    name_.fill('\0');
+}
+
+void LayoutMenu::drawQuestion(Ui& ui) {
+    if (std::exchange(ask_, false)) ImGui::OpenPopup("Save layout as");
+    const ImVec2 size{ui.px(360.0f), 0.0f};
+    const ImVec2 display = ImGui::GetIO().DisplaySize;
+    ImGui::SetNextWindowPos({(display.x - size.x) * 0.5f, display.y * 0.3f});
+    ImGui::SetNextWindowSize(size);
+    if (!ImGui::BeginPopupModal("Save layout as", nullptr,
+                                ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove))
+        return;
+    ImGui::TextDisabled("A layout of the same name is replaced.");
+    if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
+    ImGui::SetNextItemWidth(-1.0f);
+    bool done = ImGui::InputTextWithHint("##name", "My layout", name_.data(), name_.size(),
+                                         ImGuiInputTextFlags_EnterReturnsTrue);
+    ui.widgets.mark("Layout/name", name_.data());
+    ImGui::Dummy({0.0f, ui.px(2.0f)});
+    const ImVec2 button{ui.px(100.0f), 0.0f};
+    done |= ImGui::Button("Save", button);
+    ui.widgets.mark("Layout/Save");
+    ImGui::SameLine();
+    if (ImGui::Button("Cancel", button)) ImGui::CloseCurrentPopup();
+    ui.widgets.mark("Layout/Cancel");
+    const std::string name{trimmed(name_.data())};
+    if (done && !name.empty()) {
+        ui.workspace.settings.keepLayout(name);
+        ui.workspace.notice = format("Layout {} is in View > Layout", name);
+        ImGui::CloseCurrentPopup();
+    }
+    ImGui::EndPopup();
+}
+
+}  // namespace plumb::editor::ui

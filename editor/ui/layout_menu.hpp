@@ -1,0 +1,25 @@
+#pragma once
+
+#include <array>
+#include <string>
+
+#include "editor/ui/ui.hpp"
+
+namespace plumb::editor::ui {
+
+/// The part of the menu View that opens panels and chooses layouts, and the question for a layout's name.
+class LayoutMenu {
+public:
+    void drawItems(Ui& ui);
+    void askName();
+    void drawQuestion(Ui& ui);
+
+private:
+    static void panelItems(Ui& ui);
+    static void layoutItems(Ui& ui);
+
+    std::array<char, 48> name_{};
+    bool ask_ = false;
+};
+
+}  // namespace plumb::editor::ui

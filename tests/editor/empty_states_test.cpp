@@ -1,0 +1,65 @@
+#include "tests/editor/support/editor_fixture.hpp"
+#include "tests/editor/support/hands.hpp"
+
+namespace plumb::editor::ui {
+namespace {
+
+class EmptyStates : public EditorFixture {
+protected:
+    EmptyStates() : window{workspace, log, nullptr, Path{PLUMB_SOURCE_DIR} / "assets/fonts"}, hands{window} {}
+    [[nodiscard]] bool onScreen(std::string_view widget) const {
+        return window.widgets().find(widget) != nullptr;
+    }
+
+    LogBook log;
+    EditorWindow window;
+    Hands hands;
+};
+
+TEST_F(EmptyStates, everyPanelWithNothingToShowSaysWhatToDo) {
+    putFile("scenes/nothing.scene.json", R"({"format": 1, "entities": []})");
+    log.clear();
+    ASSERT_TRUE(workspace.open("scenes/nothing.scene.json").ok());
+    log.clear();
+    for (const PanelRow& row : panelTable()) {
+        if (row.dock == Dock::Center) continue;
+        workspace.settings.layout.show(row.title);
+        hands.rest(2);
+        const std::string title = row.title;
+        const bool hasOwnFiles = title == "Assets";  // the project has its scenes
+        EXPECT_TRUE(hasOwnFiles || onScreen(title + "/empty")) << title;
+    }
+}
+
+TEST_F(EmptyStates, theirButtonsDoWhatTheySay) {
+    hands.click("Inspector/empty/Create entity");
+    EXPECT_EQ(workspace.document.objectCount(), 7u);
+    EXPECT_FALSE(onScreen("Inspector/empty"));
+    workspace.settings.layout.show("History");
+    workspace.undo.undo();
+    workspace.undo.clear();
+    hands.rest(2);
+    EXPECT_TRUE(onScreen("History/empty"));
+}
+
+TEST_F(EmptyStates, aSceneWithoutTilesGetsALayer) {
+    putFile("scenes/nothing.scene.json", R"({"format": 1, "entities": []})");
+    ASSERT_TRUE(workspace.open("scenes/nothing.scene.json").ok());
+    workspace.settings.layout.show("Tiles");
+    hands.rest(2);
+    hands.click("Tiles/empty/Add layer");
+    hands.rest(2);
+    EXPECT_FALSE(onScreen("Tiles/empty/Add layer"));
+    EXPECT_EQ(workspace.undo.size(), 1u);
+}
+
+TEST_F(EmptyStates, withoutASceneTheMiddleOffersToOpenOne) {
+    EXPECT_FALSE(workspace.open("scenes/gone.scene.json").ok());
+    hands.rest(2);
+    hands.click("Viewport/empty/Open scene...");
+    hands.rest(2);
+    EXPECT_TRUE(onScreen(std::string{"Open/"} + std::string{kScene}));
+}
+
+}  // namespace
+}  // namespace plumb::editor::ui

@@ -1,0 +1,140 @@
+#include "editor/ui/theme.hpp"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "core/text.hpp"
+#include "editor/ui/icons.hpp"
+
+namespace plumb::editor::ui {
+namespace {
+
+struct Named {
+    const char* name;
+    Swatch swatch;
+};
+#define SWATCH(name) \
+    Named { #name, palette::name }
+
+ImU32 shade(const Swatch& swatch, Theme theme) { return theme == Theme::Light ? swatch.light : swatch.dark; }
+/// As it stands in the table: to be looked for there.
+std::string text(const Swatch& swatch, Theme theme) {
+    const ImU32 color = shade(swatch, theme);
+    return format("({}, {}, {})", color & 0xff, color >> 8 & 0xff, color >> 16 & 0xff);
+}
+float channel(ImU32 color, int shift) { return static_cast<float>((color >> shift) & 0xff) / 255.0f; }
+
+/// What is seen where a color lies on another one.
+ImU32 over(ImU32 top, ImU32 below) {
+    const float alpha = channel(top, IM_COL32_A_SHIFT);
+    const auto mix = [&](int shift) {
+        return static_cast<ImU32>(
+            std::lround((channel(top, shift) * alpha + channel(below, shift) * (1.0f - alpha)) * 255.0f));
+    };
+    return IM_COL32(mix(IM_COL32_R_SHIFT), mix(IM_COL32_G_SHIFT), mix(IM_COL32_B_SHIFT), 255);
+}
+
+/// Relative luminance and contrast as WCAG 2.1 defines them.
+float luminance(ImU32 color) {
+    const auto linear = [&](int shift) {
+        const float value = channel(color, shift);
+        return value <= 0.04045f ? value / 12.92f : std::pow((value + 0.055f) / 1.055f, 2.4f);
+    };
+    return 0.2126f * linear(IM_COL32_R_SHIFT) + 0.7152f * linear(IM_COL32_G_SHIFT) +
+           0.0722f * linear(IM_COL32_B_SHIFT);
+}
+float contrast(ImU32 a, ImU32 b) {
+    const float brighter = std::max(luminance(a), luminance(b));
+    const float darker = std::min(luminance(a), luminance(b));
+    return (brighter + 0.05f) / (darker + 0.05f);
+}
+
+class Contrast : public testing::TestWithParam<Theme> {
+protected:
+    void expectAll(std::initializer_list<Swatch> fronts, std::initializer_list<Swatch> backs, float least) {
+        for (const Swatch& back : backs) {
+            for (const Swatch& front : fronts) {
+                const ImU32 below = shade(back, GetParam());
+                EXPECT_GE(contrast(over(shade(front, GetParam()), below), below), least)
+                    << text(front, GetParam()) << " on " << text(back, GetParam());
+            }
+        }
+    }
+    /// On a surface that something translucent lies on.
+    void expectOn(const Swatch& front, const Swatch& between, const Swatch& back, float least) {
+        const ImU32 below = over(shade(between, GetParam()), shade(back, GetParam()));
+        EXPECT_GE(contrast(shade(front, GetParam()), below), least)
+            << text(front, GetParam()) << " on " << text(between, GetParam()) << " on "
+            << text(back, GetParam());
+    }
+};
+
+TEST_P(Contrast, wordsAreLegibleOnEverySurface) {
+    expectAll({palette::kText},
+              {palette::kChrome, palette::kChromePlaying, palette::kChromePaused, palette::kPanel,
+               palette::kHeader, palette::kHeaderHovered, palette::kPopup, palette::kField,
+               palette::kFieldHovered, palette::kButton, palette::kButtonHovered, palette::kCanvas},
+              7.0f);
+    expectAll({palette::kTextSoft, palette::kTextDim},
+              {palette::kChrome, palette::kChromePlaying, palette::kChromePaused, palette::kPanel,
+               palette::kHeader, palette::kPopup, palette::kField, palette::kFieldHovered, palette::kCanvas},
+              4.5f);
+    expectAll({palette::kWarning, palette::kError, palette::kPlay},
+              {palette::kPanel, palette::kPopup, palette::kField, palette::kChrome}, 4.5f);
+    expectAll({palette::kOnStatus}, {palette::kPlay, palette::kWarning, palette::kError}, 4.5f);
+    expectAll({palette::kViolet, palette::kOrange, palette::kSand, palette::kGreen, palette::kBlue},
+              {palette::kPanel}, 4.5f);
+}
+
+TEST_P(Contrast, wordsStayLegibleOnWhatIsChosenHoveredOrHeld) {
+    for (const Swatch& back : {palette::kPanel, palette::kPopup, palette::kChrome}) {
+        for (const Swatch& between :
+             {palette::kAccentSoft, palette::kAccentPressed, palette::kHover, palette::kCard})
+            expectOn(palette::kText, between, back, 4.5f);
+        expectOn(palette::kTextDim, palette::kHover, back, 4.5f);
+        expectOn(palette::kTextDim, palette::kCard, back, 4.5f);
+    }
+    expectOn(palette::kText, palette::kAccentPressed, palette::kField, 4.5f);
+}
+
+TEST_P(Contrast, signsAreSeenOnEverySurface) {
+    expectAll({palette::kAccent, palette::kPlay, palette::kWarning, palette::kError, palette::kIconOff,
+               palette::kViolet, palette::kOrange, palette::kSand, palette::kLime, palette::kTeal,
+               palette::kGreen, palette::kBlue},
+              {palette::kChrome, palette::kPanel, palette::kPopup}, 3.0f);
+    expectAll({palette::kPlay, palette::kWarning, palette::kError, palette::kText},
+              {palette::kChromePlaying, palette::kChromePaused}, 3.0f);
+    expectAll({palette::kAccent}, {palette::kField, palette::kFieldHovered, palette::kHeader},
+              3.0f);                                                           // check marks
+    expectOn(palette::kAccent, palette::kAccentSoft, palette::kChrome, 3.0f);  // a tool in the hand
+    expectOn(palette::kAccent, palette::kAccentSoft, palette::kPanel, 3.0f);
+    expectOn(palette::kPastLine, palette::kPast, palette::kField, 3.0f);
+}
+
+TEST_P(Contrast, iconsOfEntitiesAreSeen) {
+    ImGuiContext* context = ImGui::CreateContext();
+    applyColors(GetParam());
+    const ImU32 panel = palette::kPanel;
+    for (int icon = 0; icon <= static_cast<int>(Icon::Solo); ++icon)
+        EXPECT_GE(contrast(iconColor(static_cast<Icon>(icon)), panel), 3.0f) << icon;
+    ImGui::DestroyContext(context);
+}
+
+INSTANTIATE_TEST_SUITE_P(Themes, Contrast, testing::Values(Theme::Dark, Theme::Light),
+                         [](const auto& info) { return info.param == Theme::Dark ? "Dark" : "Light"; });
+
+TEST(Themes, aSwatchFollowsTheThemeInUse) {
+    ImGuiContext* context = ImGui::CreateContext();
+    applyColors(Theme::Dark);
+    const ImU32 dark = palette::kPanel;
+    applyColors(Theme::Light);
+    EXPECT_NE(static_cast<ImU32>(palette::kPanel), dark);
+    EXPECT_EQ(static_cast<ImU32>(palette::kPanel), palette::kPanel.light);
+    applyColors(Theme::Dark);
+    EXPECT_EQ(static_cast<ImU32>(palette::kPanel), dark);
+    ImGui::DestroyContext(context);
+}
+
+}  // namespace
+}  // namespace plumb::editor::ui
