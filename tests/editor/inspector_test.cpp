@@ -406,6 +406,10 @@ TEST_F(Inspector, anEntityIsChosenFromASearchedListAimedAtInTheSceneOrDraggedFro
     hands.rest(3);
     hands.type("cra");
     EXPECT_EQ(widget("Inspector/Camera/follow/sign"), nullptr);
+    hands.key(Key::Escape);
+    EXPECT_EQ(widget("Inspector/Camera/follow/crate"), nullptr) << "Esc leaves the list";
+    hands.click("Inspector/Camera/follow");
+    hands.rest(3);
     hands.click("Inspector/Camera/follow/crate");
     EXPECT_EQ(follows(), named("crate"));
     hands.rest(2);
@@ -437,7 +441,9 @@ TEST_F(Inspector, aFileIsChosenFromASearchedListOrDroppedFromTheAssets) {
     EXPECT_EQ(widget("Inspector/Sprite/texture/assets/hit.wav"), nullptr) << "no picture";
     hands.type("ston");
     EXPECT_EQ(widget("Inspector/Sprite/texture/assets/tree.png"), nullptr);
-    hands.click("Inspector/Sprite/texture/assets/stone.png");
+    hands.key(Key::Enter);
+    hands.rest(2);
+    EXPECT_EQ(widget("Inspector/Sprite/texture/search"), nullptr) << "Enter took the first";
     const auto textureOf = [&](const char* name) {
         return std::string{workspace.document.world.texts().find(of<Sprite>(name).texture.path)};
     };

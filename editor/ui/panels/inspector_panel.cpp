@@ -136,17 +136,22 @@ private:
     /// What only some of the selected have: how many, and a way to select just those.
     void drawPartlyHeld(Ui& ui, const std::vector<ObjectId>& ids) {
         const auto partly = [&](const ComponentHolders& held) { return held.count < ids.size(); };
-        const auto count = std::count_if(held_.begin(), held_.end(), partly);
-        if (count == 0) return;
+        const auto more = std::count_if(held_.begin(), held_.end(), partly);
+        if (more == 0) return;
         ImGui::Spacing();
-        ImGui::TextDisabled("%d more, which only some have:", static_cast<int>(count));
-        ui.widgets.mark("Inspector/partly", format("{}", count));
+        ImGui::TextDisabled("%d more, which only some have:", static_cast<int>(more));
+        ui.widgets.mark("Inspector/partly", format("{}", more));
         for (const ComponentHolders& held : held_) {
             if (!partly(held)) continue;
-            const std::string line = format("{}   {} of {}", held.type->name, held.count, ids.size());
             ImGui::PushStyleColor(ImGuiCol_Text, palette::kTextDim);
-            const bool chosen = ImGui::Selectable(line.c_str());
+            const bool chosen = ImGui::Selectable(std::string{held.type->name}.c_str());
             ImGui::PopStyleColor();
+            const std::string count = format("{} of {}", held.count, ids.size());
+            const ImVec2 end = ImGui::GetItemRectMax();
+            const ImVec2 size = ImGui::CalcTextSize(count.c_str());
+            ImGui::GetWindowDrawList()->AddText(
+                {end.x - size.x - ui.px(6.0f), ImGui::GetItemRectMin().y + ui.px(2.0f)}, palette::kTextDim,
+                count.c_str());
             ui.widgets.mark(format("Inspector/partly/{}", held.type->name), format("{}", held.count));
             tooltip("Select those that have it");
             if (!chosen) continue;

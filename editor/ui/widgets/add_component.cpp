@@ -51,6 +51,7 @@ void AddComponent::draw(Ui& ui, const std::vector<ObjectId>& ids, std::span<cons
     const bool enter =
         textField("##search", search_, ImGuiInputTextFlags_EnterReturnsTrue, "Search; Enter adds the first");
     ui.widgets.mark("Inspector/add/search", search_);
+    if (ImGui::IsItemDeactivated() && pressed(Key::Escape)) ImGui::CloseCurrentPopup();
     beginChild("types", {0.0f, 0.0f}, false);
     drawList(ui, ids, held, enter);
     ImGui::EndChild();

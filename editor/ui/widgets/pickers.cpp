@@ -1,6 +1,7 @@
 #include "editor/ui/widgets/pickers.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "assets/asset_store.hpp"
 #include "core/text.hpp"
@@ -25,8 +26,10 @@ bool choice(const Ui& ui, const std::string& path, const std::string& label, boo
     return chosen;
 }
 
-/// A list below the last item with a place to search in. @return whether it is open; end it with EndPopup
-bool beginList(const FieldRow& row, std::string& search, bool opens) {
+/// A list below the last item with a place to search in.
+/// @param takesFirst  set when Enter chooses the first one that was found
+/// @return whether it is open; end it with EndPopup
+bool beginList(const FieldRow& row, std::string& search, bool opens, bool& takesFirst) {
     const ImVec2 below{ImGui::GetItemRectMin().x, ImGui::GetItemRectMax().y};
     if (opens) {
         ImGui::OpenPopup("list");
@@ -37,8 +40,10 @@ bool beginList(const FieldRow& row, std::string& search, bool opens) {
     if (!ImGui::BeginPopup("list")) return false;
     if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
     ImGui::SetNextItemWidth(-1.0f);
-    textField("##search", search, 0, "Search");
+    const bool enter = textField("##search", search, ImGuiInputTextFlags_EnterReturnsTrue, "Search");
     row.ui.widgets.mark(row.path + "/search", search);
+    if (ImGui::IsItemDeactivated() && pressed(Key::Escape)) ImGui::CloseCurrentPopup();
+    takesFirst = enter && !search.empty();
     return true;
 }
 
@@ -94,20 +99,25 @@ void EntityPicker::draw(const FieldRow& row) {
         }
         ImGui::EndDragDropTarget();
     }
-    if (beginList(row, search_, opens)) {
-        drawList(row);
+    bool first = false;
+    if (beginList(row, search_, opens, first)) {
+        drawList(row, first);
         ImGui::EndPopup();
     }
     drawAim(row);
     drawGoTo(row, row.mixed() ? ObjectId{} : id);
 }
 
-void EntityPicker::drawList(const FieldRow& row) {
+void EntityPicker::drawList(const FieldRow& row, bool first) {
     const Document& document = row.ui.workspace.document;
     const auto now = row.value<ObjectId>();
     found_.clear();
     for (const ObjectId id : document.objects()) {
         if (search_.empty() || containsWord(document.nameOf(id), search_)) found_.push_back(id);
+    }
+    if (first && !found_.empty()) {
+        row.set(FieldValue::of(found_.front()));
+        ImGui::CloseCurrentPopup();
     }
     beginChild("entities", {0.0f, 0.0f}, false);
     if (search_.empty() && choice(row.ui, row.path + "/nobody", "nobody", !now && !row.mixed())) {
@@ -205,12 +215,13 @@ void AssetPicker::draw(const FieldRow& row) {
         files_ = catalog.all();
         std::erase_if(files_, [kind](const AssetItem& item) { return item.folder || item.kind != kind; });
     }
-    if (!beginList(row, search_, opens)) return;
-    drawList(row, path);
+    bool first = false;
+    if (!beginList(row, search_, opens, first)) return;
+    drawList(row, path, first);
     ImGui::EndPopup();
 }
 
-void AssetPicker::drawList(const FieldRow& row, std::string_view now) {
+void AssetPicker::drawList(const FieldRow& row, std::string_view now, bool first) {
     const Ui& ui = row.ui;
     beginChild("files", {0.0f, 0.0f}, false);
     if (search_.empty() && choice(ui, row.path + "/none", "none", now.empty() && !row.mixed())) {
@@ -222,9 +233,11 @@ void AssetPicker::drawList(const FieldRow& row, std::string_view now) {
     bool any = false;
     for (const AssetItem& item : files_) {
         if (!containsWord(item.path, search_)) continue;
+        const bool taken = first && !std::exchange(any, true);
         any = true;
         const ImVec2 at = ImGui::GetCursorScreenPos();
-        const bool chosen = ImGui::Selectable(("##" + item.path).c_str(), item.path == now, 0, {0.0f, side});
+        const bool clicked = ImGui::Selectable(("##" + item.path).c_str(), item.path == now, 0, {0.0f, side});
+        const bool chosen = clicked || taken;
         row.ui.widgets.mark(row.path + "/" + item.path);
         if (chosen) {
             set(row, item.path);

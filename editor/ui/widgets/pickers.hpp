@@ -18,7 +18,7 @@ public:
     void draw(const FieldRow& row);
 
 private:
-    void drawList(const FieldRow& row);
+    void drawList(const FieldRow& row, bool first);
     void drawAim(const FieldRow& row);
     void drawGoTo(const FieldRow& row, ObjectId id);
 
@@ -33,7 +33,7 @@ public:
     void draw(const FieldRow& row);
 
 private:
-    void drawList(const FieldRow& row, std::string_view now);
+    void drawList(const FieldRow& row, std::string_view now, bool first);
     static void set(const FieldRow& row, std::string_view path);
 
     std::string search_;
