@@ -60,11 +60,11 @@ bool checkbox(const char* label, bool& on, bool mixed) {
     return changed;
 }
 
-bool pressed(Key key) {
+bool pressed(Key key, bool repeats) {
 #if IMGUI_VERSION_NUM >= 18700
-    return ImGui::IsKeyPressed(static_cast<ImGuiKey>(imguiKey(key)), false);
+    return ImGui::IsKeyPressed(static_cast<ImGuiKey>(imguiKey(key)), repeats);
 #else
-    return ImGui::IsKeyPressed(ImGui::GetKeyIndex(imguiKey(key)), false);
+    return ImGui::IsKeyPressed(ImGui::GetKeyIndex(imguiKey(key)), repeats);
 #endif
 }
 void dropActiveItem() { ImGui::ClearActiveID(); }

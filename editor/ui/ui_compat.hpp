@@ -113,7 +113,8 @@ void closePopups();
 bool checkbox(const char* label, bool& on, bool mixed);
 
 /// Whether a key went down in this frame, for what ImGui acts on too.
-bool pressed(Key key);
+/// @param repeats  also again and again while it is held
+bool pressed(Key key, bool repeats = false);
 /// Takes the mouse and the keyboard from the item that has them.
 void dropActiveItem();
 /// A bar that divides two panes; a drag gives the one what it takes of the other.

@@ -76,7 +76,7 @@ void Finder::collectCommands(const Workspace& workspace) {
                           menu + std::string{action.label},
                           menu.size(),
                           std::string{action.id},
-                          action.shortcut.text(),
+                          workspace.settings.keys.shownOf(action).text(),
                           AssetKind::None,
                           {},
                           action.enabled(workspace)});

@@ -43,7 +43,6 @@ std::string kindName(const FinderItem& item) {
     }
 }
 
-bool pressed(Key key) { return ImGui::IsKeyPressed(imguiKey(key)); }
 
 }  // namespace
 
@@ -144,7 +143,7 @@ void FinderDialog::drawRow(Ui& ui, std::size_t index, float width) {
     if (index == finder_.chosen) {
         list.AddRectFilled(at, to, palette::kAccentSoft, ui.px(4.0f));
     } else if (ImGui::IsItemHovered()) {
-        list.AddRectFilled(at, to, IM_COL32(255, 255, 255, 18), ui.px(4.0f));
+        list.AddRectFilled(at, to, palette::kHover, ui.px(4.0f));
     }
     const float line = at.y + std::floor((height - ImGui::GetTextLineHeight()) * 0.5f);
     float x = at.x + ui.px(8.0f);

@@ -126,8 +126,8 @@ private:
 
     void keys(AssetBrowser& browser) {
         if (browser.selected.empty()) return;
-        if (ImGui::IsKeyPressed(imguiKey(Key::F2))) rename_ = browser.selected;
-        if (ImGui::IsKeyPressed(imguiKey(Key::Delete))) delete_ = browser.selected;
+        if (pressed(Key::F2)) rename_ = browser.selected;
+        if (pressed(Key::Delete)) delete_ = browser.selected;
     }
 
     void drawItem(Ui& ui, AssetBrowser& browser, const AssetItem& item, float side) {

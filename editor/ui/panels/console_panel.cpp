@@ -191,7 +191,7 @@ private:
 
         ImDrawList& list = *ImGui::GetWindowDrawList();
         if (hovered)
-            list.AddRectFilled(at, {at.x + width, at.y + height}, IM_COL32(128, 128, 128, 26), ui.px(3.0f));
+            list.AddRectFilled(at, {at.x + width, at.y + height}, palette::kHover, ui.px(3.0f));
         const std::string time =
             line.tick < 0 ? fixedText(line.seconds, 1) + " s" : format("tick {}", line.tick);
         list.AddText(at, palette::kTextDim, time.c_str());

@@ -99,7 +99,7 @@ private:
         if (present) {
             list.AddRectFilled(at, to, palette::kAccentSoft, ui.px(4.0f));
         } else if (ImGui::IsItemHovered()) {
-            list.AddRectFilled(at, to, IM_COL32(128, 128, 128, 26), ui.px(4.0f));
+            list.AddRectFilled(at, to, palette::kHover, ui.px(4.0f));
         }
         const bool undone = step > undo.size();
         const float line = at.y + (height - ImGui::GetTextLineHeight()) * 0.5f;
