@@ -43,7 +43,6 @@ std::string kindName(const FinderItem& item) {
     }
 }
 
-
 }  // namespace
 
 std::string FinderDialog::draw(Ui& ui) {
@@ -87,11 +86,11 @@ void FinderDialog::drawField(Ui& ui) {
         finder_.search(ui.workspace, typed_);
         scroll_ = true;
     }
-    const int step = pressed(Key::Down)       ? 1
-                     : pressed(Key::Up)       ? -1
-                     : pressed(Key::PageDown) ? kPage
-                     : pressed(Key::PageUp)   ? -kPage
-                                              : 0;
+    const int step = pressed(Key::Down, true)       ? 1
+                     : pressed(Key::Up, true)       ? -1
+                     : pressed(Key::PageDown, true) ? kPage
+                     : pressed(Key::PageUp, true)   ? -kPage
+                                                    : 0;
     if (step == 0) return;
     finder_.step(step);
     scroll_ = true;
