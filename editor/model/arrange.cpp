@@ -96,8 +96,12 @@ bool spreadEntities(Document& document, UndoStack& undo, const std::vector<Objec
     const float gap = room / static_cast<float>(items.size() - 1);
     std::vector<Way> ways{{items.front().id, {}}, {items.back().id, {}}};
     float next = items.front().to + gap;
+    const auto middle = [](const Item& item) { return (item.from + item.to) * 0.5f; };
+    const float step = (middle(items.back()) - middle(items.front())) / static_cast<float>(items.size() - 1);
     for (std::size_t i = 1; i + 1 < items.size(); ++i) {
-        const float by = next - items[i].from;
+        // Where they do not fit side by side, their middles get equal distances: so nobody overtakes.
+        const float by = room < 0.0f ? middle(items.front()) + step * static_cast<float>(i) - middle(items[i])
+                                     : next - items[i].from;
         ways.push_back({items[i].id, downwards ? Vec2{0.0f, by} : Vec2{by, 0.0f}});
         next += items[i].to - items[i].from + gap;
     }

@@ -1,7 +1,9 @@
 // What a frame of the editor costs in a large scene, without drawing on a graphics card.
 
 #include <cstdio>
+#include <filesystem>
 #include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -88,7 +90,7 @@ private:
     Path root_;
     TypeRegistry types_;
     AssetStore assets_;
-    LogBook log_;
+    editor::LogBook log_;
     std::unique_ptr<editor::Workspace> workspace_;
     std::unique_ptr<editor::ui::EditorWindow> window_;
     int step_ = 0;

@@ -2,7 +2,10 @@
 
 #include "editor/model/arrange.hpp"
 
+#include <algorithm>
+
 #include "core/random.hpp"
+#include "core/text.hpp"
 #include "editor/model/actions.hpp"
 #include "editor/model/bounds.hpp"
 #include "editor/model/tools/transform_drag.hpp"

@@ -2,11 +2,15 @@
 
 #include "editor/model/tools/shape_tool.hpp"
 
+#include <cmath>
+
 #include "core/random.hpp"
+#include "ecs/hierarchy.hpp"
 #include "editor/model/actions.hpp"
 #include "editor/model/bounds.hpp"
 #include "math/angle.hpp"
 #include "scene/components.hpp"
+#include "scene/world_transform.hpp"
 #include "tests/editor/support/editor_fixture.hpp"
 
 namespace plumb::editor {

@@ -229,7 +229,7 @@ private:
         ScenePicture::Preview preview;
         if (workspace.play.running()) return preview;
         preview.ahead = ImGui::GetTime();
-        const Hidden now{workspace.document.view.revision(), workspace.document.treeRevision};
+        const Revisions now{workspace.document.view.revision(), workspace.document.treeRevision};
         if (std::exchange(hiddenAt_, now) != now) hidden_ = outOfSight(workspace.document);
         preview.hidden = hidden_;
         return preview;
@@ -282,19 +282,25 @@ private:
         }
     }
 
-    /// The boxes of some of those in sight, and one around all.
+    /// The boxes of some of those in sight, and one around all: found once for each change.
     void drawManySelected(const Document& document, const AABB& seen) {
         const std::vector<ObjectId>& all = document.objects();
         const SceneBoxes& boxes = document.boxes();
-        std::optional<AABB> whole;
         std::size_t drawn = 0;
-        for (std::size_t i = 0; i < all.size(); ++i) {
-            const AABB& box = boxes.at(i);
-            if (!isFinite(box.min) || !document.selection.has(all[i])) continue;
-            whole = whole ? merged(*whole, box) : box;
-            if (drawn < kMostBoxes && intersects(box, seen)) overlay_.box(box, kSelected, 2.0f), ++drawn;
+        for (std::size_t i = 0; i < all.size() && drawn < kMostBoxes; ++i) {
+            if (!intersects(boxes.at(i), seen) || !document.selection.has(all[i])) continue;
+            overlay_.box(boxes.at(i), kSelected, 2.0f);
+            ++drawn;
         }
-        if (whole) overlay_.box(*whole, kSelected, 2.0f);
+        const Revisions now{document.selection.revision(), document.sceneRevision};
+        if (std::exchange(wholeAt_, now) != now) {
+            whole_.reset();
+            for (std::size_t i = 0; i < all.size(); ++i) {
+                if (!isFinite(boxes.at(i).min) || !document.selection.has(all[i])) continue;
+                whole_ = whole_ ? merged(*whole_, boxes.at(i)) : boxes.at(i);
+            }
+        }
+        if (whole_) overlay_.box(*whole_, kSelected, 2.0f);
     }
 
     [[nodiscard]] ImVec2 onScreen(const Ui& ui, Vec2 world) const {
@@ -379,13 +385,15 @@ private:
     Overlay overlay_;
     std::vector<EntityId> selected_;
 
-    /// What the list of hidden things was made from.
-    struct Hidden {
-        std::uint64_t view = ~0ull;
-        std::uint64_t tree = ~0ull;
-        bool operator==(const Hidden&) const = default;
+    /// What something was found out from.
+    struct Revisions {
+        std::uint64_t first = ~0ull;
+        std::uint64_t second = ~0ull;
+        bool operator==(const Revisions&) const = default;
     };
-    Hidden hiddenAt_;
+    Revisions wholeAt_;             ///< selection and scene
+    std::optional<AABB> whole_;     ///< around all that is selected, px, world
+    Revisions hiddenAt_;            ///< view and tree
     std::vector<EntityId> hidden_;  ///< while editing
 };
 
