@@ -28,6 +28,8 @@ struct PanelHome {
 enum class Edge : unsigned char { Left, Right, Bottom, TallBottom, Split };
 inline constexpr std::size_t kEdgeCount = 5;
 
+struct LayoutPreset;
+
 /// Which panels are open, in which pane, in which order, which of each pane is seen, and how large the panes
 /// are. The scene itself always stands in the middle, alone.
 class PaneLayout {
@@ -67,7 +69,7 @@ public:
                                               std::vector<Error>& problems);
 
     friend bool operator==(const PaneLayout&, const PaneLayout&) = default;
-    friend std::vector<struct LayoutPreset> makePresets();
+    friend std::vector<LayoutPreset> makePresets();
 
 private:
     Pane& at(Dock dock) { return panes_[static_cast<std::size_t>(dock)]; }

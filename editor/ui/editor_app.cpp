@@ -125,7 +125,7 @@ private:
         letGo();
         (*next)->workspace().settings = std::move(settings);
         (*next)->openFirst({});
-        use(*std::move(next));
+        use(std::move(*next));
         workspace().safety.begin();
         remember();
         idleFrames_ = kIdleFrames;
@@ -233,8 +233,9 @@ int runEditor(const EditorOptions& given) {
         isProject(settings.recent.front()))
         options.project = settings.recent.front();
 
+    std::error_code failed;
     const bool noProject = !options.project.empty() && !takesPictures && !options.validate &&
-                           std::filesystem::is_directory(options.project) && !isProject(options.project);
+                           std::filesystem::is_directory(options.project, failed) && !isProject(options.project);
     const bool welcome = options.welcome || options.project.empty() || noProject;
     Result<std::unique_ptr<ProjectSession>> session =
         welcome ? Result<std::unique_ptr<ProjectSession>>{ProjectSession::none()}
@@ -254,7 +255,7 @@ int runEditor(const EditorOptions& given) {
     if (!window) return fail(window.error());
     auto device = GlDevice::create();
     if (!device) return fail(device.error());
-    App app{*std::move(session), log, kept, std::move(*window), std::move(*device)};
+    App app{std::move(*session), log, kept, std::move(*window), std::move(*device)};
     if (noProject) app.editor().welcome(options.project);
     if (!takesPictures) {
         if (!welcome) workspace.safety.begin();

@@ -39,7 +39,7 @@ Path pathFrom(const std::string& text) {
 
 std::string shortened(const std::string& folder) {
     const std::string home = homeFolder().string();
-    if (home.size() > 1 && startsWith(folder, home + "/")) return "~" + folder.substr(home.size());
+    if (home.size() > 1 && startsWith(folder, home + "/")) return format("~{}", std::string_view{folder}.substr(home.size()));
     return folder;
 }
 
@@ -94,7 +94,7 @@ void WelcomeScreen::readRecent(Ui& ui) {
         Recent one{folder, projectNameOf(folder), isProject(folder), {}, false};
         const Result<std::string> bytes = readFile(projectPicture(folder));
         if (Result<Image> image = bytes ? decodeImage(*bytes, folder) : Result<Image>{Error{}}; image) {
-            one.picture = ui.workspace.assets.addTexture("picture of " + folder, *std::move(image));
+            one.picture = ui.workspace.assets.addTexture("picture of " + folder, std::move(*image));
             one.hasPicture = true;
         }
         recent_.push_back(std::move(one));
@@ -277,7 +277,7 @@ void WelcomeScreen::drawRecentRow(Ui& ui, std::size_t index) {
     list.AddText(ui.fonts.strong, ui.fonts.size, {x, at.y + ui.px(13.0f)},
                  row.there ? palette::kText : palette::kTextDim, row.name.c_str());
     const std::string where =
-        row.there ? shortened(row.folder) : "not there any more: " + shortened(row.folder);
+        row.there ? shortened(row.folder) : format("not there any more: {}", shortened(row.folder));
     list.AddText({x, at.y + ui.px(16.0f) + ui.fonts.size * 1.25f}, palette::kTextDim, where.c_str());
     list.PopClipRect();
     ImGui::PopID();
