@@ -1,12 +1,13 @@
 #include "tests/editor/support/editor_fixture.hpp"
 #include "tests/editor/support/hands.hpp"
+#include "tests/support/places.hpp"
 
 namespace plumb::editor::ui {
 namespace {
 
 class EmptyStates : public EditorFixture {
 protected:
-    EmptyStates() : window{workspace, log, nullptr, Path{PLUMB_SOURCE_DIR} / "assets/fonts"}, hands{window} {}
+    EmptyStates() : window{workspace, log, nullptr, test::sourceFolder() / "assets/fonts"}, hands{window} {}
     [[nodiscard]] bool onScreen(std::string_view widget) const {
         return window.widgets().find(widget) != nullptr;
     }
@@ -26,7 +27,8 @@ TEST_F(EmptyStates, everyPanelWithNothingToShowSaysWhatToDo) {
         workspace.settings.layout.show(row.title);
         hands.rest(2);
         const std::string title = row.title;
-        const bool hasOwnFiles = title == "Assets";  // the project has its scenes
+        const bool hasOwnFiles =
+            title == "Assets" || title == "Input";  // its scenes, and the keys of every game
         EXPECT_TRUE(hasOwnFiles || onScreen(title + "/empty")) << title;
     }
 }

@@ -6,6 +6,7 @@
 #include "editor/model/finder/fuzzy.hpp"
 #include "tests/editor/support/editor_fixture.hpp"
 #include "tests/editor/support/hands.hpp"
+#include "tests/support/places.hpp"
 
 namespace plumb::editor {
 namespace {
@@ -138,7 +139,7 @@ TEST_F(FinderTest, theChosenRowGoesRound) {
 class FinderWindowTest : public FinderTest {
 protected:
     FinderWindowTest()
-        : window{workspace, log, nullptr, Path{PLUMB_SOURCE_DIR} / "assets/fonts"}, hands{window} {}
+        : window{workspace, log, nullptr, test::sourceFolder() / "assets/fonts"}, hands{window} {}
     void ask(bool commands) {
         hands.key(Key::P, {.shift = commands, .control = true});
         hands.rest(2);

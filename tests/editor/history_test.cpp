@@ -4,13 +4,14 @@
 #include "editor/model/commands/delete_entities.hpp"
 #include "tests/editor/support/editor_fixture.hpp"
 #include "tests/editor/support/hands.hpp"
+#include "tests/support/places.hpp"
 
 namespace plumb::editor {
 namespace {
 
 class HistoryTest : public EditorFixture {
 protected:
-    HistoryTest() : window{workspace, log, nullptr, Path{PLUMB_SOURCE_DIR} / "assets/fonts"}, hands{window} {
+    HistoryTest() : window{workspace, log, nullptr, test::sourceFolder() / "assets/fonts"}, hands{window} {
         hands.click("Tab/History");
     }
     void rename(std::string_view from, std::string_view to) {

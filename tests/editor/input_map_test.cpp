@@ -5,6 +5,7 @@
 #include "reflect/json_text.hpp"
 #include "tests/editor/support/editor_fixture.hpp"
 #include "tests/editor/support/hands.hpp"
+#include "tests/support/places.hpp"
 
 namespace plumb::editor {
 namespace {
@@ -89,7 +90,7 @@ TEST_F(InputMapTest, aKeyIsAddedAndTakenAwayWithOneStepEachAndTheRestOfTheFileSt
 
 TEST_F(InputMapTest, theFilesOfOurProjectsAreWrittenAsTheyAre) {
     for (const char* name : {"platformer", "physics-playground"}) {
-        const Path path = Path{PLUMB_SOURCE_DIR} / "projects" / name / "project.json";
+        const Path path = test::sourceFolder() / "projects" / name / "project.json";
         const std::string text = *readFile(path);
         EXPECT_EQ(writeJson(*parseJson(text, name)), text) << "a change of one key would change other lines";
     }
@@ -166,8 +167,7 @@ TEST_F(InputMapTest, eventsOfAllDevicesAreBindings) {
 
 class InputPanelTest : public InputMapTest {
 protected:
-    InputPanelTest()
-        : window{workspace, log, nullptr, Path{PLUMB_SOURCE_DIR} / "assets/fonts"}, hands{window} {
+    InputPanelTest() : window{workspace, log, nullptr, test::sourceFolder() / "assets/fonts"}, hands{window} {
         hands.click("Tab/Input");
         hands.rest(2);
     }

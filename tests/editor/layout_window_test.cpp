@@ -2,14 +2,14 @@
 
 #include "tests/editor/support/editor_fixture.hpp"
 #include "tests/editor/support/hands.hpp"
+#include "tests/support/places.hpp"
 
 namespace plumb::editor::ui {
 namespace {
 
 class LayoutWindow : public EditorFixture {
 protected:
-    LayoutWindow()
-        : window{workspace, log, nullptr, Path{PLUMB_SOURCE_DIR} / "assets/fonts"}, hands{window} {}
+    LayoutWindow() : window{workspace, log, nullptr, test::sourceFolder() / "assets/fonts"}, hands{window} {}
 
     [[nodiscard]] const PaneLayout& layout() const { return workspace.settings.layout; }
     [[nodiscard]] bool onScreen(std::string_view widget) const {

@@ -4,6 +4,7 @@
 #include "scene/components/rigid_body.hpp"
 #include "tests/editor/support/editor_fixture.hpp"
 #include "tests/editor/support/hands.hpp"
+#include "tests/support/places.hpp"
 
 namespace plumb::editor {
 namespace {
@@ -75,7 +76,7 @@ TEST_F(LogViews, aLineKnowsItsTickAndClearingForgetsAll) {
 
 class ConsoleTest : public EditorFixture {
 protected:
-    ConsoleTest() : window{workspace, log, nullptr, Path{PLUMB_SOURCE_DIR} / "assets/fonts"}, hands{window} {
+    ConsoleTest() : window{workspace, log, nullptr, test::sourceFolder() / "assets/fonts"}, hands{window} {
         hands.click("Tab/Console");
     }
     [[nodiscard]] std::string valueOf(std::string_view widget) const {

@@ -7,8 +7,10 @@
 #include "editor/model/override_list.hpp"
 #include "scene/components/distance_joint.hpp"
 #include "scene/components/prefab_instance.hpp"
+#include "scene/world_transform.hpp"
 #include "tests/editor/support/editor_fixture.hpp"
 #include "tests/editor/support/hands.hpp"
+#include "tests/support/places.hpp"
 
 namespace plumb::editor {
 namespace {
@@ -181,7 +183,7 @@ TEST_F(MakingPrefabs, aPartThatWasTakenOutIsListedAndBroughtBack) {
 
 TEST_F(MakingPrefabs, byHandItIsNamedListedAndReverted) {
     LogBook log;
-    ui::EditorWindow window{workspace, log, nullptr, Path{PLUMB_SOURCE_DIR} / "assets/fonts"};
+    ui::EditorWindow window{workspace, log, nullptr, test::sourceFolder() / "assets/fonts"};
     ui::Hands hands{window};
     hands.click("Scene/crate");
     hands.clickAt(hands.middleOf("Scene/crate"), MouseButton::Right);

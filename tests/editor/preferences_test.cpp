@@ -3,13 +3,14 @@
 #include "editor/model/actions.hpp"
 #include "tests/editor/support/editor_fixture.hpp"
 #include "tests/editor/support/hands.hpp"
+#include "tests/support/places.hpp"
 
 namespace plumb::editor::ui {
 namespace {
 
 class Preferences : public EditorFixture {
 protected:
-    Preferences() : window{workspace, log, nullptr, Path{PLUMB_SOURCE_DIR} / "assets/fonts"}, hands{window} {
+    Preferences() : window{workspace, log, nullptr, test::sourceFolder() / "assets/fonts"}, hands{window} {
         hands.key(Key::Comma, {.control = true});
         hands.rest(2);
     }

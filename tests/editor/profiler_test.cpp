@@ -5,6 +5,7 @@
 #include "editor/model/game_session.hpp"
 #include "tests/editor/support/editor_fixture.hpp"
 #include "tests/editor/support/hands.hpp"
+#include "tests/support/places.hpp"
 
 namespace plumb::editor {
 namespace {
@@ -50,7 +51,7 @@ TEST(ProfilerRows, spikesAreFarAboveMostTicks) {
 
 class ProfilerTest : public EditorFixture {
 protected:
-    ProfilerTest() : window{workspace, log, nullptr, Path{PLUMB_SOURCE_DIR} / "assets/fonts"}, hands{window} {
+    ProfilerTest() : window{workspace, log, nullptr, test::sourceFolder() / "assets/fonts"}, hands{window} {
         workspace.makeSession = [this](const std::string& path, const std::string& text) {
             Project project;
             project.root = workspace.project.root;

@@ -12,6 +12,7 @@
 #include "scene/world_transform.hpp"
 #include "tests/editor/support/editor_fixture.hpp"
 #include "tests/editor/support/hands.hpp"
+#include "tests/support/places.hpp"
 
 namespace plumb::editor {
 namespace {
@@ -223,7 +224,7 @@ TEST_F(SceneTreeTest, whatLiesUnderTheMouseFollowsEveryWriteOfTheWorld) {
 
 class TreeHands : public SceneTreeTest {
 protected:
-    TreeHands() : window{workspace, log, nullptr, Path{PLUMB_SOURCE_DIR} / "assets/fonts"}, hands{window} {}
+    TreeHands() : window{workspace, log, nullptr, test::sourceFolder() / "assets/fonts"}, hands{window} {}
 
     /// The place in a row: 0 its upper edge, 1 its lower one.
     [[nodiscard]] Vec2 inRow(std::string_view name, float part) const {

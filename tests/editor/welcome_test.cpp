@@ -5,12 +5,13 @@
 #include "editor/model/thumbnail.hpp"
 #include "tests/editor/support/editor_fixture.hpp"
 #include "tests/editor/support/hands.hpp"
+#include "tests/support/places.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace plumb::editor::ui {
 namespace {
 
-const Path kFonts = Path{PLUMB_SOURCE_DIR} / "assets/fonts";
+const Path kFonts = test::sourceFolder() / "assets/fonts";
 
 /// The editor as it starts without a project, with a home folder of its own.
 class Welcome : public testing::Test {
@@ -115,7 +116,7 @@ TEST_F(Welcome, aFolderThatIsNotThereIsNamed) {
 TEST_F(Welcome, recentProjectsAreListedOpenedAndForgotten) {
     Settings& settings = session->workspace().settings;
     settings.remember((home.path / "gone").string());
-    settings.remember((Path{PLUMB_SOURCE_DIR} / "projects/platformer").string());
+    settings.remember((test::sourceFolder() / "projects/platformer").string());
     window->welcome({});
     hands->rest(2);
     EXPECT_EQ(valueOf("Welcome/recent/0"), "Wickwood");
@@ -125,7 +126,7 @@ TEST_F(Welcome, recentProjectsAreListedOpenedAndForgotten) {
     EXPECT_EQ(settings.recent.size(), 1u);
     hands->click("Welcome/recent/0");
     hands->rest(2);
-    EXPECT_EQ(window->takeProject(), (Path{PLUMB_SOURCE_DIR} / "projects/platformer").string());
+    EXPECT_EQ(window->takeProject(), (test::sourceFolder() / "projects/platformer").string());
 }
 
 class WelcomeFromAProject : public EditorFixture {
@@ -149,11 +150,11 @@ TEST_F(WelcomeFromAProject, itIsOpenedFromTheMenuAndLeftAgainAndUnsavedChangesAr
 
     hands.key(Key::O, {.shift = true, .control = true}), hands.rest(2);
     hands.click("Welcome/place");
-    hands.type((Path{PLUMB_SOURCE_DIR} / "projects/platformer").string());
+    hands.type((test::sourceFolder() / "projects/platformer").string());
     hands.key(Key::Enter), hands.rest(2);
     EXPECT_EQ(window.takeProject(), "");
     hands.click("Unsaved/Discard"), hands.rest(2);
-    EXPECT_EQ(window.takeProject(), (Path{PLUMB_SOURCE_DIR} / "projects/platformer").string());
+    EXPECT_EQ(window.takeProject(), (test::sourceFolder() / "projects/platformer").string());
 }
 
 TEST(Thumbnails, aPartOfAPictureIsMadeSmallerByTheMeanOfItsPixels) {

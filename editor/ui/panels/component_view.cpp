@@ -34,7 +34,7 @@ void drawLabel(Ui& ui, const FieldInfo& field, bool isDefault, float width) {
     ImDrawList& list = *ImGui::GetWindowDrawList();
     list.PushClipRect(at, {at.x + size.x, at.y + size.y}, true);
     list.AddText({at.x, at.y + ImGui::GetStyle().FramePadding.y},
-                 isDefault ? IM_COL32(172, 178, 188, 255) : palette::kText, field.name.data(),
+                 isDefault ? palette::kTextSoft : palette::kText, field.name.data(),
                  field.name.data() + field.name.size());
     list.PopClipRect();
     ImGui::Dummy(size);  // all of it takes the mouse, not only the letters
@@ -68,8 +68,8 @@ void ComponentView::draw(Ui& ui, const TypeInfo& type, const std::vector<ObjectI
     const std::string name{type.name};
     ImGui::PushID(name.c_str());
     ImGui::PushStyleColor(ImGuiCol_Header, palette::kHeader);
-    ImGui::PushStyleColor(ImGuiCol_HeaderHovered, IM_COL32(54, 58, 67, 255));
-    ImGui::PushStyleColor(ImGuiCol_HeaderActive, IM_COL32(54, 58, 67, 255));
+    ImGui::PushStyleColor(ImGuiCol_HeaderHovered, palette::kHeaderHovered);
+    ImGui::PushStyleColor(ImGuiCol_HeaderActive, palette::kHeaderHovered);
     pushFont(ui.fonts.strong, ui.fonts.size);
     bool keep = true;
     const bool open = ImGui::CollapsingHeader(name.c_str(), ui.workspace.canEdit() ? &keep : nullptr,

@@ -94,7 +94,7 @@ private:
 
     static bool toggle(Ui& ui, const std::string& label, const std::string& path, bool on,
                        ImU32 color = palette::kText) {
-        ImGui::PushStyleColor(ImGuiCol_Button, on ? palette::kAccentSoft : IM_COL32(0, 0, 0, 0));
+        ImGui::PushStyleColor(ImGuiCol_Button, on ? palette::kAccentSoft : palette::kNothing);
         ImGui::PushStyleColor(ImGuiCol_Text, on ? color : palette::kTextDim);
         const bool pressed = ImGui::Button(format("{}##{}", label, path).c_str());
         ImGui::PopStyleColor(2);
@@ -190,8 +190,7 @@ private:
         ImGui::PopID();
 
         ImDrawList& list = *ImGui::GetWindowDrawList();
-        if (hovered)
-            list.AddRectFilled(at, {at.x + width, at.y + height}, palette::kHover, ui.px(3.0f));
+        if (hovered) list.AddRectFilled(at, {at.x + width, at.y + height}, palette::kHover, ui.px(3.0f));
         const std::string time =
             line.tick < 0 ? fixedText(line.seconds, 1) + " s" : format("tick {}", line.tick);
         list.AddText(at, palette::kTextDim, time.c_str());

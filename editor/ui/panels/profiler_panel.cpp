@@ -5,6 +5,7 @@
 #include "editor/model/profiler/profiler.hpp"
 #include "editor/ui/panels/panels.hpp"
 #include "editor/ui/ui_compat.hpp"
+#include "editor/ui/widgets/empty_state.hpp"
 #include "physics/simulation.hpp"
 
 namespace plumb::editor::ui {
@@ -48,11 +49,8 @@ public:
         Profiler& profiler = ui.workspace.profiler;
         profiler.want();
         if (profiler.samples().empty()) {
-            ImGui::TextDisabled("%s", ui.workspace.play.running()
-                                          ? "The next tick is measured."
-                                          : "Nothing is measured while no game plays. F5 plays the scene.");
-            ui.widgets.mark("Profiler/empty");
-            return;
+            return emptyState(ui, "Profiler", "Nothing has been measured yet.",
+                              "What each tick of the game costs appears here while it plays.", {"run.play"});
         }
         chosen_ = chosenSample(profiler);
         drawBar(ui, profiler);
@@ -86,7 +84,7 @@ private:
     }
 
     void drawBar(Ui& ui, Profiler& profiler) {
-        ImGui::PushStyleColor(ImGuiCol_Button, profiler.held ? palette::kAccentSoft : IM_COL32(0, 0, 0, 0));
+        ImGui::PushStyleColor(ImGuiCol_Button, profiler.held ? palette::kAccentSoft : palette::kNothing);
         if (ImGui::Button("Hold")) {
             profiler.held = !profiler.held;
             if (!profiler.held) pinned_ = -1;
@@ -195,7 +193,7 @@ private:
             list.AddLine({at.x, y}, {to.x, y}, color);
             list.AddText({at.x + ui.px(4.0f), y + ui.px(1.0f)}, palette::kTextDim, label.c_str());
         };
-        const ImU32 faint = IM_COL32(128, 128, 128, 60);
+        const ImU32 faint = palette::kCellLine;
         line(whole, faint, format("{} ms", ms(whole)));
         line(whole * 0.5f, faint, format("{}", ms(whole * 0.5f)));
         if (kTick < whole) line(kTick, palette::kError, "16.7");

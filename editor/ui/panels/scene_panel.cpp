@@ -22,9 +22,9 @@
 namespace plumb::editor::ui {
 namespace {
 
-constexpr ImU32 kOfPrefab = IM_COL32(146, 186, 232, 255);  // names of what comes from a prefab
-constexpr float kIconRoom = 18.0f;                         // px at scale 1, for the eye and for the lock
-constexpr float kScrollEdge = 24.0f;                       // px at scale 1: there a drag scrolls
+constexpr Swatch kOfPrefab = palette::kBlue;  // names of what comes from a prefab
+constexpr float kIconRoom = 18.0f;            // px at scale 1, for the eye and for the lock
+constexpr float kScrollEdge = 24.0f;          // px at scale 1: there a drag scrolls
 
 /// The entities of the scene as a tree.
 class ScenePanel final : public Panel {
@@ -219,7 +219,7 @@ private:
             const bool under = hovered && contains(box, mouse);
             if (!on && !hovered) return;
             drawIcon(*ImGui::GetWindowDrawList(), which, {at.x + x + room * 0.5f, at.y + height * 0.5f},
-                     ui.px(12.0f), on || under ? palette::kText : IM_COL32(100, 106, 117, 255));
+                     ui.px(12.0f), on || under ? palette::kText : palette::kIconOff);
             if (under) tooltip(words);
         };
         icon(hidden ? Icon::EyeClosed : Icon::Eye, 0.0f, hidden, "eye",

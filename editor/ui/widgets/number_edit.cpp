@@ -23,7 +23,7 @@ void drawUnit(const Ui& ui, const char* number, const char* unit) {
     const float width = ImGui::CalcTextSize(unit).x + ui.px(5.0f);
     if (ImGui::CalcTextSize(number).x * 0.5f + width + ui.px(3.0f) > half) return;
     const float top = from.y + (to.y - from.y - ImGui::GetTextLineHeight()) * 0.5f;
-    ImGui::GetWindowDrawList()->AddText({to.x - width, top}, IM_COL32(112, 118, 130, 255), unit);
+    ImGui::GetWindowDrawList()->AddText({to.x - width, top}, palette::kTextDim, unit);
 }
 
 /// "= 52", or of each: "= 26, 42, 58, … of 5".
