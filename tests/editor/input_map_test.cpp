@@ -132,7 +132,7 @@ TEST_F(InputMapTest, actionsAndAxesAreAddedRenamedAndRemoved) {
 }
 
 TEST_F(InputMapTest, whatElseAKeyMeansIsNamed) {
-    edit.bind(dash, *bindingFromText("W")).ok();
+    ASSERT_TRUE(edit.bind(dash, *bindingFromText("W")).ok());
     EXPECT_EQ(edit.othersOf(*bindingFromText("W"), dash), Texts{"Vertical, negative"});
     EXPECT_EQ(edit.othersOf(*bindingFromText("X"), dash), Texts{"Attack"});
     EXPECT_TRUE(edit.othersOf(*bindingFromText("Pad B"), {Kind::Action, "Cancel", ""}) == Texts{"Dash"});

@@ -122,7 +122,7 @@ TEST_P(Contrast, iconsOfEntitiesAreSeen) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Themes, Contrast, testing::Values(Theme::Dark, Theme::Light),
-                         [](const auto& info) { return info.param == Theme::Dark ? "Dark" : "Light"; });
+                         [](const auto& theme) { return theme.param == Theme::Dark ? "Dark" : "Light"; });
 
 TEST(Themes, aSwatchFollowsTheThemeInUse) {
     ImGuiContext* context = ImGui::CreateContext();
