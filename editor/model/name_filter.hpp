@@ -17,6 +17,7 @@ class NameFilter {
 public:
     NameFilter(std::string_view words, const TypeRegistry& types);
 
+    [[nodiscard]] bool empty() const { return words_.empty(); }
     [[nodiscard]] bool matches(const Document& document, ObjectId id) const;
 
 private:

@@ -15,8 +15,9 @@ void SceneTree::follow(const Document& document, std::string_view words) {
     words_ = words;
     stale_ = false;
     rows_.clear();
-    if (words_.empty()) return makeTree(document);
     const NameFilter filter{words_, document.types()};
+    filters_ = !filter.empty();
+    if (!filters_) return makeTree(document);
     for (const ObjectId id : document.objects()) {
         if (filter.matches(document, id)) rows_.push_back({id, 0, false});
     }

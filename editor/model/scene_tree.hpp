@@ -23,7 +23,7 @@ public:
     void follow(const Document& document, std::string_view words);
 
     [[nodiscard]] const std::vector<Row>& rows() const { return rows_; }
-    [[nodiscard]] bool filters() const { return !words_.empty(); }
+    [[nodiscard]] bool filters() const { return filters_; }
     [[nodiscard]] bool isClosed(ObjectId id) const { return closed_.count(id.value) > 0; }
     void setClosed(ObjectId id, bool closed);
     /// Opens all that an entity is below.
@@ -47,6 +47,7 @@ private:
     std::vector<Child> children_;  // by parent, then by place in the file
     std::unordered_set<std::uint64_t> closed_;
     std::string words_;
+    bool filters_ = false;  // some of the words say something
     std::uint64_t tree_ = ~0ull;  // revision of the document
     bool stale_ = true;
 };

@@ -198,6 +198,7 @@ void Workspace::startPlaying(bool paused) {
         return;
     }
     play.start(std::move(session), paused);
+    profiler.tend(play);  // for its first tick
     notice = paused ? "Before the first tick" : "Playing";
 }
 

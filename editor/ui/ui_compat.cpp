@@ -64,7 +64,7 @@ bool pressed(Key key, bool repeats) {
 #if IMGUI_VERSION_NUM >= 18700
     return ImGui::IsKeyPressed(static_cast<ImGuiKey>(imguiKey(key)), repeats);
 #else
-    return ImGui::IsKeyPressed(ImGui::GetKeyIndex(imguiKey(key)), repeats);
+    return ImGui::IsKeyPressed(static_cast<int>(key), repeats);  // PlatformFeed gives it our numbers
 #endif
 }
 void dropActiveItem() { ImGui::ClearActiveID(); }

@@ -20,7 +20,9 @@ constexpr std::string_view kUser = R"({
       "id": "00000000000000b1",
       "name": "coin",
       "components": {
-        "Transform": {},
+        "Transform": {
+          "position": [0, 0]
+        },
         "Sprite": {
           "texture": "assets/coin.png"
         }

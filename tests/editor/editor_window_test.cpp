@@ -213,6 +213,7 @@ TEST_F(EditorWindowTest, theConsoleShowsWhatWasSaidBeforeThereWasAWindow) {
     LogBook early;
     logNote("Test", "said early");
     EditorWindow second{workspace, early, nullptr, test::sourceFolder() / "assets/fonts"};
+    workspace.settings.layout.show("Console");
     const Hands others{second};
     ASSERT_NE(second.widgets().find("Console/last"), nullptr);
     EXPECT_EQ(second.widgets().find("Console/last")->value, "said early");
@@ -226,6 +227,8 @@ TEST_F(EditorWindowTest, aPatternIsChosenInThePaletteAndPaintedInOneStep) {
     workspace.document.world.get<TileLayer>(workspace.document.find(named("ground"))).tileset =
         workspace.assets.addTileset("test", tileset);
 
+    workspace.settings.layout.show("Console");
+    hands.rest();
     hands.key(Key::B);
     ASSERT_NE(window.widgets().find("Tiles/palette"), nullptr) << "the palette comes with the brush";
     const auto& box = window.widgets().find("Tiles/palette")->box;

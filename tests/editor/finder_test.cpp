@@ -175,10 +175,10 @@ TEST_F(FinderWindowTest, arrowsChooseAndTheMouseDoesToo) {
     EXPECT_FALSE(open());
     ask(true);
     EXPECT_EQ(window.widgets().find("Finder/0")->value, second) << "the last one comes first";
-    hands.type("snap to");
+    hands.type("snap");
     hands.rest();
     const bool before = workspace.grid.snap;
-    hands.click("Finder/Snap to grid");
+    hands.click("Finder/Snap");
     EXPECT_NE(workspace.grid.snap, before);
     EXPECT_FALSE(open());
 }

@@ -168,6 +168,7 @@ TEST_F(InputMapTest, eventsOfAllDevicesAreBindings) {
 class InputPanelTest : public InputMapTest {
 protected:
     InputPanelTest() : window{workspace, log, nullptr, test::sourceFolder() / "assets/fonts"}, hands{window} {
+        workspace.settings.layout.resize(Edge::TallBottom, 0.8f);  // all rows are seen
         hands.click("Tab/Input");
         hands.rest(2);
     }

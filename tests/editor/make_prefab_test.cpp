@@ -157,8 +157,8 @@ TEST_F(MakingPrefabs, theListSaysWhatDiffersAndEachIsRevertedOrApplied) {
         ADD_FAILURE() << field;
         return OverrideRow{};
     };
-    EXPECT_EQ(rowOf("width").prefab, "16.0");
-    EXPECT_EQ(rowOf("width").here, "20.0");
+    EXPECT_EQ(rowOf("width").prefab, "16");
+    EXPECT_EQ(rowOf("width").here, "20");
     EXPECT_EQ(rowOf("position").entity, "lamp");
     EXPECT_EQ(rowOf("RigidBody").here, "taken out");
 

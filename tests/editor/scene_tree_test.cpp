@@ -263,6 +263,7 @@ TEST_F(TreeHands, rowsAreDraggedBeforeBehindAndIntoOthers) {
 TEST_F(TreeHands, severalAreDraggedTogether) {
     hands.click("Scene/camera");
     clickWith({.control = true}, "sign");
+    hands.rest(30);  // else it is a double click
     dragRow("sign", "crate", 0.5f);
     EXPECT_EQ(parentOfNamed("sign"), "crate");
     EXPECT_EQ(parentOfNamed("camera"), "crate");

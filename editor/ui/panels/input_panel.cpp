@@ -294,7 +294,7 @@ private:
         if (!ImGui::BeginPopupModal(kAdd, nullptr, ImGuiWindowFlags_NoResize)) return;
         ImGui::TextDisabled("%s", adding_ == Kind::Action ? "The name that scenes and code call the action by"
                                                           : "The name that code calls the axis by");
-        if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
+        if (ImGui::IsWindowAppearing() || std::exchange(typeAgain_, false)) ImGui::SetKeyboardFocusHere();
         ImGui::SetNextItemWidth(-1.0f);
         bool done = textField("##name", newName_, ImGuiInputTextFlags_EnterReturnsTrue,
                               adding_ == Kind::Action ? "Dash" : "Aim");
@@ -308,7 +308,8 @@ private:
         const bool leave = ImGui::Button("Cancel", {ui.px(110.0f), 0.0f});
         ui.widgets.mark("Input/add cancel");
         if (done) say(ui, edit_->add(adding_, newName_));
-        if (leave || (done && error_.empty())) ImGui::CloseCurrentPopup();
+        typeAgain_ = done && !error_.empty();
+        if (leave || (done && !typeAgain_)) ImGui::CloseCurrentPopup();
         ImGui::EndPopup();
     }
 
@@ -318,6 +319,7 @@ private:
     std::string problem_;
     std::string error_;  ///< of the last change
     std::string newName_;
+    bool typeAgain_ = false;  ///< the name was refused
     Kind adding_ = Kind::Action;
     std::optional<InputMapEdit::Place> renaming_;
     bool focus_ = false;

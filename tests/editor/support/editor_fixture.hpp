@@ -99,7 +99,9 @@ inline constexpr std::string_view kSceneText = R"({
       "id": "0000000000000006",
       "name": "ground",
       "components": {
-        "Transform": {},
+        "Transform": {
+          "position": [0, 0]
+        },
         "TileLayer": {
           "cells": {
             "width": 4,
