@@ -168,8 +168,9 @@ TEST_F(InputMapTest, eventsOfAllDevicesAreBindings) {
 class InputPanelTest : public InputMapTest {
 protected:
     InputPanelTest() : window{workspace, log, nullptr, test::sourceFolder() / "assets/fonts"}, hands{window} {
-        workspace.settings.layout.resize(Edge::TallBottom, 0.8f);  // all rows are seen
-        hands.click("Tab/Input");
+        // A high pane, in which all rows are seen.
+        workspace.settings.layout.move("Input", Dock::Right);
+        workspace.settings.layout.resize(Edge::Right, 0.5f);
         hands.rest(2);
     }
 
