@@ -4,6 +4,7 @@
 #include "editor/model/commands/insert_entities.hpp"
 #include "reflect/field_json.hpp"
 #include "reflect/json.hpp"
+#include "reflect/json_text.hpp"
 #include "scene/world_field_context.hpp"
 
 namespace plumb::editor {
@@ -12,7 +13,7 @@ namespace {
 constexpr std::size_t kLongest = 60;  // letters of a value
 
 std::string shortText(const Json& value) {
-    std::string text = value.dump();
+    std::string text{trimmed(writeJson(value))};  // numbers as in files
     if (text.size() > kLongest) text = text.substr(0, kLongest) + "...";
     return text;
 }
