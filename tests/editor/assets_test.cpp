@@ -1,4 +1,5 @@
 #include "core/clock.hpp"
+#include "editor/model/actions.hpp"
 #include "editor/model/assets/asset_browser.hpp"
 #include "editor/model/assets/hot_reload.hpp"
 #include "editor/model/assets/import_task.hpp"
@@ -243,6 +244,23 @@ TEST_F(HotReloadTest, everyKindOfFileIsTakenUpWithinATenthOfASecond) {
     within("scene");
     EXPECT_EQ(positionOf(named("crate")).x, 321.0f);
     EXPECT_FALSE(workspace.unsaved());
+}
+
+/// The monkey found it: a scene that is read anew numbers its entities anew and drops the tiles that nobody
+/// has.
+TEST_F(HotReloadTest, whatWasDeletedComesBackInItsPlaceThoughThePrefabChangedMeanwhile) {
+    ASSERT_TRUE(placeAsset(workspace, "prefabs/box.prefab.json", {}).ok());
+    ASSERT_TRUE(workspace.save().ok());
+    reload.poll(now += 10.0);
+    const std::string before = workspace.text();
+    workspace.document.selection.set({named("player"), named("ground")});
+    ASSERT_TRUE(runAction(workspace, "edit.delete"));
+    put("prefabs/box.prefab.json",
+        R"({"format": 1, "entities": [{"name": "box", "components": {"Transform": {}, "Sprite": {"width": 40}}}]})");
+    look();
+    ASSERT_EQ(taken, 1u);
+    ASSERT_TRUE(workspace.undo.undo());
+    EXPECT_EQ(workspace.text(), before);
 }
 
 TEST_F(HotReloadTest, changesOfOnesOwnStayWhenAnotherProgramWritesTheScene) {
