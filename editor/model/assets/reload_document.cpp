@@ -2,11 +2,13 @@
 
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <utility>
 
 #include "core/log.hpp"
 #include "scene/components/prefab_instance.hpp"
 #include "scene/components/scene_entity.hpp"
+#include "scene/loaded_scene.hpp"
 
 namespace plumb::editor {
 namespace {
@@ -36,11 +38,31 @@ void giveBackOrders(World& world, const Orders& before) {
     }
 }
 
+std::shared_ptr<const SceneRest> restOf(Document& document) {
+    LoadedScenes* scenes = document.world.findResource<LoadedScenes>();
+    const LoadedScene* scene = scenes == nullptr ? nullptr : scenes->find(document.scene);
+    return scene == nullptr ? nullptr : scene->rest;
+}
+
+/// What the file said of entities that are not there now and may come back, in words that no component holds.
+void giveBackRest(Document& document, const SceneRest& before) {
+    LoadedScenes* scenes = document.world.findResource<LoadedScenes>();
+    LoadedScene* scene = scenes == nullptr ? nullptr : scenes->find(document.scene);
+    if (scene == nullptr) return;
+    auto rest =
+        scene->rest == nullptr ? std::make_shared<SceneRest>() : std::make_shared<SceneRest>(*scene->rest);
+    for (const auto& [id, kept] : before.entities) {
+        if (!document.find(ObjectId{id})) rest->entities.try_emplace(id, kept);
+    }
+    scene->rest = std::move(rest);
+}
+
 }  // namespace
 
 Result<LoadReport> reloadDocument(Document& document, const SceneContext& context, std::string_view text) {
     const std::string before = sceneToJson(document.world, context, document.scene);
     const Orders orders = ordersOf(std::as_const(document.world));
+    const std::shared_ptr<const SceneRest> rest = restOf(document);
     const std::vector<ObjectId> selected = document.selection.all();
     // Steps that can be undone name grids of entities that are not there now: no grid may go.
     const TileStore tiles = document.world.tiles();
@@ -55,6 +77,7 @@ Result<LoadReport> reloadDocument(Document& document, const SceneContext& contex
     if (kept) document.scene = kept->scene;
     giveBackOrders(document.world, orders);
     document.reindex();
+    if (rest != nullptr) giveBackRest(document, *rest);
     for (const ObjectId id : selected) {
         if (document.find(id)) document.selection.add(id);
     }
