@@ -48,9 +48,12 @@ public:
         return test::allocations().made - before;
     }
 
-    /// From now on all of the physics is drawn, with times and counts.
+    /// From now on all of the physics is drawn. The times are measured, but not written: how many letters
+    /// they take follows the clock, and with it the room for them.
     void showPhysics() {
-        for (const PhysicsLayer& layer : physicsLayers()) shown.layers |= layer.bit;
+        for (const PhysicsLayer& layer : physicsLayers()) {
+            if (layer.bit != kPhysicsTimes) shown.layers |= layer.bit;
+        }
         shown.times = &times_;
         times_.watch(game_.world, true);
     }
