@@ -6,6 +6,7 @@
 
 #include "editor/model/scene_boxes.hpp"
 #include "editor/model/sight.hpp"
+#include "editor/model/tile_layers.hpp"
 #include "math/angle.hpp"
 #include "scene/components/attractor.hpp"
 #include "scene/components/box_collider.hpp"
@@ -88,12 +89,21 @@ Vec2 regionOf(const World& world, EntityId entity) {
     return region != nullptr ? region->size : Vec2{};
 }
 
+/// A layer is only where it has tiles: one reaches through its holes.
+bool isHole(const Document& document, ObjectId id, EntityId entity, Vec2 point) {
+    const auto* layer = document.world.find<TileLayer>(entity);
+    const TileGrid* grid = layer != nullptr ? document.world.tiles().find(layer->cells) : nullptr;
+    if (grid == nullptr) return false;
+    const CellPlace place = cellAt(document, id, point);
+    return !grid->has(place.x, place.y) || grid->at(place.x, place.y) == 0;
+}
+
+}  // namespace
+
 bool isGround(const World& world, EntityId entity) {
     return world.has<TileLayer>(entity) || world.has<ParallaxLayer>(entity) ||
            regionOf(world, entity) != Vec2{};
 }
-
-}  // namespace
 
 bool isSomewhere(const World& world, EntityId entity) {
     return world.alive(entity) && world.has<Transform>(entity);
@@ -149,6 +159,7 @@ std::vector<ObjectId> pickAll(const Document& document, Vec2 point, float reach)
     for (std::size_t i = 0; i < all.size(); ++i) {
         if (!contains(grown(boxes.at(i), reach), point) || isOutOfHand(document, all[i])) continue;
         const EntityId entity = document.find(all[i]);
+        if (isHole(document, all[i], entity, point)) continue;
         hits.push_back({isGround(document.world, entity), layerOf(document.world, entity), i, all[i]});
     }
     std::sort(hits.begin(), hits.end(), [](const Hit& a, const Hit& b) {

@@ -1,5 +1,6 @@
 #include "editor/model/project_templates.hpp"
 
+#include <algorithm>
 #include <array>
 
 #include "core/text.hpp"
@@ -11,10 +12,13 @@ namespace plumb::editor {
 namespace {
 
 constexpr std::array kTemplates{
-    ProjectTemplate{"empty", "Empty", "One scene with a camera. Begin here to make your own game.", ""},
+    ProjectTemplate{"empty", "Empty", "One scene with a camera. Begin here to make your own game.", "", ""},
+    ProjectTemplate{"kit", "Platformer kit",
+                    "Tiles, creatures, sounds and an empty level: paint your own. The tutorial begins here.",
+                    "platformer", "platformer-kit"},
     ProjectTemplate{"platformer", "Platformer",
                     "A copy of the game that comes with Plumb: five levels, enemies, music. Change it.",
-                    "platformer"}};
+                    "platformer", ""}};
 
 constexpr std::string_view kFirstScene = R"({
   "format": 1,
@@ -45,13 +49,13 @@ std::string emptyProject(std::string_view name) {
     return writeJson(json);
 }
 
-/// Without what editors leave there, and what only made the pictures.
-Result<Done> copyProject(const Path& from, const Path& to) {
+/// @param leftOut  names of files and folders
+Result<Done> copyFolder(const Path& from, const Path& to, std::span<const std::string_view> leftOut) {
     std::error_code failed;
     std::filesystem::create_directories(to, failed);
     for (const auto& entry : std::filesystem::directory_iterator{from, failed}) {
         const std::string name = entry.path().filename().string();
-        if (name == ".plumb" || name == "art") continue;
+        if (std::find(leftOut.begin(), leftOut.end(), name) != leftOut.end()) continue;
         std::filesystem::copy(entry.path(), to / name, std::filesystem::copy_options::recursive, failed);
         if (failed) return Error{(to / name).string(), failed.message(), "choose another folder"};
     }
@@ -66,6 +70,17 @@ Result<Done> rename(const Path& folder, std::string_view name) {
     (*json)["name"] = std::string{name};
     if (json->contains("window") && (*json)["window"].is_object()) (*json)["window"].erase("title");
     return writeFile(folder / "project.json", writeJson(*json));
+}
+
+/// A project that comes with the engine, with scenes of its own or with those of the template.
+Result<Done> copyProject(const ProjectTemplate& from, const Path& folder) {
+    // What editors leave there, and what only made the pictures.
+    static constexpr std::array<std::string_view, 4> kLeftOut{".plumb", "art", "project.json", "scenes"};
+    const std::span<const std::string_view> leftOut{kLeftOut};
+    const Path source = engineProjects() / from.copyOf;
+    if (from.start.empty()) return copyFolder(source, folder, leftOut.first(2));
+    const Result<Done> copied = copyFolder(source, folder, leftOut);
+    return copied ? copyFolder(engineAssets() / "templates" / from.start, folder, {}) : copied;
 }
 
 Result<Done> makeEmpty(const Path& folder, std::string_view name) {
@@ -83,6 +98,11 @@ Path engineProjects() {
     std::error_code failed;
     const Path folder = engineAssets().parent_path() / "projects";
     return std::filesystem::is_directory(folder, failed) ? folder : Path{};
+}
+
+bool isHere(const ProjectTemplate& row) {
+    if (!row.copyOf.empty() && !isProject(engineProjects() / row.copyOf)) return false;
+    return row.start.empty() || isProject(engineAssets() / "templates" / row.start);
 }
 
 std::string folderNameFor(std::string_view name) {
@@ -111,10 +131,9 @@ Result<Path> createProject(const ProjectTemplate& from, std::string_view name, c
         (!std::filesystem::is_directory(folder, failed) || !std::filesystem::is_empty(folder, failed)))
         return Error{folder.string(), "there is something already",
                      "choose an empty folder, or another name"};
-    const Path source = from.copyOf.empty() ? Path{} : engineProjects() / from.copyOf;
-    if (!from.copyOf.empty() && !isProject(source))
+    if (!isHere(from))
         return Error{std::string{from.name}, "it is not beside this program", "begin with an empty project"};
-    Result<Done> made = from.copyOf.empty() ? makeEmpty(folder, trimmed(name)) : copyProject(source, folder);
+    Result<Done> made = from.copyOf.empty() ? makeEmpty(folder, trimmed(name)) : copyProject(from, folder);
     if (made && !from.copyOf.empty()) made = rename(folder, trimmed(name));
     if (!made) return made.error();
     return folder;

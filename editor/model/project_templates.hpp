@@ -14,12 +14,17 @@ struct ProjectTemplate {
     std::string_view name;
     std::string_view what;    ///< in one line
     std::string_view copyOf;  ///< folder below the engine's projects; empty: made from nothing
+    std::string_view start;   ///< folder below assets/templates: it has this project file and these scenes
+                              ///< instead of those of the project that is copied; empty: it keeps its own
 };
 
 std::span<const ProjectTemplate> projectTemplates();
 
 /// Where the projects are that come with the engine; empty when they are not here.
 Path engineProjects();
+
+/// Whether what a template is made from came with this program.
+bool isHere(const ProjectTemplate& row);
 
 /// A name of a folder for a name that a person wrote: "My Game" becomes "my-game".
 std::string folderNameFor(std::string_view name);

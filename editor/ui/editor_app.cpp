@@ -66,7 +66,7 @@ public:
             if (settingsFile_ != nullptr) settingsFile_->tend(workspace().settings, now - before);
             before = now;
             window_->swap();
-            if (const std::string project = editor_->takeProject(); !project.empty()) change(project);
+            openChosen();
         }
         keepPicture();
         if (settingsFile_ != nullptr) static_cast<void>(settingsFile_->save(workspace().settings).ok());
@@ -85,8 +85,12 @@ public:
         if (!text) return text.error();
         const Result<Tour> tour = Tour::read(*text, path.filename().string());
         if (!tour) return tour.error();
-        return tour->play(*editor_, workspace(),
-                          {[this](const std::vector<Event>& events) { frame(events, 1.0f / 60.0f); },
+        return tour->play({[this]() -> const EditorWindow& { return *editor_; },
+                           [this]() -> const Workspace& { return workspace(); },
+                           [this](const std::vector<Event>& events) {
+                               frame(events, 1.0f / 60.0f);
+                               openChosen();
+                           },
                            [&](std::string_view name) { return writePicture(path.parent_path() / name); }});
     }
 
@@ -110,6 +114,10 @@ private:
         editor_.reset();
         picture_.reset();
         session_.reset();
+    }
+
+    void openChosen() {
+        if (const std::string project = editor_->takeProject(); !project.empty()) change(project);
     }
 
     /// Another project takes the place of this one; what the person likes stays.
@@ -235,7 +243,8 @@ int runEditor(const EditorOptions& given) {
 
     std::error_code failed;
     const bool noProject = !options.project.empty() && !takesPictures && !options.validate &&
-                           std::filesystem::is_directory(options.project, failed) && !isProject(options.project);
+                           std::filesystem::is_directory(options.project, failed) &&
+                           !isProject(options.project);
     const bool welcome = options.welcome || options.project.empty() || noProject;
     Result<std::unique_ptr<ProjectSession>> session =
         welcome ? Result<std::unique_ptr<ProjectSession>>{ProjectSession::none()}

@@ -13,10 +13,9 @@ constexpr int kMostFrames = 36000;  // of one wait
 
 /// What plays: where the mouse is, and what it can ask.
 struct Player {
-    const EditorWindow& window;
-    const Workspace& workspace;
     const Tour::Stage& stage;
     Vec2 mouse;
+    Modifiers with;  // of the step that is played
 
     void rest(int frames = 1) const {
         for (int i = 0; i < frames; ++i) stage.frame({});
@@ -24,13 +23,14 @@ struct Player {
     void send(Event event) const { stage.frame({std::move(event)}); }
     void sendMouse(EventKind kind, MouseButton button, int clicks = 1) const {
         send({.kind = kind,
+              .modifiers = with,
               .mouseButton = button,
               .clicks = static_cast<std::uint8_t>(clicks),
               .position = mouse});
     }
     void moveTo(Vec2 at) {
         mouse = at;
-        send({.kind = EventKind::MouseMoved, .position = at});
+        send({.kind = EventKind::MouseMoved, .modifiers = with, .position = at});
     }
     void click(Vec2 at, MouseButton button, int clicks) {
         moveTo(at);
@@ -52,11 +52,25 @@ std::optional<Vec2> parsePlace(std::string_view text) {
     return Vec2{*x, *y};
 }
 
-/// px of the window: a widget's middle, or a place in the scene.
+/// "Timeline/track 10%": how far along a widget, from its left.
+struct Part {
+    std::string_view widget;
+    float along = 0.5f;  // ratio
+};
+Part parsePart(std::string_view name) {
+    const std::size_t space = name.rfind(' ');
+    if (!endsWith(name, "%") || space == name.npos) return {name};
+    const auto percent = parseFloat(name.substr(space + 1, name.size() - space - 2));
+    return percent ? Part{name.substr(0, space), *percent / 100.0f} : Part{name};
+}
+
+/// px of the window: a widget's middle or another part of it, or a place in the scene.
 Result<Vec2> placeOf(const Player& player, std::string_view name, const std::string& where) {
-    const WidgetMap& widgets = player.window.widgets();
+    const WidgetMap& widgets = player.stage.window().widgets();
     if (!startsWith(name, "@")) {
-        if (const WidgetMap::Widget* widget = widgets.find(name)) return widget->box.center();
+        const Part part = parsePart(name);
+        if (const WidgetMap::Widget* widget = widgets.find(part.widget))
+            return Vec2{lerp(widget->box.min.x, widget->box.max.x, part.along), widget->box.center().y};
         std::vector<std::string_view> names;
         for (const auto& [path, widget] : widgets.all()) names.push_back(path);
         const std::string_view near = closestName(name, names);
@@ -66,7 +80,7 @@ Result<Vec2> placeOf(const Player& player, std::string_view name, const std::str
     }
     const WidgetMap::Widget* view = widgets.find("Viewport");
     if (view == nullptr) return Error{where, "the scene is not on the screen", "show its panel first"};
-    return view->box.min + player.workspace.view.toScreenPoint(*parsePlace(name.substr(1)));
+    return view->box.min + player.stage.workspace().view.toScreenPoint(*parsePlace(name.substr(1)));
 }
 
 /// "Ctrl+Shift+Z"
@@ -129,6 +143,12 @@ Result<Done> pressKeys(Player& player, const Tour::Step& step) {
     return Done{};
 }
 
+template <EventKind kKind>
+Result<Done> holdKey(Player& player, const Tour::Step& step) {
+    player.send({.kind = kKind, .key = parseKeys(step.from)->key, .modifiers = {}});
+    return Done{};
+}
+
 Result<Done> type(Player& player, const Tour::Step& step) {
     for (const char letter : step.from) player.send({.kind = EventKind::TextInput, .text = {letter}});
     player.rest();
@@ -170,6 +190,8 @@ constexpr std::array kVerbs{
     Verb{"drag", "drag @0,0 to @64,0", isPlace, &drag<MouseButton::Left>},
     Verb{"right-drag", "right-drag @0,0 to @64,0", isPlace, &drag<MouseButton::Right>},
     Verb{"key", "key Ctrl+Shift+Z", isKeys, &pressKeys},
+    Verb{"press", "press Right", isKeys, &holdKey<EventKind::KeyDown>},
+    Verb{"release", "release Right", isKeys, &holdKey<EventKind::KeyUp>},
     Verb{"type", "type some text", isText, &type},
     Verb{"wait", "wait 30", isCount, &wait},
     Verb{"picture", "picture images/first.png", isText, &takePicture},
@@ -182,6 +204,17 @@ const Verb* findVerb(std::string_view name) {
     return nullptr;
 }
 
+/// "... with Ctrl+Shift", where the mouse does something.
+bool takeModifiers(Tour::Step& step) {
+    constexpr std::string_view kWith = " with ";
+    const std::size_t at = step.from.rfind(kWith);
+    if (step.verb == "type" || at == std::string::npos) return true;
+    const auto keys = parseKeys(step.from.substr(at + kWith.size()) + "+A");
+    step.from.resize(at);
+    if (keys) step.with = {keys->shift, keys->control, keys->alt};
+    return keys.has_value();
+}
+
 Result<Tour::Step> readStep(std::string_view line, std::string where) {
     const std::size_t end = line.find(' ');
     const std::string_view name = line.substr(0, end);
@@ -191,8 +224,11 @@ Result<Tour::Step> readStep(std::string_view line, std::string where) {
         for (const Verb& known : kVerbs) all += (all.empty() ? "" : ", ") + std::string{known.name};
         return Error{std::move(where), format("there is no action \"{}\"", name), "there are: " + all};
     }
-    Tour::Step step{verb->name, {}, {}, std::move(where)};
+    Tour::Step step{verb->name, {}, {}, {}, std::move(where)};
     if (end != line.npos) step.from = trimmed(line.substr(end));
+    if (!takeModifiers(step))
+        return Error{step.where, "these keys are none that are held",
+                     "write e.g. \"click @16,16 with Ctrl+Shift\""};
     constexpr std::string_view kTo = " to ";
     if (const std::size_t to = step.from.find(kTo); endsWith(verb->name, "drag") && to != step.from.npos) {
         step.to = trimmed(std::string_view{step.from}.substr(to + kTo.size()));
@@ -218,10 +254,11 @@ Result<Tour> Tour::read(std::string_view text, std::string_view name) {
     return tour;
 }
 
-Result<Done> Tour::play(const EditorWindow& window, const Workspace& workspace, const Stage& stage) const {
-    Player player{window, workspace, stage, {}};
+Result<Done> Tour::play(const Stage& stage) const {
+    Player player{stage, {}, {}};
     player.rest(3);  // panes settle
     for (const Step& step : steps_) {
+        player.with = step.with;
         if (Result<Done> done = findVerb(step.verb)->play(player, step); !done) return done.error();
     }
     return Done{};

@@ -188,7 +188,7 @@ void WelcomeScreen::drawNew(Ui& ui) {
 
 void WelcomeScreen::drawTemplate(Ui& ui, std::size_t index) {
     const ProjectTemplate& row = projectTemplates()[index];
-    const bool there = row.copyOf.empty() || isProject(engineProjects() / row.copyOf);
+    const bool there = isHere(row);
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const ImVec2 size{ImGui::GetContentRegionAvail().x, ui.px(kTemplateHeight)};
     const ImVec2 to{at.x + size.x, at.y + size.y};

@@ -207,6 +207,20 @@ protected:
     std::size_t taken = 0;
 };
 
+TEST_F(HotReloadTest, picturesThatOnlyAPartOfANewInstanceNamesAreLoaded) {
+    putFile("prefabs/lamp.prefab.json", R"({"format": 1, "entities": [
+        {"id": "0000000000000001", "name": "lamp", "components": {"Transform": {}}},
+        {"id": "0000000000000002", "name": "light", "parent": "0000000000000001",
+         "components": {"Transform": {}, "Sprite": {"texture": "assets/coin.png"}}}]})");
+    ASSERT_TRUE(placeAsset(workspace, "prefabs/lamp.prefab.json", {}).ok());
+    const auto loaded = [&] {
+        return workspace.assets.revisionOf(AssetKind::Texture, textId("assets/coin.png")) != 0;
+    };
+    ASSERT_FALSE(loaded());
+    reload.poll(now);
+    EXPECT_TRUE(loaded()) << "at once, not at the next look";
+}
+
 TEST_F(HotReloadTest, everyKindOfFileIsTakenUpWithinATenthOfASecond) {
     const TextureId picture = workspace.assets.loadTexture("assets/coin.png");
     const TilesetId tileset = workspace.assets.loadTileset("assets/ground.tileset.json");

@@ -216,7 +216,9 @@ TEST_F(SceneTreeTest, whatLiesUnderTheMouseFollowsEveryWriteOfTheWorld) {
     world.get<Transform>(document.find(named("player"))).position = {40.0f, 600.0f};
     EXPECT_EQ(pickFirst(document, {50.0f, 590.0f}, 1.0f), named("lamp")) << "below what moved";
     const TilesId cells = world.get<TileLayer>(document.find(named("ground"))).cells;
-    *const_cast<TileGrid*>(world.tiles().find(cells)) = TileGrid{100, 100};
+    TileGrid large{100, 100};
+    large.set(62, 62, 1);
+    *const_cast<TileGrid*>(world.tiles().find(cells)) = large;
     EXPECT_EQ(pickFirst(document, {1000.0f, 1000.0f}, 1.0f), named("ground"));
 }
 

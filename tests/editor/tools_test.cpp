@@ -1,10 +1,12 @@
 #include <algorithm>
 
 #include "editor/model/actions.hpp"
+#include "editor/model/bounds.hpp"
 #include "editor/model/tools/move_tool.hpp"
 #include "editor/model/tools/rotate_tool.hpp"
 #include "editor/model/tools/scale_tool.hpp"
 #include "editor/model/tools/select_tool.hpp"
+#include "editor/model/tile_layers.hpp"
 #include "editor/model/tools/tile_tools.hpp"
 #include "tests/editor/support/editor_fixture.hpp"
 
@@ -77,6 +79,33 @@ TEST_F(Tools, aBoxSelectsWhatItTouchesButNotTheGround) {
     tool.drag(workspace.tools(), {.position = {300.0f, 50.0f}});
     tool.release(workspace.tools(), {.position = {300.0f, 50.0f}});
     EXPECT_EQ(workspace.document.selection.all(), std::vector{named("crate")});
+}
+
+TEST_F(Tools, aClickGoesThroughTheHolesOfATileLayer) {
+    const Document& document = workspace.document;
+    const auto picked = [&](int x, int y) {
+        const AABB cell = boxOfCell(document, named("ground"), {x, y});
+        return pickFirst(document, cell.center(), 1.0f);
+    };
+    EXPECT_EQ(picked(1, 1), named("ground"));
+    EXPECT_FALSE(picked(3, 0));
+}
+
+TEST_F(Tools, aDragOnTheGroundMakesABoxUnlessTheGroundIsSelectedAlready) {
+    const Vec2 from = boxOfCell(workspace.document, named("ground"), {1, 1}).center();
+    const Vec2 before = positionOf(named("ground"));
+    SelectTool tool;
+    const auto dragIt = [&] {
+        tool.press(workspace.tools(), {.position = from});
+        tool.drag(workspace.tools(), {.position = from + Vec2{32.0f, 0.0f}});
+        tool.release(workspace.tools(), {.position = from + Vec2{32.0f, 0.0f}});
+    };
+    dragIt();
+    EXPECT_EQ(positionOf(named("ground")), before);
+    EXPECT_EQ(workspace.undo.size(), 0u);
+    workspace.document.selection.set({named("ground")});
+    dragIt();
+    EXPECT_NE(positionOf(named("ground")), before);
 }
 
 TEST_F(Tools, aStrokeOfTheBrushIsOneStepAndLeavesNoHoles) {

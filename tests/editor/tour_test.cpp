@@ -1,5 +1,6 @@
 #include "editor/ui/tour.hpp"
 
+#include "core/text.hpp"
 #include "tests/editor/support/editor_fixture.hpp"
 #include "tests/support/places.hpp"
 
@@ -13,8 +14,15 @@ protected:
     Result<Done> play(std::string_view text) {
         const Result<Tour> tour = Tour::read(text, "a.tour");
         if (!tour) return tour.error();
-        return tour->play(window, workspace,
-                          {[this](const std::vector<Event>& events) { window.frame({events}); },
+        return tour->play({[this]() -> const EditorWindow& { return window; },
+                           [this]() -> const Workspace& { return workspace; },
+                           [this](const std::vector<Event>& events) {
+                               for (const Event& event : events) {
+                                   if (event.key == Key::Right)
+                                       down += event.kind == EventKind::KeyDown ? 1 : -1;
+                               }
+                               window.frame({events});
+                           },
                            [this](std::string_view path) {
                                pictures.emplace_back(path);
                                return Result<Done>{Done{}};
@@ -28,6 +36,7 @@ protected:
     LogBook log;
     EditorWindow window;
     std::vector<std::string> pictures;
+    int down = 0;  // of the key Right, times
 };
 
 TEST_F(TourTest, whatALineSaysIsDone) {
@@ -47,11 +56,31 @@ wait 5
     EXPECT_EQ(pictures, std::vector<std::string>{"images/moved.png"});
 }
 
+TEST_F(TourTest, keysAreHeldWhileTheMouseActsAndUntilTheyAreReleased) {
+    ASSERT_TRUE(play("click Scene/crate\nclick Scene/camera with Ctrl").ok());
+    EXPECT_EQ(workspace.document.selection.size(), 2u);
+    ASSERT_TRUE(play("press Right\nwait 30").ok());
+    EXPECT_EQ(down, 1);
+    ASSERT_TRUE(play("release Right").ok());
+    EXPECT_EQ(down, 0);
+}
+
+TEST_F(TourTest, aPlaceAlongAWidgetIsSaidInPercent) {
+    for (const int percent : {25, 75}) {
+        const Result<Done> done =
+            play(format("click Scene/ground\nclick Tab/Tiles\nclick Tiles/layer/opacity {}%", percent));
+        ASSERT_TRUE(done.ok()) << done.error().text();
+        EXPECT_NEAR(parseFloat(window.widgets().find("Tiles/layer/opacity")->value).value(),
+                    static_cast<float>(percent), 5.0f);
+    }
+}
+
 TEST_F(TourTest, anErrorSaysWhichLineAndWhatThereIs) {
     EXPECT_NE(errorOf("wait 1\nclack @1,2").find("a.tour:2"), std::string::npos);
     EXPECT_NE(errorOf("clack @1,2").find("double-click"), std::string::npos);
     EXPECT_NE(errorOf("drag @1,2").find("drag @0,0 to @64,0"), std::string::npos);
     EXPECT_NE(errorOf("key Ctrl+Nothing").find("key Ctrl+Shift+Z"), std::string::npos);
+    EXPECT_NE(errorOf("click @1,2 with Strg").find("with Ctrl+Shift"), std::string::npos);
     EXPECT_NE(errorOf("wait 0").find("wait 30"), std::string::npos);
     EXPECT_NE(errorOf("wait 99999999").find("wait 30"), std::string::npos);
     EXPECT_NE(errorOf("click @1,x").find("is not whole"), std::string::npos);

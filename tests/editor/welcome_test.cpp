@@ -85,6 +85,30 @@ TEST_F(Welcome, thePlatformerIsCopiedAndItsCopyIsWhole) {
     EXPECT_EQ((*opened)->workspace().project.name, "Mine");
 }
 
+TEST_F(Welcome, theKitHasAllPrefabsAndOneEmptyLevel) {
+    hands->click("Welcome/template/kit");
+    hands->click("Welcome/Create");
+    hands->rest(2);
+    const Path made = home.path / "Plumb/my-game";
+    ASSERT_EQ(window->takeProject(), made.string());
+    const auto opened = ProjectSession::open(made.string());
+    ASSERT_TRUE(opened.ok());
+    (*opened)->openFirst({});
+    EXPECT_EQ((*opened)->validate(), 0);
+    Workspace& workspace = (*opened)->workspace();
+    EXPECT_EQ(workspace.document.scenePath, "scenes/level1.scene.json");
+    EXPECT_EQ(workspace.text(), *readFile(made / workspace.document.scenePath)) << "as the editor writes it";
+    EXPECT_TRUE(std::filesystem::exists(made / "prefabs/player.prefab.json"));
+    EXPECT_FALSE(std::filesystem::exists(made / "scenes/level2.scene.json"));
+    std::size_t layers = 0;
+    workspace.document.world.each<TileLayer>([&](Entity, const TileLayer& layer) {
+        const TileGrid& cells = *workspace.document.world.tiles().find(layer.cells);
+        EXPECT_EQ(cells, (TileGrid{cells.width(), cells.height()}));
+        ++layers;
+    });
+    EXPECT_EQ(layers, 1u);
+}
+
 TEST_F(Welcome, nothingIsWrittenOverAFolderWithSomethingInIt) {
     ASSERT_TRUE(writeFile(home.path / "Plumb/my-game/diary.txt", "mine").ok());
     hands->click("Welcome/Create");

@@ -49,6 +49,14 @@ bool comesBefore(const AssetItem& a, const AssetItem& b) {
 
 std::string_view AssetItem::name() const { return std::string_view{path}.substr(path.rfind('/') + 1); }
 
+std::string_view AssetItem::title() const {
+    const std::string_view whole = name();
+    for (const std::string_view ending : {".prefab.json", ".scene.json", ".anim.json", ".tileset.json"}) {
+        if (endsWith(whole, ending)) return whole.substr(0, whole.size() - ending.size());
+    }
+    return whole;
+}
+
 AssetKind assetKindOf(std::string_view path) {
     const std::string lower = lowerCase(path);
     for (const Ending& ending : kEndings) {

@@ -15,7 +15,8 @@ struct AssetItem {
     AssetKind kind = AssetKind::None;  ///< None: a folder, or a file that games do not load
     bool folder = false;
 
-    [[nodiscard]] std::string_view name() const;  ///< behind the last '/'
+    [[nodiscard]] std::string_view name() const;   ///< behind the last '/'
+    [[nodiscard]] std::string_view title() const;  ///< without the ending, where its picture tells the kind
 };
 
 /// What a file is, by its ending.

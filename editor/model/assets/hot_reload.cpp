@@ -27,8 +27,17 @@ void HotReload::watch() {
     for (const std::string& path : w.prefabFiles()) w.assets.load(AssetKind::Prefab, path);
 }
 
+/// A prefab, something pasted, a field: whoever names a file adds its path to the texts of the document.
+void HotReload::loadNewlyNamed() {
+    const Document& document = workspace_.document;
+    if (document.world.texts().size() == knownTexts_) return;
+    knownTexts_ = document.world.texts().size();
+    loadAssets(document.world, document.types(), workspace_.assets);
+}
+
 std::size_t HotReload::poll(double now) {
     Workspace& w = workspace_;
+    loadNewlyNamed();
     if (now < next_) return 0;
     next_ = now + kInterval;
     if (now >= nextWatch_ || w.document.scenePath != watchedScene_) {

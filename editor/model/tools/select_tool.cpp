@@ -26,9 +26,8 @@ void SelectTool::press(const ToolContext& context, const Pointer& pointer) {
     start_ = end_ = pointer.position;
     mode_ = Mode::Pressed;
     const ObjectId hit = hit_ = hitOf(context, pointer);
-    const bool ground =
-        hit && boundsOf(context.document.world, context.document.find(hit)).size().x > 1000.0f;
-    onThing_ = hit && (!ground || context.selection.has(hit));
+    onThing_ =
+        hit && (context.selection.has(hit) || !isGround(context.document.world, context.document.find(hit)));
     if (!hit) {
         if (!pointer.modifiers.shift && !pointer.modifiers.control) context.selection.clear();
     } else if (pointer.modifiers.control) {

@@ -161,7 +161,7 @@ private:
         if (chosen || hovered)
             outline(list, at, to, chosen ? palette::kAccent : palette::kCardLine, ui.px(4.0f),
                     chosen ? 2.0f : 1.0f);
-        const std::string name = fitted(item.name(), side);
+        const std::string name = fitted(item.title(), side);
         const float width = ImGui::CalcTextSize(name.c_str()).x;
         list.AddText({at.x + (side - width) * 0.5f, to.y + ui.px(2.0f)},
                      chosen ? palette::kText : palette::kTextDim, name.c_str());

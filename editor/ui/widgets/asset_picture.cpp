@@ -6,6 +6,7 @@
 #include "assets/asset_store.hpp"
 #include "editor/ui/scene_picture.hpp"
 #include "editor/ui/ui_compat.hpp"
+#include "scene/prefab.hpp"
 
 namespace plumb::editor::ui {
 namespace {
@@ -49,12 +50,36 @@ const AnimationFrame* frameAt(const AnimationSet& set, double seconds) {
 void drawSheet(ImDrawList& list, const Ui& ui, const AABB& box, ImU32 color, const char* word) {
     const Vec2 center = box.center();
     const float side = std::min(box.size().x, box.size().y) * 0.3f;
-    const ImVec2 from{center.x - side * 0.8f, center.y - side};
-    const ImVec2 to{center.x + side * 0.8f, center.y + side};
+    const ImVec2 size = ImGui::CalcTextSize(word);
+    const bool fits = size.x + ui.px(12.0f) <= box.size().x;  // not beside a field
+    const float half = fits ? std::max(side * 0.8f, size.x * 0.5f + ui.px(6.0f)) : side * 0.8f;
+    const ImVec2 from{center.x - half, center.y - side};
+    const ImVec2 to{center.x + half, center.y + side};
     list.AddRectFilled(from, to, palette::kCard, ui.px(4.0f));
     outline(list, from, to, color, ui.px(4.0f), ui.px(1.5f));
-    const ImVec2 size = ImGui::CalcTextSize(word);
-    list.AddText({center.x - size.x * 0.5f, center.y - size.y * 0.5f}, color, word);
+    if (fits) list.AddText({center.x - size.x * 0.5f, center.y - size.y * 0.5f}, color, word);
+}
+
+/// The path that a field of a component names; empty when it does not.
+std::string namedBy(const PrefabEntity& entity, const char* component, const char* field) {
+    const auto found = entity.components.find(component);
+    if (found == entity.components.end() || !found->is_object()) return {};
+    const auto path = found->find(field);
+    return path != found->end() && path->is_string() ? path->get<std::string>() : std::string{};
+}
+
+/// What its first part that can be seen looks like. @return whether there is one
+bool drawPrefab(Ui& ui, ImDrawList& list, std::string_view path, const AABB& box, double playing) {
+    PrefabLibrary* prefabs = ui.workspace.prefabs().prefabs;
+    const Result<const Prefab*> prefab = prefabs != nullptr ? prefabs->find(path) : Error{};
+    if (!prefab) return false;
+    for (const PrefabEntity& entity : (*prefab)->entities) {
+        if (const std::string animation = namedBy(entity, "Animator", "animation"); !animation.empty())
+            return drawAsset(ui, list, AssetKind::Animation, animation, box, playing), true;
+        if (const std::string texture = namedBy(entity, "Sprite", "texture"); !texture.empty())
+            return drawAsset(ui, list, AssetKind::Texture, texture, box, playing), true;
+    }
+    return false;
 }
 
 }  // namespace
@@ -84,7 +109,9 @@ void drawAsset(Ui& ui, ImDrawList& list, AssetKind kind, std::string_view path, 
         case AssetKind::Sound: return drawSheet(list, ui, box, palette::kBlue, "Sound");
         case AssetKind::Font: return drawSheet(list, ui, box, palette::kSand, "Aa");
         case AssetKind::Scene: return drawSheet(list, ui, box, palette::kOrange, "Scene");
-        case AssetKind::Prefab: return drawSheet(list, ui, box, palette::kViolet, "Prefab");
+        case AssetKind::Prefab:
+            if (drawPrefab(ui, list, path, box, playing)) return;
+            return drawSheet(list, ui, box, palette::kViolet, "Prefab");
         case AssetKind::None: break;
     }
     drawSheet(list, ui, box, palette::kTextDim, "File");

@@ -11,7 +11,7 @@
 namespace plumb::editor::ui {
 
 /// Draws what a file looks like into a box: a picture itself, a tileset by its picture, an animation playing,
-/// a letter of a font; everything else by a sign. Nothing is enlarged beyond whole pixels.
+/// a prefab by its first part that can be seen; everything else by a sign. Nothing is enlarged beyond whole pixels.
 /// @param box      px on screen
 /// @param playing  s since the mouse came; animations move by it
 void drawAsset(Ui& ui, ImDrawList& list, AssetKind kind, std::string_view path, const AABB& box,
