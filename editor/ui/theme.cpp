@@ -103,6 +103,7 @@ void applyColors(Theme theme) {
     ImGui::GetIO().UserData = light ? const_cast<bool*>(&kLightInUse) : nullptr;
     ImGuiStyle& style = ImGui::GetStyle();
     light ? ImGui::StyleColorsLight(&style) : ImGui::StyleColorsDark(&style);
+    style.FrameBorderSize = light ? 1.0f : 0.0f;  // white fields on a light panel need an edge
     setColors(style);
 }
 

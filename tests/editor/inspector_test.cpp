@@ -173,6 +173,16 @@ TEST_F(Inspector, whatIsWrongIsSaidWithItsColumnAndTheValueStays) {
     EXPECT_EQ(positionOf(named("crate")).x, 7.0f);
 }
 
+TEST_F(Inspector, whatIsSaidBelowAFieldStaysInTheWindow) {
+    select({"crate"});
+    hands.enterNumber("Inspector/Transform/position.y", "16*(3 and then some more");
+    hands.rest(3);
+    const WidgetMap::Widget* says = window.widgets().find("Inspector/Transform/position.y/says");
+    ASSERT_NE(says, nullptr);
+    EXPECT_GT(says->box.size().x, 100.0f);
+    EXPECT_LE(says->box.max.x, ImGui::GetIO().DisplaySize.x);
+}
+
 TEST_F(Inspector, escapeAndAnUnchangedNumberAreNoStepAndKeepWhatCanBeRedone) {
     select({"crate"});
     hands.enterNumber(kX, "7");

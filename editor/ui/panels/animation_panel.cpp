@@ -86,7 +86,7 @@ private:
     void drawClips(Ui& ui) {
         const auto& clips = edit_->set().clips;
         ImGui::TextDisabled("Clips");
-        ImGui::SameLine(ui.px(kSideWidth) - ui.px(58.0f));
+        ImGui::SameLine(ImGui::GetWindowContentRegionMax().x - ui.px(58.0f));
         if (ImGui::SmallButton(" + ")) edit_->addClip(), clip_ = 1 << 20;
         ui.widgets.mark("Animation/addClip");
         ImGui::SameLine();

@@ -182,9 +182,12 @@ private:
         }
         drawSelection(ui, world);
         if (workspace.canEdit()) workspace.tool().draw(workspace.tools(), pointer_, overlay_);
+        const AABB picture = pictureOf(workspace, {from.x, from.y}, {size.x, size.y});
+        list.PushClipRect({picture.min.x, picture.min.y}, {picture.max.x, picture.max.y}, true);
         for (const Overlay::Shape& shape : overlay_.shapes()) {
             drawShape(ui, list, shape);
         }
+        list.PopClipRect();
         if (workspace.play.running()) drawPlayFrame(ui, list, from, to);
         list.PopClipRect();
     }
@@ -198,18 +201,31 @@ private:
             previewPhysics(workspace.document.world);
     }
 
-    /// All of the panel shows the scene; a game that is looked at through its camera has its own picture in
-    /// the middle, with nothing around it that the player would not see.
+    /// A game that is looked at through its camera, as the player shows it.
+    static bool shownAsGame(const Workspace& workspace) {
+        return workspace.play.running() && workspace.followsGame;
+    }
+
+    /// px on screen: all of the panel shows the scene; a game has its own picture in the middle, with nothing
+    /// around it that the player would not see.
+    static AABB pictureOf(const Workspace& workspace, Vec2 from, Vec2 size) {
+        if (!shownAsGame(workspace)) return {from, from + size};
+        const Vec2 picture = workspace.project.picture;
+        const Vec2 room = min(workspace.view.view().size, picture * workspace.view.zoomFor(picture));
+        const Vec2 corner =
+            from + Vec2{std::floor((size.x - room.x) * 0.5f), std::floor((size.y - room.y) * 0.5f)};
+        return {corner, corner + room};
+    }
+
     void drawPicture(const Ui& ui, ImDrawList& list, World& world, ImVec2 from, ImVec2 size) {
         Workspace& workspace = ui.workspace;
+        const AABB box = pictureOf(workspace, {from.x, from.y}, {size.x, size.y});
         View view = workspace.view.view();
-        const bool asGame = workspace.play.running() && workspace.followsGame;
+        const bool asGame = shownAsGame(workspace);
         if (asGame) {
             list.AddRectFilled(from, {from.x + size.x, from.y + size.y}, palette::kCanvas);
-            const Vec2 picture = workspace.project.picture;
-            view.size = min(view.size, picture * workspace.view.zoomFor(picture));
-            from.x += std::floor((size.x - view.size.x) * 0.5f);
-            from.y += std::floor((size.y - view.size.y) * 0.5f);
+            view.size = box.size();
+            from = {box.min.x, box.min.y};
         }
         const PixelSize pixels{static_cast<int>(view.size.x), static_cast<int>(view.size.y)};
         ui.picture->preview = previewOf(workspace);

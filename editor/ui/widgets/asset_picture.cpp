@@ -12,6 +12,20 @@ namespace plumb::editor::ui {
 namespace {
 
 constexpr float kLargestZoom = 4.0f;
+constexpr float kSquare = 5.0f;  // px at scale 1, of the checks behind pictures
+
+/// Checks behind a picture: what is clear in it, and what is dark, can be told from the panel.
+void drawChecks(const Ui& ui, ImDrawList& list, const AABB& box) {
+    list.AddRectFilled({box.min.x, box.min.y}, {box.max.x, box.max.y}, palette::kHover);
+    const float side = ui.px(kSquare);
+    for (int row = 0; box.min.y + static_cast<float>(row) * side < box.max.y; ++row) {
+        for (int column = row % 2; box.min.x + static_cast<float>(column) * side < box.max.x; column += 2) {
+            const Vec2 from = box.min + Vec2{static_cast<float>(column), static_cast<float>(row)} * side;
+            const Vec2 to = min(from + Vec2{side, side}, box.max);
+            list.AddRectFilled({from.x, from.y}, {to.x, to.y}, palette::kHover);
+        }
+    }
+}
 
 /// A part of a picture as large as the box allows, in whole steps when it is enlarged.
 void drawPart(Ui& ui, ImDrawList& list, TextureId id, const Rect& source, const AABB& box) {
@@ -88,7 +102,9 @@ void drawAsset(Ui& ui, ImDrawList& list, AssetKind kind, std::string_view path, 
                double playing) {
     AssetStore& assets = ui.workspace.assets;
     switch (kind) {
-        case AssetKind::Texture: return drawPart(ui, list, assets.loadTexture(path), {}, box);
+        case AssetKind::Texture:
+            drawChecks(ui, list, box);
+            return drawPart(ui, list, assets.loadTexture(path), {}, box);
         case AssetKind::Tileset: {
             const Tileset& set = assets.tileset(assets.loadTileset(path));
             if (!set.image.empty()) return drawPart(ui, list, set.texture, {}, box);

@@ -1,5 +1,6 @@
 #include "editor/ui/widgets/typing.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "core/text.hpp"
@@ -82,13 +83,20 @@ void Typing::draw(Ui& ui) {
 }
 
 void Typing::say(Ui& ui, const Result<std::string>& text) const {
-    const ImVec2 at{ImGui::GetItemRectMin().x, ImGui::GetItemRectMax().y + ui.px(3.0f)};
+    const std::string words = text ? *text : text.error().text();
+    const float wrap = ImGui::GetFontSize() * 20.0f;
+    const float width =
+        ImGui::CalcTextSize(words.c_str(), nullptr, false, wrap).x + ImGui::GetStyle().WindowPadding.x * 2.0f;
+    // Below the field, but not over the edge of the window.
+    const float right = ImGui::GetIO().DisplaySize.x - ui.px(4.0f);
+    const ImVec2 at{std::max(std::min(ImGui::GetItemRectMin().x, right - width), 0.0f),
+                    ImGui::GetItemRectMax().y + ui.px(3.0f)};
     ImGui::SetNextWindowPos(at);
     ImGui::BeginTooltip();
     ImGui::PushStyleColor(ImGuiCol_Text, text ? palette::kText : palette::kError);
-    ImGui::PushTextWrapPos(ImGui::GetFontSize() * 20.0f);
-    ImGui::TextUnformatted(text ? text->c_str() : text.error().text().c_str());
-    ui.widgets.mark(path_ + "/says", text ? *text : text.error().text());
+    ImGui::PushTextWrapPos(wrap);
+    ImGui::TextUnformatted(words.c_str());
+    ui.widgets.mark(path_ + "/says", words);
     ImGui::PopTextWrapPos();
     ImGui::PopStyleColor();
     ImGui::EndTooltip();
