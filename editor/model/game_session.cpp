@@ -15,11 +15,16 @@ public:
         game_.assets.logging = false;  // the editor has told what it loaded of the project
     }
 
-    /// Opens the file, so that the game knows which scene it is in, and puts the text in its place.
+    /// The game is in that scene, and the text is in its place; the file is not read, which may be large.
     Result<Done> load(const std::string& path, const std::string& text) {
         path_ = path;
         text_ = text;
-        if (Result<Done> opened = game_.openScene(path); !opened) return opened;
+        const auto* loaded = game_.world.findResource<LoadedScenes>();
+        if (loaded == nullptr || loaded->scenes.empty()) {
+            addScene(game_.world, path);
+        } else if (Result<Done> opened = game_.openScene(path); !opened) {
+            return opened;
+        }
         if (Result<Done> placed = placeText(); !placed) return placed;
         restored();  // what it makes in the world is there from the beginning
         return Done{};

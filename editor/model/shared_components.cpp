@@ -10,6 +10,18 @@
 
 namespace plumb::editor {
 
+namespace {
+
+/// Of the types that there are, few are in a scene: the others need not be looked for in thousands of
+/// entities.
+bool anyHas(const World& world, const TypeInfo& type) {
+    bool found = false;
+    world.eachOf(type, [&found](EntityId, const void*) { found = true; });
+    return found;
+}
+
+}  // namespace
+
 bool hasOwnPlace(const TypeInfo& type) {
     return type.key == typeKey<SceneEntity>() || type.key == typeKey<PrefabInstance>() ||
            type.key == typeKey<PrefabPart>() || type.key == typeKey<Name>() ||
@@ -37,7 +49,7 @@ std::vector<ComponentHolders> componentHolders(const Workspace& workspace, std::
     std::vector<ComponentHolders> held;
     const World& world = workspace.shownWorld();
     for (const TypeInfo& type : workspace.document.types().all()) {
-        if (hasOwnPlace(type)) continue;
+        if (hasOwnPlace(type) || !anyHas(world, type)) continue;
         const auto count = static_cast<std::size_t>(std::count_if(
             entities.begin(), entities.end(), [&](EntityId entity) { return world.has(type, entity); }));
         if (count > 0) held.push_back({&type, count});

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 #include "assets/asset_store.hpp"
@@ -50,12 +51,16 @@ std::vector<ObjectId> layersInFile(const Document& document) {
 }  // namespace
 
 ObjectId activeTileLayer(const Document& document, const TilePaint& paint) {
-    const auto isLayer = [&](ObjectId id) { return document.world.has<TileLayer>(document.find(id)); };
-    for (const ObjectId id : document.selection.all()) {
-        if (isLayer(id)) return id;
-    }
-    if (isLayer(paint.layer)) return paint.layer;
     const std::vector<ObjectId> layers = layersInFile(document);
+    // Of thousands that are selected few are layers: these are looked for, not those.
+    std::vector<ObjectId> chosen;
+    std::copy_if(layers.begin(), layers.end(), std::back_inserter(chosen),
+                 [&](ObjectId id) { return document.selection.has(id); });
+    const std::vector<ObjectId>& selected = document.selection.all();
+    if (const auto first = std::find_first_of(selected.begin(), selected.end(), chosen.begin(), chosen.end());
+        first != selected.end())
+        return *first;
+    if (document.world.has<TileLayer>(document.find(paint.layer))) return paint.layer;
     const auto solid = std::find_if(layers.begin(), layers.end(), [&](ObjectId id) {
         return document.world.has<TileCollider>(document.find(id));
     });

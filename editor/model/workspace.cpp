@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "core/log.hpp"
+#include "core/text.hpp"
 #include "editor/model/bounds.hpp"
 #include "editor/model/tile_layers.hpp"
 #include "scene/components/camera.hpp"
@@ -117,7 +118,12 @@ Result<Done> Workspace::save() {
         return Error{document.scenePath, "another program has changed it", "choose which one to keep"};
     }
     safety.saving();
-    Result<Done> saved = saveSceneFile(document.world, context(), document.scenePath);
+    const std::string written = endsWith(document.scenePath, ".bin")
+                                    ? sceneToBinary(document.world, context(), document.scene)
+                                    : text();
+    const Result<Path> file = pathInside(project.root, document.scenePath);
+    safety.finish();
+    const Result<Done> saved = file ? writeFile(*file, written) : Result<Done>{file.error()};
     if (saved) {
         undo.markSaved();
         safety.saved();

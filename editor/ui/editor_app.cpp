@@ -4,10 +4,12 @@
 #include <cstdio>
 #include <cstdlib>
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include "assets/asset_store.hpp"
 #include "core/clock.hpp"
+#include "core/log.hpp"
 #include "core/text.hpp"
 #include "editor/model/project_session.hpp"
 #include "editor/model/project_templates.hpp"
@@ -18,6 +20,7 @@
 #include "editor/ui/tour.hpp"
 #include "platform/image_file.hpp"
 #include "platform/paths.hpp"
+#include "platform/process_time.hpp"
 #include "platform/window.hpp"
 #include "render/gl/gl_device.hpp"
 
@@ -66,6 +69,7 @@ public:
             if (settingsFile_ != nullptr) settingsFile_->tend(workspace().settings, now - before);
             before = now;
             window_->swap();
+            tellReady();
             openChosen();
         }
         keepPicture();
@@ -75,6 +79,7 @@ public:
     Result<Done> screenshot(const std::string& path) {
         for (int i = 0; i < kScreenshotFrames; ++i) {
             frame({}, 1.0f / 60.0f);
+            tellReady();
         }
         return writePicture(path);
     }
@@ -98,6 +103,12 @@ private:
     static constexpr int kIdleFrames = 30;
 
     [[nodiscard]] Workspace& workspace() { return session_->workspace(); }
+
+    /// Once, after the first frame: from then on it takes what the hands do.
+    void tellReady() {
+        if (std::exchange(ready_, true)) return;
+        logNote("Editor", "Ready after {} s", fixedText(processSeconds(), 2));
+    }
 
     void use(std::unique_ptr<ProjectSession> session) {
         session_ = std::move(session);
@@ -195,6 +206,7 @@ private:
     std::unique_ptr<ImguiRenderer> renderer_;
     std::string title_;
     int idleFrames_ = kIdleFrames;
+    bool ready_ = false;
 };
 
 void selectByName(Workspace& workspace, const std::string& name) {

@@ -82,6 +82,8 @@ enum DebugPart : std::uint32_t {
 struct DebugChoice {
     std::uint32_t parts = kDrawAll;  ///< bits of DebugPart
     Place origin;  ///< m: drawn places are seen from here, so that they stay exact far from the world's
+    const AABB* sight = nullptr;  ///< m, from the origin: shapes outside are left out; null: none is
+    float least = 0.0f;           ///< m: of what is smaller than this the box around it will do
     float behind = 0.0f;  ///< s: bodies that move are drawn as they were so long ago, between two steps
     const Workspace* lastStep = nullptr;  ///< see lastStepOf(); without it no ways and regions are drawn
     bool chosenOnly = false;  ///< what follows says who is drawn; what ties two bodies is drawn with either

@@ -16,23 +16,29 @@ constexpr std::size_t kLineWidth = 110;  // characters
 constexpr std::size_t kShortText =
     16;  // bytes; longer ones, such as rows of tiles, stand on lines of their own
 
-void writeText(std::string& out, std::string_view text) {
-    out += '"';
-    for (const char c : text) {
-        switch (c) {
-            case '"': out += "\\\""; break;
-            case '\\': out += "\\\\"; break;
-            case '\n': out += "\\n"; break;
-            case '\r': out += "\\r"; break;
-            case '\t': out += "\\t"; break;
-            default:
-                if (static_cast<unsigned char>(c) < 0x20) {
-                    out += "\\u" + hexText(static_cast<unsigned char>(c)).substr(12);
-                } else {
-                    out += c;
-                }
-        }
+void writeEscaped(std::string& out, char c) {
+    switch (c) {
+        case '"': out += "\\\""; break;
+        case '\\': out += "\\\\"; break;
+        case '\n': out += "\\n"; break;
+        case '\r': out += "\\r"; break;
+        case '\t': out += "\\t"; break;
+        default: out += "\\u" + hexText(static_cast<unsigned char>(c)).substr(12);
     }
+}
+
+/// What stands between two letters that need an escape is copied at once: packed tiles have none at all.
+void writeText(std::string& out, std::string_view text) {
+    const auto isPlain = [](char c) { return static_cast<unsigned char>(c) >= 0x20 && c != '"' && c != '\\'; };
+    out += '"';
+    std::size_t from = 0;
+    for (std::size_t at = 0; at < text.size(); ++at) {
+        if (isPlain(text[at])) continue;
+        out.append(text, from, at - from);
+        writeEscaped(out, text[at]);
+        from = at + 1;
+    }
+    out.append(text, from);
     out += '"';
 }
 

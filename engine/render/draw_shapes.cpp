@@ -30,10 +30,20 @@ std::span<const Vec2> circleCorners(Vec2 center, float radius, int count,
 
 void DrawList::line(Vec2 from, Vec2 to, const ShapeStyle& style) {
     const Vec2 along = to - from;
+    const float half = style.thickness * 0.5f / view_.zoom;
     SpriteQuad quad;
     quad.center = (from + to) * 0.5f;
-    quad.half = {length(along) * 0.5f, style.thickness * 0.5f / view_.zoom};
-    quad.rotation = along.y == 0.0f ? 0.0f : arcTangent(along.y, along.x);
+    // Before its angle is found, which takes the longest.
+    if (!sees(quad.center, {std::abs(along.x) * 0.5f + half, std::abs(along.y) * 0.5f + half}, 0.0f)) {
+        ++culled_;
+        return;
+    }
+    if (along.x == 0.0f) {
+        quad.half = {half, std::abs(along.y) * 0.5f};
+    } else {
+        quad.half = {length(along) * 0.5f, half};
+        quad.rotation = along.y == 0.0f ? 0.0f : arcTangent(along.y, along.x);
+    }
     quad.source = {0.0f, 0.0f, 1.0f, 1.0f};
     quad.tint = style.color;
     quad.layer = style.layer;

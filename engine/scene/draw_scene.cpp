@@ -97,6 +97,49 @@ bool isAt(const World& world, EntityId entity, int place) {
     return place == kEveryScene || placeOf(world, entity) == static_cast<std::size_t>(place);
 }
 
+/// A quick look whether a sprite can be in a view at all, before its quad is made.
+struct Sight {
+    AABB visible;          // px, world
+    bool isExact = false;  // no layer is drawn elsewhere than it lies
+
+    [[nodiscard]] bool mayShow(const Sprite& sprite, const Pose& pose) const {
+        if (!isExact) return true;
+        // However it is turned, no corner is farther from its origin than this.
+        const float wide =
+            (1.0f + std::fabs(sprite.pivot.x)) * std::fabs(static_cast<float>(sprite.width) * pose.scale.x);
+        const float high =
+            (1.0f + std::fabs(sprite.pivot.y)) * std::fabs(static_cast<float>(sprite.height) * pose.scale.y);
+        const float reach = wide + high;
+        // Written so that NaN is looked at more closely.
+        return !(pose.position.x + reach < visible.min.x || pose.position.x - reach > visible.max.x ||
+                 pose.position.y + reach < visible.min.y || pose.position.y - reach > visible.max.y);
+    }
+};
+
+/// Poses of entities of which many have the same parent, one after the other: it is walked up to once. The
+/// same bits as worldPose.
+class FamilyPoses {
+public:
+    explicit FamilyPoses(const World& world) : world_{world} {}
+
+    Pose of(EntityId entity, EntityId parent, float alpha) {
+        const auto* transform = world_.find<Transform>(entity);
+        const Pose own = transform != nullptr ? interpolated(*transform, alpha) : Pose{};
+        if (!parent) return own;
+        if (parent != parent_ || alpha != alpha_) {
+            pose_ = worldPose(world_, parent, alpha);
+            parent_ = parent, alpha_ = alpha;
+        }
+        return composed(pose_, own);
+    }
+
+private:
+    const World& world_;
+    EntityId parent_;
+    float alpha_ = 0.0f;
+    Pose pose_;
+};
+
 bool isSeen(const World& world, EntityId entity, const SceneView& how) {
     return isAt(world, entity, how.place) &&
            (how.hidden.empty() || !std::binary_search(how.hidden.begin(), how.hidden.end(), entity));
@@ -254,18 +297,24 @@ void SceneRenderer::add(SpriteQuad quad, float y, const SceneView& how, DrawList
 }
 
 void SceneRenderer::collectSprites(World& world, const SceneView& how, DrawList& list) {
+    const Sight sight{visibleBox(how.view), !how.parallax || layers_.empty()};
+    TextureId lastTexture;
+    TextureRegion picture = textures_.regionOf(lastTexture);
+    const auto collect = [&](const Sprite& sprite, const Pose& pose) {
+        // What is out of sight is on the card all the same: coming into sight must not take longer.
+        if (sprite.texture != lastTexture) picture = textures_.regionOf(lastTexture = sprite.texture);
+        if (sight.mayShow(sprite, pose)) add(quadOf(sprite, pose, picture), pose.position.y, how, list);
+    };
     // Most sprites have no parent; they skip the walk up.
     for (auto [entity, sprite, transform] :
          world.query<const Sprite, const Transform>(without<Hidden, ParallaxLayer, Parent>, withPaused)) {
-        if (!isSeen(world, entity, how)) continue;
-        const Pose pose = interpolated(transform, alphaOf(world, entity, how));
-        add(quadOf(sprite, pose, textures_.regionOf(sprite.texture)), pose.position.y, how, list);
+        if (isSeen(world, entity, how)) collect(sprite, interpolated(transform, alphaOf(world, entity, how)));
     }
-    for (auto [entity, sprite] :
-         world.query<const Sprite>(with<Parent>, without<Hidden, ParallaxLayer>, withPaused)) {
-        if (!isSeen(world, entity, how)) continue;
-        const Pose pose = worldPose(world, entity, alphaOf(world, entity, how));
-        add(quadOf(sprite, pose, textures_.regionOf(sprite.texture)), pose.position.y, how, list);
+    FamilyPoses poses{world};
+    for (auto [entity, sprite, parent] :
+         world.query<const Sprite, const Parent>(without<Hidden, ParallaxLayer>, withPaused)) {
+        if (isSeen(world, entity, how))
+            collect(sprite, poses.of(entity.id(), parent.entity, alphaOf(world, entity, how)));
     }
 }
 

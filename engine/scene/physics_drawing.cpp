@@ -60,6 +60,8 @@ constexpr Color kIslandColors[] = {{230, 85, 75, 255},   {245, 160, 55, 255}, {2
                                    {150, 105, 235, 255}, {235, 110, 190, 255}};
 constexpr Color kShadow{0, 0, 0, 150};  // under lines, so that they are seen on any picture
 
+constexpr float kDot = 4.0f;  // px of the screen: smaller shapes are dots
+
 // Areas lie below all lines, and shadows below all that is bright. Each is then a draw call, too.
 constexpr int kAreas = 0;
 constexpr int kShadows = 1;
@@ -123,6 +125,9 @@ public:
         stroke(ink, [&](const ShapeStyle& style) { list_.circle(px(centre), wide, style); });
     }
     void polygon(std::span<const Vec2> corners, DebugInk ink) override {
+        if (corners.empty()) return;
+        if (const AABB box = boxOf(corners); isDot(box.size() * scale_.pixels))
+            return list_.filledRect({px(box.min), px(box.max)}, colorOf(ink), kStrokes);
         corners_.clear();
         for (const Vec2 corner : corners) corners_.push_back(px(corner));
         fill(ink, [&](Color color) { list_.filledPolygon(corners_, color, kAreas); });
@@ -130,6 +135,16 @@ public:
     }
 
 private:
+    static AABB boxOf(std::span<const Vec2> corners) {
+        AABB box{corners.front(), corners.front()};
+        for (const Vec2 corner : corners) box = {min(box.min, corner), max(box.max, corner)};
+        return box;
+    }
+    /// Of what is smaller than its lines are wide one sees a dot anyway. @param size  px of the world
+    [[nodiscard]] bool isDot(Vec2 size) const {
+        const float least = kDot * onePixel();
+        return size.x < least && size.y < least;
+    }
     [[nodiscard]] Vec2 px(Vec2 metres) const { return list_.view().center + toPixels(metres, scale_); }
     /// px of the world that one of the screen is.
     [[nodiscard]] float onePixel() const { return pixel_ / list_.view().zoom; }
@@ -201,6 +216,13 @@ void PhysicsDrawing::draw(World& world, const PhysicsShown& shown, float behind,
     physics::DebugChoice choice;
     choice.origin = placeInMetres(list.view().center, state->scale);
     choice.behind = behind;
+    const AABB visible = visibleBox(list.view());
+    const Vec2 origin = list.view().center;
+    const AABB sight{toMetres(visible.min - origin, state->scale),
+                     toMetres(visible.max - origin, state->scale)};
+    choice.sight = &sight;
+    const Vec2 dot{kDot * pixel / list.view().zoom, 0.0f};  // px of the world
+    choice.least = toMetres(dot, state->scale).x;
     choice.lastStep = state == running ? physics::lastStepOf(running->world) : nullptr;
     choice.parts = shown.layers & physics::kDrawAll;
     debugDraw(state->world, canvas, choice);

@@ -8,12 +8,14 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "core/limits.hpp"
 #include "core/text.hpp"
 #include "reflect/field_json.hpp"
 #include "reflect/json.hpp"
+#include "scene/tile_texts.hpp"
 #include "scene/zlib_block.hpp"
 
 namespace plumb {
@@ -77,18 +79,24 @@ std::size_t bandRows(std::size_t width) { return std::clamp<std::size_t>(kBandCe
 
 int blocksFor(int cells) { return (cells + kBlockSide - 1) / kBlockSide; }
 
-bool hasChunks(const TileGrid& grid, int column, int row) {
-    for (int y = row * kBlockChunks; y < std::min((row + 1) * kBlockChunks, grid.chunkRows()); ++y) {
-        for (int x = column * kBlockChunks; x < std::min((column + 1) * kBlockChunks, grid.chunkColumns());
-             ++x) {
-            if (grid.chunk(x, y) != nullptr) return true;
+BlockStamps stampsOf(const TileGrid& grid, int column, int row) {
+    BlockStamps stamps{};
+    static_assert(std::tuple_size_v<BlockStamps> == std::size_t{kBlockChunks} * kBlockChunks);
+    std::size_t at = 0;
+    for (int y = row * kBlockChunks; y < (row + 1) * kBlockChunks; ++y) {
+        for (int x = column * kBlockChunks; x < (column + 1) * kBlockChunks; ++x, ++at) {
+            if (x >= grid.chunkColumns() || y >= grid.chunkRows()) continue;
+            if (const TileGrid::Chunk* chunk = grid.chunk(x, y)) stamps[at] = chunk->stamp;
         }
     }
-    return false;
+    return stamps;
 }
 
 /// "3 0 =5x" for a block of equal cells, else "3 0 eNrt…"; empty for an empty block.
 std::string blockText(const TileGrid& grid, int column, int row, Block& block) {
+    const BlockStamps stamps = stampsOf(grid, column, row);
+    if (stamps == BlockStamps{}) return {};
+    if (const auto known = knownTileText(stamps)) return format("{} {} {}", column, row, *known);
     for (int y = 0; y < kBlockSide; ++y) {
         grid.copyRow(column * kBlockSide, row * kBlockSide + y, kBlockSide,
                      block.data() + static_cast<std::size_t>(y) * kBlockSide);
@@ -97,7 +105,11 @@ std::string blockText(const TileGrid& grid, int column, int row, Block& block) {
         std::all_of(block.begin(), block.end(), [&](TileCell cell) { return cell == block[0]; });
     if (plain && block[0] == 0) return {};
     std::string text = format("{} {} ", column, row);
-    if (!plain) return text + packedText(block);
+    if (!plain) {
+        const std::string packed = packedText(block);
+        rememberTileText(stamps, packed);
+        return text + packed;
+    }
     text += '=';
     appendCell(text, block[0]);
     return text;
@@ -108,7 +120,6 @@ Json blocksToJson(const TileGrid& grid) {
     Json blocks = Json::array();
     for (int row = 0; row < blocksFor(grid.height()); ++row) {
         for (int column = 0; column < blocksFor(grid.width()); ++column) {
-            if (!hasChunks(grid, column, row)) continue;
             std::string text = blockText(grid, column, row, *block);
             if (!text.empty()) blocks.push_back(std::move(text));
         }
@@ -232,6 +243,7 @@ private:
                                            [](TileCell cell) { return cell == 0; });
             grid_.put(x, y, empty ? nullptr : std::move(chunk));
         });
+        rememberTileText(stampsOf(grid_, column_, row_), std::string{text});
         return true;
     }
 

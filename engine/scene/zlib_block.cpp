@@ -4,7 +4,6 @@
 #include <array>
 #include <bit>
 #include <climits>
-#include <cstdlib>
 #include <cstring>
 #include <optional>
 
@@ -18,18 +17,15 @@
 #define STBI_ONLY_PNG
 #define STBI_NO_STDIO
 #include <stb_image.h>
-#define STB_IMAGE_WRITE_STATIC
-#define STB_IMAGE_WRITE_IMPLEMENTATION
-#define STBI_WRITE_NO_STDIO
-#include <stb_image_write.h>
 #if defined(__GNUC__)
 #pragma GCC diagnostic pop
 #endif
 
+#include "core/deflate.hpp"
+
 namespace plumb {
 namespace {
 
-constexpr int kEffort = 8;  // stb's scale; more gains little on tiles
 constexpr std::string_view kDigits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
 
 constexpr std::array<std::uint8_t, 256> digitValues() {
@@ -42,17 +38,16 @@ constexpr std::array<std::uint8_t, 256> digitValues() {
 }
 
 std::string base64Of(std::string_view bytes) {
-    std::string text;
-    text.reserve((bytes.size() + 2) / 3 * 4);
+    std::string text((bytes.size() + 2) / 3 * 4, '=');
+    char* out = text.data();
     for (std::size_t at = 0; at < bytes.size(); at += 3) {
         const std::size_t count = std::min<std::size_t>(3, bytes.size() - at);
         std::uint32_t three = 0;
         for (std::size_t i = 0; i < 3; ++i) {
             three = three << 8 | (i < count ? static_cast<unsigned char>(bytes[at + i]) : 0u);
         }
-        for (std::size_t i = 0; i < 4; ++i) {
-            text += i <= count ? kDigits[three >> (18 - 6 * i) & 63] : '=';
-        }
+        for (std::size_t i = 0; i <= count; ++i) out[i] = kDigits[three >> (18 - 6 * i) & 63];
+        out += 4;
     }
     return text;
 }
@@ -93,20 +88,7 @@ std::uint32_t leastFirst(std::uint32_t word) {
 
 }  // namespace
 
-std::string packedText(std::span<const std::uint32_t> words) {
-    std::string raw(words.size() * 4, '\0');
-    for (std::size_t i = 0; i < words.size(); ++i) {
-        const std::uint32_t word = leastFirst(words[i]);
-        std::memcpy(raw.data() + i * 4, &word, 4);
-    }
-    int size = 0;
-    unsigned char* packed = stbi_zlib_compress(reinterpret_cast<unsigned char*>(raw.data()),
-                                               static_cast<int>(raw.size()), &size, kEffort);
-    if (packed == nullptr) return {};
-    std::string text = base64Of({reinterpret_cast<const char*>(packed), static_cast<std::size_t>(size)});
-    std::free(packed);
-    return text;
-}
+std::string packedText(std::span<const std::uint32_t> words) { return base64Of(packZlib(words)); }
 
 bool unpackText(std::string_view text, std::span<std::uint32_t> words) {
     const std::optional<std::string> packed = bytesOf(text);

@@ -247,7 +247,8 @@ TEST_F(Safety, aCrashInTheMiddleOfSavingOffersNothingThatIsOlderThanTheFile) {
     createOne();
     workspace.safety.tend(2.0), workspace.safety.finish();
     createOne();
-    workspace.safety.saving();  // and then the file is written, and the program is killed
+    workspace.safety.saving(),
+        workspace.safety.finish();  // and then the file is written, and the program is killed
     ASSERT_EQ(journals().size(), 1u);
     const std::string journal = fileText(".plumb/" + journals()[0]);
     EXPECT_EQ(journal.substr(journal.find('\n') + 1), workspace.text());

@@ -150,6 +150,13 @@ TEST_F(Tiles, theLayerInHandIsTheSelectedTheLastOrTheFirstSolidOne) {
     runAction(workspace, "edit.duplicate");
     const ObjectId copy = document.selection.all().front();
     EXPECT_EQ(activeTileLayer(document, workspace.tiles), copy);
+    workspace.document.selection.set(document.objects());
+    workspace.document.selection.add(ground);
+    EXPECT_TRUE(activeTileLayer(document, workspace.tiles)) << "one of those that are selected";
+    for (const std::vector<ObjectId>& both : {std::vector{copy, ground}, std::vector{ground, copy}}) {
+        workspace.document.selection.set(both);
+        EXPECT_EQ(activeTileLayer(document, workspace.tiles), both.front());
+    }
     workspace.document.selection.clear();
     EXPECT_EQ(activeTileLayer(document, workspace.tiles), ground);
     workspace.document.world.add<TileCollider>(document.find(copy));

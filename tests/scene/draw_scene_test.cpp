@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/random.hpp"
 #include "ecs/hierarchy.hpp"
 #include "math/angle.hpp"
 #include "reflect/type_registry.hpp"
@@ -116,6 +117,40 @@ TEST_F(DrawScene, aChildFollowsItsParentBetweenTicks) {
     const Vec2 center = drawn(0.5f).center;
     EXPECT_NEAR(center.x, 100.0f + 20.0f * std::sqrt(0.5f), 1e-2f);
     EXPECT_NEAR(center.y, 50.0f + 20.0f * std::sqrt(0.5f), 1e-2f);
+}
+
+TEST_F(DrawScene, whateverReachesIntoTheViewIsDrawn) {
+    Random random = Random::seeded(4);
+    const auto around = [&](float far) { return Vec2{random.between(-far, far), random.between(-far, far)}; };
+    Entity parent;
+    for (int i = 0; i < 3000; ++i) {
+        Entity entity = addSprite(around(i % 3 == 0 ? 900.0f : 500.0f));
+        Sprite& sprite = entity.get<Sprite>();
+        sprite.width = 1 + static_cast<int>(random.below(300));
+        sprite.height = 1 + static_cast<int>(random.below(300));
+        sprite.pivot = around(2.0f);
+        Transform& place = entity.get<Transform>();
+        place.scale = around(1.5f);
+        place.rotation = i % 2 == 0 ? 0.0f : random.between(-3.0f, 3.0f);
+        if (i % 3 == 0) parent = entity;
+        if (i % 3 == 1) setParent(world, entity.id(), parent.id());
+    }
+    storePreviousTransforms(world);
+    SceneView all;
+    all.view = {.center = {}, .size = {20000.0f, 20000.0f}};
+    SceneView part;
+    part.view = {.center = {40.0f, -30.0f}, .size = kPicture};
+    DrawList everything, seen, expected;
+    everything.begin(all.view), seen.begin(part.view), expected.begin(part.view);
+    renderer.collect(world, all, everything);
+    renderer.collect(world, part, seen);
+    ASSERT_EQ(everything.instances().size(), 3000u);
+    for (const SpriteInstance& one : everything.instances()) expected.instance(one, {}, 0);
+    ASSERT_EQ(seen.instances().size(), expected.instances().size());
+    for (std::size_t i = 0; i < seen.instances().size(); ++i)
+        EXPECT_EQ(seen.instances()[i].center, expected.instances()[i].center) << i;
+    EXPECT_GT(seen.instances().size(), 100u);
+    EXPECT_LT(seen.instances().size(), 2900u);
 }
 
 TEST_F(DrawScene, theCameraIsDrawnBetweenTicksInPlaceAndZoom) {

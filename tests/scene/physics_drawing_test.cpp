@@ -289,6 +289,44 @@ TEST(PhysicsDrawing, aSoftBodyIsDrawnWithTheEntityThatIsSelected) {
     }
 }
 
+DrawList drawnFrom(World& world, Vec2 center, float zoom) {
+    DrawList list;
+    list.begin({.center = center, .size = kPicture, .zoom = zoom});
+    PhysicsDrawing drawing;
+    drawing.draw(world, {layerNamed("shapes").bit}, 0.0f, 1.0f, list);
+    return list;
+}
+
+TEST(PhysicsDrawing, whatIsOutOfSightCostsNothingAndWhatReachesInIsThere) {
+    World world;
+    for (int i = 0; i < 50; ++i) {
+        Entity box = world.createEntity();
+        box.addComponent<Transform>(static_cast<float>(i) * 100.0f, 0.0f);
+        box.addComponent<BoxCollider>(40.0f, 40.0f);
+    }
+    previewPhysics(world);
+    const Vec2 between{1050.0f, 0.0f};
+    EXPECT_EQ(drawnFrom(world, between, 1.0f).culledCount(), 0u) << "none of them comes as far as the list";
+    EXPECT_GT(drawnFrom(world, between, 1.0f).items().size(), 20u);
+    EXPECT_EQ(drawnFrom(world, {1050.0f, 900.0f}, 1.0f).items().size(), 0u);
+    // The view's border goes through a box.
+    const float half = kPicture.x * 0.5f;
+    EXPECT_GT(drawnFrom(world, {-half - 15.0f, 0.0f}, 1.0f).items().size(), 0u);
+}
+
+TEST(PhysicsDrawing, whatIsSmallerThanItsLinesIsADotOfItsColour) {
+    World world;
+    Entity box = world.createEntity();
+    box.addComponent<Transform>(0.0f, 0.0f);
+    box.addComponent<BoxCollider>(40.0f, 40.0f);
+    previewPhysics(world);
+    EXPECT_GT(drawnFrom(world, {}, 1.0f).items().size(), 4u);
+    const DrawList far = drawnFrom(world, {}, 0.05f);
+    ASSERT_EQ(far.items().size(), 1u);
+    EXPECT_EQ(far.instances()[0].tint, drawnFrom(world, {}, 1.0f).instances().back().tint);
+    EXPECT_NEAR(far.instances()[0].half.x, 20.0f, 5.0f);
+}
+
 TEST(PhysicsDrawing, linesAreAsWideOnTheScreenAtAnyZoom) {
     World world;
     fill(world);

@@ -1,7 +1,10 @@
 #include "scene/tiles_json.hpp"
 
+#include <algorithm>
+
 #include <gtest/gtest.h>
 
+#include "core/base64.hpp"
 #include "core/random.hpp"
 #include "reflect/json.hpp"
 
@@ -34,6 +37,48 @@ TEST(TilesJson, aChangedTileChangesOneLine) {
     int changed = 0;
     for (std::size_t i = 0; i < before.size(); ++i) changed += before[i] == after[i] ? 0 : 1;
     EXPECT_EQ(changed, 1);
+}
+
+/// The line of a block, packed by somebody who only copies.
+std::string packedByOthers(const TileGrid& grid, int side) {
+    std::string bytes;
+    for (int y = 0; y < side; ++y) {
+        for (int x = 0; x < side; ++x) {
+            for (int shift = 0; shift < 32; shift += 8)
+                bytes += static_cast<char>(grid.at(x, y) >> shift & 255u);
+        }
+    }
+    std::string packed = "\x78\x01";
+    for (std::size_t at = 0; at < bytes.size(); at += 32768) {
+        const std::size_t count = std::min<std::size_t>(32768, bytes.size() - at);
+        packed += at + count == bytes.size() ? '\1' : '\0';
+        for (const std::size_t half : {count, ~count}) {
+            packed += static_cast<char>(half & 255u);
+            packed += static_cast<char>(half >> 8 & 255u);
+        }
+        packed.append(bytes, at, count);
+    }
+    return "0 0 " + toBase64(packed + "sum!");
+}
+
+TEST(TilesJson, aLineThatSomebodyElsePackedStaysAsItIsUntilItsTilesChange) {
+    TileGrid grid{300, 300};
+    for (int i = 0; i < 300; ++i) grid.set(i, i, cellOf(i));
+    Json json = tilesToJson(grid);
+    const std::string theirs = packedByOthers(grid, 128);
+    ASSERT_NE(json["blocks"][0], theirs);
+    json["blocks"][0] = theirs;
+    Result<ReadTiles> read = tilesFromJson(json);
+    ASSERT_TRUE(read.ok());
+    ASSERT_EQ(read->grid, grid);
+    EXPECT_EQ(tilesToJson(read->grid), json);
+    const TileGrid copy = read->grid;
+    read->grid.set(5, 6, 9);
+    EXPECT_NE(tilesToJson(read->grid)["blocks"][0], theirs);
+    EXPECT_EQ(tilesToJson(copy), json) << "a copy is still as the file has it";
+    EXPECT_EQ(tilesFromJson(tilesToJson(read->grid))->grid, read->grid);
+    read->grid.set(5, 6, 0);
+    EXPECT_EQ(tilesFromJson(tilesToJson(read->grid))->grid, grid);
 }
 
 TEST(TilesJson, emptyAndPlainPartsOfAHugeMapTakeAlmostNothing) {

@@ -77,9 +77,16 @@ void HotReload::prefabChanged() {
 
 void HotReload::sceneChanged() {
     Workspace& w = workspace_;
-    const Result<std::string> text = readFile(w.project.root / w.document.scenePath);
-    if (!text || *text == w.text()) return;  // gone for a moment, or written by ourselves
-    if (w.unsaved()) return;                 // the person is asked
+    std::error_code failed;
+    const Path file = w.project.root / w.document.scenePath;
+    if (!std::filesystem::exists(file, failed)) return;  // gone for a moment
+    // What we wrote ourselves is told by its hash: to make the text of a large scene takes longer than a
+    // frame.
+    w.safety.lookAtFile();
+    if (w.safety.onDisk() == FileWatch::State::Same) return;
+    const Result<std::string> text = readFile(file);
+    if (!text || *text == w.text()) return;
+    if (w.unsaved()) return;  // the person is asked
     const Result<LoadReport> loaded = reloadDocument(w.document, contextOf(w), *text);
     if (!loaded) {
         w.notice = loaded.error().text();

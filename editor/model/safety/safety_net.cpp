@@ -100,10 +100,11 @@ void SafetyNet::opened() {
 
 /// The journal first: wherever the program is killed while the file is written, one of the two has the text,
 /// and a journal that is left behind says what the file says, so that it is not offered.
+/// The journal is made in its own thread while the caller makes the text for the file; before that is
+/// written, the caller waits for the journal with finish().
 void SafetyNet::saving() {
     journal_.finish();
     journal_.tend(workspace_.document, workspace_.undo, now_ + Journal::kMostSeconds);
-    journal_.finish();
     backups.keep(workspace_.document.scenePath);
 }
 

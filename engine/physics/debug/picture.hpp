@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cmath>
+
 #include "physics/debug_draw.hpp"
 #include "physics/shapes/convex.hpp"
 
@@ -9,8 +11,10 @@ namespace plumb::physics {
 
 /// m on the canvas for each m/s2 that a force gives the lighter body: its weight on Earth is a hand's length.
 inline constexpr float kArrowPerAcceleration = 0.02f;
-inline constexpr float kLongestArrow = 1.0f;  ///< m: a hard landing shall not cross the screen
-inline constexpr float kPointRadius = 0.02f;  ///< m
+inline constexpr float kLongestArrow = 1.0f;    ///< m: a hard landing shall not cross the screen
+inline constexpr float kPointRadius = 0.02f;    ///< m
+inline constexpr float kOneWayArrow = 0.25f;    ///< m
+inline constexpr float kAround = kOneWayArrow;  ///< m: what is drawn of a shape stays so near to it
 
 /// A world, and what to draw it on.
 struct Picture {
@@ -50,6 +54,26 @@ struct Picture {
     [[nodiscard]] bool isStatic(std::uint32_t body) const {
         return world.bodies.info[body].kind == BodyKind::Static;
     }
+    /// The box around a shape that the broad phase keeps.
+    [[nodiscard]] AABB box(std::uint32_t shape) const {
+        const auto& box = world.shapes.bounds[shape];
+        return {seen(box.min), seen(box.max)};
+    }
+    /// Whether a shape, as large as the broad phase takes it for, reaches into what is looked at.
+    [[nodiscard]] bool isInSight(std::uint32_t shape, std::uint32_t body) const {
+        if (choice.sight == nullptr) return true;
+        const float way = choice.behind == 0.0f || !moves(body)
+                              ? 0.0f
+                              : std::abs(choice.behind) * length(world.bodies.motion[body].velocity);
+        const AABB around = box(shape);
+        const Vec2 more{way + kAround, way + kAround};
+        return intersects({around.min - more, around.max + more}, *choice.sight);
+    }
+    /// Whether a shape is so small on the canvas that its outline is not told from its box.
+    [[nodiscard]] bool isDot(std::uint32_t shape) const {
+        const Vec2 size = box(shape).size();
+        return size.x < choice.least && size.y < choice.least;
+    }
     [[nodiscard]] bool shows(std::uint32_t body) const { return isAmong(choice.bodies, body); }
     /// Whether a thing is among the chosen ones of its kind, if only these are shown.
     [[nodiscard]] bool isAmong(std::span<const std::uint8_t> chosen, std::size_t index) const {
@@ -66,9 +90,15 @@ struct Picture {
     /// Calls draw(shape, body) for all that are shown.
     template <class Draw>
     void forShapes(Draw&& draw) const {
+        forShapesThat([](std::uint32_t) { return true; }, draw);
+    }
+    /// The same for those of which wanted(shape) holds.
+    template <class Wanted, class Draw>
+    void forShapesThat(Wanted&& wanted, Draw&& draw) const {
         for (std::uint32_t s = 0; s < world.shapes.size(); ++s) {
             const std::uint32_t body = world.shapes.info[s].body;
-            if (world.shapes.motion[s] != ProxyMotion::Gone && shows(body)) draw(s, body);
+            if (world.shapes.motion[s] != ProxyMotion::Gone && wanted(s) && shows(body) && isInSight(s, body))
+                draw(s, body);
         }
     }
     /// Calls draw(contact) for all that touch and are shown, awake ones first: those with a trigger, or those

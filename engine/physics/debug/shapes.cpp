@@ -10,8 +10,6 @@ namespace plumb::physics {
 
 namespace {
 
-constexpr float kOneWayArrow = 0.25f;  // m
-
 bool isTrigger(const World& world, std::uint32_t shape) {
     return (world.shapes.info[shape].flags & kTrigger) != 0;
 }
@@ -88,11 +86,12 @@ private:
 
 void drawShapes(const Picture& picture) {
     const Shapes& shapes = picture.world.shapes;
-    picture.forShapes([&](std::uint32_t s, std::uint32_t body) {
-        if (isTrigger(picture.world, s)) return;
+    const auto stops = [&](std::uint32_t s) { return !isTrigger(picture.world, s); };
+    picture.forShapesThat(stops, [&](std::uint32_t s, std::uint32_t body) {
+        const DebugRole role = roleOf(shapes.motion[s]);
+        if (picture.isDot(s)) return drawBox(picture.canvas, picture.box(s), role);
         const Frame frame = picture.frame(body);
         const Convex outline = picture.outline(s);
-        const DebugRole role = roleOf(shapes.motion[s]);
         drawOutline(picture.canvas, outline, frame, role);
         if ((shapes.info[s].flags & kOneWay) == 0) return;
         const Vec2 from = apply(frame, outline.centre);
@@ -103,9 +102,10 @@ void drawShapes(const Picture& picture) {
 }
 
 void drawTriggers(const Picture& picture) {
-    picture.forShapes([&](std::uint32_t s, std::uint32_t body) {
-        if (isTrigger(picture.world, s))
-            drawOutline(picture.canvas, picture.outline(s), picture.frame(body), DebugRole::Trigger);
+    const auto triggers = [&](std::uint32_t s) { return isTrigger(picture.world, s); };
+    picture.forShapesThat(triggers, [&](std::uint32_t s, std::uint32_t body) {
+        if (picture.isDot(s)) return drawBox(picture.canvas, picture.box(s), DebugRole::Trigger);
+        drawOutline(picture.canvas, picture.outline(s), picture.frame(body), DebugRole::Trigger);
     });
     const auto middle = [&](std::uint32_t shape, std::uint32_t body) {
         return apply(picture.frame(body), picture.outline(shape).centre);
@@ -131,8 +131,7 @@ void drawBroadPhase(const Picture& picture) {
         visitRegions(*work->broadPhase, work->broadPhaseKind, regions);
     }
     picture.forShapes([&](std::uint32_t s, std::uint32_t) {
-        const AABB& box = picture.world.shapes.bounds[s];
-        drawBox(picture.canvas, {picture.seen(box.min), picture.seen(box.max)}, DebugRole::BroadPhase);
+        drawBox(picture.canvas, picture.box(s), DebugRole::BroadPhase);
     });
 }
 
