@@ -8,6 +8,8 @@
 namespace plumb {
 namespace {
 
+constexpr std::uint32_t kPiece = 512;  // particles
+
 std::uint8_t mixed(std::uint8_t from, std::uint8_t to, float t) {
     return static_cast<std::uint8_t>(lerp(static_cast<float>(from), static_cast<float>(to), t) + 0.5f);
 }
@@ -91,25 +93,32 @@ void ParticleDrawing::draw(const Particles& particles, const ParticleStream& str
     const AABB seen = list.visible();
     constexpr float kLast = static_cast<float>(Table::kSteps - 1);
 
-    const std::span<SpriteInstance> room = list.beginRun(stream.count);
-    SpriteInstance* out = room.data();
+    const auto fill = [&](std::uint32_t from, std::uint32_t to, SpriteInstance* const room) {
+        SpriteInstance* out = room;
+        for (std::uint32_t i = from; i < to; ++i) {
+            const float t = particles.progress[i] - particles.pace[i] * look.back;
+            if (!(t >= 0.0f)) continue;  // not born yet at this moment
+            const auto step = static_cast<std::uint32_t>(std::min(t, 1.0f) * kLast + 0.5f);
+            const float x = particles.x[i] - particles.velocityX[i] * reach - fall.x;
+            const float y = particles.y[i] - particles.velocityY[i] * reach - fall.y;
+            const Vec2 center = placing.x * x + placing.y * y + placing.offset;
+            const Vec2 halfSize = half * (table.size[step] * particles.size[i]);
+            const float around = halfSize.x + halfSize.y;
+            const bool inside = center.x + around > seen.min.x && center.x - around < seen.max.x &&
+                                center.y + around > seen.min.y && center.y - around < seen.max.y;
+            if (!inside) continue;
+            const float rotation = placing.rotation + particles.turn[i] + particles.spin[i] * t;
+            *out++ = {center, halfSize, rotation, uv, table.color[step], slot};
+        }
+        return static_cast<std::size_t>(out - room);
+    };
+    // Piece by piece: the list clears the room that it gives, which then is still in the nearest cache.
     const std::uint32_t end = stream.first + stream.count;
-    for (std::uint32_t i = stream.first; i < end; ++i) {
-        const float t = particles.progress[i] - particles.pace[i] * look.back;
-        if (!(t >= 0.0f)) continue;  // not born yet at this moment
-        const auto step = static_cast<std::uint32_t>(std::min(t, 1.0f) * kLast + 0.5f);
-        const float x = particles.x[i] - particles.velocityX[i] * reach - fall.x;
-        const float y = particles.y[i] - particles.velocityY[i] * reach - fall.y;
-        const Vec2 center = placing.x * x + placing.y * y + placing.offset;
-        const Vec2 halfSize = half * (table.size[step] * particles.size[i]);
-        const float around = halfSize.x + halfSize.y;
-        const bool inside = center.x + around > seen.min.x && center.x - around < seen.max.x &&
-                            center.y + around > seen.min.y && center.y - around < seen.max.y;
-        if (!inside) continue;
-        *out++ = {center, halfSize,          placing.rotation + particles.turn[i] + particles.spin[i] * t,
-                  uv,     table.color[step], slot};
+    for (std::uint32_t from = stream.first; from < end; from += kPiece) {
+        const std::uint32_t to = std::min(from + kPiece, end);
+        const std::size_t filled = fill(from, to, list.beginRun(to - from).data());
+        list.endRun(filled, look.picture.texture, emitter.layer, look.sortY);
     }
-    list.endRun(static_cast<std::size_t>(out - room.data()), look.picture.texture, emitter.layer, look.sortY);
 }
 
 }  // namespace plumb

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstring>
 
 #include "core/random.hpp"
 #include "math/angle.hpp"
@@ -84,17 +85,25 @@ void move(Particles& particles, const ParticleStream& stream, const ParticleTrav
     for (std::uint32_t i = 0; i < stream.count; ++i) progress[i] += pace[i] * dt;
 }
 
-/// Closes the gaps of those that have lived; the others keep their order, so that nothing flickers.
+/// Closes the gaps of those that have lived; the others keep their order, so that nothing flickers. Whole
+/// runs of survivors move at once: few die in a tick.
 void bury(Particles& particles, ParticleStream& stream) {
     const float* const progress = particles.progress.data();
     const std::uint32_t end = stream.first + stream.count;
+    const auto lives = [progress](std::uint32_t i) { return progress[i] < 1.0f; };
     std::uint32_t kept = stream.first;
-    while (kept < end && progress[kept] < 1.0f) ++kept;
-    if (kept == end) return;
-    for (std::uint32_t i = kept + 1; i < end; ++i) {
-        if (!(progress[i] < 1.0f)) continue;
-        for (const Column column : kColumns) (particles.*column)[kept] = (particles.*column)[i];
-        ++kept;
+    while (kept < end && lives(kept)) ++kept;
+    for (std::uint32_t i = kept; i < end;) {
+        while (i < end && !lives(i)) ++i;
+        const std::uint32_t start = i;
+        while (i < end && lives(i)) ++i;
+        const std::uint32_t run = i - start;
+        if (run == 0) break;
+        for (const Column column : kColumns) {
+            float* const values = (particles.*column).data();
+            std::memmove(values + kept, values + start, run * sizeof(float));
+        }
+        kept += run;
     }
     stream.count = kept - stream.first;
 }

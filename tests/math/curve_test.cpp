@@ -46,8 +46,8 @@ TEST(Curves, neverSwingBeyondTheKeysBesideAPlaceAndRiseWhereThoseDo) {
                 ASSERT_GE(value, std::min(from.value, to.value));
                 ASSERT_LE(value, std::max(from.value, to.value));
                 constexpr float kRounding = 1e-5f;
-                if (to.value > from.value) ASSERT_GE(value, before - kRounding) << i;
-                if (to.value < from.value) ASSERT_LE(value, before + kRounding) << i;
+                const float rise = to.value > from.value ? value - before : before - value;
+                ASSERT_GE(rise, -kRounding) << i;
                 before = value;
             }
         }
@@ -73,7 +73,7 @@ TEST(Curves, haveTheSameBitsOnEveryMachine) {
             bits = bits * 31 + std::bit_cast<std::uint32_t>(curve.valueAt(static_cast<float>(step) / 16.0f));
         }
     }
-    EXPECT_EQ(bits, 0ull);
+    EXPECT_EQ(bits, 7984501653428533459ull);
 }
 
 TEST(Curves, keepTheirKeysInOrder) {

@@ -233,7 +233,7 @@ TEST_F(ParticleScene, thereAreNeverMoreThanTheMaximum) {
     run(1);
     EXPECT_EQ(particles().alive(), 100u);
     entity.get<ParticleEmitter>().maximum = 900;
-    run(10);
+    run(30);
     EXPECT_EQ(particles().alive(), 900u) << "it gets the room that it wants";
 }
 

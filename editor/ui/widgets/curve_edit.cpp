@@ -12,8 +12,9 @@
 namespace plumb::editor::ui {
 namespace {
 
-constexpr int kSegments = 64;  // of the line that is drawn
-constexpr float kGrab = 8.0f;  // px around a key
+constexpr int kSegments = 64;     // of the line that is drawn
+constexpr float kWidth = 340.0f;  // px of the opened curve
+constexpr float kGrab = 8.0f;     // px around a key
 constexpr std::size_t kNoKey = Curve::kKeys;
 
 /// A curve that a click gives; values from 0 to 1.
@@ -82,9 +83,9 @@ void drawGrid(const Ui& ui, ImDrawList& list, const Canvas& canvas) {
         list.AddLine({x, canvas.from.y}, {x, canvas.to.y}, palette::kTick);
         list.AddLine({canvas.from.x, y}, {canvas.to.x, y}, palette::kTick);
     }
-    list.AddText({canvas.from.x + ui.px(4.0f), canvas.from.y + ui.px(2.0f)}, palette::kTextDim,
+    list.AddText({canvas.from.x + ui.px(10.0f), canvas.from.y + ui.px(2.0f)}, palette::kTextDim,
                  numberText(double{canvas.top}).c_str());
-    list.AddText({canvas.from.x + ui.px(4.0f), canvas.to.y - ImGui::GetTextLineHeight() - ui.px(2.0f)},
+    list.AddText({canvas.from.x + ui.px(10.0f), canvas.to.y - ImGui::GetTextLineHeight() - ui.px(2.0f)},
                  palette::kTextDim, numberText(double{canvas.bottom}).c_str());
 }
 
@@ -144,14 +145,27 @@ void CurveEdit::draw(const FieldRow& row) {
 }
 
 void CurveEdit::drawPopup(const FieldRow& row, const Curve& curve) {
+    const Ui& ui = row.ui;
+    ImGui::AlignTextToFramePadding();
     ImGui::TextUnformatted(std::string{row.target.field.name}.c_str());
+    const float width =
+        ImGui::GetFrameHeight() + ImGui::GetStyle().ItemInnerSpacing.x + ImGui::CalcTextSize("Smooth").x;
+    ImGui::SameLine(ImGui::GetStyle().WindowPadding.x + ui.px(kWidth) - width);
+    bool smooth = curve.shape == CurveShape::Smooth;
+    const bool changed = checkbox("Smooth", smooth, false);
+    ui.widgets.mark(row.path + "/Smooth", smooth ? "true" : "false");
+    tooltip("Round between the keys, never beyond them; off is straight.");
     drawCanvas(row, curve);
-    drawButtons(row, curve);
+    drawButtons(row);
+    if (!changed) return;
+    Curve shaped = curve;
+    shaped.shape = smooth ? CurveShape::Smooth : CurveShape::Linear;
+    row.set(FieldValue::of(shaped));
 }
 
 void CurveEdit::drawCanvas(const FieldRow& row, const Curve& curve) {
     Ui& ui = row.ui;
-    const ImVec2 size{ui.px(340.0f), ui.px(170.0f)};
+    const ImVec2 size{ui.px(kWidth), ui.px(170.0f)};
     ImGui::InvisibleButton("##canvas", size,
                            ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight);
     ui.widgets.mark(row.path + "/canvas");
@@ -236,29 +250,18 @@ void CurveEdit::drag(const FieldRow& row, const Curve& curve, CurveKey to) {
     if (path_.empty()) ui.workspace.undo.endGesture();
 }
 
-void CurveEdit::drawButtons(const FieldRow& row, const Curve& curve) {
-    Ui& ui = row.ui;
+void CurveEdit::drawButtons(const FieldRow& row) {
+    const Ui& ui = row.ui;
     for (const Preset& preset : kPresets) {
+        if (&preset != &kPresets.front()) ImGui::SameLine(0.0f, ui.px(4.0f));
         if (ImGui::Button(preset.name)) {
             Curve chosen = preset.curve;
-            chosen.shape = curve.shape;
+            chosen.shape = row.value<Curve>().shape;
             row.set(FieldValue::of(chosen));
         }
         ui.widgets.mark(format("{}/{}", row.path, preset.name));
-        ImGui::SameLine(0.0f, ui.px(4.0f));
     }
-    bool smooth = curve.shape == CurveShape::Smooth;
-    const float width = ImGui::GetFrameHeight() + ui.px(4.0f) + ImGui::CalcTextSize("Smooth").x;
-    ImGui::SameLine(std::max(ImGui::GetCursorPosX(), ImGui::GetWindowContentRegionMax().x - width));
-    const bool changed = checkbox("Smooth", smooth, false);
-    ui.widgets.mark(row.path + "/Smooth", smooth ? "true" : "false");
-    tooltip("Round between the keys, never beyond them; off is straight.");
-    if (changed) {
-        Curve shaped = curve;
-        shaped.shape = smooth ? CurveShape::Smooth : CurveShape::Linear;
-        row.set(FieldValue::of(shaped));
-    }
-    ImGui::TextDisabled("Drag keys, double click adds one, right click takes one out.");
+    ImGui::TextDisabled("Drag keys. Double click: one more. Right click: one less.");
 }
 
 void CurveEdit::endFrame(Ui& ui) {

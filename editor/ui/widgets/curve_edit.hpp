@@ -19,7 +19,7 @@ public:
 private:
     void drawPopup(const FieldRow& row, const Curve& curve);
     void drawCanvas(const FieldRow& row, const Curve& curve);
-    void drawButtons(const FieldRow& row, const Curve& curve);
+    static void drawButtons(const FieldRow& row);
     /// The key in hand follows the mouse.
     void drag(const FieldRow& row, const Curve& curve, CurveKey to);
 

@@ -75,15 +75,14 @@ void drawParticleBar(Ui& ui, ParticlePreview& preview, ImVec2 from, ImVec2 size)
     ImGui::SetCursorScreenPos(at);
     ImGui::PushStyleColor(ImGuiCol_ChildBg, palette::kPopup);
     ImGui::PushStyleVar(ImGuiStyleVar_ChildRounding, ui.px(5.0f));
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2{margin, margin * 0.5f});
-    beginChild("particles", {width, height}, true,
+    beginChild("particles", {width, height}, false,
                ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
-    const float left = ImGui::GetCursorPosX();
+    ImGui::SetCursorPos({margin, margin * 0.5f});
     ImGui::AlignTextToFramePadding();
     ImGui::TextUnformatted(count.c_str());
     ui.widgets.mark("Viewport/particles", format("{}", preview.particles().alive()));
     tooltip("A preview of what is selected. The scene itself is not changed.");
-    ImGui::SameLine(left + words + gap, 0.0f);
+    ImGui::SameLine(margin + words + gap, 0.0f);
     if (ImGui::Button("Restart")) preview.restart();
     ui.widgets.mark("Viewport/particles/restart");
     tooltip("Begins anew, as when the game starts");
@@ -92,7 +91,7 @@ void drawParticleBar(Ui& ui, ParticlePreview& preview, ImVec2 from, ImVec2 size)
     ui.widgets.mark("Viewport/particles/burst");
     tooltip("Sends its burst now; without one, a handful");
     ImGui::EndChild();
-    ImGui::PopStyleVar(2);
+    ImGui::PopStyleVar();
     ImGui::PopStyleColor();
 }
 
