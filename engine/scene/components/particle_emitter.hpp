@@ -20,7 +20,7 @@ enum class EmitterArea : std::uint8_t { Point, Box, Circle };
 /// They are only seen: nothing collides with them. Which ones come follows from the entity's lasting id.
 struct ParticleEmitter {
     bool playing = true;
-    float rate = 40.0f;     ///< particles a second
+    float rate = 50.0f;     ///< particles a second
     int burst = 0;          ///< particles at once when it begins, and again with each turn
     float duration = 1.0f;  ///< s of a turn
     bool loop = true;
@@ -34,7 +34,7 @@ struct ParticleEmitter {
     float areaRadius = 32.0f;     ///< px
 
     float direction = -1.57079637f;  ///< rad, clockwise from the right; up
-    float spread = 1.2f;             ///< rad: how wide the fan is around the direction
+    float spread = 1.22173048f;      ///< rad: how wide the fan is around the direction
     float speed = 150.0f;            ///< px/s
     float speedSpread = 0.5f;        ///< ratio
     float gravity = 0.35f;           ///< ratio of the scene's
@@ -46,13 +46,13 @@ struct ParticleEmitter {
 
     TextureId texture;
     Rect source;              ///< px in the texture; empty: all of it
-    float size = 4.0f;        ///< px, the longer side
+    float size = 3.0f;        ///< px, the longer side
     float sizeSpread = 0.5f;  ///< ratio
     Curve sizeOverLife = Curve::line(1.0f, 0.3f);
     Curve opacityOverLife = {{CurveKey{0.0f, 1.0f}, CurveKey{0.6f, 0.9f}, CurveKey{1.0f, 0.0f}}, 3};
-    Color colorStart{255, 226, 138, 255};
-    Color colorEnd{226, 84, 36, 255};
-    ParticleBlend blend = ParticleBlend::Additive;
+    Color colorStart{255, 214, 102, 255};
+    Color colorEnd{214, 58, 26, 255};
+    ParticleBlend blend = ParticleBlend::Normal;
     int layer = 10;  ///< order of drawing: higher is in front
 
     static void describe(TypeBuilder<ParticleEmitter>& type) {
@@ -91,11 +91,15 @@ private:
         type.field<&ParticleEmitter::area>("area")
             .names({{"point", 0}, {"box", 1}, {"circle", 2}})
             .doc("Where particles begin, around the Transform.");
-        type.field<&ParticleEmitter::areaSize>("areaSize").unit(Unit::Pixels).shownIf("area", 1);
+        type.field<&ParticleEmitter::areaSize>("areaSize")
+            .unit(Unit::Pixels)
+            .shownIf("area", 1)
+            .doc("Of the box.");
         type.field<&ParticleEmitter::areaRadius>("areaRadius")
             .unit(Unit::Pixels)
             .range(0.0f, 1e5f)
-            .shownIf("area", 2);
+            .shownIf("area", 2)
+            .doc("Of the circle.");
     }
     static void describeMotion(TypeBuilder<ParticleEmitter>& type) {
         type.field<&ParticleEmitter::direction>("direction")
