@@ -33,13 +33,13 @@ protected:
     }
     /// Turns the wheel over the inspector until the field is in sight.
     void scrollTo(std::string_view field) {
-        constexpr float kLowest = 400.0f;  // px
+        constexpr float kLowest = 600.0f;  // px
         for (int i = 0; i < 60; ++i) {
             const WidgetMap::Widget* found = widget(field);
             if (found != nullptr && found->box.max.y < kLowest) return;
-            hands.moveTo({1150.0f, kLowest});
+            hands.moveTo({1150.0f, 400.0f});
             const Event wheel{
-                .kind = EventKind::MouseWheel, .position = {1150.0f, kLowest}, .motion = {0.0f, -1.0f}};
+                .kind = EventKind::MouseWheel, .position = {1150.0f, 400.0f}, .motion = {0.0f, -1.0f}};
             window.frame({{&wheel, 1}});
             hands.rest(2);
         }
