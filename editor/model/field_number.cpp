@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "core/text.hpp"
+#include "reflect/curve_field.hpp"
 
 namespace plumb::editor {
 namespace {
@@ -62,6 +63,7 @@ NumberRange rangeOfBytes(const FieldInfo& field) {
 }  // namespace
 
 bool hasNumbers(const FieldInfo& field) {
+    if (isCurve(field)) return false;
     switch (kindOfNumbers(field)) {
         case FieldKind::Int: return !field.layerBits;
         case FieldKind::Float:

@@ -6,6 +6,7 @@
 #include "core/assert.hpp"
 #include "ecs/world.hpp"
 #include "physics/simulation.hpp"
+#include "scene/particles.hpp"
 #include "scene/physics_state.hpp"
 
 namespace plumb::editor {
@@ -14,10 +15,14 @@ namespace {
 /// A step back plays at most this many ticks again; worlds that are kept more rarely cost less to keep.
 constexpr std::int64_t kSpacing = 15;  // ticks
 
+constexpr std::size_t kParticleBytes = 9 * sizeof(float);  // of one, in all arrays
+
 /// About what a kept world takes. Tile grids and texts are shared by all of them while nobody changes them.
 std::size_t bytesOf(const Snapshot& snapshot, const World& world) {
     const auto* physics = world.findResource<PhysicsState>();
-    return snapshot.byteCount() + (physics == nullptr ? 0 : physics::stateBytes(physics->world));
+    const auto* particles = world.findResource<Particles>();
+    return snapshot.byteCount() + (physics == nullptr ? 0 : physics::stateBytes(physics->world)) +
+           (particles == nullptr ? 0 : particles->x.size() * kParticleBytes);
 }
 
 }  // namespace

@@ -54,7 +54,7 @@ void selectionMenu(Ui& ui, const std::string& path) {
         actionItem(ui, id, path);
     }
     ImGui::Separator();
-    for (const char* id : {"entity.create", "entity.prefab", "edit.paste"}) {
+    for (const char* id : {"entity.create", "entity.particles", "entity.prefab", "edit.paste"}) {
         actionItem(ui, id, path);
     }
 }

@@ -217,6 +217,7 @@ constexpr std::array kMainIcons{
     MainIcon{"Collectible", Icon::Star},
     MainIcon{"Sprite", Icon::Picture},
     MainIcon{"RigidBody", Icon::Body},
+    MainIcon{"ParticleEmitter", Icon::Star},
     MainIcon{"Rope", Icon::Soft},
     MainIcon{"Cloth", Icon::Soft},
     MainIcon{"Jelly", Icon::Soft},

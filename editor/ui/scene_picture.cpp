@@ -30,6 +30,8 @@ std::uintptr_t ScenePicture::draw(World& world, AssetStore* assets, const View& 
     how.labelText = &fillPlaceholders;
     how.ahead = preview.ahead;
     how.hidden = preview.hidden;
+    how.particles = preview.particles;
+    how.particleBack = preview.particleBack;
     list_.begin(how.view);
     renderer.collect(world, how, list_);
     device_.setViewport(viewport);

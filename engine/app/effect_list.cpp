@@ -30,7 +30,7 @@ struct Device {
     std::string_view calledFor;
 };
 constexpr Device kDevices[] = {
-    {"picture", "Sprite, TileLayer, Label"},
+    {"picture", "Sprite, TileLayer, ParticleEmitter, Label"},
     {"sound", "SoundCues, Music"},
     {"keys and pads",
      "PlayerController, PushControl, MouseDrag, SceneLink, Menu, SceneKey, ToggleKey, Detonator"},

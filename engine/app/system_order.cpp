@@ -42,9 +42,10 @@ constexpr std::array kSystems{
     row<MotionDecorSystem>("Bob, Spin, Lifetime"),
     row<CharacterAnimationSystem>("PlayerController, Patrol"),
     row<AnimationSystem>("Animator"),
+    row<ParticleSystem>("ParticleEmitter"),
     row<SoundCueSystem>("SoundCues"),
     row<CameraSystem>("Camera"),
-    row<RenderSystem>("Sprite, TileLayer, Label"),
+    row<RenderSystem>("Sprite, TileLayer, ParticleEmitter, Label"),
 };
 
 }  // namespace

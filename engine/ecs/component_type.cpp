@@ -5,6 +5,8 @@
 #include <deque>
 #include <mutex>
 
+#include "reflect/curve_field.hpp"
+
 namespace plumb {
 
 namespace {
@@ -83,6 +85,7 @@ void hashValue(Hasher& hasher, FieldKind kind, const void* at, std::size_t size)
 
 void hashField(Hasher& hasher, const FieldInfo& field, const void* component) {
     const void* at = field.in(component);
+    if (isCurve(field)) hasher.add(static_cast<std::uint64_t>(static_cast<const Curve*>(at)->shape));
     if (field.kind != FieldKind::List) {
         hashValue(hasher, field.kind, at, field.size);
         return;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cstring>
 
+#include "reflect/curve_field.hpp"
+
 namespace plumb {
 namespace {
 
@@ -14,6 +16,7 @@ std::size_t listBytes(const FieldInfo& field, const void* list) {
 }  // namespace
 
 bool valuesEqual(const FieldInfo& field, const void* a, const void* b) {
+    if (isCurve(field)) return std::memcmp(a, b, sizeof(Curve)) == 0;
     switch (field.kind) {
         case FieldKind::List: {
             const std::size_t bytes = listBytes(field, a);

@@ -10,6 +10,8 @@
 #include "math/color.hpp"
 #include "math/rect.hpp"
 #include "math/vec2.hpp"
+#include "reflect/curve_field.hpp"
+#include "reflect/curve_json.hpp"
 #include "reflect/field_context.hpp"
 #include "reflect/json.hpp"
 
@@ -387,7 +389,8 @@ Json valueToJson(const FieldInfo& field, const void* value, const FieldContext& 
         case FieldKind::Enum: return enumToJson(field, value);
         case FieldKind::Entity: return entityToJson(value, context);
         case FieldKind::Tiles: return context.tilesToJson(load<TilesId>(value));
-        case FieldKind::List: return listToJson(field, value, context);
+        case FieldKind::List:
+            return isCurve(field) ? curveToJson(load<Curve>(value)) : listToJson(field, value, context);
     }
     return {};
 }
@@ -419,7 +422,9 @@ Result<Done> valueFromJson(const FieldInfo& field, void* value, const Json& json
             store(value, *tiles);
             return Done{};
         }
-        case FieldKind::List: return readList(field, value, json, context);
+        case FieldKind::List:
+            return isCurve(field) ? readCurve(field, value, json, context)
+                                  : readList(field, value, json, context);
     }
     return Done{};
 }

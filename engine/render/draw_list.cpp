@@ -41,6 +41,7 @@ void DrawList::begin(const View& view, TextureGrouping grouping) {
     items_.clear();
     instances_.clear();
     retained_.clear();
+    runs_.clear();
     triangles_.clear();
     vertices_.clear();
 }
@@ -71,6 +72,21 @@ void DrawList::instance(const SpriteInstance& instance, TextureHandle texture, i
     add(Kind::Sprite, instances_.size(), drawKey(layer, 0, group));
     instances_.push_back(instance);
     instances_.back().slot |= texture.index << kTextureShift;
+}
+
+std::span<SpriteInstance> DrawList::beginRun(std::size_t most) {
+    runStart_ = instances_.size();
+    instances_.resize(runStart_ + most);
+    return {instances_.data() + runStart_, most};
+}
+
+void DrawList::endRun(std::size_t count, TextureHandle texture, int layer, float sortY) {
+    culled_ += instances_.size() - runStart_ - count;
+    instances_.resize(runStart_ + count);
+    if (count == 0) return;
+    const std::uint32_t group = (texture.index / static_cast<std::uint32_t>(kTextureSlots)) & groupMask_;
+    add(Kind::Run, runs_.size(), drawKey(layer, yKey(sortY), group));
+    runs_.push_back({static_cast<std::uint32_t>(runStart_), static_cast<std::uint32_t>(count), texture});
 }
 
 void DrawList::retained(const RetainedSprites& sprites) {

@@ -74,6 +74,13 @@ public:
     /// A quad that is in the device's form already; its slot holds flags only.
     void instance(const SpriteInstance& instance, TextureHandle texture, int layer);
 
+    /// Room for many quads of one texture and layer, in the device's form, slots with flags only: to be
+    /// filled front to back and then given back by endRun, with nothing added in between. Who fills it leaves
+    /// out what visible() does not touch.
+    [[nodiscard]] std::span<SpriteInstance> beginRun(std::size_t most);
+    /// @param count  how many were filled
+    void endRun(std::size_t count, TextureHandle texture, int layer, float sortY = kNoSortY);
+
     void line(Vec2 from, Vec2 to, const ShapeStyle& style);
     void arrow(Vec2 from, Vec2 to, const ShapeStyle& style);
     void rect(const AABB& box, const ShapeStyle& style);
@@ -85,15 +92,21 @@ public:
     void filledPolygon(std::span<const Vec2> corners, Color color, int layer = kHighestLayer);
 
     [[nodiscard]] const View& view() const { return view_; }
+    [[nodiscard]] const AABB& visible() const { return visible_; }  ///< px, world
     [[nodiscard]] std::size_t spriteCount() const { return instances_.size(); }
     [[nodiscard]] std::size_t culledCount() const { return culled_; }
 
     // What the renderer reads. An item's reference is its kind in the top two bits and its index in that
     // kind's list.
-    enum class Kind : std::uint8_t { Sprite, Retained, Geometry };
+    enum class Kind : std::uint8_t { Sprite, Retained, Geometry, Run };
     struct Triangles {
         std::uint32_t first = 0;
         std::uint32_t count = 0;  ///< vertices
+    };
+    struct Run {
+        std::uint32_t first = 0;  ///< of the instances
+        std::uint32_t count = 0;
+        TextureHandle texture;
     };
     static Kind kindOf(DrawItem item) { return static_cast<Kind>(item.ref >> kKindShift); }
     static std::size_t indexOf(DrawItem item) { return item.ref & ((1u << kKindShift) - 1u); }
@@ -104,6 +117,7 @@ public:
     [[nodiscard]] std::span<const DrawItem> items() const { return items_; }
     [[nodiscard]] std::span<const SpriteInstance> instances() const { return instances_; }
     [[nodiscard]] std::span<const RetainedSprites> retainedSprites() const { return retained_; }
+    [[nodiscard]] std::span<const Run> runs() const { return runs_; }
     [[nodiscard]] std::span<const Triangles> triangles() const { return triangles_; }
     [[nodiscard]] std::span<const GeometryVertex> vertices() const { return vertices_; }
 
@@ -127,6 +141,8 @@ private:
     std::vector<DrawItem> items_;
     std::vector<SpriteInstance> instances_;
     std::vector<RetainedSprites> retained_;
+    std::vector<Run> runs_;
+    std::size_t runStart_ = 0;
     std::vector<Triangles> triangles_;
     std::vector<GeometryVertex> vertices_;
 };

@@ -7,19 +7,38 @@ namespace {
 
 constexpr float kLargePart = 0.125f;  ///< of the view
 
+bool hasSprites(DrawItem item) {
+    const DrawList::Kind kind = DrawList::kindOf(item);
+    return kind == DrawList::Kind::Sprite || kind == DrawList::Kind::Run;
+}
+
 /// The sprites at the front of `order`, up to the first thing of another kind.
 std::span<const DrawItem> leadingSprites(std::span<const DrawItem> order) {
     std::size_t count = 0;
-    while (count < order.size() && DrawList::kindOf(order[count]) == DrawList::Kind::Sprite) ++count;
+    while (count < order.size() && hasSprites(order[count])) ++count;
     return order.first(count);
+}
+
+/// The sprites of an item that has some.
+std::span<const SpriteInstance> spritesOf(DrawItem item, const DrawList& list) {
+    const std::size_t index = DrawList::indexOf(item);
+    if (DrawList::kindOf(item) == DrawList::Kind::Sprite) return list.instances().subspan(index, 1);
+    return list.instances().subspan(list.runs()[index].first, list.runs()[index].count);
 }
 
 /// How many instances these items need.
 std::size_t spritesIn(std::span<const DrawItem> order, const DrawList& list) {
     if (order.size() == list.items().size()) return list.spriteCount();
-    return static_cast<std::size_t>(std::count_if(order.begin(), order.end(), [](DrawItem item) {
-        return DrawList::kindOf(item) == DrawList::Kind::Sprite;
-    }));
+    std::size_t count = 0;
+    for (const DrawItem item : order) {
+        if (hasSprites(item)) count += spritesOf(item, list).size();
+    }
+    return count;
+}
+
+TextureHandle textureOf(DrawItem item, const SpriteInstance& first, const DrawList& list) {
+    if (DrawList::kindOf(item) == DrawList::Kind::Run) return list.runs()[DrawList::indexOf(item)].texture;
+    return {DrawList::textureOf(first)};
 }
 
 void countItems(const DrawList& list, RenderCounts& counts) {
@@ -76,20 +95,18 @@ void Renderer::planSprites(const DrawList& list, std::span<const DrawItem> order
             SpriteBatch batch;
             batch.first = written;
             batch.transform = transform;
-            batch.count = fillRun(list, leadingSprites(order), memory.subspan(written), batch);
+            order = order.subspan(fillBatch(list, leadingSprites(order), memory.subspan(written), batch));
             written += batch.count;
-            order = order.subspan(batch.count);
             steps_.push_back({DrawList::Kind::Sprite, batch, {}});
         }
     }
     if (sprites > 0) device_.unmapInstances();
 }
 
-/// Writes sprites until they end or need one texture too many. @return how many
-std::size_t Renderer::fillRun(const DrawList& list, std::span<const DrawItem> run,
-                              std::span<SpriteInstance> out, SpriteBatch& batch) {
+/// Writes sprites until they end or need one texture too many. @return how many items
+std::size_t Renderer::fillBatch(const DrawList& list, std::span<const DrawItem> items,
+                                std::span<SpriteInstance> out, SpriteBatch& batch) {
     ++batchNumber_;
-    const std::span<const SpriteInstance> instances = list.instances();
     const std::size_t mostTextures = device_.batchTextures();
     constexpr std::uint32_t kFlags = kSpriteDiagonal | kSpriteAdditive;
     // Where every slot costs time for every pixel, what covers much of the view is drawn alone, from one
@@ -97,11 +114,12 @@ std::size_t Renderer::fillRun(const DrawList& list, std::span<const DrawItem> ru
     const bool slotsAreCostly = mostTextures < kTextureSlots;
     const Vec2 seen = visibleBox(list.view()).size() * 0.5f;
     const float largeArea = seen.x * seen.y * kLargePart;
-    for (std::size_t i = 0; i < run.size(); ++i) {
-        SpriteInstance instance = instances[DrawList::indexOf(run[i])];
-        const bool alone = slotsAreCostly && instance.half.x * instance.half.y > largeArea;
+    for (std::size_t i = 0; i < items.size(); ++i) {
+        const std::span<const SpriteInstance> sprites = spritesOf(items[i], list);
+        const Vec2 half = sprites.front().half;
+        const bool alone = slotsAreCostly && sprites.size() == 1 && half.x * half.y > largeArea;
         if (alone && i > 0) return i;
-        const std::uint32_t texture = DrawList::textureOf(instance);
+        const std::uint32_t texture = textureOf(items[i], sprites.front(), list).index;
         if (texture >= slots_.size()) slots_.resize(texture + 1);
         Slot& slot = slots_[texture];
         if (slot.batch != batchNumber_) {
@@ -109,11 +127,14 @@ std::size_t Renderer::fillRun(const DrawList& list, std::span<const DrawItem> ru
             slot = {batchNumber_, static_cast<std::uint32_t>(batch.textureCount)};
             batch.textures[batch.textureCount++] = {texture};
         }
-        instance.slot = (instance.slot & kFlags) | slot.slot;
-        out[i] = instance;
+        for (const SpriteInstance& sprite : sprites) {
+            SpriteInstance instance = sprite;
+            instance.slot = (instance.slot & kFlags) | slot.slot;
+            out[batch.count++] = instance;
+        }
         if (alone) return 1;
     }
-    return run.size();
+    return items.size();
 }
 
 void Renderer::addRetained(const RetainedSprites& sprites, const ViewTransform& transform) {

@@ -48,8 +48,8 @@ private:
 
     void drawItems(const DrawList& list, std::span<const DrawItem> order, const Viewport& viewport);
     void planSprites(const DrawList& list, std::span<const DrawItem> order, const ViewTransform& transform);
-    std::size_t fillRun(const DrawList& list, std::span<const DrawItem> run, std::span<SpriteInstance> out,
-                        SpriteBatch& batch);
+    std::size_t fillBatch(const DrawList& list, std::span<const DrawItem> items,
+                          std::span<SpriteInstance> out, SpriteBatch& batch);
     void addRetained(const RetainedSprites& sprites, const ViewTransform& transform);
     void addGeometry(const DrawList& list, const DrawList::Triangles& part, const ViewTransform& transform);
     void submit();

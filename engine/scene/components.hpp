@@ -26,6 +26,7 @@
 #include "scene/components/name.hpp"
 #include "scene/components/overlay.hpp"
 #include "scene/components/parallax_layer.hpp"
+#include "scene/components/particle_emitter.hpp"
 #include "scene/components/persistent.hpp"
 #include "scene/components/polygon_collider.hpp"
 #include "scene/components/prefab_instance.hpp"

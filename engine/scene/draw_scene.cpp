@@ -250,6 +250,7 @@ void SceneRenderer::collect(World& world, const SceneView& how, DrawList& list) 
     collectTiles(world, how, list);
     collectSprites(world, how, list);
     drawSoftBodies(world, how, list);
+    collectParticles(world, how, list);
     collectLabels(world, how, list);
     for (const DrawItem& item : list.items().subspan(backdrops)) {
         nearLayer_ = std::min(nearLayer_, layerOfKey(item.key));
@@ -365,6 +366,32 @@ void SceneRenderer::collectTiles(World& world, const SceneView& how, DrawList& l
             pose.position += parallaxOf(*look, how);
         }
         tiles_.draw(world, entity, drawn, pose, list);
+    }
+}
+
+void SceneRenderer::collectParticles(const World& world, const SceneView& how, DrawList& list) {
+    const Particles* particles = how.particles != nullptr ? how.particles : world.findResource<Particles>();
+    if (particles == nullptr) return;
+    particles_.begin();
+    const Vec2 gravity = particleGravity(world);
+    for (const ParticleStream& stream : particles->streams) {
+        const auto* emitter = world.find<ParticleEmitter>(stream.emitter);
+        if (emitter == nullptr || world.has<Hidden>(stream.emitter)) continue;
+        if (!isSeen(world, stream.emitter, how)) continue;
+        const float alpha = alphaOf(world, stream.emitter, how);
+        ParticleLook look;
+        look.picture = textures_.regionOf(emitter->texture);
+        look.pose = worldPose(world, stream.emitter, alpha);
+        look.back = how.particles != nullptr ? how.particleBack
+                                             : (1.0f - alpha) * static_cast<float>(kSecondsPerTick);
+        look.gravity = gravity;
+        if (const SceneLayer* layer = layerOf(emitter->layer)) {
+            if (!layer->visible) continue;
+            look.tint = layer->tint;
+            look.offset = parallaxOf(*layer, how);
+            if (layer->ySort) look.sortY = look.pose.position.y;
+        }
+        particles_.draw(*particles, stream, *emitter, look, list);
     }
 }
 

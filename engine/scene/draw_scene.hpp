@@ -10,6 +10,7 @@
 #include "render/sized_target.hpp"
 #include "render/texture_library.hpp"
 #include "scene/label_drawing.hpp"
+#include "scene/particle_drawing.hpp"
 #include "scene/physics_drawing.hpp"
 #include "scene/scene_layer.hpp"
 #include "scene/tile_drawing.hpp"
@@ -33,10 +34,12 @@ struct SceneView {
     bool parallax = true;  ///< false draws backdrops where they are, as part of the world
     float grid = 0.0f;     ///< px of the target for each px of the picture: backdrops keep to them; 0: they
                            ///< lie where they come to lie
-    int place = kEveryScene;           ///< in the stack of scenes: what is drawn
-    LabelText labelText = nullptr;     ///< null shows texts as they are written
-    double ahead = 0.0;                ///< s by which animated tiles are shown ahead of the world's time
-    std::span<const EntityId> hidden;  ///< who is not drawn (sorted), without those below them
+    int place = kEveryScene;               ///< in the stack of scenes: what is drawn
+    LabelText labelText = nullptr;         ///< null shows texts as they are written
+    double ahead = 0.0;                    ///< s by which animated tiles are shown ahead of the world's time
+    std::span<const EntityId> hidden;      ///< who is not drawn (sorted), without those below them
+    const Particles* particles = nullptr;  ///< drawn in place of the world's own
+    float particleBack = 0.0f;             ///< s before the last step of `particles` that is drawn
 };
 
 /// Turns a world into draw lists: sprites, backdrops, tile layers, texts. Keeps what is costly to make
@@ -78,6 +81,7 @@ private:
     void collectSprites(World& world, const SceneView& how, DrawList& list);
     void collectBackdrops(World& world, const SceneView& how, DrawList& list);
     void collectTiles(World& world, const SceneView& how, DrawList& list);
+    void collectParticles(const World& world, const SceneView& how, DrawList& list);
     void collectLabels(World& world, const SceneView& how, DrawList& list);
 
     AssetStore& assets_;
@@ -85,6 +89,7 @@ private:
     TextureLibrary textures_;
     TileDrawing tiles_;
     LabelDrawing labels_;
+    ParticleDrawing particles_;
     PhysicsDrawing physics_;
     DrawList list_;
     std::vector<SceneLayer> layers_;  ///< of the scenes, by order

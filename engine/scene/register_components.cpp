@@ -25,6 +25,7 @@
 #include "scene/components/name.hpp"
 #include "scene/components/overlay.hpp"
 #include "scene/components/parallax_layer.hpp"
+#include "scene/components/particle_emitter.hpp"
 #include "scene/components/persistent.hpp"
 #include "scene/components/polygon_collider.hpp"
 #include "scene/components/prefab_instance.hpp"
@@ -58,6 +59,7 @@ void registerSceneComponents(TypeRegistry& types) {
     types.add<TileLayer>();
     types.add<TileCollider>();
     types.add<ParallaxLayer>();
+    types.add<ParticleEmitter>();
     types.add<Label>();
     types.add<Camera>();
     types.add<RigidBody>();

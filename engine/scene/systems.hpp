@@ -8,5 +8,6 @@
 #include "scene/systems/collision_system.hpp"
 #include "scene/systems/gravity_system.hpp"
 #include "scene/systems/movement_system.hpp"
+#include "scene/systems/particle_system.hpp"
 #include "scene/systems/physics_system.hpp"
 #include "scene/systems/render_system.hpp"

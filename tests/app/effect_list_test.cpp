@@ -8,6 +8,7 @@
 #include "ecs/world.hpp"
 #include "gameplay/components/music.hpp"
 #include "scene/components/box_collider.hpp"
+#include "scene/components/particle_emitter.hpp"
 #include "scene/components/rigid_body.hpp"
 #include "scene/components/sprite.hpp"
 #include "scene/components/transform.hpp"
@@ -25,6 +26,18 @@ bool works(const std::string& table, const std::string& name) {
     const std::string line = lineOf(table, name);
     EXPECT_FALSE(line.empty()) << name;
     return line.find("yes") != std::string::npos;
+}
+
+TEST(EffectList, particlesWorkOnlyForAnEmitter) {
+    const TypeRegistry types = engineTypes();
+    World world{types};
+    const std::string none = effectList(world, types);
+    EXPECT_EQ(lineOf(none, "particles"), "  particles           no     nobody has ParticleEmitter");
+    EXPECT_FALSE(works(none, "picture"));
+    world.createEntity().addComponent<ParticleEmitter>();
+    const std::string one = effectList(world, types);
+    EXPECT_EQ(lineOf(one, "particles"), "  particles           yes    ParticleEmitter (1)");
+    EXPECT_TRUE(works(one, "picture"));
 }
 
 TEST(EffectList, saysWhatWorksAndForWhom) {

@@ -66,6 +66,7 @@ int runBroadphase(const Options& options);
 int runEcs(const Options& options);
 int runEditor(const Options& options);
 int runIntegrators(const Options& options);
+int runParticles(const Options& options);
 int runPhysics(const Options& options);
 int runRender(const Options& options);
 int runScene(const Options& options);

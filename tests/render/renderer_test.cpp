@@ -71,6 +71,37 @@ TEST_F(RendererTest, withinALayerLowerOnScreenIsNearer) {
     for (std::size_t i = 1; i < order.size(); ++i) EXPECT_LT(order[i - 1].rotation, order[i].rotation);
 }
 
+TEST_F(RendererTest, aRunIsDrawnInItsLayerAndSharesTheBatchOfTheSpritesAroundIt) {
+    const std::vector<TextureHandle> textures = makeTextures(device, 2);
+    const auto addRun = [&](int layer, float from, std::size_t count) {
+        const std::span<SpriteInstance> room = list.beginRun(count + 5);
+        for (std::size_t i = 0; i < count; ++i)
+            room[i] = {.center = {from + static_cast<float>(i), 50.0f},
+                       .half = {1.0f, 1.0f},
+                       .slot = kSpriteAdditive};
+        list.endRun(count, textures[1], layer);
+    };
+    SpriteQuad quad = quadAt({200.0f, 50.0f}, textures[0]);
+    quad.layer = 1;
+    list.sprite(quad);
+    addRun(2, 100.0f, 3);
+    addRun(0, 10.0f, 2);
+    addRun(0, 10.0f, 0);
+    EXPECT_EQ(list.spriteCount(), 6u);
+    EXPECT_EQ(list.culledCount(), 15u) << "what was not filled";
+
+    const std::vector<SpriteInstance> order = drawn();
+    ASSERT_EQ(order.size(), 6u);
+    const std::array expected{10.0f, 11.0f, 200.0f, 100.0f, 101.0f, 102.0f};
+    for (std::size_t i = 0; i < expected.size(); ++i) EXPECT_EQ(order[i].center.x, expected[i]);
+    ASSERT_EQ(device.drawCalls(), 1u);
+    const SpriteBatch& batch = device.spriteDraws[0].batch;
+    EXPECT_EQ(batch.textures[order[0].slot & 0xff].index, textures[1].index);
+    EXPECT_EQ(batch.textures[order[2].slot & 0xff].index, textures[0].index);
+    EXPECT_NE(order[0].slot & kSpriteAdditive, 0u);
+    EXPECT_EQ(order[2].slot & kSpriteAdditive, 0u);
+}
+
 TEST_F(RendererTest, sixteenInterleavedTexturesAreOneDrawCall) {
     const std::vector<TextureHandle> textures = makeTextures(device, 16);
     for (int i = 0; i < 1000; ++i) {

@@ -9,6 +9,7 @@
 #include "core/text.hpp"
 #include "ecs/hierarchy.hpp"
 #include "ecs/world.hpp"
+#include "reflect/curve_field.hpp"
 #include "reflect/type_registry.hpp"
 #include "scene/components/name.hpp"
 #include "scene/components/scene_entity.hpp"
@@ -57,6 +58,15 @@ private:
         return world_.texts().add(kPaths[random_.below(4)]);
     }
 
+    Curve curve(const FieldInfo& field) {
+        Curve curve = Curve::constant(number(field));
+        curve.shape = random_.below(2) == 0 ? CurveShape::Smooth : CurveShape::Linear;
+        curve.keys[0].at = random_.between(0.0f, 0.1f);
+        for (std::uint32_t more = random_.below(8); more > 0; --more)
+            curve.insert({curve.keys[curve.size() - 1].at + random_.between(0.001f, 0.12f), number(field)});
+        return curve;
+    }
+
     TilesId tiles() {
         TileGrid grid{static_cast<int>(random_.below(9)), static_cast<int>(random_.below(5))};
         for (int i = 0; i < 12; ++i) {
@@ -96,6 +106,7 @@ private:
                 break;
             case FieldKind::Tiles: put(value, random_.below(4) == 0 ? TilesId{} : tiles()); break;
             case FieldKind::List: {
+                if (isCurve(field)) return put(value, curve(field));
                 const auto count = random_.below(static_cast<std::uint32_t>(field.capacity) + 1);
                 *field.listCount(value) = count;
                 for (std::uint32_t i = 0; i < count; ++i) {

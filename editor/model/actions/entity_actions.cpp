@@ -4,6 +4,10 @@
 #include "editor/model/commands/insert_entities.hpp"
 #include "editor/model/tools/transform_drag.hpp"
 #include "editor/model/tree_edit.hpp"
+#include "scene/components/name.hpp"
+#include "scene/components/particle_emitter.hpp"
+#include "scene/components/scene_entity.hpp"
+#include "scene/components/transform.hpp"
 
 namespace plumb::editor {
 namespace {
@@ -11,6 +15,20 @@ namespace {
 void create(Workspace& w) {
     const Vec2 at = snapped(w.view.view().center, w.grid.size);
     w.undo.push(createEntity(w.document, "new entity", at));
+    w.undo.endGesture();
+}
+void createParticles(Workspace& w) {
+    Document& document = w.document;
+    EntityState state{document.newId(), {}, {}};
+    const auto add = [&]<class T>(const T& component) {
+        state.components.push_back(componentState(document, document.types().of<T>(), &component));
+    };
+    add(SceneEntity{state.id.value, document.nextOrder(), document.scene});
+    add(Name{document.world.texts().add("particles")});
+    add(Transform{snapped(w.view.view().center, w.grid.size)});
+    add(ParticleEmitter{});
+    std::vector<EntityState> states{std::move(state)};
+    w.undo.push(std::make_unique<InsertEntities>("create particles", std::move(states)));
     w.undo.endGesture();
 }
 template <int X, int Y>
@@ -54,6 +72,7 @@ bool onInstance(const Workspace& w) { return withSelection(w) && w.selectsInstan
 
 const std::array kRows{
     Action{"entity.create", "Entity", "Create entity", control(Key::N), editable, create},
+    Action{"entity.particles", "Entity", "Add particles", {}, editable, createParticles},
     Action{"entity.prefab", "Entity", "Add prefab...", control(Key::N, true), editable,
            ask<WindowRequest::ChoosePrefab>},
     Action{"entity.rename", "Entity", "Rename", {Key::F2}, withSelection, ask<WindowRequest::RenameSelected>},

@@ -14,6 +14,7 @@
 #include "editor/ui/scene_picture.hpp"
 #include "editor/ui/ui_compat.hpp"
 #include "editor/ui/widgets/empty_state.hpp"
+#include "editor/ui/widgets/particle_bar.hpp"
 #include "editor/ui/widgets/scene_drop.hpp"
 #include "editor/ui/widgets/tile_picture.hpp"
 #include "editor/ui/widgets/timeline.hpp"
@@ -54,7 +55,9 @@ public:
         followGame(ui);
         lookAround(ui);
         useTool(ui);
+        advancePreview(ui, particles_);
         drawScene(ui, from, size);
+        drawParticleBar(ui, particles_, from, size);
     }
 
 private:
@@ -180,6 +183,7 @@ private:
         for (const OverlayRow& row : overlayTable()) {
             if (workspace.shows(row.name)) row.draw(workspace, world, overlay_);
         }
+        drawEmitterShapes(world, particles_, overlay_);
         drawSelection(ui, world);
         if (workspace.canEdit()) workspace.tool().draw(workspace.tools(), pointer_, overlay_);
         const AABB picture = pictureOf(workspace, {from.x, from.y}, {size.x, size.y});
@@ -248,6 +252,8 @@ private:
         const Revisions now{workspace.document.view.revision(), workspace.document.treeRevision};
         if (std::exchange(hiddenAt_, now) != now) hidden_ = outOfSight(workspace.document);
         preview.hidden = hidden_;
+        if (particles_.shows()) preview.particles = &particles_.particles();
+        preview.particleBack = particles_.back();
         return preview;
     }
 
@@ -400,6 +406,7 @@ private:
     bool playing_ = false;
     Overlay overlay_;
     std::vector<EntityId> selected_;
+    ParticlePreview particles_;
 
     /// What something was found out from.
     struct Revisions {

@@ -8,6 +8,7 @@
 #include "editor/model/workspace.hpp"
 #include "editor/ui/ui_compat.hpp"
 #include "editor/ui/widgets/choices.hpp"
+#include "reflect/curve_field.hpp"
 
 namespace plumb::editor::ui {
 namespace {
@@ -144,7 +145,7 @@ void FieldEdit::draw(const FieldRow& row) {
         case FieldKind::Entity: return entities_.draw(row);
         case FieldKind::Asset: return assets_.draw(row);
         case FieldKind::Tiles: return chooseTiles(row);
-        case FieldKind::List: return drawList(row);
+        case FieldKind::List: return isCurve(row.target.field) ? curves_.draw(row) : drawList(row);
     }
 }
 

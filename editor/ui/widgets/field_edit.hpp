@@ -1,5 +1,6 @@
 #pragma once
 
+#include "editor/ui/widgets/curve_edit.hpp"
 #include "editor/ui/widgets/field_row.hpp"
 #include "editor/ui/widgets/number_edit.hpp"
 #include "editor/ui/widgets/pickers.hpp"
@@ -13,7 +14,7 @@ public:
     /// Draws the widget of a field and lets it change all of the target; a dash stands where they differ.
     void draw(const FieldRow& row);
     /// After all were drawn.
-    void endFrame(Ui& ui) { typing_.endFrame(ui), numbers_.endFrame(ui); }
+    void endFrame(Ui& ui) { typing_.endFrame(ui), numbers_.endFrame(ui), curves_.endFrame(ui); }
 
 private:
     /// @param at  bytes from the start of the value
@@ -27,6 +28,7 @@ private:
 
     Typing typing_;
     NumberEdit numbers_{typing_};
+    CurveEdit curves_;
     EntityPicker entities_;
     AssetPicker assets_;
 };

@@ -1,0 +1,24 @@
+#pragma once
+
+#include "math/curve.hpp"
+#include "math/vec2.hpp"
+#include "reflect/type_builder.hpp"
+
+namespace plumb {
+
+/// Who knows no curves sees a list of pairs: place and value of each key.
+template <>
+struct ListTraits<Curve> : std::true_type {
+    using Element = Vec2;
+    static constexpr std::size_t kCapacity = Curve::kKeys;
+};
+static_assert(sizeof(CurveKey) == sizeof(Vec2));
+
+/// Whether a field is a curve; its range is that of the values. A list of pairs has 4 bytes beside them, its
+/// count; a curve has its shape too, so that no list is as large.
+inline bool isCurve(const FieldInfo& field) {
+    static_assert(sizeof(Curve) == Curve::kKeys * sizeof(Vec2) + 8);
+    return field.kind == FieldKind::List && field.element == FieldKind::Vec2 && field.size == sizeof(Curve);
+}
+
+}  // namespace plumb

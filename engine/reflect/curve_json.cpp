@@ -1,0 +1,92 @@
+#include "reflect/curve_json.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <limits>
+
+#include "core/text.hpp"
+#include "reflect/field_context.hpp"
+#include "reflect/field_json.hpp"
+#include "reflect/json.hpp"
+
+namespace plumb {
+namespace {
+
+constexpr std::string_view kForm = R"(write e.g. ["smooth", [0, 1], [1, 0]])";
+
+Error wrong(const FieldInfo& field, std::string what, std::string remedy = std::string{kForm}) {
+    return {std::string{field.name}, std::move(what), std::move(remedy)};
+}
+
+bool isFinite(const Json& json) {
+    return json.is_number() && std::isfinite(json.get<double>()) &&
+           std::fabs(json.get<double>()) <= double{std::numeric_limits<float>::max()};
+}
+
+Result<CurveShape> shapeFrom(const FieldInfo& field, const Json& json) {
+    const auto* word = json.get_ptr<const std::string*>();
+    if (word != nullptr && *word == "smooth") return CurveShape::Smooth;
+    if (word != nullptr && *word == "linear") return CurveShape::Linear;
+    return wrong(field, format(R"(a curve begins with "smooth" or "linear", found {})", foundText(json)));
+}
+
+Result<CurveKey> keyFrom(const FieldInfo& field, const Json& json, std::size_t index) {
+    if (!json.is_array() || json.size() != 2 || !isFinite(json[0]) || !isFinite(json[1]))
+        return wrong(field, format("key {} is no pair of numbers [place, value]", index));
+    const CurveKey key{json[0].get<float>(), json[1].get<float>()};
+    if (key.at < 0.0f || key.at > 1.0f)
+        return wrong(field, format("key {} lies at {}, outside 0 to 1", index, shortestText(key.at)),
+                     "a curve goes from 0, the start, to 1, the end");
+    return key;
+}
+
+void keepInRange(const FieldInfo& field, CurveKey& key, std::size_t index, FieldContext& context) {
+    const float kept = std::clamp(key.value, field.min, field.max);
+    if (kept == key.value) return;
+    context.warn({std::string{field.name},
+                  format("key {} has {}, outside {} to {}", index, shortestText(key.value),
+                         shortestText(field.min), shortestText(field.max)),
+                  format("using {}; write a value inside the range", shortestText(kept))});
+    key.value = kept;
+}
+
+}  // namespace
+
+Json curveToJson(const Curve& curve) {
+    Json json = Json::array();
+    json.push_back(curve.shape == CurveShape::Smooth ? "smooth" : "linear");
+    for (std::size_t i = 0; i < curve.size(); ++i) {
+        json.push_back(Json::array({double{curve.keys[i].at}, double{curve.keys[i].value}}));
+    }
+    return json;
+}
+
+Result<Done> readCurve(const FieldInfo& field, void* value, const Json& json, FieldContext& context) {
+    if (!json.is_array() || json.empty())
+        return wrong(field, format("expected a curve, found {}", foundText(json)));
+    const Result<CurveShape> shape = shapeFrom(field, json[0]);
+    if (!shape) return shape.error();
+    const std::size_t keys = json.size() - 1;
+    if (keys == 0) return wrong(field, "a curve needs at least one key");
+    if (keys > Curve::kKeys)
+        return wrong(field, format("{} keys, there is room for {}", keys, Curve::kKeys),
+                     "leave out those that matter least");
+    Curve curve = Curve::constant(0.0f);
+    curve.shape = *shape;
+    for (std::size_t i = 0; i < keys; ++i) {
+        Result<CurveKey> key = keyFrom(field, json[i + 1], i);
+        if (!key) return key.error();
+        if (i > 0 && !(key->at > curve.keys[i - 1].at))
+            return wrong(field,
+                         format("key {} lies at {}, not after the one before it", i, shortestText(key->at)),
+                         "sort the keys by their place, each at another one");
+        keepInRange(field, *key, i, context);
+        curve.keys[i] = *key;
+    }
+    curve.count = static_cast<std::uint32_t>(keys);
+    std::memcpy(value, &curve, sizeof curve);
+    return Done{};
+}
+
+}  // namespace plumb

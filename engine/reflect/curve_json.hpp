@@ -1,0 +1,20 @@
+#pragma once
+
+#include "core/result.hpp"
+#include "math/curve.hpp"
+#include "reflect/json_fwd.hpp"
+#include "reflect/type_info.hpp"
+
+namespace plumb {
+
+class FieldContext;
+
+/// A curve as files hold it, on one line: ["smooth", [0, 1], [0.5, 0.8], [1, 0]]. Each pair is a place along
+/// 0..1 and the value there.
+Json curveToJson(const Curve& curve);
+
+/// Reads one. A value past the field's range is clamped, and the context is told.
+/// @error no curve, another word, no key, too many, out of order, outside 0..1; `value` keeps what it is
+Result<Done> readCurve(const FieldInfo& field, void* value, const Json& json, FieldContext& context);
+
+}  // namespace plumb
