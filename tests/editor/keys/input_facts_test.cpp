@@ -68,9 +68,11 @@ TEST_F(InputFacts, aFieldThatVanishesWhileItIsDraggedEndsItsStep) {
 
 TEST_F(InputFacts, ofAHundredThousandRowsOnlyThoseInSightAreDrawn) {
     std::string text = R"({"format": 1, "entities": [)";
-    for (int i = 0; i < 100000; ++i)
-        text += format("{}{{\"id\": \"{:016x}\", \"name\": \"e{}\", \"components\": {{}}}}",
-                       i == 0 ? "" : ",", i + 1, i);
+    for (int i = 0; i < 100000; ++i) {
+        text += i == 0 ? "" : ",";
+        text += R"({"id": ")" + hexText(static_cast<std::uint64_t>(i) + 1) + R"(", "name": "e)" +
+                std::to_string(i) + R"(", "components": {}})";
+    }
     putFile("scenes/many.scene.json", text + "]}");
     ASSERT_TRUE(workspace.open("scenes/many.scene.json").ok());
     hands.rest(3);
