@@ -93,10 +93,11 @@ Vec2 layerParallax(const Workspace& workspace, ObjectId layer) {
 void setLayerParallax(Workspace& workspace, ObjectId layer, Vec2 factor) {
     const Document& document = workspace.document;
     if (!workspace.canEdit() || layerParallax(workspace, layer) == factor) return;
-    if (document.world.has<ParallaxLayer>(document.find(layer)))
-        return setField<ParallaxLayer>(workspace, layer, "factor", factor);
+    // The whole component each time, so that the drag that adds it is one step.
     const TypeInfo& type = document.types().of<ParallaxLayer>();
-    ComponentState state = defaultComponent(type);
+    const EntityId entity = document.find(layer);
+    ComponentState state = document.world.has<ParallaxLayer>(entity) ? readComponent(document, type, entity)
+                                                                     : defaultComponent(type);
     setIn(state, type, "factor", factor);
     workspace.undo.push(std::make_unique<ChangeComponents>(
         "set parallax", type, std::vector<ChangeComponents::Change>{{layer, std::move(state)}}));

@@ -1,7 +1,7 @@
 #include "editor/ui/editor_window.hpp"
 
 #include <algorithm>
-#include <array>
+#include <utility>
 
 #include "editor/model/actions.hpp"
 #include "editor/ui/overlays/overlay_list.hpp"
@@ -13,7 +13,17 @@ namespace {
 
 constexpr float kToolbarHeight = 38.0f;  // px at scale 1
 constexpr float kStatusHeight = 24.0f;
-constexpr std::array kNudgeKeys{Key::Left, Key::Right, Key::Up, Key::Down};
+constexpr float kRunPause = 1.0f;  // s: nudges after a longer rest are another step
+
+/// When keys last added to the open gesture (s of ImGui's clock); below zero: it is not theirs. Nudges that
+/// follow each other are one step, until one rests or takes the mouse.
+float& keysAddedAt() {
+    return *ImGui::GetStateStorage()->GetFloatRef(ImGui::GetID("gesture of keys"), -1.0f);
+}
+
+void endGestureOfKeys(UndoStack& undo) {
+    if (std::exchange(keysAddedAt(), -1.0f) >= 0.0f) undo.endGesture();
+}
 
 /// While a game plays, plain letters belong to it; what is left are function keys and Ctrl combinations.
 bool actsWhilePlaying(const Event& event) {
@@ -152,6 +162,7 @@ void EditorWindow::handleKeys(std::span<const Event> events) {
     const bool playing = workspace_.play.running() && !workspace_.play.paused();
     ui_.panHeld = !typing && !playing && feed_->held(Key::Space);
     for (const Event& event : events) {
+        if (event.kind == EventKind::MouseDown) endGestureOfKeys(workspace_.undo);
         if (ui_.takeEvent && ui_.takeEvent(event)) continue;
         if (event.kind == EventKind::Quit) workspace_.request = WindowRequest::Quit;
         if (event.kind == EventKind::FileDropped) bringIn(workspace_, event.text);
@@ -163,16 +174,19 @@ void EditorWindow::handleKeys(std::span<const Event> events) {
             if (event.key == Key::Escape) closePopups();
             continue;
         }
-        if (!workspace_.play.running() || actsWhilePlaying(event)) runShortcut(workspace_, event);
+        if (workspace_.play.running() && !actsWhilePlaying(event)) continue;
+        const bool dragging = feed_->held(MouseButton::Left);
+        if (runShortcut(workspace_, event) && !dragging && workspace_.undo.inGesture())
+            keysAddedAt() = static_cast<float>(ImGui::GetTime());
     }
     ui_.takesEscape = false;
     // A widget that vanished in the middle of a drag never says that it ended.
-    const bool nudging =
-        std::any_of(kNudgeKeys.begin(), kNudgeKeys.end(), [&](Key key) { return feed_->held(key); });
-    if (workspace_.undo.inGesture() && !ImGui::IsAnyItemActive() && !feed_->held(MouseButton::Left) &&
-        !nudging) {
+    const bool ofKeys = keysAddedAt() >= 0.0f;
+    if (ofKeys && static_cast<float>(ImGui::GetTime()) - keysAddedAt() > kRunPause)
+        endGestureOfKeys(workspace_.undo);
+    if (!ofKeys && workspace_.undo.inGesture() && !ImGui::IsAnyItemActive() &&
+        !feed_->held(MouseButton::Left))
         workspace_.undo.endGesture();
-    }
 }
 
 /// What is pressed or turned beside the scene belongs to the editor.
@@ -250,7 +264,9 @@ void EditorWindow::drawOverlayMenu() {
 }
 
 void EditorWindow::showAssetPanel() {
-    std::string wanted = std::exchange(workspace_.panelToShow, {});
+    // A place in a panel, or in a dialog, is taken by that itself.
+    std::string wanted = workspace_.panelToShow.substr(0, workspace_.panelToShow.find('/'));
+    if (wanted.size() == workspace_.panelToShow.size()) workspace_.panelToShow.clear();
     if (!workspace_.assetToShow.empty()) wanted = "Assets";
     if (!workspace_.assetToEdit.empty()) wanted = "Animation";
     if (!wanted.empty()) workspace_.settings.layout.show(wanted);

@@ -75,7 +75,15 @@ const std::array kRows{
     Action{"entity.particles", "Entity", "Add particles", {}, editable, createParticles},
     Action{"entity.prefab", "Entity", "Add prefab...", control(Key::N, true), editable,
            ask<WindowRequest::ChoosePrefab>},
-    Action{"entity.rename", "Entity", "Rename", {Key::F2}, withSelection, ask<WindowRequest::RenameSelected>},
+    Action{"entity.rename",
+           "Entity",
+           "Rename",
+           {Key::F2},
+           withSelection,
+           [](Workspace& w) {
+               w.panelToShow = "Scene", w.settings.layout.hidden = false;
+               ask<WindowRequest::RenameSelected>(w);
+           }},
     Action{"entity.group", "Entity", "Group", control(Key::G), withSelection, group},
     Action{"entity.earlier",
            "Entity",

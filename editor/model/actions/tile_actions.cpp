@@ -44,26 +44,6 @@ void selectAllCells(Workspace& w) {
     w.tiles.selected.set(std::move(cells));
 }
 
-template <std::size_t Slot>
-void keepStamp(Workspace& w) {
-    w.tiles.kept[Slot] = w.tiles.stamp;
-    w.notice = format("Kept as {}; press {} to paint with it", Slot + 1, Slot + 1);
-}
-template <std::size_t Slot>
-void recallStamp(Workspace& w) {
-    if (w.tiles.kept[Slot]) {
-        takeStamp(w, *w.tiles.kept[Slot]);
-    } else {
-        w.notice = format("Nothing is kept there; Ctrl+{} keeps what is painted now", Slot + 1);
-    }
-}
-
-template <int X, int Y>
-void nudgeCells(Workspace& w) {
-    moveSelectedTiles(w.tools(), X, Y, false);
-    w.undo.endGesture();
-}
-
 constexpr std::array<Key, TilePaint::kKept> kDigits{Key::Digit1, Key::Digit2, Key::Digit3,
                                                     Key::Digit4, Key::Digit5, Key::Digit6,
                                                     Key::Digit7, Key::Digit8, Key::Digit9};
@@ -79,6 +59,30 @@ constexpr std::array<std::array<std::string_view, 4>, TilePaint::kKept> kStampRo
     {"tiles.keep9", "Keep tiles as 9", "tiles.recall9", "Paint with tiles 9"},
 }};
 
+std::string keysOf(const Workspace& w, std::string_view action) {
+    return w.settings.keys.shownOf(*findAction(action)).text();
+}
+
+template <std::size_t Slot>
+void keepStamp(Workspace& w) {
+    w.tiles.kept[Slot] = w.tiles.stamp;
+    w.notice = format("Kept as {}; press {} to paint with it", Slot + 1, keysOf(w, kStampRows[Slot][2]));
+}
+template <std::size_t Slot>
+void recallStamp(Workspace& w) {
+    if (w.tiles.kept[Slot]) {
+        takeStamp(w, *w.tiles.kept[Slot]);
+    } else {
+        w.notice =
+            format("Nothing is kept there; {} keeps what is painted now", keysOf(w, kStampRows[Slot][0]));
+    }
+}
+
+template <int X, int Y>
+void nudgeCells(Workspace& w) {
+    moveSelectedTiles(w.tools(), X, Y, false);
+}
+
 template <std::size_t... Slots>
 void addStampRows(std::vector<Action>& rows, std::index_sequence<Slots...>) {
     // Hidden from menus: nine rows twice would bury the rest.
@@ -93,8 +97,8 @@ void addStampRows(std::vector<Action>& rows, std::index_sequence<Slots...>) {
 /// A thing to do with tiles while a tile tool is in the hand.
 constexpr Action row(std::string_view id, std::string_view label, Shortcut keys,
                      bool (*enabled)(const Workspace&), void (*run)(Workspace&),
-                     bool (*on)(const Workspace&) = nullptr) {
-    return {id, "Tiles", label, keys, enabled, run, on, {}, During::Tiles};
+                     bool (*on)(const Workspace&) = nullptr, Shortcut alternative = {}) {
+    return {id, "Tiles", label, keys, enabled, run, on, alternative, During::Tiles};
 }
 constexpr Action layerRow(std::string_view id, std::string_view label, Shortcut keys, void (*run)(Workspace&),
                           bool (*on)(const Workspace&) = nullptr) {
@@ -115,7 +119,7 @@ std::vector<Action> makeRows() {
         row("tiles.cut", "Cut tiles", control(Key::X), withCells, cutCells),
         row("tiles.copy", "Copy tiles", control(Key::C), withCells, copyCells),
         row("tiles.paste", "Paint with the copied tiles", control(Key::V), withTiles, pasteCells),
-        row("tiles.clear", "Clear tiles", {Key::Delete}, withCells, clearCells),
+        row("tiles.clear", "Clear tiles", {Key::Delete}, withCells, clearCells, nullptr, {Key::Backspace}),
         row("tiles.selectAll", "Select all tiles", control(Key::A), painting, selectAllCells),
         row("tiles.left", "Move tiles left", {Key::Left}, withCells, nudgeCells<-1, 0>),
         row("tiles.right", "Move tiles right", {Key::Right}, withCells, nudgeCells<1, 0>),

@@ -14,6 +14,12 @@ void frameAll(Workspace& w) {
     if (const auto box = boundsOf(w.document, w.document.objects())) w.view.frame(*box);
 }
 
+/// About the middle of the view.
+template <int Steps>
+void zoomBy(Workspace& w) {
+    w.view.zoomAt(w.view.view().size * 0.5f, static_cast<float>(Steps));
+}
+
 template <SnapTo To>
 void snapTo(Workspace& w) {
     w.grid.to = To;
@@ -25,7 +31,9 @@ bool snapsTo(const Workspace& w) {
 }
 void hidePanels(Workspace& w) {
     w.settings.layout.hidden = !w.settings.layout.hidden;
-    w.notice = w.settings.layout.hidden ? "Tab shows the panels again" : "";
+    w.notice = w.settings.layout.hidden ? w.settings.keys.shownOf(*findAction("view.hidePanels")).text() +
+                                              " shows the panels again"
+                                        : "";
 }
 template <std::size_t Index>
 void usePreset(Workspace& w) {
@@ -41,6 +49,8 @@ const std::array kRows{
            [](Workspace& w) { w.showStart(); }},
     Action{"view.actual", "View", "Actual size", control(Key::Digit0), always,
            [](Workspace& w) { w.view.setZoom(1.0f); }},
+    Action{"view.closer", "View", "Closer", {Key::Equals}, always, zoomBy<2>, nullptr, {Key::PadPlus}},
+    Action{"view.farther", "View", "Farther", {Key::Minus}, always, zoomBy<-2>, nullptr, {Key::PadMinus}},
     line("View"),
     Action{"view.snap", "View", "Snap", shifted(Key::S), always,
            [](Workspace& w) { w.grid.snap = !w.grid.snap; }, [](const Workspace& w) { return w.grid.snap; }},

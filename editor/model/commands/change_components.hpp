@@ -29,6 +29,7 @@ public:
     void revert(Document& document) override { swapComponents(document); }
     bool absorb(const Command& next) override;
     [[nodiscard]] bool changesNothing(const Document& document) const override;
+    [[nodiscard]] const std::vector<Change>& changes() const { return changes_; }
 
 private:
     void swapComponents(Document& document);

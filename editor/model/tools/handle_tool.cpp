@@ -4,7 +4,9 @@
 
 namespace plumb::editor {
 
+/// Alt is for what lies under the handles.
 Handle HandleTool::handleUnder(const ToolContext& context, const Pointer& pointer) const {
+    if (pointer.modifiers.alt) return Handle::None;
     const std::optional<Pose> pose = poseInHand(context.document);
     return pose ? handleAt(*pose, pointer) : Handle::None;
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "editor/model/bounds.hpp"
+#include "editor/model/commands/copy_entities.hpp"
 
 namespace plumb::editor {
 namespace {
@@ -10,9 +11,9 @@ namespace {
 constexpr Color kBoxLine{77, 163, 255, 220};
 constexpr Color kBoxFill{77, 163, 255, 36};
 
-ObjectId hitOf(const ToolContext& context, const Pointer& pointer) {
-    if (!pointer.modifiers.alt) return pickFirst(context.document, pointer.position, pointer.reach);
-    const std::vector<ObjectId> hits = pickAll(context.document, pointer.position, pointer.reach);
+/// The next one below what is selected, each part of an instance for itself; behind the last one the first.
+ObjectId nextBelow(const ToolContext& context, Vec2 point, float reach) {
+    const std::vector<ObjectId> hits = pickAll(context.document, point, reach);
     if (hits.empty()) return {};
     for (std::size_t i = 0; i < hits.size(); ++i) {
         if (context.selection.has(hits[i])) return hits[(i + 1) % hits.size()];
@@ -25,48 +26,83 @@ ObjectId hitOf(const ToolContext& context, const Pointer& pointer) {
 void SelectTool::press(const ToolContext& context, const Pointer& pointer) {
     start_ = end_ = pointer.position;
     mode_ = Mode::Pressed;
-    const ObjectId hit = hit_ = hitOf(context, pointer);
-    onThing_ =
-        hit && (context.selection.has(hit) || !isGround(context.document.world, context.document.find(hit)));
-    if (!hit) {
-        if (!pointer.modifiers.shift && !pointer.modifiers.control) context.selection.clear();
-    } else if (pointer.modifiers.control) {
-        context.selection.toggle(hit);
-    } else if (pointer.modifiers.shift) {
-        context.selection.add(hit);
-    } else if (!context.selection.has(hit) || pointer.modifiers.alt) {
-        context.selection.set({hit});
+    held_ = pointer.modifiers;
+    hit_ = pickFirst(context.document, pointer.position, pointer.reach);
+    wasSelected_ = context.selection.has(hit_);
+    onThing_ = hit_ && (wasSelected_ || !isGround(context.document.world, context.document.find(hit_)));
+    select(context);
+}
+
+/// What may become something else is decided when the mouse is let go: with Alt, with Ctrl on what is
+/// selected, and a box that begins on the ground.
+void SelectTool::select(const ToolContext& context) const {
+    if (!hit_) {
+        if (!held_.shift && !held_.control) context.selection.clear();
+    } else if (held_.control || held_.shift) {
+        if (onThing_) context.selection.add(hit_);
+    } else if (!wasSelected_ && !held_.alt) {
+        context.selection.set({hit_});
     }
 }
 
 void SelectTool::drag(const ToolContext& context, const Pointer& pointer) {
     end_ = pointer.position;
-    if (mode_ == Mode::Pressed && distance(start_, end_) > pointer.reach) {
-        mode_ = onThing_ ? Mode::Moving : Mode::Boxing;
-        if (mode_ == Mode::Moving) move_.grab(context);
-    }
+    if (mode_ == Mode::Pressed && distance(start_, end_) > pointer.reach) beginDrag(context);
     if (mode_ == Mode::Moving) move_.move(context, dragOffset(start_, move_.pivot().position, pointer));
 }
 
+void SelectTool::beginDrag(const ToolContext& context) {
+    mode_ = onThing_ ? Mode::Moving : Mode::Boxing;
+    copied_.clear();
+    if (mode_ != Mode::Moving) return;
+    if (held_.alt) {
+        if (!context.selection.has(hit_)) context.selection.set({hit_});
+        copied_ = context.selection.all();
+        context.undo.push(std::make_unique<CopyEntities>(copied_));
+    }
+    move_.grab(context);
+}
+
 void SelectTool::release(const ToolContext& context, const Pointer& pointer) {
-    if (mode_ == Mode::Moving) move_.finish(context);
-    // One of several that are selected, clicked and not dragged: that one alone.
-    if (mode_ == Mode::Pressed && hit_ && pointer.modifiers == Modifiers{}) context.selection.set({hit_});
-    if (mode_ == Mode::Boxing) {
-        std::vector<ObjectId> found = pickInside(context.document, {min(start_, end_), max(start_, end_)});
-        if (pointer.modifiers.shift || pointer.modifiers.control) {
-            for (const ObjectId id : found) {
-                pointer.modifiers.control ? context.selection.toggle(id) : context.selection.add(id);
-            }
-        } else {
-            context.selection.set(std::move(found));
-        }
+    if (mode_ == Mode::Moving) {
+        move_.finish(context);
+    } else if (mode_ == Mode::Boxing) {
+        finishBox(context, pointer);
+    } else if (mode_ == Mode::Pressed && hit_) {
+        finishClick(context, pointer);
     }
     mode_ = Mode::Idle;
 }
 
+void SelectTool::finishClick(const ToolContext& context, const Pointer& pointer) const {
+    if (held_.alt) {
+        context.selection.set({nextBelow(context, start_, pointer.reach)});
+    } else if (held_.control && wasSelected_) {
+        context.selection.remove(hit_);
+    } else if (held_.control || held_.shift) {
+        context.selection.add(hit_);
+    } else if (held_ == Modifiers{} && pointer.modifiers == Modifiers{}) {
+        context.selection.set({hit_});  // one of several: that one alone
+    }
+}
+
+void SelectTool::finishBox(const ToolContext& context, const Pointer& pointer) const {
+    std::vector<ObjectId> found = pickInside(context.document, {min(start_, end_), max(start_, end_)});
+    if (!pointer.modifiers.shift && !pointer.modifiers.control)
+        return context.selection.set(std::move(found));
+    for (const ObjectId id : found) {
+        pointer.modifiers.control ? context.selection.toggle(id) : context.selection.add(id);
+    }
+}
+
 bool SelectTool::cancel(const ToolContext& context) {
-    if (mode_ == Mode::Moving) move_.cancel(context);
+    if (mode_ == Mode::Moving) {
+        if (!copied_.empty() && context.undo.inGesture()) {
+            context.undo.cancelGesture();
+            context.selection.set(copied_);
+        }
+        move_.cancel(context);
+    }
     return std::exchange(mode_, Mode::Idle) != Mode::Idle;
 }
 

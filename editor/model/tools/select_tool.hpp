@@ -5,7 +5,7 @@
 namespace plumb::editor {
 
 /// Selects by click or by dragging a box; what is dragged by hand moves. Shift adds, Ctrl toggles, Alt takes
-/// the next one below.
+/// the next one below, and drags a copy.
 class SelectTool final : public Tool {
 public:
     void press(const ToolContext& context, const Pointer& pointer) override;
@@ -17,9 +17,17 @@ public:
 private:
     enum class Mode : unsigned char { Idle, Pressed, Moving, Boxing };
 
+    void select(const ToolContext& context) const;
+    void beginDrag(const ToolContext& context);
+    void finishClick(const ToolContext& context, const Pointer& pointer) const;
+    void finishBox(const ToolContext& context, const Pointer& pointer) const;
+
     Mode mode_ = Mode::Idle;
     bool onThing_ = false;
-    ObjectId hit_;  ///< what was pressed
+    bool wasSelected_ = false;      ///< what was pressed
+    ObjectId hit_;                  ///< what was pressed
+    Modifiers held_;                ///< when it was pressed
+    std::vector<ObjectId> copied_;  ///< of whom copies are dragged
     Vec2 start_;
     Vec2 end_;
     TransformDrag move_;

@@ -46,7 +46,11 @@ bool slider(Ui& ui, const char* id, const std::string& path, float& held, float 
 }  // namespace
 
 void PreferencesDialog::draw(Ui& ui) {
-    if (std::exchange(open_, false)) ImGui::OpenPopup("Preferences");
+    if (std::exchange(open_, false)) {
+        ImGui::OpenPopup("Preferences");
+        if (ui.workspace.panelToShow == "/Preferences/Keys")
+            page_ = Page::Keys, ui.workspace.panelToShow.clear();
+    }
     const ImVec2 display = ImGui::GetIO().DisplaySize;
     const ImVec2 size{std::min(ui.px(kWidth), display.x - ui.px(16.0f)),
                       std::min(ui.px(kHeight), display.y - ui.px(16.0f))};

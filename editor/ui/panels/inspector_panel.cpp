@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "core/text.hpp"
+#include "editor/model/actions.hpp"
 #include "editor/model/commands/change_components.hpp"
 #include "editor/model/shared_components.hpp"
 #include "editor/ui/icons.hpp"
@@ -122,15 +123,18 @@ private:
         ui.widgets.mark("Inspector/prefab", format("{}", count));
         if (count == 0) return;
         const float width = (ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemSpacing.x) * 0.5f;
+        const KeyBindings& keys = ui.workspace.settings.keys;
         if (ImGui::Button("Revert all", {width, 0.0f}))
             components_.ask([](Workspace& workspace) { workspace.revertToPrefab(); });
         ui.widgets.mark("Inspector/prefab/revert");
-        tooltip("Takes back what this instance has for itself, but not where it stands.  (Ctrl+R)");
+        tooltip(keys.labelOf(*findAction("entity.revert"),
+                             "Takes back what this instance has for itself, but not where it stands."));
         ImGui::SameLine();
         if (ImGui::Button("Apply all", {width, 0.0f}))
             components_.ask([](Workspace& workspace) { workspace.applyToPrefab(); });
         ui.widgets.mark("Inspector/prefab/apply");
-        tooltip("Writes it into the prefab's file; other instances follow.  (Ctrl+Shift+R)");
+        tooltip(keys.labelOf(*findAction("entity.apply"),
+                             "Writes it into the prefab's file; other instances follow."));
     }
 
     /// What only some of the selected have: how many, and a way to select just those.

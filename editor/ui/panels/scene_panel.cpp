@@ -51,6 +51,10 @@ private:
     void drawFilter(Ui& ui) {
         const bool any = filter_[0] != '\0';
         const float clear = any ? ImGui::GetFrameHeight() + ui.px(2.0f) : 0.0f;
+        if (ui.workspace.panelToShow == "Scene/filter") {
+            ui.workspace.panelToShow.clear();
+            ImGui::SetKeyboardFocusHere();
+        }
         ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - clear);
         ImGui::InputTextWithHint("##filter", "Filter: name, component, c:RigidBody", filter_.data(),
                                  filter_.size());
@@ -71,6 +75,8 @@ private:
         if (moved && !selection.empty()) tree_.openTo(document, selection.all().back());
         tree_.follow(document, filter_.data());
         if (moved && !selection.empty()) scrollTo(ui, selection.all().back());
+        if (ui.workspace.request == WindowRequest::RenameSelected && !selection.empty())
+            bringToSight(ui, selection.all().back());
         scrollWhileDragging(ui);
         ImGuiListClipper clipper;
         clipper.Begin(static_cast<int>(tree_.rows().size()), rowHeight(ui));
@@ -88,6 +94,18 @@ private:
                                          dropped->place,
                                          ImGui::GetIO().KeyAlt ? KeepPlace::InParent : KeepPlace::InWorld));
         }
+    }
+
+    /// A row that is to be written in must be seen, whatever is folded, filtered or scrolled.
+    void bringToSight(Ui& ui, ObjectId id) {
+        const Document& document = ui.workspace.document;
+        tree_.openTo(document, id);
+        tree_.follow(document, filter_.data());
+        if (tree_.rowOf(id) == tree_.rows().size()) {
+            filter_.fill('\0');
+            tree_.follow(document, "");
+        }
+        scrollTo(ui, id);
     }
 
     /// Brings a row into sight that was selected elsewhere.
@@ -212,7 +230,10 @@ private:
         const bool locked = document.view.locks(row.id);
         const float room = ui.px(kIconRoom);
         const float height = rowHeight(ui);
-        const auto icon = [&](Icon which, float x, bool on, const char* part, const char* words) {
+        const auto keyed = [&](std::string_view words, std::string_view action) {
+            return hovered ? ui.workspace.settings.keys.labelOf(*findAction(action), words) : std::string{};
+        };
+        const auto icon = [&](Icon which, float x, bool on, const char* part, const std::string& words) {
             const AABB box{{at.x + x, at.y}, {at.x + x + room, at.y + height}};
             ui.widgets.mark(format("Scene/{}/{}", name, part), box, on ? "on" : "off");
             const Vec2 mouse{ImGui::GetMousePos().x, ImGui::GetMousePos().y};
@@ -223,9 +244,9 @@ private:
             if (under) tooltip(words);
         };
         icon(hidden ? Icon::EyeClosed : Icon::Eye, 0.0f, hidden, "eye",
-             "Hides or shows it in the editor; the game shows it all the same (Ctrl+H)");
+             keyed("Hides or shows it in the editor; the game shows it all the same", "entity.hide"));
         icon(locked ? Icon::Lock : Icon::Unlocked, room, locked, "lock",
-             "Locked: clicks in the scene go through it (Ctrl+L)");
+             keyed("Locked: clicks in the scene go through it", "entity.lock"));
     }
 
     void choose(Ui& ui, const Row& row, float arrowEnd) {
@@ -314,7 +335,9 @@ private:
                              ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
         ImGui::PopStyleVar();
         ui.widgets.mark("Scene/rename", rename_.data());
-        if (done || ImGui::IsItemDeactivatedAfterEdit()) {
+        // Esc gives the name back and counts as an edit all the same.
+        const bool edited = done || ImGui::IsItemDeactivatedAfterEdit();
+        if (edited && ui.workspace.document.nameOf(renaming_) != rename_.data()) {
             ui.workspace.undo.push(renameEntity(ui.workspace.document, renaming_, rename_.data()));
             ui.workspace.undo.endGesture();
         }

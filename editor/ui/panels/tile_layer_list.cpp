@@ -14,7 +14,7 @@ namespace plumb::editor::ui {
 namespace {
 
 /// A small button that is an icon. @return whether it was clicked
-bool iconButton(Ui& ui, Icon icon, bool strong, const std::string& path, const char* words) {
+bool iconButton(Ui& ui, Icon icon, bool strong, const std::string& path, const std::string& words) {
     const float side = ImGui::GetFrameHeight() * 0.85f;
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const bool clicked = ImGui::InvisibleButton(path.c_str(), {side, ImGui::GetFrameHeight()});
@@ -34,17 +34,21 @@ void drawRow(Ui& ui, ObjectId layer, bool active) {
     const std::string name = workspace.document.nameOf(layer);
     const std::string path = "Tiles/layers/" + name;
     ImGui::PushID(static_cast<int>(layer.value ^ (layer.value >> 32)));
+    const auto keyed = [&](std::string_view words, std::string_view action) {
+        return workspace.settings.keys.labelOf(*findAction(action), words);
+    };
     const bool hidden = view.isHidden(layer);
     if (iconButton(ui, hidden ? Icon::EyeClosed : Icon::Eye, !hidden, path + "/seen",
-                   "Hides or shows it (Ctrl+H)"))
+                   keyed("Hides or shows it", "layer.hide")))
         view.toggleHidden(layer);
     ImGui::SameLine(0.0f, 0.0f);
-    if (iconButton(ui, Icon::Solo, view.solo() == layer, path + "/solo", "Shows this layer alone (H)"))
+    if (iconButton(ui, Icon::Solo, view.solo() == layer, path + "/solo",
+                   keyed("Shows this layer alone", "layer.solo")))
         view.toggleSolo(layer);
     ImGui::SameLine(0.0f, 0.0f);
     const bool locked = view.locks(layer);
     if (iconButton(ui, locked ? Icon::Lock : Icon::Unlocked, locked, path + "/lock",
-                   "Locked layers cannot be painted on (Ctrl+L)"))
+                   keyed("Locked layers cannot be painted on", "layer.lock")))
         view.toggleLocked(layer);
     ImGui::SameLine(0.0f, ui.px(4.0f));
     if (ImGui::Selectable(name.c_str(), active, 0, {0.0f, ImGui::GetFrameHeight()})) {

@@ -157,7 +157,7 @@ private:
     static void drawKept(Ui& ui, const Tileset* tileset) {
         TilePaint& tiles = ui.workspace.tiles;
         ImGui::Spacing();
-        ImGui::TextDisabled("Kept, keys 1 to 9");
+        ImGui::TextDisabled("Kept");
         const float side = ui.px(30.0f);
         for (std::size_t i = 0; i < TilePaint::kKept; ++i) {
             if (i % 5 != 0) ImGui::SameLine(0.0f, ui.px(4.0f));
@@ -168,8 +168,14 @@ private:
                 path, tiles.kept[i] ? format("{} x {}", tiles.kept[i]->width, tiles.kept[i]->height) : "");
             if (ImGui::IsItemClicked(ImGuiMouseButton_Right))
                 runAction(ui.workspace, format("tiles.keep{}", i + 1));
-            tooltip(format("{} paints with it, Ctrl+{} or the right button keeps the present tiles here",
-                           i + 1, i + 1));
+            const auto keys = [&](const char* what) {
+                const Action& action = *findAction(format("tiles.{}{}", what, i + 1));
+                return ui.workspace.settings.keys.shownOf(action).text();
+            };
+            if (ImGui::IsItemHovered())
+                tooltip(format(
+                    "A click or {} paints with it, the right button or {} keeps the present tiles here",
+                    keys("recall"), keys("keep")));
             if (clicked) runAction(ui.workspace, format("tiles.recall{}", i + 1));
             ImDrawList& list = *ImGui::GetWindowDrawList();
             list.AddRectFilled(at, {at.x + side, at.y + side}, palette::kField, ui.px(3.0f));

@@ -7,6 +7,7 @@
 #include "core/clock.hpp"
 #include "editor/model/actions.hpp"
 #include "editor/model/bounds.hpp"
+#include "editor/model/go_inside.hpp"
 #include "editor/model/scene_boxes.hpp"
 #include "editor/model/sight.hpp"
 #include "editor/ui/overlays/overlay_list.hpp"
@@ -139,14 +140,18 @@ private:
             pointer_.secondary = right;
             workspace.tool().press(context, pointer_);
             pressed_ = true;
+            twice_ = io.MouseDoubleClicked[0] && pointer_.modifiers == Modifiers{};
             moved_ = pointer_.position;
         } else if (pressed_ && !io.MouseDown[pointer_.secondary ? 1 : 0]) {
             workspace.tool().release(context, pointer_);
             pressed_ = pointer_.secondary = false;
             if (const std::string_view next = workspace.tool().next(); !next.empty()) workspace.useTool(next);
+            if (std::exchange(twice_, false) && !workspace.paintsTiles())
+                goInside(workspace, pointer_.position, pointer_.reach);
         } else if (pressed_ && pointer_.position != moved_) {
             workspace.tool().drag(context, pointer_);
             moved_ = pointer_.position;
+            twice_ = false;
         }
     }
 
@@ -278,15 +283,20 @@ private:
         const float width = ui.px(4.0f);
         outline(list, {from.x + width * 0.5f, from.y + width * 0.5f},
                 {to.x - width * 0.5f, to.y - width * 0.5f}, color, 0.0f, width);
-        const char* words = ui.workspace.play.inPast()
-                                ? "THE PAST - F10 and Shift+F10 step, F6 resumes from here"
-                            : paused ? "PAUSED - F10 steps, F6 goes on, F5 stops"
-                                     : "PLAYING - F5 stops and asks what to keep of your changes";
-        const ImVec2 extent = ImGui::CalcTextSize(words);
+        const auto keys = [&](const char* action) {
+            return ui.workspace.settings.keys.shownOf(*findAction(action)).text();
+        };
+        const std::string words =
+            ui.workspace.play.inPast() ? format("THE PAST - {} and {} step, {} resumes from here",
+                                                keys("run.step"), keys("run.stepBack"), keys("run.pause"))
+            : paused ? format("PAUSED - {} steps, {} goes on, {} stops", keys("run.step"), keys("run.pause"),
+                              keys("run.play"))
+                     : format("PLAYING - {} stops and asks what to keep of your changes", keys("run.play"));
+        const ImVec2 extent = ImGui::CalcTextSize(words.c_str());
         const ImVec2 corner{from.x + (to.x - from.x - extent.x) * 0.5f - ui.px(10.0f), from.y};
         list.AddRectFilled(corner, {corner.x + extent.x + ui.px(20.0f), corner.y + extent.y + ui.px(9.0f)},
                            color, ui.px(5.0f), ImDrawFlags_RoundCornersBottom);
-        list.AddText({corner.x + ui.px(10.0f), corner.y + ui.px(4.0f)}, palette::kOnStatus, words);
+        list.AddText({corner.x + ui.px(10.0f), corner.y + ui.px(4.0f)}, palette::kOnStatus, words.c_str());
     }
 
     void drawSelection(Ui& ui, const World& world) {
@@ -403,6 +413,7 @@ private:
     std::uint64_t previewed_ = ~0ull;  ///< the revision of the document that its bodies are of
     bool panning_ = false;
     bool pressed_ = false;
+    bool twice_ = false;  ///< it was the second press of a double click, and nothing was dragged yet
     bool playing_ = false;
     Overlay overlay_;
     std::vector<EntityId> selected_;

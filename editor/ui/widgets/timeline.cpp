@@ -69,8 +69,8 @@ void goButton(Ui& ui) {
     const bool pressed = ImGui::Button(format("{}###go", label).c_str(), {width, ui.px(26.0f)});
     if (past) ImGui::PopStyleColor(3);
     ui.widgets.mark("Timeline/go", label);
-    tooltip(past ? "Plays on from this moment; what came after it is dropped  (F6)"
-                 : format("{}  (F6)", label));
+    tooltip(ui.workspace.settings.keys.labelOf(
+        *findAction("run.pause"), past ? "Plays on from this moment; what came after it is dropped" : label));
     if (pressed) runAction(ui.workspace, "run.pause");
     ImGui::SameLine(0.0f, ui.px(2.0f));
 }

@@ -1,0 +1,157 @@
+#pragma once
+
+#include <span>
+
+#include "core/text.hpp"
+#include "editor/model/actions.hpp"
+#include "editor/model/game_session.hpp"
+#include "editor/model/key_bindings.hpp"
+#include "editor/model/tile_layers.hpp"
+#include "tests/editor/support/editor_fixture.hpp"
+#include "tests/editor/support/hands.hpp"
+#include "tests/support/places.hpp"
+
+namespace plumb::editor::ui {
+
+/// Somebody sits at the whole editor, without a screen, with the scene of EditorFixture open.
+class Desk : public EditorFixture {
+public:
+    Desk() : window{workspace, log, nullptr, test::sourceFolder() / "assets/fonts"}, hands{window} {
+        workspace.makeSession = [this](const std::string& path, const std::string& text) {
+            Project project;
+            project.root = workspace.project.root;
+            return makeGameSession(project, path, text);
+        };
+    }
+    using EditorFixture::fileText;
+    using EditorFixture::named;
+    using EditorFixture::positionOf;
+    using EditorFixture::putFile;
+    using EditorFixture::workspace;
+
+    void press(Shortcut keys) { hands.key(keys.key, {keys.shift, keys.control, keys.alt}), hands.rest(2); }
+    void press(std::string_view keys) { press(*shortcutFromText(keys)); }
+
+    void select(std::initializer_list<const char*> names) {
+        std::vector<ObjectId> ids;
+        for (const char* name : names) ids.push_back(named(name));
+        workspace.document.selection.set(std::move(ids));
+        hands.rest(2);
+    }
+    [[nodiscard]] bool selects(std::initializer_list<const char*> names) const {
+        std::vector<ObjectId> ids;
+        for (const char* name : names) ids.push_back(named(name));
+        return workspace.document.selection.all() == ids;
+    }
+    // More than Hands can.
+
+    void send(const Event& event) { window.frame({std::span{&event, 1}}); }
+    void hold(Key key, Modifiers modifiers = {}) {
+        send({.kind = EventKind::KeyDown, .key = key, .modifiers = modifiers}), hands.rest();
+    }
+    void letGo(Key key) { send({.kind = EventKind::KeyUp, .key = key}), hands.rest(); }
+    void wheel(float notches) {
+        send({.kind = EventKind::MouseWheel, .motion = {0.0f, notches}}), hands.rest();
+    }
+    /// The second click comes at once; an earlier one is waited for, so that it is not the first of the two.
+    void doubleClickAt(Vec2 at) {
+        hands.rest(30), hands.moveTo(at), hands.rest();
+        hands.press(), hands.release(), hands.press(), hands.release(), hands.rest(2);
+    }
+    /// The mouse moves in steps, with whatever is held.
+    void dragOn(Vec2 from, Vec2 to) {
+        for (int i = 1; i <= 10; ++i) hands.moveTo(lerp(from, to, static_cast<float>(i) / 10.0f));
+    }
+    void dragWith(MouseButton button, Vec2 from, Vec2 to) {
+        hands.moveTo(from), hands.rest(), hands.press(button);
+        dragOn(from, to);
+        hands.release(button), hands.rest();
+    }
+
+    /// How many entities are called so.
+    [[nodiscard]] int count(std::string_view name) const {
+        int found = 0;
+        for (const ObjectId id : workspace.document.objects())
+            found += workspace.document.nameOf(id) == name ? 1 : 0;
+        return found;
+    }
+    [[nodiscard]] bool shown(std::string_view widget) const {
+        return window.widgets().find(widget) != nullptr;
+    }
+    [[nodiscard]] std::string valueOf(std::string_view widget) const {
+        EXPECT_TRUE(shown(widget)) << widget << " is not on the screen";
+        return shown(widget) ? window.widgets().find(widget)->value : std::string{};
+    }
+    /// Where a place of the scene is in the window.
+    [[nodiscard]] Vec2 onScreen(Vec2 world) const {
+        return window.widgets().find("Viewport")->box.min + workspace.view.toScreenPoint(world);
+    }
+    [[nodiscard]] std::string_view toolInHand() const { return toolTable()[workspace.toolIndex()].action; }
+    /// The crate 8 px to the right, as a step of its own.
+    void change() {
+        select({"crate"});
+        hands.enterNumber("Inspector/Transform/position.x", "208");
+        ASSERT_EQ(workspace.undo.size(), 1u);
+    }
+    /// The brush with tile 1, on the layer of the scene: 4 x 3 cells of 16 px, of which the last row is full.
+    void takeBrush() {
+        workspace.useTool("tool.brush");
+        workspace.tiles.stamp = {1, 1, {cellOf(1)}};
+        hands.rest(2);
+    }
+    [[nodiscard]] const TileGrid& grid() const {
+        return *gridOf(workspace.document, activeTileLayer(workspace.document, workspace.tiles));
+    }
+    [[nodiscard]] static Vec2 cell(int x, int y) {
+        return {static_cast<float>(x) * 16.0f + 8.0f, static_cast<float>(y) * 16.0f + 8.0f};
+    }
+    /// A row of the layer in hand: "0110".
+    [[nodiscard]] std::string row(int y) const {
+        std::string text;
+        for (int x = 0; x < grid().width(); ++x) text += std::to_string(grid().at(x, y));
+        return text;
+    }
+    /// An instance of a prefab in a scene of its own, 30 px high where the prefab says 16.
+    void openInstance() {
+        putFile("prefabs/box.prefab.json", R"({"format": 1, "entities": [{"name": "box", "components": {
+            "Transform": {}, "Sprite": {"width": 8, "height": 16}}}]})");
+        putFile("scenes/boxes.scene.json", R"({"format": 1, "entities": [{"id": "00000000000000a1",
+            "prefab": "prefabs/box.prefab.json", "components": {"Sprite": {"height": 30}}}]})");
+        ASSERT_TRUE(workspace.open("scenes/boxes.scene.json").ok());
+        select({"box"});
+    }
+    void play(int frames) {
+        workspace.startPlaying();
+        hands.rest(frames);
+        ASSERT_TRUE(workspace.play.running());
+    }
+
+    LogBook log;
+    EditorWindow window;
+    Hands hands;
+};
+
+/// Some keys, the action that they are for, and what happens in the real window when they are pressed.
+struct KeyTrial {
+    std::string_view keys;
+    std::string_view action;
+    void (*attempt)(class KeyTrials& at) = nullptr;
+};
+
+/// For what gtest says of a failed one.
+inline void PrintTo(const KeyTrial& trial, std::ostream* out) { *out << trial.action << " " << trial.keys; }
+
+class KeyTrials : public Desk, public testing::WithParamInterface<KeyTrial> {
+public:
+    /// Those of the trial.
+    void press() { Desk::press(GetParam().keys); }
+    using Desk::press;
+};
+
+// One list for each menu, or two.
+std::span<const KeyTrial> fileAndEditTrials();
+std::span<const KeyTrial> entityTrials();
+std::span<const KeyTrial> toolAndTileTrials();
+std::span<const KeyTrial> viewAndRunTrials();
+
+}  // namespace plumb::editor::ui
