@@ -6,10 +6,16 @@
 
 #include "core/log.hpp"
 #include "editor/model/bounds.hpp"
+#include "editor/model/played_keys.hpp"
+#include "editor/model/prefab_file.hpp"
+#include "editor/model/prefab_group.hpp"
+#include "editor/model/prefab_visit.hpp"
+#include "editor/model/project_habits.hpp"
 #include "editor/model/tile_layers.hpp"
 #include "scene/components/camera.hpp"
 #include "scene/components/prefab_instance.hpp"
 #include "scene/components/transform.hpp"
+#include "scene/scene_file.hpp"
 
 namespace plumb::editor {
 namespace {
@@ -30,6 +36,7 @@ Workspace::Workspace(const TypeRegistry& types, AssetStore& store, ProjectFolder
                      PrefabLibrary* prefabs)
     : project{std::move(folder)}, assets{store}, document{types}, undo{document}, prefabs_{prefabs} {
     document.world.provide(assets);
+    readGrid(*this);
     for (const ToolRow& row : toolTable()) {
         tools_.push_back(row.make());
     }
@@ -55,9 +62,7 @@ Result<LoadReport> Workspace::load(const std::string& wanted, const std::string*
     document.world.clear();
     undo.clear();
     if (prefabs_ != nullptr) prefabs_->forget();  // their files may have changed
-    Result<LoadReport> report = text == nullptr ? loadSceneFile(document.world, context(), wanted)
-                                                : loadScene(document.world, context(), wanted, *text);
-    if (text != nullptr) loadAssets(document.world, document.types(), assets);
+    Result<LoadReport> report = readFileText(document.world, context(), wanted, text);
     document.scenePath = report ? wanted : std::string{};
     document.scene = report ? report->scene : SceneId{};
     document.reindex();
@@ -117,7 +122,9 @@ Result<Done> Workspace::save() {
         return Error{document.scenePath, "another program has changed it", "choose which one to keep"};
     }
     safety.saving();
-    Result<Done> saved = saveSceneFile(document.world, context(), document.scenePath);
+    Result<Done> saved = isPrefabFile(document.scenePath)
+                             ? savePrefab(document.world, context(), document.scene, document.scenePath)
+                             : saveSceneFile(document.world, context(), document.scenePath);
     if (saved) {
         undo.markSaved();
         safety.saved();
@@ -138,7 +145,7 @@ std::vector<std::string> Workspace::scenes() const {
     return paths;
 }
 
-std::string Workspace::text() const { return sceneToJson(document.world, context(), document.scene); }
+std::string Workspace::text() const { return fileText(document.world, context(), document.scene); }
 
 std::vector<std::string> Workspace::prefabFiles() const { return filesBelow(project.root, ".prefab.json"); }
 
@@ -157,7 +164,7 @@ void Workspace::revertToPrefab(const PrefabScope& scope) {
 
 void Workspace::applyToPrefab(const PrefabScope& scope) {
     if (document.selection.empty()) return;
-    const Result<Done> applied = editor::applyToPrefab(prefabs(), document.selection.all().back(), scope);
+    const Result<Done> applied = applyAllToPrefabs(prefabs(), document.selection.all(), scope);
     notice = applied ? format("Did: {}", undo.label(undo.size() - 1)) : applied.error().text();
     if (!applied) logWarning("Editor", applied.error());
 }
@@ -189,6 +196,8 @@ void Workspace::togglePlay() { play.running() ? stopPlaying() : startPlaying(); 
 
 void Workspace::startPlaying(bool paused) {
     if (!makeSession) return;
+    if (editsPrefab(*this)) return askToPlayScene(*this, paused);  // it has no ground to stand on
+    forgetKeys(*this);
     tool().cancel(tools());
     undo.endGesture();
     toKeep.clear();
@@ -220,7 +229,9 @@ void Workspace::tend(double seconds) {
     safety.tend(seconds);
     profiler.tend(play);
     viewFile.keep(document.scenePath, document.view);
-    const bool open = !document.scenePath.empty();
+    tendKeys(*this);
+    tendGrid(*this, seconds);
+    const bool open = !document.scenePath.empty() && !editsPrefab(*this);
     const PhysicsReach jumps = open ? reachOf("reach") : PhysicsReach::Off;
     jumps == PhysicsReach::Off ? reach.clear() : reach.tend(*this, jumps == PhysicsReach::All);
     const PhysicsReach ways = open ? reachOf("trajectories") : PhysicsReach::Off;

@@ -9,6 +9,7 @@
 #include "editor/model/bounds.hpp"
 #include "editor/model/scene_boxes.hpp"
 #include "editor/model/sight.hpp"
+#include "editor/ui/overlays/overlay_edge.hpp"
 #include "editor/ui/overlays/overlay_list.hpp"
 #include "editor/ui/panels/panels.hpp"
 #include "editor/ui/scene_picture.hpp"
@@ -351,13 +352,9 @@ private:
         }
     }
 
-    /// Lines are light, for dark scenes; a dark edge makes them seen on light ones. Faint ones, as those of
-    /// the grid, stay faint.
     static void drawHalo(const Ui& ui, ImDrawList& list, const Overlay::Shape& shape, ImVec2 a, ImVec2 b) {
-        constexpr std::uint8_t kFaint = 128;
-        if (shape.color.a < kFaint) return;
         const float thickness = shape.thickness + 2.0f;
-        const ImU32 color = palette::kHalo;
+        const ImU32 color = edgeOf(shape.color);
         switch (shape.kind) {
             case Overlay::Kind::Line:
             case Overlay::Kind::Arrow: list.AddLine(a, b, color, thickness); break;
