@@ -27,6 +27,7 @@ namespace plumb::editor::ui {
 namespace {
 
 constexpr float kReach = 3.0f;           // px on screen
+constexpr ImU32 kLeastEdge = 8;          // alpha of an edge that is drawn
 constexpr std::size_t kMostBoxes = 500;  // of selected things: more would hide the scene, and cost
 constexpr Color kSelected{77, 163, 255, 255};
 constexpr Color kHovered{255, 255, 255, 110};
@@ -355,6 +356,7 @@ private:
     static void drawHalo(const Ui& ui, ImDrawList& list, const Overlay::Shape& shape, ImVec2 a, ImVec2 b) {
         const float thickness = shape.thickness + 2.0f;
         const ImU32 color = edgeOf(shape.color);
+        if (color >> IM_COL32_A_SHIFT < kLeastEdge) return;
         switch (shape.kind) {
             case Overlay::Kind::Line:
             case Overlay::Kind::Arrow: list.AddLine(a, b, color, thickness); break;
