@@ -7,7 +7,9 @@
 
 #include "assets/asset_store.hpp"
 #include "core/text.hpp"
+#include "editor/model/field_value.hpp"
 #include "editor/model/prefab_instance.hpp"
+#include "reflect/field_json.hpp"
 #include "reflect/json.hpp"
 #include "reflect/json_text.hpp"
 #include "reflect/type_registry.hpp"
@@ -16,6 +18,7 @@
 #include "scene/loaded_scene.hpp"
 #include "scene/prefab.hpp"
 #include "scene/scene_reader.hpp"
+#include "scene/world_field_context.hpp"
 
 namespace plumb::editor {
 namespace {
@@ -25,6 +28,7 @@ constexpr const char* kId = "id";
 constexpr const char* kOwnPlace = "ownPlace";    // fields of the first entity's Transform that it says
 constexpr const char* kNoParent = "noParent";    // ids of those that say no parent, which means the first
 constexpr const char* kNoPlace = "noPlace";      // ids of those whose Transform says no position
+constexpr const char* kSaid = "said";            // of each entity: its components and their fields, in order
 constexpr const char* kNoSceneKeys = "noScene";  // keys of scenes that it does not have
 
 const std::string& rootText() {
@@ -78,10 +82,46 @@ void changeId(const TypeRegistry& types, Json& entity, std::uint64_t from, std::
     }
 }
 
+/// What a file says of the components of an entity that a writer of scenes would not: their order, and values
+/// that are the default; null stands for all others.
+Json saidOf(World& world, const TypeRegistry& types, const Json& entity) {
+    Json said = Json::object();
+    const auto components = entity.find("components");
+    if (components == entity.end() || !components->is_object()) return said;
+    const WorldFieldContext context{world};
+    for (const auto& [name, fields] : components->items()) {
+        Json& keys = said[name] = Json::object();
+        const TypeInfo* type = types.find(name);
+        if (type == nullptr || type->size == 0 || !fields.is_object()) continue;
+        const ComponentState fresh = defaultComponent(*type);
+        for (const auto& [key, value] : fields.items()) {
+            const FieldInfo* field = type->find(key);
+            const bool isDefault = field != nullptr && !field->transient && !entity.contains("prefab") &&
+                                   fieldToJson(*field, fresh.bytes.data(), context) == value;
+            keys[key] = isDefault ? value : Json();
+        }
+    }
+    return said;
+}
+
+/// The members in the order in which they were said, new ones behind them. @param add  those that are missing
+Json inOrderOf(const Json& said, const Json& now, bool add) {
+    Json made = Json::object();
+    for (const auto& [key, value] : said.items()) {
+        if (const auto found = now.find(key); found != now.end()) {
+            made[key] = *found;
+        } else if (add && !value.is_null()) {
+            made[key] = value;
+        }
+    }
+    for (const auto& [key, value] : now.items()) made[key] = value;
+    return made;
+}
+
 /// From the text of a prefab's file to that of a scene.
 class SceneOfPrefab {
 public:
-    explicit SceneOfPrefab(const TypeRegistry& types) : types_{types} {}
+    SceneOfPrefab(World& world, const TypeRegistry& types) : world_{world}, types_{types} {}
 
     /// @pre  the file is an object with a list of entities
     Json make(const Json& file) {
@@ -107,6 +147,7 @@ private:
         if (isRoot) {
             if (const auto id = entity.find("id"); id != entity.end()) note_[kId] = *id;
             rootId_ = idIn(entity, "id") == 0 ? Prefab::kRootPart : idIn(entity, "id");
+            note_[kSaid][rootText()] = saidOf(world_, types_, entity);
             entity = withFront("id", rootText(), entity);
             entity.erase("parent");
             if (const Json* transform = transformOf(entity)) {
@@ -116,6 +157,7 @@ private:
             }
         } else {
             const Json id = entity.value("id", Json());
+            if (id.is_string()) note_[kSaid][id.get<std::string>()] = saidOf(world_, types_, entity);
             if (!entity.contains("parent")) note_[kNoParent].push_back(id);
             if (!entity.contains("parent") || idIn(entity, "parent") == rootId_)
                 entity["parent"] = rootText();
@@ -126,6 +168,7 @@ private:
         return entity;
     }
 
+    World& world_;
     const TypeRegistry& types_;
     Json note_ = Json::object();
     std::uint64_t rootId_ = Prefab::kRootPart;
@@ -185,8 +228,17 @@ private:
             entity["parent"] = hexText(rootId_);
             if (lists(note_, kNoParent, idText)) entity.erase("parent");
         }
+        dropPlaces(entity, id, idText);
+        sayAgain(entity, id == Prefab::kRootPart ? rootText()
+                         : idText.is_string()    ? idText.get<std::string>()
+                                                 : "");
+        return entity;
+    }
+
+    /// What the file did not say of where an entity stands.
+    void dropPlaces(Json& entity, std::uint64_t id, const Json& idText) const {
         Json* transform = transformOf(entity);
-        if (transform == nullptr) return entity;
+        if (transform == nullptr) return;
         for (const char* field : {"position", "rotation"}) {
             const bool drops = id == Prefab::kRootPart ? !lists(note_, kOwnPlace, field)
                                                        : lists(note_, kNoPlace, idText) &&
@@ -194,10 +246,20 @@ private:
             if (drops) transform->erase(field);
         }
         // An instance that says nothing of its own says nothing at all.
-        if (!entity.contains("prefab") || !transform->empty()) return entity;
+        if (!entity.contains("prefab") || !transform->empty()) return;
         entity["components"].erase("Transform");
         if (entity["components"].empty()) entity.erase("components");
-        return entity;
+    }
+
+    void sayAgain(Json& entity, const std::string& id) const {
+        const auto all = note_.find(kSaid);
+        Json* components = objectIn(entity, "components");
+        if (all == note_.end() || !all->contains(id) || components == nullptr) return;
+        const Json& said = (*all)[id];
+        *components = inOrderOf(said, *components, false);
+        for (auto& [name, fields] : components->items()) {
+            if (said.contains(name) && fields.is_object()) fields = inOrderOf(said[name], fields, true);
+        }
     }
 
     const Json kOrigin = Json::array({0, 0});
@@ -228,7 +290,7 @@ Result<LoadReport> loadFileText(World& world, const SceneContext& context, std::
         return Error{std::string{path},
                      format("expected the format {}, found {}", Prefab::kFormat, number->dump()),
                      "open it with the version of the engine that wrote it"};
-    return loadScene(world, context, path, writeJson(SceneOfPrefab{context.types}.make(*file)));
+    return loadScene(world, context, path, writeJson(SceneOfPrefab{world, context.types}.make(*file)));
 }
 
 Result<LoadReport> readFileText(World& world, const SceneContext& context, const std::string& path,

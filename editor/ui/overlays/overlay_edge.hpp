@@ -14,7 +14,7 @@ inline constexpr float kFaintLine = 128.0f;  ///< alpha: what is fainter is mean
 /// has none.
 inline ImU32 edgeOf(Color line) {
     if (line.r + line.g + line.b == 0) return 0;
-    const ImU32 edge = palette::kHalo;
+    const ImU32 edge = palette::kHalo.dark;  // the same in both themes
     const float strength = std::min(static_cast<float>(line.a) / kFaintLine, 1.0f);
     const float alpha = static_cast<float>(edge >> IM_COL32_A_SHIFT & 0xff) * strength * strength;
     return (edge & ~IM_COL32_A_MASK) | static_cast<ImU32>(alpha) << IM_COL32_A_SHIFT;
