@@ -1,9 +1,16 @@
 #include "editor/model/clipboard.hpp"
 
+#include <algorithm>
+#include <map>
+
+#include "core/log.hpp"
 #include "core/text.hpp"
+#include "editor/model/prefab_file.hpp"
+#include "editor/model/prefab_root.hpp"
 #include "reflect/field_json.hpp"
 #include "reflect/json.hpp"
 #include "reflect/json_text.hpp"
+#include "scene/components/prefab_instance.hpp"
 #include "scene/components/scene_entity.hpp"
 #include "scene/world_field_context.hpp"
 
@@ -53,6 +60,68 @@ EntityState entityFrom(const Document& document, const Json& json, WorldFieldCon
     return state;
 }
 
+template <class T>
+const ComponentState* stateOf(const EntityState& state) {
+    const auto found =
+        std::find_if(state.components.begin(), state.components.end(),
+                     [](const ComponentState& component) { return component.type->key == typeKey<T>(); });
+    return found == state.components.end() ? nullptr : &*found;
+}
+
+template <class T>
+void drop(EntityState& state) {
+    std::erase_if(state.components,
+                  [](const ComponentState& component) { return component.type->key == typeKey<T>(); });
+}
+
+std::string prefabOf(const Document& document, const EntityState& state) {
+    const ComponentState* link = stateOf<PrefabInstance>(state);
+    if (link == nullptr) return {};
+    PrefabInstance instance;
+    std::memcpy(&instance, link->bytes.data(), sizeof instance);
+    return std::string{document.world.texts().find(instance.prefab.path)};
+}
+
+/// Why these cannot be put into the open document; empty when they can.
+std::string whyNotHere(const PrefabEdit& edit, const std::vector<EntityState>& states) {
+    if (!prefabRootOf(edit.document)) return {};
+    for (const EntityState& state : states) {
+        const std::string path = prefabOf(edit.document, state);
+        if (!path.empty() && isInside(edit.root, edit.document.scenePath, path))
+            return format("{} is the prefab that is edited, or has it inside itself", path);
+    }
+    return {};
+}
+
+/// Makes plain entities of what this project's prefabs do not have. @return the prefabs that are missing
+std::vector<std::string> unpackStrangers(const PrefabEdit& edit, std::vector<EntityState>& states) {
+    std::vector<std::string> missing;
+    std::map<std::uint64_t, const Prefab*> instances;  // null: its prefab is missing
+    for (EntityState& state : states) {
+        const std::string path = prefabOf(edit.document, state);
+        if (path.empty()) continue;
+        const Prefab* prefab = nullptr;
+        if (edit.prefabs != nullptr) {
+            if (const Result<const Prefab*> found = edit.prefabs->find(path)) prefab = *found;
+        }
+        instances[state.id.value] = prefab;
+        if (prefab != nullptr) continue;
+        drop<PrefabInstance>(state);
+        if (std::find(missing.begin(), missing.end(), path) == missing.end()) missing.push_back(path);
+    }
+    for (EntityState& state : states) {
+        const ComponentState* link = stateOf<PrefabPart>(state);
+        if (link == nullptr) continue;
+        PrefabPart part;
+        std::memcpy(&part, link->bytes.data(), sizeof part);
+        const auto instance = instances.find(part.instance);
+        if (instance == instances.end()) continue;  // copied without its instance: plain in any case
+        if (instance->second == nullptr || instance->second->find(part.part) == nullptr)
+            drop<PrefabPart>(state);
+    }
+    return missing;
+}
+
 }  // namespace
 
 std::string copyAsText(Document& document, const std::vector<ObjectId>& objects) {
@@ -82,20 +151,32 @@ std::string copyAsText(Document& document, const std::vector<ObjectId>& objects)
     return writeJson(whole);
 }
 
-std::unique_ptr<InsertEntities> pasteFromText(Document& document, std::string_view text) {
+Pasted pasteFromText(const PrefabEdit& edit, std::string_view text) {
+    Document& document = edit.document;
+    Pasted pasted;
     const Result<Json> json = parseJson(text, "clipboard");
-    if (!json || !json->is_object() || !json->contains(std::string{kMark})) return nullptr;
+    if (!json || !json->is_object() || !json->contains(std::string{kMark})) return pasted;
     const Json& list = (*json)[std::string{kMark}];
-    if (!list.is_array() || list.empty()) return nullptr;
+    if (!list.is_array() || list.empty()) return pasted;
     WorldFieldContext context{document.world};
     std::vector<EntityState> states;
     for (const Json& entity : list) {
         if (entity.is_object()) states.push_back(entityFrom(document, entity, context));
     }
-    if (states.empty()) return nullptr;
+    if (states.empty()) return pasted;
+    pasted.why = whyNotHere(edit, states);
+    if (!pasted.why.empty()) return pasted;
+    pasted.unpacked = unpackStrangers(edit, states);
+    for (const std::string& path : pasted.unpacked)
+        logWarning("Editor", Error{path, "this project has no such prefab",
+                                   "its instance was pasted as plain entities; bring the prefab's file here "
+                                   "and paste again to keep it an instance"});
     const std::string label =
         states.size() == 1 ? "paste entity" : format("paste {} entities", states.size());
-    return std::make_unique<InsertEntities>(label, copiesOf(document, std::move(states)));
+    std::vector<EntityState> copies = copiesOf(document, std::move(states));
+    belowPrefabRoot(document, copies);
+    pasted.command = std::make_unique<InsertEntities>(label, std::move(copies));
+    return pasted;
 }
 
 }  // namespace plumb::editor

@@ -5,8 +5,9 @@
 #include <utility>
 
 #include "core/text.hpp"
-#include "editor/model/assets/asset_catalog.hpp"
+#include "editor/model/commands/rename_action.hpp"
 #include "editor/model/commands/write_asset.hpp"
+#include "editor/model/played_keys.hpp"
 #include "reflect/json_text.hpp"
 
 namespace plumb::editor {
@@ -26,6 +27,10 @@ Json listOf(const std::vector<Binding>& bindings) {
     Json list = Json::array();
     for (const Binding binding : bindings) list.push_back(toText(binding));
     return list;
+}
+
+std::string counted(std::size_t count, std::string_view what) {
+    return format("{} {}{}", count, what, count == 1 ? "" : "s");
 }
 
 /// A value inside of an object; null when there is none.
@@ -57,6 +62,7 @@ const std::string& InputMapEdit::refresh() {
     Result<std::string> text = readFile(workspace_.project.root / kFile);
     std::string now = text ? *std::move(text) : std::string{"{}"};
     if (text_ == now) return problem_;
+    const bool known = text_.has_value();  // else nobody changed it: it is only looked at
     text_ = std::move(now);
     rows_.clear();
     problem_.clear();
@@ -72,6 +78,7 @@ const std::string& InputMapEdit::refresh() {
     const ActionMap map =
         actionMapFromJson(input == nullptr ? Json::object() : *input, "project.json: input", problems);
     if (!problems.empty()) problem_ = problems.front().text();
+    if (known) wantKeys(workspace_, map);
     for (const ActionBindings& action : map.actions) {
         rows_.push_back({Kind::Action,
                          action.name,
@@ -154,35 +161,29 @@ Result<Done> InputMapEdit::add(Kind kind, std::string_view name) {
 Result<Done> InputMapEdit::rename(Kind kind, const std::string& from, std::string_view to) {
     if (Result<Done> can = ready(); !can) return can;
     if (from == to) return Done{};
+    if (!workspace_.canEdit()) return Error{from, "the game is playing", "stop it first (F5)"};
     if (!isNamed(project_, kind, from) || isDefault(kind, from))
         return Error{from, "every game has this one", "add another one and give that the keys"};
     if (Result<Done> good = checkName(kind, to); !good) return good;
-    Json project = project_;
-    Json& list = project["input"][keyOf(kind)];
-    Json renamed = Json::object();  // at the same place
-    for (const auto& [name, value] : list.items()) renamed[name == from ? std::string{to} : name] = value;
-    list = std::move(renamed);
-    const std::size_t users = usersOf(from);
-    const Result<Done> written =
-        write(format("rename {} {} to {}", nameOf(kind), from, to), std::move(project));
-    if (written && users > 0)
-        workspace_.notice = format("{} is {} now; {} {} still by the old name", from, to, users,
-                                   users == 1 ? "scene or prefab calls it" : "scenes and prefabs call it");
-    return written;
-}
-
-/// Scenes and prefabs that have it in a field.
-std::size_t InputMapEdit::usersOf(std::string_view name) const {
-    AssetCatalog catalog{workspace_.project.root};
-    catalog.refresh();
-    const std::string wanted = format("\"action\": \"{}\"", name);
-    std::size_t users = 0;
-    for (const AssetItem& file : catalog.all()) {
-        if (file.kind != AssetKind::Scene && file.kind != AssetKind::Prefab) continue;
-        const Result<std::string> text = readFile(workspace_.project.root / file.path);
-        if (text && text->find(wanted) != std::string::npos) ++users;
+    Workspace& w = workspace_;
+    w.undo.endGesture();
+    auto command =
+        std::make_unique<RenameAction>(w.prefabs(), w.assets, keyOf(kind), std::string{nameOf(kind)}, from,
+                                       std::string{to}, [&w] { w.safety.opened(); });
+    const RenameAction& made = *command;
+    w.undo.push(std::move(command));
+    w.undo.endGesture();
+    refresh();
+    if (!made.done()) {
+        const Error problem = made.problem();
+        w.undo.undo();
+        return problem;
     }
-    return users;
+    w.notice = made.places() == 0 ? format("{} is {} now; nothing names it", from, to)
+                                  : format("{} is {} now, in {} of {} too; Ctrl+Z takes it back", from, to,
+                                           counted(static_cast<std::size_t>(made.places()), "place"),
+                                           counted(made.files(), "file"));
+    return Done{};
 }
 
 Result<Done> InputMapEdit::remove(Kind kind, const std::string& name) {
@@ -236,7 +237,6 @@ Result<Done> InputMapEdit::unbind(const Place& place, std::size_t index) {
 Result<Done> InputMapEdit::ready() {
     refresh();
     if (!readable_) return Error{std::string{kFile}, "it cannot be read", "put it right first"};
-    if (!workspace_.canEdit()) return Error{std::string{kFile}, "the game is playing", "stop it first (F5)"};
     return Done{};
 }
 

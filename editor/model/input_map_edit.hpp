@@ -13,7 +13,8 @@
 namespace plumb::editor {
 
 /// The actions and axes of a project with their keys, buttons and sticks: the "input" part of project.json.
-/// Every change is one step of undo and is in the file at once; the rest of the file stays as it is.
+/// Every change is one step of undo and is in the file at once; the rest of the file stays as it is. A game
+/// that plays has it from its next new tick on.
 class InputMapEdit {
 public:
     enum class Kind : unsigned char { Action, Axis };
@@ -49,7 +50,7 @@ public:
     // Changes. @error says why not, for the person
 
     Result<Done> add(Kind kind, std::string_view name);
-    /// Files of the project that name it keep the old name; the notice says how many there are.
+    /// Scenes and prefabs that name it follow, all or none; the notice says in how many places.
     Result<Done> rename(Kind kind, const std::string& from, std::string_view to);
     /// One that every game has gets its usual keys back.
     Result<Done> remove(Kind kind, const std::string& name);
@@ -64,7 +65,6 @@ private:
     [[nodiscard]] Json withList(const Place& place, const std::vector<Binding>& bindings) const;
     [[nodiscard]] const Part* find(const Place& place) const;
     [[nodiscard]] const Row* find(Kind kind, std::string_view name) const;
-    [[nodiscard]] std::size_t usersOf(std::string_view name) const;
     Result<Done> checkName(Kind kind, std::string_view name) const;
 
     Workspace& workspace_;

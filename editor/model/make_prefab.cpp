@@ -7,6 +7,7 @@
 #include "core/text.hpp"
 #include "editor/model/commands/become_instance.hpp"
 #include "editor/model/commands/write_asset.hpp"
+#include "editor/model/prefab_root.hpp"
 #include "editor/model/tree_edit.hpp"
 #include "reflect/json.hpp"
 #include "reflect/json_text.hpp"
@@ -119,6 +120,8 @@ Result<Done> canMake(Workspace& workspace, const std::vector<ObjectId>& objects,
         return Error{path, "there is such a prefab", "choose another name"};
     if (objects.empty()) return Error{path, "nothing is selected", "select what the prefab is to be"};
     for (const ObjectId id : outermost(document, objects)) {
+        if (id == prefabRootOf(document))
+            return Error{document.nameOf(id), "it is the prefab that is edited", "select what is below it"};
         if (document.world.has<PrefabPart>(document.find(id)))
             return Error{document.nameOf(id), "it is a part of another prefab", "select the whole instance"};
     }

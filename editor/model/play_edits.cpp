@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "editor/model/played_keys.hpp"
+
 namespace plumb::editor {
 
 void PlayEdits::add(const PlayEdit& edit) {
@@ -41,6 +43,7 @@ void PlayEdits::forgetBefore(std::int64_t tick) {
 }
 
 bool writePlayed(World& world, const ObjectNames& names, const PlayEdit& edit) {
+    if (isOfKeys(edit)) return writeKeys(world, edit), true;
     const EntityId entity = names.find(edit.object);
     if (!entity || !world.has(*edit.type, entity)) return false;
     writeField(names, *edit.field, world.find(*edit.type, entity), edit.value);

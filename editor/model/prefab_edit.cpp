@@ -6,6 +6,8 @@
 #include "editor/model/commands/change_components.hpp"
 #include "editor/model/commands/insert_entities.hpp"
 #include "editor/model/commands/set_field.hpp"
+#include "editor/model/prefab_file.hpp"
+#include "editor/model/prefab_root.hpp"
 #include "scene/components/prefab_instance.hpp"
 #include "scene/components/scene_entity.hpp"
 #include "scene/components/transform.hpp"
@@ -131,6 +133,8 @@ Result<Done> addInstance(const PrefabEdit& edit, std::string_view path, Vec2 pos
     const Result<const Prefab*> prefab = edit.prefabs->find(path);
     if (!prefab) return prefab.error();
     Document& document = edit.document;
+    if (prefabRootOf(document) && isInside(edit.root, document.scenePath, path))
+        return Error{name, "it is the prefab that is edited, or has it inside itself", "choose another one"};
     const TypeRegistry& types = document.types();
     Transaction transaction{edit.undo, format("add {}", path)};
     auto command = createEntity(document, (*prefab)->entities.front().name, position);

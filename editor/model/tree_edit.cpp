@@ -8,6 +8,7 @@
 #include "editor/model/bounds.hpp"
 #include "editor/model/commands/insert_entities.hpp"
 #include "editor/model/commands/reorder.hpp"
+#include "editor/model/prefab_root.hpp"
 #include "editor/model/tools/tool.hpp"
 #include "scene/components/prefab_instance.hpp"
 #include "scene/world_transform.hpp"
@@ -23,7 +24,7 @@ std::vector<ObjectId> movable(const Document& document, const std::vector<Object
     std::vector<ObjectId> wanted = outermost(document, objects);
     std::erase_if(wanted, [&](ObjectId id) {
         const EntityId entity = document.find(id);
-        return !entity || world.has<PrefabPart>(entity) || entity == into ||
+        return !entity || id == prefabRootOf(document) || world.has<PrefabPart>(entity) || entity == into ||
                (into && isAncestor(world, entity, into));
     });
     std::sort(wanted.begin(), wanted.end());
@@ -51,7 +52,10 @@ Vec2 middleIn(const Document& document, const std::vector<ObjectId>& ids, Object
 }  // namespace
 
 bool moveInTree(Document& document, UndoStack& undo, const std::vector<ObjectId>& objects,
-                const TreePlace& place, KeepPlace keep) {
+                const TreePlace& wanted, KeepPlace keep) {
+    TreePlace place = wanted;
+    if (!place.parent && prefabRootOf(document))
+        place = {prefabRootOf(document)};  // there is nothing beside it
     const std::vector<ObjectId> moved = movable(document, objects, place.parent);
     std::vector<ObjectId> strangers = moved;
     std::erase_if(strangers, [&](ObjectId id) { return parentIn(document, id) == place.parent; });

@@ -7,10 +7,16 @@
 #include "core/log.hpp"
 #include "core/text.hpp"
 #include "editor/model/bounds.hpp"
+#include "editor/model/played_keys.hpp"
+#include "editor/model/prefab_file.hpp"
+#include "editor/model/prefab_group.hpp"
+#include "editor/model/prefab_visit.hpp"
+#include "editor/model/project_habits.hpp"
 #include "editor/model/tile_layers.hpp"
 #include "scene/components/camera.hpp"
 #include "scene/components/prefab_instance.hpp"
 #include "scene/components/transform.hpp"
+#include "scene/scene_file.hpp"
 
 namespace plumb::editor {
 namespace {
@@ -31,6 +37,7 @@ Workspace::Workspace(const TypeRegistry& types, AssetStore& store, ProjectFolder
                      PrefabLibrary* prefabs)
     : project{std::move(folder)}, assets{store}, document{types}, undo{document}, prefabs_{prefabs} {
     document.world.provide(assets);
+    readGrid(*this);
     for (const ToolRow& row : toolTable()) {
         tools_.push_back(row.make());
     }
@@ -56,9 +63,7 @@ Result<LoadReport> Workspace::load(const std::string& wanted, const std::string*
     document.world.clear();
     undo.clear();
     if (prefabs_ != nullptr) prefabs_->forget();  // their files may have changed
-    Result<LoadReport> report = text == nullptr ? loadSceneFile(document.world, context(), wanted)
-                                                : loadScene(document.world, context(), wanted, *text);
-    if (text != nullptr) loadAssets(document.world, document.types(), assets);
+    Result<LoadReport> report = readFileText(document.world, context(), wanted, text);
     document.scenePath = report ? wanted : std::string{};
     document.scene = report ? report->scene : SceneId{};
     document.reindex();
@@ -118,12 +123,19 @@ Result<Done> Workspace::save() {
         return Error{document.scenePath, "another program has changed it", "choose which one to keep"};
     }
     safety.saving();
-    const std::string written = endsWith(document.scenePath, ".bin")
-                                    ? sceneToBinary(document.world, context(), document.scene)
-                                    : text();
+    const bool prefab = isPrefabFile(document.scenePath);
+    std::string written;
+    if (!prefab) {
+        written = endsWith(document.scenePath, ".bin")
+                      ? sceneToBinary(document.world, context(), document.scene)
+                      : text();
+    }
     const Result<Path> file = pathInside(project.root, document.scenePath);
     safety.finish();
-    const Result<Done> saved = file ? writeFile(*file, written) : Result<Done>{file.error()};
+    const Result<Done> saved = prefab
+                                   ? savePrefab(document.world, context(), document.scene, document.scenePath)
+                               : file ? writeFile(*file, written)
+                                      : Result<Done>{file.error()};
     if (saved) {
         undo.markSaved();
         safety.saved();
@@ -144,7 +156,7 @@ std::vector<std::string> Workspace::scenes() const {
     return paths;
 }
 
-std::string Workspace::text() const { return sceneToJson(document.world, context(), document.scene); }
+std::string Workspace::text() const { return fileText(document.world, context(), document.scene); }
 
 std::vector<std::string> Workspace::prefabFiles() const { return filesBelow(project.root, ".prefab.json"); }
 
@@ -163,7 +175,7 @@ void Workspace::revertToPrefab(const PrefabScope& scope) {
 
 void Workspace::applyToPrefab(const PrefabScope& scope) {
     if (document.selection.empty()) return;
-    const Result<Done> applied = editor::applyToPrefab(prefabs(), document.selection.all().back(), scope);
+    const Result<Done> applied = applyAllToPrefabs(prefabs(), document.selection.all(), scope);
     notice = applied ? format("Did: {}", undo.label(undo.size() - 1)) : applied.error().text();
     if (!applied) logWarning("Editor", applied.error());
 }
@@ -195,6 +207,8 @@ void Workspace::togglePlay() { play.running() ? stopPlaying() : startPlaying(); 
 
 void Workspace::startPlaying(bool paused) {
     if (!makeSession) return;
+    if (editsPrefab(*this)) return askToPlayScene(*this, paused);  // it has no ground to stand on
+    forgetKeys(*this);
     tool().cancel(tools());
     undo.endGesture();
     toKeep.clear();
@@ -226,7 +240,9 @@ void Workspace::tend(double seconds) {
     safety.tend(seconds);
     profiler.tend(play);
     viewFile.keep(document.scenePath, document.view);
-    const bool open = !document.scenePath.empty();
+    tendKeys(*this);
+    tendGrid(*this, seconds);
+    const bool open = !document.scenePath.empty() && !editsPrefab(*this);
     const PhysicsReach jumps = open ? reachOf("reach") : PhysicsReach::Off;
     jumps == PhysicsReach::Off ? reach.clear() : reach.tend(*this, jumps == PhysicsReach::All);
     const PhysicsReach ways = open ? reachOf("trajectories") : PhysicsReach::Off;

@@ -14,9 +14,7 @@
 #include "editor/model/project_session.hpp"
 #include "editor/model/project_templates.hpp"
 #include "editor/model/thumbnail.hpp"
-#include "editor/ui/editor_window.hpp"
-#include "editor/ui/imgui_renderer.hpp"
-#include "editor/ui/scene_picture.hpp"
+#include "editor/ui/open_project.hpp"
 #include "editor/ui/tour.hpp"
 #include "platform/image_file.hpp"
 #include "platform/paths.hpp"
@@ -43,21 +41,21 @@ public:
     /// @param settingsFile  null: what the person chooses is not kept
     App(std::unique_ptr<ProjectSession> session, LogBook& log, SettingsFile* settingsFile,
         std::unique_ptr<Window> window, std::unique_ptr<GlDevice> device)
-        : settingsFile_{settingsFile}, log_{log}, window_{std::move(window)}, device_{std::move(device)} {
-        use(std::move(session));
-    }
-    ~App() { letGo(); }
+        : settingsFile_{settingsFile},
+          window_{std::move(window)},
+          device_{std::move(device)},
+          open_{std::move(session), log, device_.get()} {}
     App(const App&) = delete;
     App& operator=(const App&) = delete;
 
-    [[nodiscard]] EditorWindow& editor() { return *editor_; }
+    [[nodiscard]] EditorWindow& editor() { return open_.window(); }
 
     void run() {
-        remember();
+        open_.remember();
         double before = wallSeconds();
-        while (!editor_->wantsQuit()) {
+        while (!editor().wantsQuit()) {
             std::vector<Event> events;
-            const bool busy = workspace().play.running() || editor_->pending() || --idleFrames_ > 0;
+            const bool busy = workspace().play.running() || editor().pending() || --idleFrames_ > 0;
             if (busy) {
                 window_->pollEvents(events);
             } else {
@@ -90,7 +88,7 @@ public:
         if (!text) return text.error();
         const Result<Tour> tour = Tour::read(*text, path.filename().string());
         if (!tour) return tour.error();
-        return tour->play({[this]() -> const EditorWindow& { return *editor_; },
+        return tour->play({[this]() -> const EditorWindow& { return editor(); },
                            [this]() -> const Workspace& { return workspace(); },
                            [this](const std::vector<Event>& events) {
                                frame(events, 1.0f / 60.0f);
@@ -102,7 +100,7 @@ public:
 private:
     static constexpr int kIdleFrames = 30;
 
-    [[nodiscard]] Workspace& workspace() { return session_->workspace(); }
+    [[nodiscard]] Workspace& workspace() { return open_.workspace(); }
 
     /// Once, after the first frame: from then on it takes what the hands do.
     void tellReady() {
@@ -110,56 +108,18 @@ private:
         logNote("Editor", "Ready after {} s", fixedText(processSeconds(), 2));
     }
 
-    void use(std::unique_ptr<ProjectSession> session) {
-        session_ = std::move(session);
-        const bool smooth = workspace().project.smooth;
-        picture_ = std::make_unique<ScenePicture>(*device_, session_->assets(),
-                                                  smooth ? TextureFilter::Linear : TextureFilter::Nearest);
-        editor_ = std::make_unique<EditorWindow>(workspace(), log_, picture_.get(), engineAssets() / "fonts",
-                                                 workspace().settings.scale);
-        renderer_ = std::make_unique<ImguiRenderer>();
-    }
-
-    void letGo() {
-        renderer_.reset();
-        editor_.reset();
-        picture_.reset();
-        session_.reset();
-    }
-
     void openChosen() {
-        if (const std::string project = editor_->takeProject(); !project.empty()) change(project);
+        if (const std::string project = editor().takeProject(); !project.empty()) change(project);
     }
 
-    /// Another project takes the place of this one; what the person likes stays.
     void change(const std::string& project) {
-        Result<std::unique_ptr<ProjectSession>> next = ProjectSession::open(project);
-        if (!next) {
-            workspace().notice = next.error().text();
-            logError("Project", next.error());
-            return;
-        }
-        keepPicture();
-        Settings settings = workspace().settings;
-        letGo();
-        (*next)->workspace().settings = std::move(settings);
-        (*next)->openFirst({});
-        use(std::move(*next));
-        workspace().safety.begin();
-        remember();
+        static_cast<void>(open_.change(project, [this] { keepPicture(); }).ok());
         idleFrames_ = kIdleFrames;
-    }
-
-    void remember() {
-        if (workspace().project.isNone) return;
-        std::error_code failed;
-        const Path folder = std::filesystem::absolute(workspace().project.root, failed).lexically_normal();
-        workspace().settings.remember((folder.has_filename() ? folder : folder.parent_path()).string());
     }
 
     /// The scene as it is seen, for the list of recent projects.
     void keepPicture() {
-        const WidgetMap::Widget* scene = editor_->widgets().find("Viewport");
+        const WidgetMap::Widget* scene = editor().widgets().find("Viewport");
         if (workspace().project.isNone || workspace().document.scenePath.empty() || scene == nullptr) return;
         const AABB box = scene->box;
         frame({}, 1.0f / 60.0f);  // what was shown last is gone from the card
@@ -179,31 +139,25 @@ private:
     }
 
     void frame(const std::vector<Event>& events, float seconds) {
-        if (editor_->takeFontsChanged()) renderer_->uploadFonts();
+        if (editor().takeFontsChanged()) open_.renderer().uploadFonts();
         Workspace& open = workspace();
         const std::string copied = open.clipboard = window_->clipboardText();
-        editor_->frame({events, window_->size(), window_->drawableSize(), seconds});
+        editor().frame({events, window_->size(), window_->drawableSize(), seconds});
         if (open.clipboard != copied) window_->setClipboardText(open.clipboard);
-        window_->setMouseShape(editor_->mouseShape());
-        const std::string title = format("{}{} - Plumb", open.unsaved() ? "* " : "", open.project.name);
-        if (title != title_) window_->setTitle(title_ = title);
+        window_->setMouseShape(editor().mouseShape());
+        if (std::string title = open_.title(); title != title_) window_->setTitle(title_ = std::move(title));
 
         const PixelSize size = window_->drawableSize();
         device_->setWindowSize(size);
         device_->setViewport({{}, 0, 0, size.width, size.height});
         device_->clear({20, 21, 25, 255});
-        renderer_->draw();
+        open_.renderer().draw();
     }
 
     SettingsFile* settingsFile_;
-    LogBook& log_;
     std::unique_ptr<Window> window_;
     std::unique_ptr<GlDevice> device_;
-    // In the order in which they need each other.
-    std::unique_ptr<ProjectSession> session_;
-    std::unique_ptr<ScenePicture> picture_;
-    std::unique_ptr<EditorWindow> editor_;
-    std::unique_ptr<ImguiRenderer> renderer_;
+    OpenProject open_;  // needs the two above
     std::string title_;
     int idleFrames_ = kIdleFrames;
     bool ready_ = false;

@@ -5,6 +5,7 @@
 
 #include "core/text.hpp"
 #include "editor/model/actions.hpp"
+#include "editor/model/prefab_visit.hpp"
 #include "editor/ui/editor_window.hpp"
 #include "editor/ui/icons.hpp"
 #include "editor/ui/overlays/overlay_list.hpp"
@@ -271,6 +272,7 @@ void EditorWindow::drawDialogs() {
         case WindowRequest::ShowOverrides:
         case WindowRequest::RenameSelected: break;
     }
+    if (const auto visit = takePrefabVisit(workspace_)) leaveFor([this, visit] { go(workspace_, *visit); });
     drawSceneChooser();
     drawPrefabChooser();
     drawNewScene();

@@ -4,7 +4,9 @@
 #include <utility>
 
 #include "editor/model/actions.hpp"
+#include "editor/model/project_habits.hpp"
 #include "editor/ui/overlays/overlay_list.hpp"
+#include "editor/ui/prefab_strip.hpp"
 #include "editor/ui/ui_compat.hpp"
 #include "scene/draw_scene.hpp"
 
@@ -60,7 +62,8 @@ void selectionMenu(Ui& ui, const std::string& path) {
         actionItem(ui, id, path);
     }
     ImGui::Separator();
-    for (const char* id : {"entity.makePrefab", "entity.overrides", "entity.revert", "entity.apply"}) {
+    for (const char* id :
+         {"entity.makePrefab", "entity.editPrefab", "entity.overrides", "entity.revert", "entity.apply"}) {
         actionItem(ui, id, path);
     }
     ImGui::Separator();
@@ -87,6 +90,7 @@ EditorWindow::EditorWindow(Workspace& workspace, LogBook& log, ScenePicture* pic
 }
 
 EditorWindow::~EditorWindow() {
+    keepGrid(workspace_);
     workspace_.gameInput = nullptr;
     ui_.log.tick = nullptr;
     ImGui::DestroyContext(context_);
@@ -141,7 +145,9 @@ void EditorWindow::drawAll() {
     const float toolbar = ui_.px(kToolbarHeight);
     const float status = ui_.px(kStatusHeight);
     drawToolbar(toolbar);
-    panes_.draw(ui_, {0.0f, top + toolbar}, {display.x, std::max(display.y - top - toolbar - status, 1.0f)});
+    const float strip = drawPrefabStrip(ui_, top + toolbar, display.x);
+    const float above = top + toolbar + strip;
+    panes_.draw(ui_, {0.0f, above}, {display.x, std::max(display.y - above - status, 1.0f)});
     drawStatus(status);
 }
 

@@ -23,7 +23,9 @@ std::uint64_t idOf(const Json& json) {
 
 /// What scenes and entities may carry beside what the engine reads: values of the game's own, and what an
 /// importer could not say in components. Kept and written back like all other keys, but meant to be there.
-bool isNote(std::string_view key) { return key == "properties" || key == "background" || isImportNote(key); }
+bool isNote(std::string_view key) {
+    return key == "properties" || key == "background" || key == kPrefabFileNote || isImportNote(key);
+}
 
 /// The text of an entity to keep: as it stood in the file, or written from what a binary file held.
 std::string keptText(std::string_view text, const Json& json) {

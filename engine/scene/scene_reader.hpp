@@ -14,6 +14,10 @@
 
 namespace plumb {
 
+/// A key of a scene that was made of a prefab's file, to edit it: what that file said in another way. Kept
+/// and written back like all that a scene does not know.
+inline constexpr std::string_view kPrefabFileNote = "prefabFile";
+
 /// Knows the entities of the scene that is being read, and remembers when it was asked for one that is not
 /// there yet.
 class ReadingContext final : public WorldFieldContext {

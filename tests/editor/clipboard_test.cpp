@@ -96,5 +96,42 @@ TEST_F(Clipboards, anInstanceStaysOneWithWhatItHasForItself) {
     EXPECT_EQ(scene.find("\"lamp\""), std::string::npos) << "its parts are still parts";
 }
 
+TEST_F(Clipboards, anInstanceIsUnpackedWhereItsPrefabIsMissing) {
+    ASSERT_TRUE(makePrefab(workspace, {named("player")}, prefabPath("hero")).ok());
+    workspace.document.world.get<BoxCollider>(workspace.document.find(named("player"))).width = 77.0f;
+    copy({named("player")});
+    elsewhere.clipboard = workspace.clipboard;
+    ASSERT_TRUE(runAction(elsewhere, "edit.paste"));
+    EXPECT_NE(elsewhere.notice.find("this project has no prefabs/hero.prefab.json"), std::string::npos)
+        << elsewhere.notice;
+    EXPECT_FALSE(elsewhere.selectsInstance());
+    ASSERT_TRUE(elsewhere.save().ok());
+    ASSERT_TRUE(elsewhere.open(kOther).ok());
+    const World& there = elsewhere.document.world;
+    const EntityId player = elsewhere.document.find(namedIn(elsewhere, "player"));
+    const EntityId lamp = elsewhere.document.find(namedIn(elsewhere, "lamp"));
+    ASSERT_TRUE(there.alive(lamp)) << "parts are saved like other entities";
+    EXPECT_EQ(parentOf(there, lamp), player);
+    EXPECT_EQ(there.get<Transform>(lamp).position, (Vec2{10.0f, -10.0f}));
+    EXPECT_EQ(there.get<BoxCollider>(player).width, 77.0f);
+}
+
+TEST_F(Clipboards, aPartThatTheOtherProjectsPrefabDoesNotHaveIsUnpacked) {
+    ASSERT_TRUE(makePrefab(workspace, {named("player")}, prefabPath("hero")).ok());
+    copy({named("player")});
+    ASSERT_TRUE(writeFile(elsewhere.project.root / prefabPath("hero"),
+                          R"({"format": 1, "entities": [{"id": "0000000000000001", "name": "hero",
+                              "components": {"Transform": {}}}]})")
+                    .ok());
+    elsewhere.clipboard = workspace.clipboard;
+    ASSERT_TRUE(runAction(elsewhere, "edit.paste"));
+    EXPECT_TRUE(elsewhere.selectsInstance()) << "a prefab of this name is here";
+    ASSERT_TRUE(elsewhere.save().ok());
+    ASSERT_TRUE(elsewhere.open(kOther).ok());
+    const EntityId lamp = elsewhere.document.find(namedIn(elsewhere, "lamp"));
+    ASSERT_TRUE(elsewhere.document.world.alive(lamp));
+    EXPECT_EQ(elsewhere.document.world.get<Transform>(lamp).position, (Vec2{10.0f, -10.0f}));
+}
+
 }  // namespace
 }  // namespace plumb::editor

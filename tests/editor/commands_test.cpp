@@ -175,7 +175,7 @@ TEST_F(Commands, whatIsCopiedCanBePastedAsTextWithItsChildren) {
 TEST_F(Commands, textThatIsNoEntitiesIsNotPasted) {
     for (const char* text :
          {"", "hello", "{}", "[1,2]", R"({"plumbEntities": 3})", R"({"plumbEntities": [1]})"}) {
-        EXPECT_EQ(pasteFromText(workspace.document, text), nullptr) << text;
+        EXPECT_EQ(pasteFromText(workspace.prefabs(), text).command, nullptr) << text;
     }
 }
 

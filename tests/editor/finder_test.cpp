@@ -4,6 +4,7 @@
 
 #include "editor/model/actions.hpp"
 #include "editor/model/finder/fuzzy.hpp"
+#include "editor/model/prefab_visit.hpp"
 #include "tests/editor/support/editor_fixture.hpp"
 #include "tests/editor/support/hands.hpp"
 #include "tests/support/places.hpp"
@@ -90,6 +91,32 @@ TEST_F(FinderTest, filesAndEntitiesOfTheOpenSceneAreFound) {
     EXPECT_EQ(best(Finder::What::Files, "lmp"), "lamp");
     EXPECT_EQ(finder.item(finder.rows().front()).detail, "in player");
     EXPECT_TRUE(found(Finder::What::Files, "qqq").empty());
+}
+
+TEST_F(FinderTest, whatWasChosenLatelyComesFirstInTheNextSessionToo) {
+    finder.open(workspace, Finder::What::Files);
+    finder.search(workspace, "sign");
+    finder.choose(workspace);
+    Finder next;
+    next.open(workspace, Finder::What::Files);
+    ASSERT_FALSE(next.rows().empty());
+    EXPECT_EQ(next.item(next.rows().front()).text, "sign");
+}
+
+TEST_F(FinderTest, commandsStandByTheirMenuOrTheirKind) {
+    EXPECT_EQ(best(Finder::What::Commands, "save layout"), "Layout: Save layout as...");
+    EXPECT_EQ(best(Finder::What::Commands, "flip left"), "Tiles: Flip left to right");
+}
+
+TEST_F(FinderTest, aPrefabThatIsChosenIsOpened) {
+    putFile("prefabs/box.prefab.json",
+            R"({"format": 1, "entities": [{"id": "0000000000000001", "components": {"Transform": {}}}]})");
+    finder.open(workspace, Finder::What::Files);
+    finder.search(workspace, "box.prefab");
+    finder.choose(workspace);
+    const auto visit = takePrefabVisit(workspace);
+    ASSERT_TRUE(visit);
+    EXPECT_EQ(visit->path, "prefabs/box.prefab.json");
 }
 
 TEST_F(FinderTest, signsInFrontChooseWhatIsSearched) {

@@ -1,11 +1,10 @@
 #include "editor/ui/theme.hpp"
 
-#include <cmath>
-
 #include <gtest/gtest.h>
 
 #include "core/text.hpp"
 #include "editor/ui/icons.hpp"
+#include "tests/editor/support/contrast.hpp"
 
 namespace plumb::editor::ui {
 namespace {
@@ -23,33 +22,6 @@ std::string text(const Swatch& swatch, Theme theme) {
     const ImU32 color = shade(swatch, theme);
     return format("({}, {}, {})", color & 0xff, color >> 8 & 0xff, color >> 16 & 0xff);
 }
-float channel(ImU32 color, int shift) { return static_cast<float>((color >> shift) & 0xff) / 255.0f; }
-
-/// What is seen where a color lies on another one.
-ImU32 over(ImU32 top, ImU32 below) {
-    const float alpha = channel(top, IM_COL32_A_SHIFT);
-    const auto mix = [&](int shift) {
-        return static_cast<ImU32>(
-            std::lround((channel(top, shift) * alpha + channel(below, shift) * (1.0f - alpha)) * 255.0f));
-    };
-    return IM_COL32(mix(IM_COL32_R_SHIFT), mix(IM_COL32_G_SHIFT), mix(IM_COL32_B_SHIFT), 255);
-}
-
-/// Relative luminance and contrast as WCAG 2.1 defines them.
-float luminance(ImU32 color) {
-    const auto linear = [&](int shift) {
-        const float value = channel(color, shift);
-        return value <= 0.04045f ? value / 12.92f : std::pow((value + 0.055f) / 1.055f, 2.4f);
-    };
-    return 0.2126f * linear(IM_COL32_R_SHIFT) + 0.7152f * linear(IM_COL32_G_SHIFT) +
-           0.0722f * linear(IM_COL32_B_SHIFT);
-}
-float contrast(ImU32 a, ImU32 b) {
-    const float brighter = std::max(luminance(a), luminance(b));
-    const float darker = std::min(luminance(a), luminance(b));
-    return (brighter + 0.05f) / (darker + 0.05f);
-}
-
 class Contrast : public testing::TestWithParam<Theme> {
 protected:
     void expectAll(std::initializer_list<Swatch> fronts, std::initializer_list<Swatch> backs, float least) {

@@ -4,6 +4,7 @@
 #include "editor/model/actions/action_rows.hpp"
 #include "editor/model/clipboard.hpp"
 #include "editor/model/commands/delete_entities.hpp"
+#include "editor/model/prefab_root.hpp"
 #include "editor/model/sight.hpp"
 
 namespace plumb::editor {
@@ -24,18 +25,25 @@ void duplicate(Workspace& w) {
     w.undo.push(duplicateEntities(w.document, w.document.selection.all())), w.undo.endGesture();
 }
 void remove(Workspace& w) {
-    w.undo.push(std::make_unique<DeleteEntities>(w.document.selection.all()));
+    std::vector<ObjectId> ids = w.document.selection.all();
+    if (std::erase(ids, prefabRootOf(w.document)) > 0)
+        w.notice = "The first entity of a prefab is the prefab itself; it stays";
+    if (ids.empty()) return;
+    w.undo.push(std::make_unique<DeleteEntities>(std::move(ids)));
     w.undo.endGesture();
 }
 void copy(Workspace& w) { w.clipboard = copyAsText(w.document, w.document.selection.all()); }
 void cut(Workspace& w) { copy(w), remove(w); }
 void paste(Workspace& w) {
-    if (auto command = pasteFromText(w.document, w.clipboard)) {
-        w.undo.push(std::move(command));
-        w.undo.endGesture();
-    } else {
-        w.notice = "The clipboard holds no entities";
+    Pasted pasted = pasteFromText(w.prefabs(), w.clipboard);
+    if (pasted.command == nullptr) {
+        w.notice = pasted.why.empty() ? "The clipboard holds no entities" : pasted.why;
+        return;
     }
+    w.undo.push(std::move(pasted.command));
+    w.undo.endGesture();
+    if (!pasted.unpacked.empty())
+        w.notice = format("Pasted as plain entities: this project has no {}", pasted.unpacked.front());
 }
 /// But for what the mouse goes through.
 void selectAll(Workspace& w) {

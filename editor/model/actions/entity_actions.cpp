@@ -2,6 +2,7 @@
 
 #include "editor/model/actions/action_rows.hpp"
 #include "editor/model/commands/insert_entities.hpp"
+#include "editor/model/prefab_visit.hpp"
 #include "editor/model/tools/transform_drag.hpp"
 #include "editor/model/tree_edit.hpp"
 #include "scene/components/name.hpp"
@@ -69,6 +70,8 @@ void stepInTreeBy(Workspace& w) {
 }
 
 bool onInstance(const Workspace& w) { return withSelection(w) && w.selectsInstance(); }
+bool comesFromPrefab(const Workspace& w) { return onInstance(w) && !prefabInHand(w).empty(); }
+bool canLeavePrefab(const Workspace& w) { return w.canEdit() && !behindPrefab(w).empty(); }
 
 const std::array kRows{
     Action{"entity.create", "Entity", "Create entity", control(Key::N), editable, create},
@@ -120,6 +123,10 @@ const std::array kRows{
     line("Entity"),
     Action{
         "entity.makePrefab", "Entity", "Make prefab...", {}, withSelection, ask<WindowRequest::NamePrefab>},
+    Action{"entity.editPrefab", "Entity", "Edit prefab", control(Key::E), comesFromPrefab,
+           [](Workspace& w) { askToEditPrefab(w, prefabInHand(w)); }},
+    Action{"entity.leavePrefab", "Entity", "Back from the prefab", control(Key::E, true), canLeavePrefab,
+           askToLeavePrefab},
     Action{"entity.overrides",
            "Entity",
            "Changes against the prefab...",

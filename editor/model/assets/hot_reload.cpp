@@ -5,6 +5,7 @@
 #include "core/text.hpp"
 #include "editor/model/assets/asset_catalog.hpp"
 #include "editor/model/assets/reload_document.hpp"
+#include "editor/model/prefab_visit.hpp"
 
 namespace plumb::editor {
 namespace {
@@ -22,7 +23,7 @@ void HotReload::watch() {
     Workspace& w = workspace_;
     if (w.document.scenePath != watchedScene_) {
         watchedScene_ = w.document.scenePath;
-        if (!watchedScene_.empty()) w.assets.load(AssetKind::Scene, watchedScene_);
+        if (!watchedScene_.empty() && !editsPrefab(w)) w.assets.load(AssetKind::Scene, watchedScene_);
     }
     for (const std::string& path : w.prefabFiles()) w.assets.load(AssetKind::Prefab, path);
 }
@@ -52,11 +53,12 @@ std::size_t HotReload::poll(double now) {
     bool prefabs = false;
     for (const AssetChange& change : w.assets.pollChanges(w.assets.size())) {
         const std::string path{w.assets.pathOf(change.kind, change.path)};
-        prefabs = prefabs || change.kind == AssetKind::Prefab;
         ++taken;
-        if (change.kind == AssetKind::Scene) {
-            if (path == w.document.scenePath) sceneChanged();
-        } else if (change.kind != AssetKind::Prefab) {
+        const bool isOpen = path == w.document.scenePath;
+        prefabs = prefabs || (change.kind == AssetKind::Prefab && !isOpen);
+        if (change.kind == AssetKind::Scene || change.kind == AssetKind::Prefab) {
+            if (isOpen) sceneChanged();
+        } else {
             w.notice = format("Reloaded the {} {}", nameOfKind(change.kind), path);
         }
     }

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/log.hpp"
+#include "editor/model/prefab_file.hpp"
 #include "scene/components/prefab_instance.hpp"
 #include "scene/components/scene_entity.hpp"
 #include "scene/loaded_scene.hpp"
@@ -60,7 +61,7 @@ void giveBackRest(Document& document, const SceneRest& before) {
 }  // namespace
 
 Result<LoadReport> reloadDocument(Document& document, const SceneContext& context, std::string_view text) {
-    const std::string before = sceneToJson(document.world, context, document.scene);
+    const std::string before = fileText(document.world, context, document.scene);
     const Orders orders = ordersOf(std::as_const(document.world));
     const std::shared_ptr<const SceneRest> rest = restOf(document);
     const std::vector<ObjectId> selected = document.selection.all();
@@ -70,7 +71,7 @@ Result<LoadReport> reloadDocument(Document& document, const SceneContext& contex
         unloadScene(document.world, document.scene);
         document.world.clear();
         document.world.tiles() = tiles;
-        return loadScene(document.world, context, document.scenePath, content);
+        return loadFileText(document.world, context, document.scenePath, content);
     };
     Result<LoadReport> report = load(text);
     const Result<LoadReport> kept = report ? report : load(before);

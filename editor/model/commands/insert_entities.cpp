@@ -1,6 +1,7 @@
 #include "editor/model/commands/insert_entities.hpp"
 
 #include "core/text.hpp"
+#include "editor/model/prefab_root.hpp"
 #include "scene/components/name.hpp"
 #include "scene/components/scene_entity.hpp"
 #include "scene/components/transform.hpp"
@@ -34,6 +35,7 @@ std::unique_ptr<InsertEntities> createEntity(Document& document, std::string_vie
     state.components.push_back({&types.of<Transform>(), FieldValue::of(place).bytes});
     std::vector<EntityState> states;
     states.push_back(std::move(state));
+    belowPrefabRoot(document, states);
     return std::make_unique<InsertEntities>("create entity", std::move(states));
 }
 
@@ -44,7 +46,9 @@ std::unique_ptr<InsertEntities> duplicateEntities(Document& document, const std:
     }
     const std::string label =
         objects.size() == 1 ? "duplicate entity" : format("duplicate {} entities", objects.size());
-    return std::make_unique<InsertEntities>(label, copiesOf(document, std::move(states)));
+    std::vector<EntityState> copies = copiesOf(document, std::move(states));
+    belowPrefabRoot(document, copies);
+    return std::make_unique<InsertEntities>(label, std::move(copies));
 }
 
 }  // namespace plumb::editor

@@ -6,6 +6,7 @@
 #include "core/text.hpp"
 #include "editor/model/assets/asset_uses.hpp"
 #include "editor/model/assets/reload_document.hpp"
+#include "editor/model/prefab_file.hpp"
 
 namespace plumb::editor {
 namespace {
@@ -113,7 +114,7 @@ bool MoveAsset::move(Document& document, const std::string& from, const std::str
     }
     const SceneContext context = contextOf(edit_);
     if (document.scenePath.empty()) return true;
-    const std::string text = sceneToJson(document.world, context, document.scene);
+    const std::string text = fileText(document.world, context, document.scene);
     document.scenePath = movedPath(document.scenePath, from, to);
     if (edit_.prefabs != nullptr) edit_.prefabs->forget();
     const Result<LoadReport> loaded =

@@ -6,7 +6,9 @@
 
 #include "core/text.hpp"
 #include "ecs/hierarchy.hpp"
-#include "editor/model/actions.hpp"
+#include "editor/model/action_groups.hpp"
+#include "editor/model/prefab_visit.hpp"
+#include "editor/model/project_habits.hpp"
 #include "editor/model/workspace.hpp"
 
 namespace plumb::editor {
@@ -31,6 +33,7 @@ auto orderOf(const FinderItem& item) { return std::tie(item.kind, item.text, ite
 }  // namespace
 
 void Finder::open(const Workspace& workspace, What what) {
+    if (recent_.empty()) recent_ = recentChoices(workspace, kMostRecent);
     what_ = what;
     collect(workspace, what);
     search(workspace, {});
@@ -71,7 +74,7 @@ void Finder::collectEntities(const Workspace& workspace) {
 void Finder::collectCommands(const Workspace& workspace) {
     for (const Action& action : actionTable()) {
         if (action.id.empty()) continue;
-        const std::string menu = action.menu.empty() ? "Tiles: " : format("{}: ", action.menu);
+        const std::string menu = groupOf(action) + ": ";
         items_.push_back({Kind::Command,
                           menu + std::string{action.label},
                           menu.size(),
@@ -134,6 +137,7 @@ std::string Finder::choose(Workspace& workspace) {
     std::erase(recent_, key);
     recent_.insert(recent_.begin(), key);
     if (recent_.size() > kMostRecent) recent_.pop_back();
+    keepRecent(workspace, recent_);
 
     switch (item.kind) {
         case Kind::Scene: return item.id;
@@ -146,6 +150,9 @@ std::string Finder::choose(Workspace& workspace) {
                 workspace.notice = format("\"{}\" is not possible now", item.text.substr(item.name));
             break;
         case Kind::Prefab:
+            askToEditPrefab(workspace, item.id);
+            workspace.assetToShow = item.id;
+            break;
         case Kind::Asset:
             if (item.asset == AssetKind::Animation) workspace.assetToEdit = item.id;
             workspace.assetToShow = item.id;

@@ -3,8 +3,8 @@
 #include <utility>
 
 #include "core/assert.hpp"
+#include "editor/model/prefab_file.hpp"
 #include "scene/prefab.hpp"
-#include "scene/scene_file.hpp"
 
 namespace plumb::editor {
 
@@ -65,7 +65,7 @@ void JournalWriter::run() {
 Result<Done> JournalWriter::writeOne() {
     world_.restore(snapshot_);
     PrefabLibrary prefabs{types_, project_};  // its own: the editor's may be read from and changed meanwhile
-    return writeFile(file_, header_ + sceneToJson(world_, {types_, &prefabs, project_}, scene_));
+    return writeFile(file_, header_ + fileText(world_, {types_, &prefabs, project_}, scene_));
 }
 
 }  // namespace plumb::editor

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/text.hpp"
+#include "editor/model/action_groups.hpp"
 #include "editor/ui/ui_compat.hpp"
 
 namespace plumb::editor::ui {
@@ -20,13 +21,8 @@ std::string lower(std::string_view text) {
 
 bool isModifier(Key key) { return key >= Key::LeftControl && key <= Key::RightSuper; }
 
-/// "Edit: Undo"; what stands in no menu goes by its kind.
-std::string nameOf(const Action& action) {
-    if (!action.menu.empty()) return format("{}: {}", action.menu, action.label);
-    std::string kind{action.id.substr(0, action.id.find('.'))};
-    if (!kind.empty() && kind[0] >= 'a' && kind[0] <= 'z') kind[0] = static_cast<char>(kind[0] - 32);
-    return format("{}: {}", kind, action.label);
-}
+/// "Edit: Undo".
+std::string nameOf(const Action& action) { return format("{}: {}", groupOf(action), action.label); }
 
 std::string textOf(const KeyBindings& keys, const Action& action) {
     std::string text;

@@ -89,7 +89,11 @@ void PreferencesDialog::drawPages(Ui& ui) {
                                 Row{Page::Editing, "Editing"}};
     beginChild("pages", {ui.px(kSide), -ui.px(36.0f)}, false);
     for (const Row& row : kPages) {
-        if (ImGui::Selectable(row.name, page_ == row.page, 0, {0.0f, ImGui::GetFrameHeight()})) {
+        ImGui::PushStyleVar(ImGuiStyleVar_SelectableTextAlign, {0.0f, 0.5f});
+        const bool chosen =
+            ImGui::Selectable(row.name, page_ == row.page, 0, {0.0f, ImGui::GetFrameHeight()});
+        ImGui::PopStyleVar();
+        if (chosen) {
             page_ = row.page;
             keysPage_.stop();
         }

@@ -5,6 +5,7 @@
 #include "editor/model/actions.hpp"
 #include "editor/model/assets/asset_browser.hpp"
 #include "editor/model/assets/place_asset.hpp"
+#include "editor/model/prefab_visit.hpp"
 #include "editor/ui/dialogs/import_dialog.hpp"
 #include "editor/ui/panels/panels.hpp"
 #include "editor/ui/ui_compat.hpp"
@@ -188,7 +189,7 @@ private:
         };
         entry("Open",
               item.folder || item.kind == AssetKind::Scene || item.kind == AssetKind::Animation ||
-                  item.kind == AssetKind::Texture,
+                  item.kind == AssetKind::Texture || item.kind == AssetKind::Prefab,
               [&] { open(ui, browser, item); });
         entry("Add to the scene", canBePlaced(item.kind) && ui.workspace.canEdit(),
               [&] { browser.place(item.path, ui.workspace.view.view().center); });
@@ -202,7 +203,9 @@ private:
     static void open(Ui& ui, AssetBrowser& browser, const AssetItem& item) {
         if (item.folder) return browser.enter(item.path);
         if (item.kind == AssetKind::Scene) return openSceneOrSay(ui, item.path);
-        if (item.kind == AssetKind::Animation || item.kind == AssetKind::Texture) {
+        if (item.kind == AssetKind::Prefab) {
+            askToEditPrefab(ui.workspace, item.path);
+        } else if (item.kind == AssetKind::Animation || item.kind == AssetKind::Texture) {
             ui.workspace.assetToEdit = item.path;
         } else {
             ui.workspace.notice = format("Drag {} into the scene", item.name());

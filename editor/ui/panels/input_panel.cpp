@@ -80,9 +80,10 @@ private:
         ImGui::SameLine();
         ImGui::AlignTextToFramePadding();
         const std::size_t shared = edit_->shared();
-        std::string text = ui.workspace.canEdit()
-                               ? "What games of this project are played with; it is in project.json at once."
-                               : "While a game plays, this can only be looked at.";
+        std::string text = ui.workspace.canEdit() ? "What is changed is in project.json at once."
+                           : ui.workspace.play.inPast()
+                               ? "New keys count once the game goes on from here; the past keeps its own."
+                               : "New keys count in the game that plays, from the next tick on.";
         if (shared > 0)
             text += format("  {} mean{} more than one thing.",
                            shared == 1 ? std::string{"1 key"} : format("{} keys", shared),
@@ -92,6 +93,7 @@ private:
         ImGui::TextUnformatted(text.c_str());
         ImGui::PopStyleColor();
         ui.widgets.mark("Input/state", text);
+        tooltip(text);  // a narrow pane does not show all of it
     }
 
     void drawRow(Ui& ui, const InputMapEdit::Row& row) {

@@ -3,6 +3,8 @@
 #include "core/text.hpp"
 #include "editor/model/actions.hpp"
 #include "editor/model/commands/change_components.hpp"
+#include "editor/model/prefab_group.hpp"
+#include "editor/model/prefab_visit.hpp"
 #include "editor/model/shared_components.hpp"
 #include "editor/ui/icons.hpp"
 #include "editor/ui/panels/component_view.hpp"
@@ -36,32 +38,37 @@ private:
             ImGui::TextWrapped("This entity is gone in the running game.");
             return;
         }
-        compareWithPrefab(ui, shown);
+        compareWithPrefabs(ui, selected);
         lookAtComponents(ui.workspace);
         selected.size() > 1 ? drawCount(ui, selected.size()) : drawName(ui, shown);
+        if (group_.parts > 0) drawPrefab(ui, selected.size());
+        ImGui::Spacing();
+        const PrefabOverrides& overrides = group_.overrides;
         for (const ComponentHolders& held : held_) {
-            if (held.count == selected.size()) components_.draw(ui, *held.type, selected, overrides_);
+            if (held.count == selected.size()) components_.draw(ui, *held.type, selected, overrides);
         }
         drawPartlyHeld(ui, selected);
-        for (const PrefabOverrides::Component& component : overrides_.components) {
-            if (component.removed) drawRemoved(ui, *component.type);
+        for (const PrefabOverrides::Component& component : overrides.components) {
+            if (component.removed) drawRemoved(ui, selected, *component.type);
         }
         ImGui::Spacing();
         if (ui.workspace.canEdit()) add_.draw(ui, selected, held_);
     }
 
     /// Once for each change of the scene or the selection. A running game is compared with nothing.
-    void compareWithPrefab(Ui& ui, ObjectId id) {
+    void compareWithPrefabs(Ui& ui, const std::vector<ObjectId>& ids) {
         Workspace& workspace = ui.workspace;
         if (workspace.play.running()) {
-            overrides_ = {};
+            group_ = {};
             compared_ = {};
             return;
         }
-        const Compared now{workspace.document.sceneRevision, id};
-        if (std::exchange(compared_, now) == now) return;
-        const PrefabEdit edit = workspace.prefabs();
-        overrides_ = overridesOf(edit.document, edit.prefabs, id);
+        const Compared now{workspace.document.sceneRevision, workspace.document.selection.revision(),
+                           workspace.document.scenePath};
+        const bool drags = ids.size() > 1 && workspace.undo.inGesture() && now.path == compared_.path &&
+                           now.selection == compared_.selection;
+        if (drags || std::exchange(compared_, now) == now) return;
+        group_ = prefabGroup(workspace.prefabs(), ids);
     }
 
     /// What the selected ones have, looked up again when something changed.
@@ -87,7 +94,6 @@ private:
         tooltip(
             "What you change goes to all of them, each number by itself. A dash stands where they differ; "
             "type +=10 or *2 over it, or drag it, and each changes from what it is.");
-        ImGui::Spacing();
     }
 
     void drawName(Ui& ui, ObjectId id) {
@@ -103,38 +109,75 @@ private:
             ui.workspace.undo.push(renameEntity(ui.workspace.document, id, typed));
             ui.workspace.undo.endGesture();
         }
-        if (overrides_.isPart) drawPrefab(ui, id);
-        ImGui::Spacing();
     }
 
-    /// Which prefab it comes from, how it differs, and both ways to make them agree.
-    void drawPrefab(Ui& ui, ObjectId id) {
-        const PrefabEdit edit = ui.workspace.prefabs();
-        const auto part = InstancePart::of(edit.document, edit.prefabs, id);
-        if (!part) return;
-        const std::string& path = part->prefab().path;
-        ImGui::TextDisabled("from %s", path.substr(path.rfind('/') + 1).c_str());
-        tooltip(format("{}\nWhat this entity has for itself is bold, with a bar beside it.", path));
-        const std::size_t count = overrides_.count();
+    /// Which prefabs the selected ones come from.
+    [[nodiscard]] std::string origin(std::size_t selected) const {
+        const std::string& first = group_.prefabs.front();
+        const std::string name =
+            group_.prefabs.size() == 1 ? shortPath(first) : format("{} prefabs", group_.prefabs.size());
+        if (selected == 1) return format("from {}", name);
+        if (group_.parts == selected) return format("all from {}", name);
+        return format("{} of {} from {}", group_.parts, selected, name);
+    }
+
+    /// "owlet" of "prefabs/owlet.prefab.json".
+    static std::string shortPath(std::string_view path) {
+        const std::string_view name = path.substr(path.rfind('/') + 1);
+        return std::string{name.substr(0, name.find(".prefab."))};
+    }
+
+    /// Which prefabs they come from, how they differ, and both ways to make them agree.
+    void drawPrefab(Ui& ui, std::size_t selected) {
+        const std::size_t count = group_.changed;
+        const std::string state = !group_.compared ? "too many to compare"
+                                  : count == 0     ? "unchanged"
+                                                   : format("{} changed", count);
+        ImGui::AlignTextToFramePadding();
+        ImGui::TextDisabled("%s", origin(selected).c_str());
+        std::string paths;
+        for (const std::string& path : group_.prefabs) paths += path + "\n";
+        tooltip(paths + "What they have for themselves is bold, with a bar beside it.");
         ImGui::SameLine();
         ImGui::PushStyleColor(ImGuiCol_Text, count == 0 ? palette::kTextDim : palette::kAccent);
-        ImGui::TextUnformatted(count == 0 ? "unchanged" : format("{} changed", count).c_str());
+        ImGui::TextUnformatted(state.c_str());
         ImGui::PopStyleColor();
         ui.widgets.mark("Inspector/prefab", format("{}", count));
-        if (count == 0) return;
+        drawEditPrefab(ui);
+        if (count > 0) drawBothWays(ui);
+    }
+
+    void drawEditPrefab(Ui& ui) {
+        const char* label = "Edit prefab";
+        const float width = ImGui::CalcTextSize(label).x + ImGui::GetStyle().FramePadding.x * 2.0f;
+        const float right = ImGui::GetContentRegionMax().x - width;
+        const float end = ImGui::GetItemRectMax().x - ImGui::GetWindowPos().x + ui.px(8.0f);
+        if (right > end) ImGui::SameLine(right);
+        if (ImGui::Button(label)) runAction(ui.workspace, "entity.editPrefab");
+        ui.widgets.mark("Inspector/prefab/edit");
+        const Action& action = *findAction("entity.editPrefab");
+        tooltip(format("Opens {}; what is changed there changes all of its instances.  ({})",
+                       prefabInHand(ui.workspace), ui.workspace.settings.keys.shownOf(action).text()));
+    }
+
+    void drawBothWays(Ui& ui) {
         const float width = (ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemSpacing.x) * 0.5f;
         const KeyBindings& keys = ui.workspace.settings.keys;
         if (ImGui::Button("Revert all", {width, 0.0f}))
             components_.ask([](Workspace& workspace) { workspace.revertToPrefab(); });
         ui.widgets.mark("Inspector/prefab/revert");
         tooltip(keys.labelOf(*findAction("entity.revert"),
-                             "Takes back what this instance has for itself, but not where it stands."));
+                             "Takes back what the selected have for themselves, but not where they stand."));
         ImGui::SameLine();
+        const bool can = group_.whyNotApply.empty();
+        ImGui::BeginDisabled(!can);
         if (ImGui::Button("Apply all", {width, 0.0f}))
             components_.ask([](Workspace& workspace) { workspace.applyToPrefab(); });
-        ui.widgets.mark("Inspector/prefab/apply");
-        tooltip(keys.labelOf(*findAction("entity.apply"),
-                             "Writes it into the prefab's file; other instances follow."));
+        ImGui::EndDisabled();
+        ui.widgets.mark("Inspector/prefab/apply", group_.whyNotApply);
+        tooltip(can ? keys.labelOf(*findAction("entity.apply"),
+                                   "Writes it into the prefab's file; other instances follow.")
+                    : group_.whyNotApply);
     }
 
     /// What only some of the selected have: how many, and a way to select just those.
@@ -166,14 +209,21 @@ private:
         }
     }
 
-    void drawRemoved(Ui& ui, const TypeInfo& type) {
+    void drawRemoved(Ui& ui, const std::vector<ObjectId>& selected, const TypeInfo& type) {
         ImGui::PushID(type.name.data());
         drawPrefabBar(ui, ImGui::GetCursorScreenPos(), ImGui::GetFrameHeight());
         ImGui::AlignTextToFramePadding();
         ImGui::TextDisabled("%s is taken out", std::string{type.name}.c_str());
         ImGui::SameLine();
-        if (ImGui::SmallButton("Restore"))
-            components_.ask([&type](Workspace& workspace) { workspace.revertToPrefab({&type}); });
+        if (ImGui::SmallButton("Restore")) {
+            components_.ask([&type, selected](Workspace& workspace) {
+                std::vector<ObjectId> without = selected;
+                std::erase_if(without, [&](ObjectId id) {
+                    return workspace.document.world.has(type, workspace.document.find(id));
+                });
+                static_cast<void>(revertToPrefab(workspace.prefabs(), without, {&type}));
+            });
+        }
         ui.widgets.mark(format("Inspector/{}/restore", type.name));
         tooltip("The prefab has this component.");
         ImGui::PopID();
@@ -181,13 +231,14 @@ private:
 
     struct Compared {
         std::uint64_t revision = 0;
-        ObjectId id;
+        std::uint64_t selection = 0;
+        std::string path;
         friend bool operator==(const Compared&, const Compared&) = default;
     };
 
     ComponentView components_;
     AddComponent add_;
-    PrefabOverrides overrides_;  // of the entity selected last, as it was at `compared_`
+    PrefabGroup group_;  // of what is selected, as it was at `compared_`
     Compared compared_;
     std::vector<ComponentHolders> held_;  // by all or some, as it was at `looked_`
     SelectedState looked_;

@@ -10,6 +10,7 @@
 #include "editor/model/go_inside.hpp"
 #include "editor/model/scene_boxes.hpp"
 #include "editor/model/sight.hpp"
+#include "editor/ui/overlays/overlay_edge.hpp"
 #include "editor/ui/overlays/overlay_list.hpp"
 #include "editor/ui/panels/panels.hpp"
 #include "editor/ui/scene_picture.hpp"
@@ -28,6 +29,7 @@ namespace plumb::editor::ui {
 namespace {
 
 constexpr float kReach = 3.0f;           // px on screen
+constexpr ImU32 kLeastEdge = 8;          // alpha of an edge that is drawn
 constexpr std::size_t kMostBoxes = 500;  // of selected things: more would hide the scene, and cost
 constexpr Color kSelected{77, 163, 255, 255};
 constexpr Color kHovered{255, 255, 255, 110};
@@ -367,13 +369,10 @@ private:
         }
     }
 
-    /// Lines are light, for dark scenes; a dark edge makes them seen on light ones. Faint ones, as those of
-    /// the grid, stay faint.
     static void drawHalo(const Ui& ui, ImDrawList& list, const Overlay::Shape& shape, ImVec2 a, ImVec2 b) {
-        constexpr std::uint8_t kFaint = 128;
-        if (shape.color.a < kFaint) return;
         const float thickness = shape.thickness + 2.0f;
-        const ImU32 color = palette::kHalo;
+        const ImU32 color = edgeOf(shape.color);
+        if (color >> IM_COL32_A_SHIFT < kLeastEdge) return;
         switch (shape.kind) {
             case Overlay::Kind::Line:
             case Overlay::Kind::Arrow: list.AddLine(a, b, color, thickness); break;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "assets/asset_store.hpp"
+#include "editor/model/assets/sheet_part.hpp"
 #include "editor/ui/scene_picture.hpp"
 #include "editor/ui/ui_compat.hpp"
 #include "scene/prefab.hpp"
@@ -28,12 +29,15 @@ void drawChecks(const Ui& ui, ImDrawList& list, const AABB& box) {
 }
 
 /// A part of a picture as large as the box allows, in whole steps when it is enlarged.
-void drawPart(Ui& ui, ImDrawList& list, TextureId id, const Rect& source, const AABB& box) {
+/// @param wanted  empty: all of it, or the beginning of what is very long
+void drawPart(Ui& ui, ImDrawList& list, TextureId id, const Rect& wanted, const AABB& box) {
     const Texture* texture = ui.workspace.assets.find(id);
     if (ui.picture == nullptr || texture == nullptr || texture->width <= 0 || texture->height <= 0) return;
-    const Vec2 size = source.empty()
-                          ? Vec2{static_cast<float>(texture->width), static_cast<float>(texture->height)}
-                          : Vec2{source.width, source.height};
+    const Rect source =
+        !wanted.empty()
+            ? wanted
+            : legiblePart({static_cast<float>(texture->width), static_cast<float>(texture->height)});
+    const Vec2 size{source.width, source.height};
     const Vec2 room = box.size();
     float zoom = std::min(room.x / size.x, room.y / size.y);
     if (zoom > 1.0f) zoom = std::min(std::floor(zoom), kLargestZoom * ui.scale);

@@ -1,0 +1,63 @@
+#include "editor/ui/open_project.hpp"
+
+#include "core/log.hpp"
+#include "core/text.hpp"
+#include "editor/model/project_templates.hpp"
+#include "platform/paths.hpp"
+
+namespace plumb::editor::ui {
+
+OpenProject::OpenProject(std::unique_ptr<ProjectSession> session, LogBook& log, RenderDevice* device)
+    : log_{log}, device_{device} {
+    use(std::move(session));
+}
+
+void OpenProject::use(std::unique_ptr<ProjectSession> session) {
+    session_ = std::move(session);
+    const TextureFilter filter = workspace().project.smooth ? TextureFilter::Linear : TextureFilter::Nearest;
+    if (device_ != nullptr) picture_ = std::make_unique<ScenePicture>(*device_, session_->assets(), filter);
+    window_ = std::make_unique<EditorWindow>(workspace(), log_, picture_.get(), engineAssets() / "fonts",
+                                             workspace().settings.scale);
+    if (device_ != nullptr) renderer_ = std::make_unique<ImguiRenderer>();
+}
+
+void OpenProject::letGo() {
+    renderer_.reset();
+    window_.reset();
+    picture_.reset();
+    session_.reset();
+}
+
+std::string OpenProject::title() {
+    return format("{}{} - Plumb", workspace().unsaved() ? "* " : "", workspace().project.name);
+}
+
+Result<Done> OpenProject::change(const std::string& folder, const std::function<void()>& leaving) {
+    // What was said about this project says nothing about the next one, and its links would lead astray.
+    if (isProject(folder)) log_.clear();
+    Result<std::unique_ptr<ProjectSession>> next = ProjectSession::open(folder);
+    if (!next) {
+        workspace().notice = next.error().text();
+        logError("Project", next.error());
+        return next.error();
+    }
+    workspace().stopPlaying();
+    if (leaving) leaving();
+    Settings settings = workspace().settings;
+    letGo();
+    (*next)->workspace().settings = std::move(settings);
+    (*next)->openFirst({});
+    use(std::move(*next));
+    workspace().safety.begin();
+    remember();
+    return Done{};
+}
+
+void OpenProject::remember() {
+    if (workspace().project.isNone) return;
+    std::error_code failed;
+    const Path folder = std::filesystem::absolute(workspace().project.root, failed).lexically_normal();
+    workspace().settings.remember((folder.has_filename() ? folder : folder.parent_path()).string());
+}
+
+}  // namespace plumb::editor::ui
