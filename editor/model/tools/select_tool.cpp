@@ -27,6 +27,7 @@ void SelectTool::press(const ToolContext& context, const Pointer& pointer) {
     start_ = end_ = pointer.position;
     mode_ = Mode::Pressed;
     held_ = pointer.modifiers;
+    reach_ = pointer.reach;
     hit_ = pickFirst(context.document, pointer.position, pointer.reach);
     wasSelected_ = context.selection.has(hit_);
     onThing_ = hit_ && (wasSelected_ || !isGround(context.document.world, context.document.find(hit_)));
@@ -76,7 +77,7 @@ void SelectTool::release(const ToolContext& context, const Pointer& pointer) {
 
 void SelectTool::finishClick(const ToolContext& context, const Pointer& pointer) const {
     if (held_.alt) {
-        context.selection.set({nextBelow(context, start_, pointer.reach)});
+        context.selection.set({nextBelow(context, start_, reach_)});
     } else if (held_.control && wasSelected_) {
         context.selection.remove(hit_);
     } else if (held_.control || held_.shift) {

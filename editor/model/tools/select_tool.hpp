@@ -28,6 +28,7 @@ private:
     ObjectId hit_;                  ///< what was pressed
     Modifiers held_;                ///< when it was pressed
     std::vector<ObjectId> copied_;  ///< of whom copies are dragged
+    float reach_ = 0.0f;            ///< px, world: when it was pressed
     Vec2 start_;
     Vec2 end_;
     TransformDrag move_;
