@@ -29,7 +29,9 @@ void writeEscaped(std::string& out, char c) {
 
 /// What stands between two letters that need an escape is copied at once: packed tiles have none at all.
 void writeText(std::string& out, std::string_view text) {
-    const auto isPlain = [](char c) { return static_cast<unsigned char>(c) >= 0x20 && c != '"' && c != '\\'; };
+    const auto isPlain = [](char c) {
+        return static_cast<unsigned char>(c) >= 0x20 && c != '"' && c != '\\';
+    };
     out += '"';
     std::size_t from = 0;
     for (std::size_t at = 0; at < text.size(); ++at) {

@@ -54,13 +54,15 @@ TEST(Deflate, whateverIsPackedComesBack) {
 }
 
 TEST(Deflate, codesStayAsShortAsReadersAllow) {
-    // Counts that rise like this make a tree as deep as it has letters.
+    // Counts that rise like this make a tree as deep as it has letters. The other three bytes see to it that
+    // no word comes again while it could be found.
     Words words;
     std::size_t count = 1, next = 1;
     for (std::uint32_t letter = 0; letter < 24; ++letter) {
         for (std::size_t i = 0; i < count; ++i) {
-            const auto other = static_cast<std::uint32_t>(words.size());  // no two words are equal
-            words.push_back(letter | (other & 0xffu) << 8 | (other >> 8 & 0xffu) << 16 | letter << 24);
+            const auto other = static_cast<std::uint32_t>(words.size());
+            words.push_back(letter | (100 + other % 24) << 8 | (100 + other / 24 % 24) << 16 |
+                            (100 + other / 576 % 24) << 24);
         }
         next += count;
         count = next - count;
