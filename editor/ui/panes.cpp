@@ -200,7 +200,10 @@ void Panes::drawRest(Ui& ui, Dock dock, ImVec2 at, float side, const std::vector
 }
 
 void Panes::tabMenu(Ui& ui, const std::string& title, Dock dock) const {
-    if (!ImGui::BeginPopupContextItem((title + " menu").c_str())) return;
+    // Pressed here: a stroke in the scene may end over a tab.
+    const std::string menu = title + " menu";
+    if (ImGui::IsItemClicked(ImGuiMouseButton_Right)) ImGui::OpenPopup(menu.c_str());
+    if (!ImGui::BeginPopup(menu.c_str())) return;
     PaneLayout& layout = ui.workspace.settings.layout;
     ImGui::TextDisabled("Move to");
     for (const Place& place : kPlaces) {

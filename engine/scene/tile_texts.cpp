@@ -1,24 +1,14 @@
 #include "scene/tile_texts.hpp"
 
 #include <cstddef>
+#include <map>
 #include <mutex>
-#include <unordered_map>
 #include <utility>
-
-#include "core/hash.hpp"
 
 namespace plumb {
 namespace {
 
 constexpr std::size_t kMostBytes = std::size_t{64} << 20;  // of each of the two halves
-
-struct Hash {
-    std::size_t operator()(const BlockStamps& stamps) const {
-        std::uint64_t sum = 0;
-        for (const std::uint64_t stamp : stamps) sum = mixBits(sum ^ stamp);
-        return static_cast<std::size_t>(sum);
-    }
-};
 
 /// Two halves: what is found in the older one moves to the newer one, and the older one goes when that is
 /// full.
@@ -41,7 +31,7 @@ public:
     }
 
 private:
-    using Texts = std::unordered_map<BlockStamps, std::string, Hash>;  // only looked up
+    using Texts = std::map<BlockStamps, std::string>;
 
     void put(const BlockStamps& stamps, const std::string& text) {
         if (bytes_ + text.size() > kMostBytes) {

@@ -103,6 +103,19 @@ constexpr std::array kTrials{
                  EXPECT_EQ(at.valueOf("Inspector/Sprite/height"), "30");
                  EXPECT_NE(at.fileText("prefabs/box.prefab.json").find("30"), std::string::npos);
              }},
+    KeyTrial{"Ctrl+E", "entity.editPrefab",
+             [](KeyTrials& at) {
+                 at.openInstance();
+                 at.press();
+                 EXPECT_EQ(at.workspace.document.scenePath, "prefabs/box.prefab.json");
+             }},
+    KeyTrial{"Ctrl+Shift+E", "entity.leavePrefab",
+             [](KeyTrials& at) {
+                 at.openInstance();
+                 at.press("Ctrl+E");
+                 at.press();
+                 EXPECT_EQ(at.workspace.document.scenePath, "scenes/boxes.scene.json");
+             }},
     KeyTrial{"Left", "entity.left", nudges<-1, 0>},
     KeyTrial{"Right", "entity.right", nudges<1, 0>},
     KeyTrial{"Up", "entity.up", nudges<0, -1>},
