@@ -80,6 +80,8 @@ EditorWindow::EditorWindow(Workspace& workspace, LogBook& log, ScenePicture* pic
                                                                                                   scale,
                                                                                                   picture} {
     ImGui::SetCurrentContext(context_);
+    // As the renderer has it: a list may hold more corners than 16 bits count, e.g. of all tiles' collision.
+    ImGui::GetIO().BackendFlags |= ImGuiBackendFlags_RendererHasVtxOffset;
     feed_ = std::make_unique<PlatformFeed>();
     workspace_.settings.scale = scale;
     applyLook();

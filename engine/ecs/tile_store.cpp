@@ -35,6 +35,20 @@ std::uint64_t hashOf(const TileGrid& grid) {
     return cells.value();
 }
 
+bool canFollow(const TileGrid& grid, const TileGrid& other) {
+    return other.cellCount() > kSmallGrid && grid.width() == other.width() && grid.height() == other.height();
+}
+
+/// Makes a large grid equal to another of its size, by what differs: a copy would touch all that they share.
+void follow(TileGrid& grid, const TileGrid& other) {
+    for (int row = 0; row < other.chunkRows(); ++row) {
+        if (grid.rowStamp(row) == other.rowStamp(row)) continue;
+        for (int column = 0; column < other.chunkColumns(); ++column) {
+            if (grid.chunk(column, row) != other.chunk(column, row)) grid.adopt(other, column, row);
+        }
+    }
+}
+
 /// Stamps only tell copies of one edit from another edit; their order means nothing.
 std::uint64_t nextStamp() {
     static std::atomic<std::uint64_t> stamp{0};
@@ -93,7 +107,17 @@ TileStore& TileStore::operator=(const TileStore& other) {
     std::size_t same = 0;
     const std::size_t both = std::min(entries_.size(), other.entries_.size());
     while (same < both && entries_[same].id == other.entries_[same].id) {
-        if (!entries_[same].same(other.entries_[same])) entries_[same] = other.entries_[same];
+        Entry& mine = entries_[same];
+        const Entry& theirs = other.entries_[same];
+        if (!mine.same(theirs)) {
+            if (canFollow(mine.grid, theirs.grid)) {
+                follow(mine.grid, theirs.grid);
+                mine.marked = theirs.marked;
+                mine.stamp = nextStamp();  // its versions are its own from now on
+            } else {
+                mine = theirs;
+            }
+        }
         ++same;
     }
     std::vector<Entry> rest(std::make_move_iterator(entries_.begin() + static_cast<std::ptrdiff_t>(same)),

@@ -113,5 +113,31 @@ TEST(TileStoreProperty, asManyGridsLiveAsLayersNameWhateverHappens) {
     }
 }
 
+TEST(TileStore, aLargeGridFollowsAnotherByWhatDiffersAndBack) {
+    TileStore store;
+    const TilesId id = store.add(TileGrid{2048, 2048});
+    TileStore copy = store;
+    for (int round = 0; round < 20; ++round) {
+        TileGrid* grid = store.edit(id);
+        for (int i = 0; i < 30; ++i)
+            grid->set((round * 97 + i * 31) % 2048, (round * 53 + i) % 2048, 1 + i % 3);
+        const TileGrid before = *copy.find(id);
+        copy = store;
+        ASSERT_EQ(*copy.find(id), *store.find(id)) << round;
+        EXPECT_EQ(copy.find(id)->chunk(0, 0), store.find(id)->chunk(0, 0)) << "it is shared";
+        grid->set(round, 2047, 7);  // within the same edit: the copy has a life of its own
+        EXPECT_EQ(copy.find(id)->at(round, 2047), before.at(round, 2047));
+        copy = store;
+        ASSERT_EQ(copy.find(id)->at(round, 2047), 7u);
+        Hasher one, other;
+        store.addTo(one), copy.addTo(other);
+        ASSERT_EQ(one.value(), other.value());
+    }
+    const TileStore past = copy;
+    store.edit(id)->set(1000, 1000, 5);
+    store = past;
+    EXPECT_EQ(*store.find(id), *past.find(id));
+}
+
 }  // namespace
 }  // namespace plumb

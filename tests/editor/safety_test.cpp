@@ -1,6 +1,8 @@
 #include "editor/model/actions.hpp"
 #include "editor/model/safety/safety_net.hpp"
 #include "editor/model/safety/scene_differences.hpp"
+#include "scene/physics_drawing.hpp"
+#include "scene/physics_state.hpp"
 #include "tests/editor/support/editor_fixture.hpp"
 #include "tests/editor/support/hands.hpp"
 #include "tests/support/places.hpp"
@@ -46,6 +48,22 @@ TEST_F(Safety, theJournalHasWhatIsNotSavedAndGoesWithSaving) {
     EXPECT_EQ(fileText(), kSceneText) << "the user's file is not touched";
     ASSERT_TRUE(workspace.save().ok());
     EXPECT_TRUE(journals().empty());
+}
+
+TEST_F(Safety, theJournalLeavesTheDrawnBodiesWhereTheyAre) {
+    workspace.safety.begin();
+    previewPhysics(workspace.document.world);
+    const auto bodies = [&] {
+        const auto* state = workspace.document.world.findResource<PhysicsState>();
+        return state == nullptr ? 0u : state->world.bodies.info.size();
+    };
+    const auto before = bodies();
+    ASSERT_GT(before, 0u);
+    createOne();
+    workspace.safety.tend(2.0);
+    workspace.safety.finish();
+    ASSERT_EQ(journals().size(), 1u);
+    EXPECT_EQ(bodies(), before);
 }
 
 TEST_F(Safety, theJournalIsWrittenAfterASecondOrAFewActions) {

@@ -4,6 +4,7 @@
 
 #include "core/assert.hpp"
 #include "editor/model/prefab_file.hpp"
+#include "scene/physics_state.hpp"
 #include "scene/prefab.hpp"
 
 namespace plumb::editor {
@@ -22,7 +23,11 @@ JournalWriter::~JournalWriter() {
 
 void JournalWriter::write(const World& world, SceneId scene, Path file, std::string header) {
     PLUMB_ASSERT(!busy(), "one text is written at a time");
+    // The bodies of a scene that is edited are only there to be drawn, and many times as large as itself.
+    PhysicsState* drawn = world.findResource<PhysicsState>();
+    PhysicsState aside = drawn != nullptr ? std::exchange(*drawn, {}) : PhysicsState{};
     world.save(snapshot_);
+    if (drawn != nullptr) *drawn = std::move(aside);
     scene_ = scene;
     file_ = std::move(file);
     header_ = std::move(header);
