@@ -1,10 +1,13 @@
 #include "scene/tile_bodies.hpp"
 
 #include <algorithm>
+#include <optional>
+#include <thread>
 #include <utility>
 #include <vector>
 
 #include "assets/asset_store.hpp"
+#include "core/task_pool.hpp"
 #include "scene/body_sync.hpp"
 #include "scene/components/transform.hpp"
 
@@ -113,12 +116,24 @@ void eachCell(const TileGrid& grid, int column, int row, Visit visit) {
     }
 }
 
+constexpr std::size_t kCellsWorthThreads = std::size_t{1} << 22;
+
+int threadsHere() {
+    constexpr int kMost = 8;
+    return std::clamp(static_cast<int>(std::thread::hardware_concurrency()), 1, kMost);
+}
+
 /// One layer and its terrain.
 class TileSync {
 public:
     TileSync(World& world, PhysicsState& state, EntityId entity, const TileLayer& layer,
              const TileCollider& collider)
-        : reader_{world}, state_{state}, entity_{entity}, layer_{layer}, collider_{collider} {}
+        : reader_{world},
+          state_{state},
+          pool_{world.service<TaskPool>()},
+          entity_{entity},
+          layer_{layer},
+          collider_{collider} {}
 
     void follow(const TileGrid& grid) {
         TileTerrain& terrain = find();
@@ -147,14 +162,7 @@ private:
     void makeAnew(TileTerrain& terrain, const TileGrid& grid, Vec2 place, Vec2 size) {
         terrain.body.destroy(state_.world);
         physics::TileMask mask{grid.width(), grid.height()};
-        CellReader cells{tileset(), collider_, mask.palette};
-        for (int row = 0; row < grid.chunkRows(); ++row) {
-            for (int column = 0; column < grid.chunkColumns(); ++column) {
-                const TileGrid::Chunk* chunk = grid.chunk(column, row);
-                if (chunk == nullptr) continue;
-                eachCell(grid, column, row, [&](int x, int y) { mask.set(x, y, cells.of(chunk->at(x, y))); });
-            }
-        }
+        readChunks(grid, mask);
         terrain.outlines = std::make_shared<TerrainOutlines>(std::move(mask));
         terrain.cells = std::make_shared<TileGrid>(grid);
         physics::TerrainDefinition definition;
@@ -164,7 +172,34 @@ private:
         auto body = physics::TerrainBody::create(state_.world, *terrain.outlines, definition);
         if (!body) return tellRefusal(reader_, state_, entity_, body.error());
         terrain.body = std::move(*body);
+        // A map that takes long to read is worth threads of its own where the world has none to lend.
+        std::optional<TaskPool> threads;
+        if (pool_ == nullptr && grid.cellCount() > kCellsWorthThreads)
+            pool_ = &threads.emplace(threadsHere());
         update(terrain);
+        if (threads) pool_ = nullptr;
+    }
+
+    /// Chunk for chunk; those of one tile all over are read once.
+    void readChunks(const TileGrid& grid, physics::TileMask& mask) {
+        static_assert(TileGrid::kChunkSide == physics::TileMask::kChunkSide);
+        CellReader cells{tileset(), collider_, mask.palette};
+        physics::TileMask::Chunk read;
+        for (int row = 0; row < mask.chunkRows(); ++row) {
+            for (int column = 0; column < mask.chunkColumns(); ++column) {
+                const TileGrid::Chunk* chunk = grid.chunk(column, row);
+                if (chunk == nullptr) continue;
+                const TileCell first = chunk->cells.front();
+                if (std::all_of(chunk->cells.begin(), chunk->cells.end(),
+                                [first](TileCell cell) { return cell == first; })) {
+                    mask.putPlain(column, row, cells.of(first));
+                    continue;
+                }
+                std::transform(chunk->cells.begin(), chunk->cells.end(), read.begin(),
+                               [&](TileCell cell) { return cells.of(cell); });
+                mask.putChunk(column, row, read);
+            }
+        }
     }
 
     /// Looks at chunks only that are others now.
@@ -193,7 +228,8 @@ private:
     }
 
     void update(TileTerrain& terrain) {
-        const auto updated = terrain.body.update(state_.world, *terrain.outlines, terrain.outlines->update());
+        const auto updated =
+            terrain.body.update(state_.world, *terrain.outlines, terrain.outlines->update(pool_));
         if (!updated) tellRefusal(reader_, state_, entity_, updated.error());
     }
 
@@ -204,6 +240,7 @@ private:
 
     const World& reader_;
     PhysicsState& state_;
+    TaskPool* pool_;
     EntityId entity_;
     const TileLayer& layer_;
     const TileCollider& collider_;

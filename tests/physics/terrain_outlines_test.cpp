@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/task_pool.hpp"
 #include "tests/physics/random_terrain.hpp"
 #include "tests/support/allocations.hpp"
 
@@ -41,6 +42,54 @@ TEST(TerrainOutlines, editedAtRandomAreEqualToARebuildAndNameWhatChanged) {
             ASSERT_EQ((std::vector<std::uint32_t>{changed.begin(), changed.end()}),
                       chunksThatDiffer(old, terrain.chunks()));
         }
+    }
+}
+
+/// Whole chunks of one cell, empty ones, and random ones, as maps are made of.
+TileMask patchwork(int columns, int rows, Random& random, bool byChunks) {
+    constexpr int kSide = TileMask::kChunkSide;
+    TileMask mask{columns * kSide - 5, rows * kSide - 9};
+    RandomCells cells{mask.palette, random};
+    const MaskCell plains[] = {{}, {TileForm::Full}, {TileForm::Full}, {TileForm::SlopeUp}};
+    for (int row = 0; row < rows; ++row) {
+        for (int column = 0; column < columns; ++column) {
+            TileMask::Chunk chunk;
+            const std::uint32_t kind = random.below(20);
+            chunk.fill(plains[column / 6 % 4]);
+            if (kind == 0) std::generate(chunk.begin(), chunk.end(), [&] { return cells.next(); });
+            if (kind == 1) chunk[random.below(kSide * kSide)] = cells.next();
+            if (byChunks) {
+                mask.putChunk(column, row, chunk);
+                continue;
+            }
+            for (int i = 0; i < kSide * kSide; ++i)
+                mask.set(column * kSide + i % kSide, row * kSide + i / kSide,
+                         chunk[static_cast<std::size_t>(i)]);
+        }
+    }
+    return mask;
+}
+
+TEST(TerrainOutlines, areTheSameHoweverTheCellsCameAndHoweverManyThreadsMakeThem) {
+    for (std::uint64_t seed = 0; seed < 3; ++seed) {
+        SCOPED_TRACE(seed);
+        Random one = Random::seeded(seed), other = Random::seeded(seed);
+        TerrainOutlines terrain{patchwork(36, 30, one, false)};
+        TerrainOutlines quick{patchwork(36, 30, other, true)};
+        TaskPool pool{3};
+        const auto changed = terrain.update();
+        const auto changedQuick = quick.update(&pool);
+        ASSERT_EQ(terrain.chunks(), quick.chunks());
+        ASSERT_EQ((std::vector<std::uint32_t>{changed.begin(), changed.end()}),
+                  (std::vector<std::uint32_t>{changedQuick.begin(), changedQuick.end()}));
+        ASSERT_GT(changed.size(), 400u);
+        // A hole in what was plain is seen, and nothing else changes with it.
+        const TileMask before = quick.mask();
+        for (TerrainOutlines* each : {&terrain, &quick}) each->set(6 * 32 + 50, 100, {TileForm::SlopeDown});
+        terrain.update(), quick.update(&pool);
+        ASSERT_EQ(terrain.chunks(), quick.chunks());
+        ASSERT_EQ(before.at(6 * 32 + 51, 101), quick.mask().at(6 * 32 + 51, 101));
+        ASSERT_EQ(before.at(7 * 32 + 50, 100 + 64), quick.mask().at(7 * 32 + 50, 100 + 64));
     }
 }
 

@@ -4,7 +4,15 @@
 #include <numeric>
 #include <utility>
 
+#include "core/task_pool.hpp"
+
 namespace plumb::physics {
+namespace {
+
+constexpr std::size_t kWorthSharing = 1024;  // chunks: fewer are made before another thread wakes
+constexpr std::size_t kPart = 64;            // chunks that a thread takes at a time
+
+}  // namespace
 
 TerrainOutlines::TerrainOutlines(TileMask mask, int chunkCells)
     : mask_{std::move(mask)},
@@ -36,16 +44,53 @@ void TerrainOutlines::set(int x, int y, MaskCell cell) {
     }
 }
 
-std::span<const std::uint32_t> TerrainOutlines::update() {
+bool TerrainOutlines::makePlain(std::uint32_t chunk, TerrainChunk& fresh) const {
+    if (chunkCells_ != TileMask::kChunkSide || mask_.outside().form != TileForm::Empty) return false;
+    const int column = static_cast<int>(chunk) % columns_;
+    const int row = static_cast<int>(chunk) / columns_;
+    const bool empty = mask_.isEmptyChunk(column, row);
+    const MaskCell full = empty ? MaskCell{} : mask_.fullAround(column, row);
+    if (!empty && full.form == TileForm::Empty) return false;
+    fresh.outline.segments.clear();
+    fresh.outline.chains.clear();
+    fresh.pieces.clear();
+    if (empty) return true;
+    const CellRect cells = cellsOf(chunk);
+    fresh.pieces.push_back({cornerOfCell(cells.x0, cells.y0), cornerOfCell(cells.x1, cells.y1), full});
+    return true;
+}
+
+bool TerrainOutlines::makeChunk(std::uint32_t chunk, Maker& maker) {
+    if (!makePlain(chunk, maker.fresh)) {
+        maker.outlines.build(mask_, cellsOf(chunk), maker.fresh.outline);
+        maker.pieces.build(mask_, cellsOf(chunk), maker.fresh.pieces);
+    }
+    if (maker.fresh == chunks_[chunk]) return false;
+    chunks_[chunk] = maker.fresh;  // a copy is as small as can be, and both keep their memory
+    return true;
+}
+
+std::span<const std::uint32_t> TerrainOutlines::update(TaskPool* pool) {
     changed_.clear();
     std::sort(dirty_.begin(), dirty_.end());
-    for (const std::uint32_t chunk : dirty_) {
-        isDirty_[chunk] = 0;
-        outlines_.build(mask_, cellsOf(chunk), fresh_.outline);
-        pieces_.build(mask_, cellsOf(chunk), fresh_.pieces);
-        if (fresh_ == chunks_[chunk]) continue;
-        chunks_[chunk] = fresh_;  // a copy is as small as can be, and both keep their memory
-        changed_.push_back(chunk);
+    isChanged_.assign(dirty_.size(), 0);
+    const auto make = [this](std::size_t first, std::size_t last, Maker& maker) {
+        for (std::size_t i = first; i < last; ++i) isChanged_[i] = makeChunk(dirty_[i], maker) ? 1 : 0;
+    };
+    if (pool == nullptr || dirty_.size() < kWorthSharing) {
+        make(0, dirty_.size(), makers_.front());
+    } else {
+        makers_.resize(std::max(makers_.size(), static_cast<std::size_t>(pool->threads())));
+        const std::size_t parts = (dirty_.size() + kPart - 1) / kPart;
+        pool->run(static_cast<int>(parts), [&](int part, int thread) {
+            const std::size_t first = static_cast<std::size_t>(part) * kPart;
+            make(first, std::min(first + kPart, dirty_.size()), makers_[static_cast<std::size_t>(thread)]);
+        });
+        makers_.resize(1);
+    }
+    for (std::size_t i = 0; i < dirty_.size(); ++i) {
+        isDirty_[dirty_[i]] = 0;
+        if (isChanged_[i] != 0) changed_.push_back(dirty_[i]);
     }
     dirty_.clear();
     return changed_;

@@ -7,6 +7,10 @@
 #include "physics/terrain/outlines.hpp"
 #include "physics/terrain/pieces.hpp"
 
+namespace plumb {
+class TaskPool;
+}
+
 namespace plumb::physics {
 
 /// What one square of a terrain gives to the physics.
@@ -36,8 +40,9 @@ public:
     void set(int x, int y, MaskCell cell);
 
     /// Makes anew what changed.
+    /// @param pool  threads to share the work with; what comes of it does not depend on them
     /// @return the chunks that are others now, in rising order; valid until the next call
-    std::span<const std::uint32_t> update();
+    std::span<const std::uint32_t> update(TaskPool* pool = nullptr);
 
     [[nodiscard]] int columns() const { return columns_; }
     [[nodiscard]] int rows() const { return rows_; }
@@ -46,7 +51,19 @@ public:
     [[nodiscard]] CellRect cellsOf(std::uint32_t chunk) const;
 
 private:
+    /// What one thread makes chunks with.
+    struct Maker {
+        OutlineBuilder outlines;
+        PieceBuilder pieces;
+        TerrainChunk fresh;
+    };
+
     void markDirty(int x, int y);
+    /// @return whether the chunk is another one now
+    bool makeChunk(std::uint32_t chunk, Maker& maker);
+    /// Whether a glance tells what a chunk is like: it is empty, or among its like. @return false: it does
+    /// not
+    bool makePlain(std::uint32_t chunk, TerrainChunk& fresh) const;
 
     TileMask mask_;
     int chunkCells_ = kChunkCells;
@@ -56,9 +73,8 @@ private:
     std::vector<std::uint8_t> isDirty_;  // by chunk
     std::vector<std::uint32_t> dirty_;
     std::vector<std::uint32_t> changed_;
-    TerrainChunk fresh_;
-    OutlineBuilder outlines_;
-    PieceBuilder pieces_;
+    std::vector<std::uint8_t> isChanged_;  // by place in dirty_
+    std::vector<Maker> makers_{1};         // by thread
 };
 
 }  // namespace plumb::physics

@@ -23,6 +23,47 @@ bool TileMask::set(int x, int y, MaskCell cell) {
     return true;
 }
 
+void TileMask::putPlain(int column, int row, MaskCell cell) {
+    PLUMB_ASSERT(knows(cell), "put cells whose form, material and layers are in the palette");
+    const auto at =
+        static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(column);
+    if (cell == MaskCell{} || !knows(cell)) {
+        chunks_[at] = nullptr;
+        return;
+    }
+    auto known = std::find_if(plains_.begin(), plains_.end(),
+                              [cell](const Plain& plain) { return plain.cell == cell; });
+    if (known == plains_.end()) {
+        known = plains_.insert(known, {cell, std::make_shared<Chunk>()});
+        known->chunk->fill(cell);
+    }
+    chunks_[at] = known->chunk;
+}
+
+void TileMask::putChunk(int column, int row, const Chunk& cells) {
+    if (std::all_of(cells.begin(), cells.end(), [&](MaskCell cell) { return cell == cells.front(); }))
+        return putPlain(column, row, cells.front());
+    PLUMB_ASSERT(std::all_of(cells.begin(), cells.end(), [this](MaskCell cell) { return knows(cell); }),
+                 "put cells whose form, material and layers are in the palette");
+    chunks_[static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) +
+            static_cast<std::size_t>(column)] = std::make_shared<Chunk>(cells);
+}
+
+MaskCell TileMask::fullAround(int column, int row) const {
+    const Chunk* chunk = chunkAt(column, row);
+    const bool isInner = column > 0 && row > 0 && column + 1 < width_ / kSide && row + 1 < height_ / kSide;
+    if (chunk == nullptr || !isInner || chunk->front().form != TileForm::Full) return {};
+    if (std::none_of(plains_.begin(), plains_.end(),
+                     [chunk](const Plain& plain) { return plain.chunk.get() == chunk; }))
+        return {};
+    for (int y = row - 1; y <= row + 1; ++y) {
+        for (int x = column - 1; x <= column + 1; ++x) {
+            if (chunkAt(x, y) != chunk) return {};
+        }
+    }
+    return chunk->front();
+}
+
 void TileMask::setOutside(MaskCell cell) {
     const bool good = knows(cell) && (cell.form == TileForm::Empty || cell.form == TileForm::Full);
     PLUMB_ASSERT(good, "beyond a terrain's border is nothing or full cells");

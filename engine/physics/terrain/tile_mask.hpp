@@ -40,6 +40,10 @@ class TileMask {
 public:
     static constexpr int kMaxSide = 65536;
     static constexpr int kMaxCells = 1 << 28;
+    static constexpr int kChunkSide = 32;  ///< cells
+
+    /// Cells in rows.
+    using Chunk = std::array<MaskCell, std::size_t{kChunkSide} * kChunkSide>;
 
     TilePalette palette;
 
@@ -63,6 +67,20 @@ public:
     /// @pre    the palette has what the cell names; one that it has not is not set
     bool set(int x, int y, MaskCell cell);
 
+    /// Replaces all cells of a chunk, which begins at cell (column, row) * kChunkSide, at once. Those beyond
+    /// the border are not looked at. Chunks of one cell all over are kept once for the whole mask.
+    /// @pre the palette has what the cells name
+    void putChunk(int column, int row, const Chunk& cells);
+    /// The same with one cell all over.
+    void putPlain(int column, int row, MaskCell cell);
+    [[nodiscard]] int chunkColumns() const { return columns_; }
+    [[nodiscard]] int chunkRows() const { return (height_ + kChunkSide - 1) / kChunkSide; }
+    /// Whether all its cells are empty, told without looking at them: false says nothing.
+    [[nodiscard]] bool isEmptyChunk(int column, int row) const { return chunkAt(column, row) == nullptr; }
+    /// Whether it and all around it are of one full cell, told in the same way. @return that cell, else an
+    /// empty one
+    [[nodiscard]] MaskCell fullAround(int column, int row) const;
+
     /// What is beyond the border: empty by default, or full, so that the map ends in walls.
     [[nodiscard]] MaskCell outside() const { return outside_; }
     /// @pre the form is Empty or Full; others do not change it
@@ -72,8 +90,17 @@ public:
     void copyTo(std::vector<MaskCell>& cells, CellRect rect) const;
 
 private:
-    static constexpr int kSide = 32;  // cells of a chunk
-    using Chunk = std::array<MaskCell, std::size_t{kSide} * kSide>;
+    static constexpr int kSide = kChunkSide;
+    struct Plain {
+        MaskCell cell;
+        std::shared_ptr<Chunk> chunk;
+    };
+
+    [[nodiscard]] const Chunk* chunkAt(int column, int row) const {
+        return chunks_[static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) +
+                       static_cast<std::size_t>(column)]
+            .get();
+    }
 
     [[nodiscard]] std::size_t chunkOf(int x, int y) const {
         return static_cast<std::size_t>(y / kSide) * static_cast<std::size_t>(columns_) +
@@ -92,7 +119,8 @@ private:
     int columns_ = 0;
     MaskCell outside_;
     std::vector<std::shared_ptr<Chunk>>
-        chunks_;  // null: empty; shared with copies, so copied before a change
+        chunks_;                 // null: empty; shared with copies, so copied before a change
+    std::vector<Plain> plains_;  // kept here, so that they are always shared and never changed
 };
 
 }  // namespace plumb::physics
