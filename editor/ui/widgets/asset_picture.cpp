@@ -95,7 +95,7 @@ bool drawPrefab(Ui& ui, ImDrawList& list, std::string_view path, const AABB& box
         if (const std::string animation = namedBy(entity, "Animator", "animation"); !animation.empty())
             return drawAsset(ui, list, AssetKind::Animation, animation, box, playing), true;
         if (const std::string texture = namedBy(entity, "Sprite", "texture"); !texture.empty())
-            return drawAsset(ui, list, AssetKind::Texture, texture, box, playing), true;
+            return drawPart(ui, list, ui.workspace.assets.loadTexture(texture), {}, box), true;
     }
     return false;
 }
