@@ -154,6 +154,25 @@ TEST_F(Playing, whatIsChangedWhileItPlaysIsOfferedAndKeptAsOneStep) {
     EXPECT_EQ(workspace.text(), before);
 }
 
+TEST_F(Playing, onlyWhatIsTickedIsKept) {
+    workspace.document.selection.set({named("crate")});
+    play(5);
+    hands.key(Key::F6);
+    hands.enterNumber("Inspector/Transform/position.x", "300");
+    hands.enterNumber("Inspector/BoxCollider/width", "40");
+    hands.key(Key::F5);
+    hands.rest(2);
+    hands.click("Keep/0");
+    hands.rest();
+    EXPECT_EQ(valueOf("Keep/keep"), "1");
+    hands.click("Keep/keep");
+    hands.rest(2);
+    EXPECT_EQ(positionOf(named("crate")), (Vec2{200, 64}));
+    EXPECT_EQ(workspace.document.world.get<BoxCollider>(workspace.document.find(named("crate"))).width,
+              40.0f);
+    EXPECT_EQ(workspace.undo.size(), 1u);
+}
+
 TEST_F(Playing, nothingIsKeptWhenOneSaysSoOrPressesEscape) {
     workspace.document.selection.set({named("crate")});
     const std::string before = workspace.text();
