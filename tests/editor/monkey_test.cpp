@@ -94,9 +94,9 @@ public:
     [[nodiscard]] bool lostTheScene() { return workspace().document.scenePath.empty(); }
     /// @return what it did too little of; empty for an honest monkey
     [[nodiscard]] std::string idle(std::size_t actions) const {
-        // Of 2500 actions some 400 change the scene; one life in forty has less than half as many.
-        if (changes_ < actions / 20) return format("it hardly changes anything: {} of {}", changes_, actions);
-        if (plays_ < actions / 50) return format("it hardly plays: {} of {}", plays_, actions);
+        // Most lives do ten times as much; but some take the keys away from play, or sit in a dialog.
+        if (changes_ < actions / 25) return format("it hardly changes anything: {} of {}", changes_, actions);
+        if (plays_ < actions / 250) return format("it hardly plays: {} of {}", plays_, actions);
         return {};
     }
 
