@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <set>
 
 #include "editor/model/scene_boxes.hpp"
 #include "editor/model/sight.hpp"
@@ -98,6 +99,14 @@ bool isHole(const Document& document, ObjectId id, EntityId entity, Vec2 point) 
     return !grid->has(place.x, place.y) || grid->at(place.x, place.y) == 0;
 }
 
+/// The whole instance where something is a part of a prefab, unless the part is selected already.
+ObjectId meantBy(const Document& document, ObjectId id) {
+    const PrefabPart* part = document.world.find<PrefabPart>(document.find(id));
+    if (part == nullptr || document.selection.has(id)) return id;
+    const ObjectId root{part->instance};
+    return document.find(root) ? root : id;
+}
+
 }  // namespace
 
 bool isGround(const World& world, EntityId entity) {
@@ -175,20 +184,19 @@ std::vector<ObjectId> pickAll(const Document& document, Vec2 point, float reach)
 
 ObjectId pickFirst(const Document& document, Vec2 point, float reach) {
     const std::vector<ObjectId> hits = pickAll(document, point, reach);
-    if (hits.empty()) return {};
-    const PrefabPart* part = document.world.find<PrefabPart>(document.find(hits.front()));
-    if (part == nullptr || document.selection.has(hits.front())) return hits.front();
-    const ObjectId root{part->instance};
-    return document.find(root) ? root : hits.front();
+    return hits.empty() ? ObjectId{} : meantBy(document, hits.front());
 }
 
 std::vector<ObjectId> pickInside(const Document& document, const AABB& box) {
     std::vector<ObjectId> ids;
+    std::set<std::uint64_t> taken;  // an instance is met once for each of its parts
     const std::vector<ObjectId>& all = document.objects();
     const SceneBoxes& boxes = document.boxes();
     for (std::size_t i = 0; i < all.size(); ++i) {
         if (!intersects(boxes.at(i), box) || isOutOfHand(document, all[i])) continue;
-        if (!isGround(document.world, document.find(all[i]))) ids.push_back(all[i]);
+        if (isGround(document.world, document.find(all[i]))) continue;
+        const ObjectId meant = meantBy(document, all[i]);
+        if (taken.insert(meant.value).second) ids.push_back(meant);
     }
     return ids;
 }

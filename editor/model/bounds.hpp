@@ -29,7 +29,7 @@ std::vector<ObjectId> pickAll(const Document& document, Vec2 point, float reach)
 /// the part is selected already. Nobody where nothing is.
 ObjectId pickFirst(const Document& document, Vec2 point, float reach);
 
-/// What a dragged box touches; the ground is left out.
+/// What a dragged box touches, whole instances as with a click; the ground is left out.
 std::vector<ObjectId> pickInside(const Document& document, const AABB& box);
 
 }  // namespace plumb::editor

@@ -222,6 +222,9 @@ int runEditor(const EditorOptions& given) {
     Workspace& workspace = (*session)->workspace();
     workspace.settings = settings;
     if (!welcome) (*session)->openFirst(options.scene);
+    if (takesPictures && !welcome && !options.scene.empty() && workspace.document.scenePath.empty())
+        return fail({options.scene, "there is no such scene",
+                     "name one of " + (*session)->workspace().project.root.string() + "/scenes"});
     if (!notice.empty()) workspace.notice = notice;
     if (!options.select.empty()) selectByName(workspace, options.select);
 

@@ -164,6 +164,16 @@ TEST_F(Prefabs, aClickOnAPartTakesTheWholeInstanceAndAltTakesThePart) {
     EXPECT_EQ(workspace.document.selection.all(), std::vector{flameOf(kFirst)});
 }
 
+TEST_F(Prefabs, aBoxTakesWholeInstancesOnceAndNotTheirParts) {
+    SelectTool tool;
+    tool.press(workspace.tools(), {.position = {-200.0f, -200.0f}, .reach = 0.0f});
+    tool.drag(workspace.tools(), {.position = {17.5f, 8.5f}});
+    tool.release(workspace.tools(), {.position = {17.5f, 8.5f}});
+    const auto& all = workspace.document.selection.all();
+    EXPECT_EQ(std::count(all.begin(), all.end(), kFirst), 1);
+    EXPECT_EQ(std::count(all.begin(), all.end(), flameOf(kFirst)), 0);
+}
+
 TEST_F(Prefabs, oneFieldIsRevertedAloneAndUndoBringsItBack) {
     set<Sprite>(kSecond, "width", 99);
     const std::string before = workspace.text();
