@@ -22,6 +22,17 @@
 namespace plumb::editor::ui {
 namespace {
 
+/// One that is selected with others gives all of them its new name, as one step.
+void renameAll(Workspace& workspace, ObjectId named, const std::string& name) {
+    Document& document = workspace.document;
+    Transaction step{workspace.undo, "rename"};
+    const bool withOthers = document.selection.has(named);
+    const std::vector<ObjectId> all = withOthers ? document.selection.all() : std::vector{named};
+    for (const ObjectId id : all) workspace.undo.push(renameEntity(document, id, name));
+    step.commit();
+    if (all.size() > 1) workspace.notice = format("{} entities are called {} now", all.size(), name);
+}
+
 constexpr Swatch kOfPrefab = palette::kBlue;  // names of what comes from a prefab
 constexpr float kIconRoom = 18.0f;            // px at scale 1, for the eye and for the lock
 constexpr float kScrollEdge = 24.0f;          // px at scale 1: there a drag scrolls
@@ -338,7 +349,7 @@ private:
         // Esc gives the name back and counts as an edit all the same.
         const bool edited = done || ImGui::IsItemDeactivatedAfterEdit();
         if (edited && ui.workspace.document.nameOf(renaming_) != rename_.data()) {
-            ui.workspace.undo.push(renameEntity(ui.workspace.document, renaming_, rename_.data()));
+            renameAll(ui.workspace, renaming_, rename_.data());
             ui.workspace.undo.endGesture();
         }
         if (done || ImGui::IsItemDeactivated()) renaming_ = {};

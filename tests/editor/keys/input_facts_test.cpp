@@ -66,6 +66,18 @@ TEST_F(InputFacts, aFieldThatVanishesWhileItIsDraggedEndsItsStep) {
     EXPECT_EQ(workspace.text(), kSceneText);
 }
 
+TEST_F(InputFacts, aNameTypedForSeveralIsTheNameOfAllInOneStep) {
+    select({"crate", "sign"});
+    press("F2");
+    hands.type("box");
+    hands.key(Key::Enter);
+    hands.rest(2);
+    EXPECT_EQ(count("box"), 2);
+    EXPECT_EQ(workspace.undo.size(), 1u);
+    press("Ctrl+Z");
+    EXPECT_EQ(workspace.text(), kSceneText);
+}
+
 TEST_F(InputFacts, ofManyThousandRowsOnlyThoseInSightAreDrawn) {
     std::string text = R"({"format": 1, "entities": [)";
     for (int i = 0; i < 20000; ++i) {
