@@ -10,13 +10,12 @@
 namespace plumb::editor {
 namespace {
 
+// After the step, since what came back to where it was leaves no step: the top one may not be what is undone.
 void undoStep(Workspace& w) {
-    const std::size_t step = w.undo.size();
-    if (w.undo.undo()) w.notice = format("Undid: {}", w.undo.label(step - 1));
+    if (w.undo.undo()) w.notice = format("Undid: {}", w.undo.label(w.undo.size()));
 }
 void redoStep(Workspace& w) {
-    const std::size_t step = w.undo.size();
-    if (w.undo.redo()) w.notice = format("Redid: {}", w.undo.label(step));
+    if (w.undo.redo()) w.notice = format("Redid: {}", w.undo.label(w.undo.size() - 1));
 }
 bool canUndo(const Workspace& w) { return w.canEdit() && w.undo.size() > 0; }
 bool canRedo(const Workspace& w) { return w.canEdit() && w.undo.size() < w.undo.total(); }

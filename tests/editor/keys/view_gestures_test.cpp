@@ -224,6 +224,18 @@ TEST_F(Gestures, tapsOfArrowsAreOneStepUntilOneRestsOrTakesTheMouse) {
     EXPECT_FALSE(workspace.unsaved());
 }
 
+TEST_F(Gestures, undoAfterArrowsThatLedBackUndoesTheStepBeforeThem) {
+    change();
+    const std::string label = workspace.undo.label(0);
+    select({"sign"});
+    press("Shift+Up"), press("Shift+Down");
+    EXPECT_EQ(workspace.undo.size(), 2u) << "until the keys rest";
+    press("Ctrl+Z");
+    EXPECT_EQ(workspace.text(), kSceneText);
+    EXPECT_EQ(workspace.notice, "Undid: " + label);
+    EXPECT_EQ(workspace.undo.total(), 1u) << "there and back is no step";
+}
+
 TEST_F(Gestures, aHeldArrowIsOneStep) {
     select({"crate"});
     hold(Key::Right);
