@@ -24,8 +24,12 @@ constexpr std::array kSystems{
     row<PushControlSystem>("PushControl"),
     row<MouseDragSystem>("MouseDrag"),
     row<DetonatorSystem>("Detonator"),
+    row<SliderSystem>("Slider"),
+    row<ExperimentSystem>("Experiment"),
     row<PhysicsSystem>("RigidBody, KinematicBody, BoxCollider, CircleCollider, CapsuleCollider, "
                        "PolygonCollider, ChainCollider, TileCollider"),
+    row<GhostSystem>("Ghost"),
+    row<PlotSystem>("Plot"),
     row<PhysicsCountSystem>("Label"),
     row<SpringSystem>("Spring"),
     row<PortalSystem>("Portal"),
@@ -45,7 +49,7 @@ constexpr std::array kSystems{
     row<ParticleSystem>("ParticleEmitter"),
     row<SoundCueSystem>("SoundCues"),
     row<CameraSystem>("Camera"),
-    row<RenderSystem>("Sprite, TileLayer, ParticleEmitter, Label"),
+    row<RenderSystem>("Sprite, TileLayer, ParticleEmitter, Label, Slider, Plot, Ghost"),
 };
 
 }  // namespace

@@ -13,6 +13,7 @@
 #include "scene/components/label.hpp"
 #include "scene/components/parallax_layer.hpp"
 #include "scene/components/sprite.hpp"
+#include "scene/lab_drawing.hpp"
 #include "scene/loaded_scene.hpp"
 #include "scene/scene_stack.hpp"
 #include "scene/soft_drawing.hpp"
@@ -252,6 +253,7 @@ void SceneRenderer::collect(World& world, const SceneView& how, DrawList& list) 
     drawSoftBodies(world, how, list);
     collectParticles(world, how, list);
     collectLabels(world, how, list);
+    drawLab(world, how, labels_, list);
     for (const DrawItem& item : list.items().subspan(backdrops)) {
         nearLayer_ = std::min(nearLayer_, layerOfKey(item.key));
     }

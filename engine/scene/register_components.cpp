@@ -13,8 +13,10 @@
 #include "scene/components/circle_collider.hpp"
 #include "scene/components/cloth.hpp"
 #include "scene/components/distance_joint.hpp"
+#include "scene/components/experiment.hpp"
 #include "scene/components/explosion.hpp"
 #include "scene/components/gear_joint.hpp"
+#include "scene/components/ghost.hpp"
 #include "scene/components/gravity_field.hpp"
 #include "scene/components/hidden.hpp"
 #include "scene/components/jelly.hpp"
@@ -27,6 +29,7 @@
 #include "scene/components/parallax_layer.hpp"
 #include "scene/components/particle_emitter.hpp"
 #include "scene/components/persistent.hpp"
+#include "scene/components/plot.hpp"
 #include "scene/components/polygon_collider.hpp"
 #include "scene/components/prefab_instance.hpp"
 #include "scene/components/prismatic_joint.hpp"
@@ -36,6 +39,7 @@
 #include "scene/components/rope.hpp"
 #include "scene/components/scene_entity.hpp"
 #include "scene/components/scene_physics.hpp"
+#include "scene/components/slider.hpp"
 #include "scene/components/soft_grip.hpp"
 #include "scene/components/sprite.hpp"
 #include "scene/components/static_body.hpp"
@@ -94,6 +98,10 @@ void registerSceneComponents(TypeRegistry& types) {
     types.add<Hidden>();
     types.add<Persistent>();
     types.add<Overlay>();
+    types.add<Slider>();
+    types.add<Plot>();
+    types.add<Ghost>();
+    types.add<Experiment>();
 }
 
 }  // namespace plumb

@@ -33,10 +33,10 @@ inline std::vector<std::string> galleryScenes() {
     return scenes;
 }
 
-/// A scene of projects/physics-playground that is played without a window.
+/// A scene of projects/physics-playground, or of another sample, that is played without a window.
 struct Playground {
-    static Project project() {
-        Result<Project> loaded = loadProject(test::sourceFolder() / "projects/physics-playground");
+    static Project project(const std::string& name) {
+        Result<Project> loaded = loadProject(test::sourceFolder() / "projects" / name);
         EXPECT_TRUE(loaded.ok());
         return *loaded;
     }
@@ -44,7 +44,8 @@ struct Playground {
     SceneGame game;
     InputFrame frame;
 
-    explicit Playground(const std::string& scene) : game{project(), scene} {
+    explicit Playground(const std::string& scene, const std::string& sample = "physics-playground")
+        : game{project(sample), scene} {
         game.assets.logging = false;
         game.onCreate();
         EXPECT_FALSE(game.failed()) << scene;

@@ -1,0 +1,14 @@
+#pragma once
+
+#include "ecs/world.hpp"
+#include "render/draw_list.hpp"
+
+namespace plumb {
+
+class LabelDrawing;
+struct SceneView;
+
+/// Adds the outlines of ghosts, and sliders and plots with what is written on them.
+void drawLab(const World& world, const SceneView& how, LabelDrawing& labels, DrawList& list);
+
+}  // namespace plumb

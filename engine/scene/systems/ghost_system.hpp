@@ -1,0 +1,18 @@
+#pragma once
+
+#include <string_view>
+
+namespace plumb {
+
+class World;
+
+/// Steps the ghosts of a scene beside it.
+/// Reads: PhysicsState, Ghost, Lab. Writes: GhostWorlds.
+/// When: right after physics.
+struct GhostSystem {
+    static constexpr std::string_view kName = "ghosts";
+
+    void update(World& world, float dt);  ///< dt in s
+};
+
+}  // namespace plumb

@@ -1,0 +1,91 @@
+#include "physics/measures.hpp"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "physics/fields.hpp"
+#include "physics/simulation.hpp"
+
+namespace plumb::physics {
+namespace {
+
+constexpr float kTick = 1.0f / 60.0f;
+
+BodyId addBall(World& world, Place place, BodyKind kind = BodyKind::Dynamic) {
+    const auto body = createBody(world, {.kind = kind, .position = place});
+    EXPECT_TRUE(createShape(world, *body, circle(0.5f)));
+    return *body;
+}
+
+TEST(Measures, energyIsThatOfTheFormulas) {
+    World world;  // gravity 10, y down
+    const BodyId ball = addBall(world, {3.0, -4.0});
+    ASSERT_TRUE(setMass(world, ball, 2.0f));
+    ASSERT_TRUE(setVelocity(world, ball, {3.0f, 4.0f}));
+    EXPECT_NEAR(energyOf(world), 0.5 * 2.0 * 25.0 + 2.0 * 10.0 * 4.0, 1e-4);
+    ASSERT_TRUE(setAngularVelocity(world, ball, 2.0f));
+    const double inertia = static_cast<double>(world.bodies.mass[ball.index].inertia);
+    EXPECT_NEAR(energyOf(world), 25.0 + 80.0 + 0.5 * inertia * 4.0, 1e-4);
+    ASSERT_TRUE(createField(
+        world,
+        {.kind = FieldKind::Spring, .place = {3.0, 1.0}, .strength = 8.0f, .length = 2.0f, .a = ball}));
+    EXPECT_NEAR(energyOf(world), 105.0 + 2.0 * inertia + 0.5 * 8.0 * 9.0, 1e-4);
+    ASSERT_TRUE(createField(
+        world, {.kind = FieldKind::Attractor, .linear = true, .place = {0.0, 0.0}, .strength = 3.0f}));
+    EXPECT_NEAR(energyOf(world), 141.0 + 2.0 * inertia + 0.5 * 2.0 * 3.0 * 25.0, 1e-3);
+}
+
+TEST(Measures, aFallKeepsItsEnergyAndAnExplicitSpringGainsWhatTheTextbookSays) {
+    World fall;
+    addBall(fall, {0.0, -100.0});
+    const double before = energyOf(fall);
+    for (int i = 0; i < 120; ++i) step(fall, kTick);
+    EXPECT_NEAR(energyOf(fall) / before, 1.0, 1e-5);
+
+    World spring;
+    spring.settings.gravity = {};
+    spring.settings.integrator = IntegratorKind::ExplicitEuler;
+    spring.settings.quality = 0;
+    spring.settings.sleeping = false;
+    const BodyId ball = addBall(spring, {1.0, 0.0});
+    ASSERT_TRUE(setMass(spring, ball, 1.0f));
+    ASSERT_TRUE(createField(spring, {.kind = FieldKind::Attractor, .linear = true, .strength = 40.0f}));
+    const double started = energyOf(spring);
+    for (int i = 0; i < 60; ++i) step(spring, kTick);
+    // Each explicit step multiplies the energy by 1 + (omega h)^2.
+    const double gain = std::pow(1.0 + 40.0 / 3600.0, 60);
+    EXPECT_NEAR(energyOf(spring) / started / gain, 1.0, 1e-3);
+}
+
+TEST(Measures, overlapIsTheDeepestOfSolidOnes) {
+    World world;
+    world.settings.gravity = {};
+    addBall(world, {0.0, 0.0}, BodyKind::Static);
+    addBall(world, {0.9, 0.0});
+    addBall(world, {10.0, 0.0});
+    addBall(world, {10.95, 0.0});
+    EXPECT_EQ(deepestOverlapOf(world), 0.0f) << "no step has found contacts yet";
+    step(world, kTick);
+    EXPECT_NEAR(deepestOverlapOf(world), 0.1f, 1e-4f);
+    World apart;
+    addBall(apart, {0.0, 0.0}, BodyKind::Static);
+    addBall(apart, {3.0, 0.0});
+    step(apart, kTick);
+    EXPECT_EQ(deepestOverlapOf(apart), 0.0f);
+}
+
+TEST(Measures, distanceIsThatOfTheBodyThatIsFarthestOff) {
+    World world;
+    addBall(world, {0.0, 0.0});
+    const BodyId second = addBall(world, {5.0, 0.0});
+    World other = world;
+    EXPECT_EQ(largestDistanceOf(world, other), 0.0);
+    ASSERT_TRUE(setPosition(other, second, {8.0, 4.0}, 0.0f));
+    EXPECT_NEAR(largestDistanceOf(world, other), 5.0, 1e-12);
+    addBall(other, {100.0, 0.0});
+    EXPECT_NEAR(largestDistanceOf(world, other), 5.0, 1e-12) << "who is in one of them only does not count";
+}
+
+}  // namespace
+}  // namespace plumb::physics
