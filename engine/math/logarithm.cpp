@@ -3,6 +3,7 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 
 namespace plumb {
 
@@ -23,7 +24,7 @@ double logarithmNearOne(double m) {
 
 float logarithm10(float x) {
     if (!(x > 0.0f)) return kLeast;
-    if (!(x <= 3.0e38f)) return 38.6f;
+    if (x > std::numeric_limits<float>::max()) return 38.6f;
     // A double holds every float as a normal number.
     const auto bits = std::bit_cast<std::uint64_t>(static_cast<double>(x));
     int exponent = static_cast<int>(bits >> 52) - 1023;
