@@ -89,10 +89,12 @@ void add(LaneHasher& hash, const Settings& settings) {
                  directJoints, contactStiffness, jointStiffness, contactDampingRatio, jointDampingRatio,
                  pushSpeed, deepPushRate, slop, speculativeDistance, recycleDistance, boundsMargin,
                  bounceSpeed, sleepTime, maxSpeed, continuous, sleeping, stayEvents] = settings;
-    Values{hash}(gravity, integrator, broadPhase, quality, iterations, automaticQuality, tolerance,
-                 directJoints, contactStiffness, jointStiffness, contactDampingRatio, jointDampingRatio,
-                 pushSpeed, deepPushRate, slop, speculativeDistance, recycleDistance, boundsMargin,
-                 bounceSpeed, sleepTime, maxSpeed, continuous, sleeping, stayEvents);
+    Values{hash}(gravity, integrator, broadPhase, quality, iterations, automaticQuality, directJoints,
+                 contactStiffness, jointStiffness, contactDampingRatio, jointDampingRatio, pushSpeed,
+                 deepPushRate, slop, speculativeDistance, recycleDistance, boundsMargin, bounceSpeed,
+                 sleepTime, maxSpeed, continuous, sleeping, stayEvents);
+    // Worlds without one have the number they always had.
+    if (tolerance != 0.0f) Values{hash}(tolerance);
 }
 
 void add(LaneHasher& hash, const JointDefinition& definition) {
