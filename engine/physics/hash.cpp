@@ -22,6 +22,8 @@ static_assert(isDense(&BodyInfo::generation, &BodyInfo::kind, &BodyInfo::flags, 
                       &BodyInfo::hasSetMass, &BodyInfo::firstShape, &BodyInfo::firstJoint, &BodyInfo::place,
                       &BodyInfo::island, &BodyInfo::sleepSpeed, &BodyInfo::drive, &BodyInfo::reach,
                       &BodyInfo::core, &BodyInfo::user));
+static_assert(isDense(&Effort::quality, &Effort::before, &Effort::phase, &Effort::patience, &Effort::wait,
+                      &Effort::error, &Effort::first));
 static_assert(isDense(&Geometry::kind, &Geometry::count, &Geometry::reserved, &Geometry::first,
                       &Geometry::radius, &Geometry::a, &Geometry::b, &Geometry::turn, &Geometry::after));
 static_assert(isDense(&Corner::point, &Corner::normal));
@@ -83,14 +85,16 @@ void addAll(LaneHasher& hash, const std::vector<T>&... arrays) {
 // A member that comes to one of these types has to be named here, or it does not compile.
 
 void add(LaneHasher& hash, const Settings& settings) {
-    const auto& [gravity, integrator, broadPhase, quality, iterations, automaticQuality, directJoints,
-                 contactStiffness, jointStiffness, contactDampingRatio, jointDampingRatio, pushSpeed,
-                 deepPushRate, slop, speculativeDistance, recycleDistance, boundsMargin, bounceSpeed,
-                 sleepTime, maxSpeed, continuous, sleeping, stayEvents] = settings;
+    const auto& [gravity, integrator, broadPhase, quality, iterations, automaticQuality, tolerance,
+                 directJoints, contactStiffness, jointStiffness, contactDampingRatio, jointDampingRatio,
+                 pushSpeed, deepPushRate, slop, speculativeDistance, recycleDistance, boundsMargin,
+                 bounceSpeed, sleepTime, maxSpeed, continuous, sleeping, stayEvents] = settings;
     Values{hash}(gravity, integrator, broadPhase, quality, iterations, automaticQuality, directJoints,
                  contactStiffness, jointStiffness, contactDampingRatio, jointDampingRatio, pushSpeed,
                  deepPushRate, slop, speculativeDistance, recycleDistance, boundsMargin, bounceSpeed,
                  sleepTime, maxSpeed, continuous, sleeping, stayEvents);
+    // Worlds without one have the number they always had.
+    if (tolerance != 0.0f) Values{hash}(tolerance);
 }
 
 void add(LaneHasher& hash, const JointDefinition& definition) {
@@ -156,8 +160,8 @@ std::uint64_t hashOf(const World& world) {
     const Bodies& bodies = world.bodies;
     const Sleepers& sleepers = world.sleepers;
     add(hash, world.settings);
-    addAll(hash, bodies.pose, bodies.motion, bodies.mass, bodies.info, bodies.drives.rows, bodies.drives.free,
-           bodies.free, bodies.dying);
+    addAll(hash, bodies.pose, bodies.motion, bodies.mass, bodies.info, bodies.efforts, bodies.drives.rows,
+           bodies.drives.free, bodies.free, bodies.dying);
     add(hash, world.shapes);
     add(hash, world.joints);
     for (const Field& field : world.fields.all) add(hash, field);

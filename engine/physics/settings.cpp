@@ -26,7 +26,7 @@ void bringIntoRange(Settings& settings) {
          {&Settings::contactStiffness, &Settings::jointStiffness, &Settings::contactDampingRatio,
           &Settings::jointDampingRatio, &Settings::pushSpeed, &Settings::deepPushRate, &Settings::slop,
           &Settings::speculativeDistance, &Settings::recycleDistance, &Settings::boundsMargin,
-          &Settings::bounceSpeed, &Settings::sleepTime, &Settings::maxSpeed}) {
+          &Settings::bounceSpeed, &Settings::sleepTime, &Settings::maxSpeed, &Settings::tolerance}) {
         settings.*member = usable(settings.*member, 0.0f, kMost, usual.*member);
     }
 }

@@ -20,11 +20,17 @@ struct Settings {
     /// steps; README.md says which is fastest where. A value that is none of them is Tree.
     BroadPhaseKind broadPhase = BroadPhaseKind::Tree;
     /// 2^quality substeps: each more costs 1.3 to 2 times the time and makes errors 3 to 4 times smaller.
+    /// With a tolerance, where islands begin.
     Quality quality = 2;
     /// Velocity iterations of a substep, 1 to 64. Quality is nearly always the better buy: README.md.
     std::uint8_t iterations = 1;
-    /// Islands in hard positions (mass ratios, high stacks, long chains) get more substeps by themselves.
+    /// Islands in hard positions (mass ratios, high stacks, long chains) get more substeps by themselves: a
+    /// guess from what they are made of.
     bool automaticQuality = false;
+    /// m: the most that bodies may overlap and joints may be apart. Each island takes the lowest quality that
+    /// keeps to it, as far as quality helps; it begins with the guess. 0: none, islands have their fixed
+    /// quality. Smaller than a few times the sag of one crate (0.5 mm at quality 0) is not free for anybody.
+    float tolerance = 0.0f;
     /// Chains, pendulums, bridges: joints that make up trees are solved all at once. They hold whatever the
     /// mass ratio, and neither gain nor lose energy.
     bool directJoints = true;

@@ -102,6 +102,15 @@ struct IslandHardness {
     float joints = 0.0f;
 };
 
+/// An island while it is judged by its errors.
+struct IslandCase {
+    Effort effort;        ///< the highest of its bodies
+    Quality least = 0;    ///< what its bodies and joints ask for
+    bool isNew = false;   ///< some of its bodies were never judged
+    bool isDone = false;  ///< judged
+    float error = 0.0f;   ///< m: the largest overlap or opening
+};
+
 /// Memory that a step needs and the next one reuses. Everything in it follows from the world.
 struct Workspace {
     std::unique_ptr<BroadPhase> broadPhase;
@@ -169,6 +178,7 @@ struct Workspace {
     std::uint32_t effectsRun = 0;                       ///< bits of those whose code ran in this step
     std::array<std::uint64_t, kEffects> effectRuns{};   ///< by effect: steps in which its code ran
     std::vector<IslandHardness> hardness;               ///< by root of an island: see sortByQuality()
+    std::vector<IslandCase> cases;                      ///< the same, where there is a tolerance
 };
 
 }  // namespace plumb::physics

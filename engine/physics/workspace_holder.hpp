@@ -20,6 +20,8 @@ public:
 
     /// Made when first asked for.
     Workspace& get();
+    /// What the last step left; null when there was none since the world was made, copied or written over.
+    [[nodiscard]] const Workspace* lastStep() const { return stale_ ? nullptr : workspace_.get(); }
     /// True once after the world was written over, or when nothing was there yet.
     bool takeStale() { return std::exchange(stale_, false); }
     [[nodiscard]] bool stale() const { return stale_; }

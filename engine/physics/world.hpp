@@ -86,12 +86,34 @@ enum BodyFlag : std::uint8_t {
     kDropsThrough = 128  ///< one-way shapes let it through
 };
 
+/// What an island is about to find out.
+enum class EffortPhase : std::uint8_t {
+    Calm,      ///< it keeps to the tolerance
+    Trying,    ///< it took a quality less: does it still?
+    Strained,  ///< it does not: perhaps a blow, which passes by itself
+    Rising,    ///< it took more quality: does that help?
+    Resigned   ///< it did not help: that much quality would be for nothing
+};
+
+/// How hard an island is worked on where there is a tolerance (solver/effort.hpp). All its bodies have the
+/// same, so that it stays known when an island falls apart.
+struct Effort {
+    Quality quality = kQualityOfWorld;  ///< of the last step; kQualityOfWorld: never judged
+    Quality before = kQualityOfWorld;   ///< until it rose last
+    EffortPhase phase = EffortPhase::Calm;
+    std::uint8_t patience = 0;  ///< how often quality was lowered in vain: each doubles the wait
+    std::uint32_t wait = 0;     ///< steps until it is judged
+    float error = 0.0f;         ///< m: what it is compared with when it is
+    float first = 0.0f;         ///< m: the error for which it rose
+};
+
 /// The bodies, as one array per group of properties that are used together, indexed by BodyId::index.
 struct Bodies {
     std::vector<BodyPose> pose;
     std::vector<BodyMotion> motion;
     std::vector<BodyMass> mass;
     std::vector<BodyInfo> info;
+    std::vector<Effort> efforts;       ///< empty without Settings::tolerance
     SideTable<BodyDrive> drives;       ///< by BodyInfo::drive
     std::vector<std::uint32_t> free;   ///< places, last freed last
     std::vector<std::uint32_t> dying;  ///< free once the next step has ended their contacts

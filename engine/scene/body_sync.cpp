@@ -370,6 +370,7 @@ physics::Settings physicsSettingsOf(World& world) {
         settings.integrator = scene.integrator;
         settings.iterations = static_cast<std::uint8_t>(std::clamp(scene.iterations, 1, 64));
         settings.automaticQuality = scene.automaticQuality;
+        settings.tolerance = scene.tolerance * scale.metres;
         settings.continuous = scene.continuous;
         settings.sleeping = scene.sleeping;
         break;

@@ -68,6 +68,7 @@ int runEditor(const Options& options);
 int runIntegrators(const Options& options);
 int runParticles(const Options& options);
 int runPhysics(const Options& options);
+int runQuality(const Options& options);
 int runRender(const Options& options);
 int runScene(const Options& options);
 int runTiles(const Options& options);

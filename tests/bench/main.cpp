@@ -18,7 +18,8 @@ constexpr std::array kPrograms {
     Program{"broadphase", &plumb::bench::runBroadphase}, Program{"ecs", &plumb::bench::runEcs},
         Program{"integrators", &plumb::bench::runIntegrators},
         Program{"particles", &plumb::bench::runParticles}, Program{"physics", &plumb::bench::runPhysics},
-        Program{"render", &plumb::bench::runRender}, Program{"scene", &plumb::bench::runScene},
+        Program{"quality", &plumb::bench::runQuality}, Program{"render", &plumb::bench::runRender},
+        Program{"scene", &plumb::bench::runScene},
 #if PLUMB_WITH_EDITOR
         Program{"editor", &plumb::bench::runEditor}, Program{"tiles", &plumb::bench::runTiles},
 #endif

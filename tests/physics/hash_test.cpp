@@ -25,6 +25,7 @@ void disturb(World& world, int tick) {
 World makeRich() {
     World world = makePit(40, 5);
     world.settings.sleepTime = 0.2f;
+    world.settings.tolerance = 0.002f;
     for (int i = 0; i < 240; ++i) step(world, kTick);
     const BodyId a = addBody(world, BodyKind::Dynamic, {0.0, 20.0}),
                  b = addBody(world, BodyKind::Dynamic, {1.0, 20.0});
@@ -96,6 +97,13 @@ std::vector<Change> everyField() {
         PLUMB_CHANGE(BodyInfo, bodies.info, reach),
         PLUMB_CHANGE(BodyInfo, bodies.info, core),
         PLUMB_CHANGE(BodyInfo, bodies.info, user),
+        PLUMB_CHANGE(Effort, bodies.efforts, quality),
+        PLUMB_CHANGE(Effort, bodies.efforts, before),
+        PLUMB_CHANGE(Effort, bodies.efforts, phase),
+        PLUMB_CHANGE(Effort, bodies.efforts, patience),
+        PLUMB_CHANGE(Effort, bodies.efforts, wait),
+        PLUMB_CHANGE(Effort, bodies.efforts, error),
+        PLUMB_CHANGE(Effort, bodies.efforts, first),
         PLUMB_CHANGE(Geometry, shapes.geometry, kind),
         PLUMB_CHANGE(Geometry, shapes.geometry, count),
         PLUMB_CHANGE(Geometry, shapes.geometry, first),
@@ -207,6 +215,7 @@ std::vector<Change> everyField() {
         PLUMB_SET(settings.quality),
         PLUMB_SET(settings.iterations),
         PLUMB_SET(settings.automaticQuality),
+        PLUMB_SET(settings.tolerance),
         PLUMB_SET(settings.directJoints),
         PLUMB_SET(settings.contactStiffness),
         PLUMB_SET(settings.jointStiffness),

@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "physics/sleeping.hpp"
+#include "physics/solver/effort.hpp"
 #include "physics/stages.hpp"
 
 namespace plumb::physics {
@@ -38,6 +39,15 @@ void keepEasedAwake(World& world, std::vector<std::uint32_t>& verdict) {
     }
 }
 
+/// What slept while it is too deep in something would stay there.
+void keepStrainedAwake(World& world, std::vector<std::uint32_t>& verdict) {
+    if (world.bodies.efforts.empty()) return;
+    for (const std::uint32_t body : world.awake) {
+        if (world.bodies.info[body].kind == BodyKind::Dynamic && isAtWork(world.bodies.efforts[body]))
+            verdict[islandOf(world, body)] = kNone;
+    }
+}
+
 }  // namespace
 
 void putToSleep(StepContext& step) {
@@ -54,6 +64,7 @@ void putToSleep(StepContext& step) {
     }
     if (world.manifest.runs(Effect::Kinematics)) keepCarriedAwake(world, verdict);
     keepEasedAwake(world, verdict);
+    keepStrainedAwake(world, verdict);
     const bool some = std::any_of(world.awake.begin(), world.awake.end(), [&](std::uint32_t body) {
         return world.bodies.info[body].kind == BodyKind::Dynamic && verdict[islandOf(world, body)] != kNone;
     });

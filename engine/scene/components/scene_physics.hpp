@@ -13,6 +13,7 @@ struct ScenePhysics {
     physics::IntegratorKind integrator = physics::IntegratorKind::SemiImplicitEuler;
     int iterations = 1;             ///< of each substep
     bool automaticQuality = false;  ///< hard cases get more substeps by themselves
+    float tolerance = 0.0f;         ///< px: the largest error of what touches or is joined; 0: quality counts
     bool continuous = true;         ///< fast bodies never pass through what stands still
     bool sleeping = true;           ///< what rests costs nothing
 
@@ -28,6 +29,12 @@ struct ScenePhysics {
         type.field<&ScenePhysics::iterations>("iterations").range(1.0f, 64.0f).doc("Of each substep.");
         type.field<&ScenePhysics::automaticQuality>("automaticQuality")
             .doc("Hard cases get more substeps by themselves.");
+        type.field<&ScenePhysics::tolerance>("tolerance")
+            .range(0.0f, 16.0f)
+            .unit(Unit::Pixels)
+            .doc(
+                "The largest error: what overlaps or comes apart by more gets more substeps, and the rest as "
+                "few as do. 0: all get those of quality.");
         type.field<&ScenePhysics::continuous>("continuous")
             .doc("Fast bodies never pass through what stands still.");
         type.field<&ScenePhysics::sleeping>("sleeping").doc("What rests costs nothing.");

@@ -1,0 +1,168 @@
+#include "physics/solver/effort.hpp"
+
+#include <algorithm>
+
+namespace plumb::physics {
+
+namespace {
+
+// Each quality makes errors of stiffness four times smaller, and those of patience (of many bodies on each
+// other) by less.
+constexpr float kLeastGain = 3.0f;
+constexpr float kMostGain = 4.5f;
+
+constexpr float kRoom = 0.8f;  // ratio to the tolerance: where a quality should bring the error
+
+constexpr std::uint32_t kBlow = 3;           // steps in which the overlap of a blow passes by itself
+constexpr std::uint32_t kSettling = 20;      // steps, about: bodies come out of each other
+constexpr std::uint32_t kWatch = 30;         // steps of quiet for which less quality is tried
+constexpr std::uint32_t kResignation = 240;  // steps after which what did not help is tried again
+constexpr std::uint8_t kMostPatience = 5;
+
+constexpr float kStillFalls = 0.9f;  // ratio to the error a while ago: there is no need for more yet
+constexpr float kHelped = 0.6f;      // ratio to the error before
+constexpr float kGrew = 1.5f;        // the same: there is more to carry
+constexpr float kVanished = 0.02f;   // the same: most of what was carried is gone
+
+/// How many qualities more an error needs.
+int levelsFor(float error, float tolerance) {
+    int levels = 0;
+    for (float left = error; levels < kMaxQuality && left > kRoom * tolerance; left *= 1.0f / kLeastGain)
+        ++levels;
+    return levels;
+}
+
+Effort watching(Effort effort, EffortPhase phase) {
+    effort.phase = phase;
+    effort.wait = kWatch << effort.patience;
+    effort.error = 0.0f;
+    return effort;
+}
+
+Effort resigned(Effort effort, float error) {
+    effort.phase = EffortPhase::Resigned;
+    effort.patience = std::min<std::uint8_t>(effort.patience + 1, kMostPatience);
+    effort.wait = kResignation << effort.patience;
+    effort.error = error;
+    return effort;
+}
+
+Effort risen(Effort effort, float error, float tolerance) {
+    if (effort.quality == kMaxQuality) return resigned(effort, error);
+    effort.before = effort.quality;
+    effort.quality = static_cast<Quality>(
+        std::min(effort.quality + std::max(1, levelsFor(error, tolerance)), int{kMaxQuality}));
+    effort.phase = EffortPhase::Rising;
+    effort.wait = kSettling;
+    effort.error = effort.first = error;
+    return effort;
+}
+
+Effort strained(Effort effort) {
+    effort.phase = EffortPhase::Strained;
+    effort.wait = kBlow;
+    return effort;
+}
+
+/// It keeps to the tolerance, as far as is known.
+Effort whileCalm(Effort effort, float error, float tolerance, Quality least) {
+    effort.error = std::max(effort.error, error);
+    if (effort.patience > 0 && error < kVanished * effort.first) {  // what it learned is of another load
+        effort.patience = 0;
+        effort.wait = std::min(effort.wait, kWatch);
+    }
+    if (effort.wait > 0) return effort;
+    if (effort.phase == EffortPhase::Trying) {
+        effort.before = effort.quality;
+        effort.patience -= effort.patience > 0 ? 1 : 0;
+    }
+    if (effort.quality <= least || effort.error * kMostGain > kRoom * tolerance)
+        return watching(effort, EffortPhase::Calm);
+    effort.before = effort.quality--;
+    return watching(effort, EffortPhase::Trying);
+}
+
+/// It was to show whether less quality does.
+Effort whileTrying(Effort effort, float error, float tolerance, Quality least) {
+    if (error <= kRoom * tolerance) return whileCalm(effort, error, tolerance, least);
+    // A blow would say nothing, but who can tell: it will be tried again.
+    const std::uint8_t patience = std::min<std::uint8_t>(effort.patience + 1, kMostPatience);
+    effort = risen(effort, error, tolerance);
+    effort.patience = patience;
+    return effort;
+}
+
+/// There came more to carry before it was known whether the rise helps.
+Effort risenAgain(Effort effort, float error, float tolerance) {
+    const Quality before = effort.before;
+    if (effort.quality < kMaxQuality) {
+        effort = risen(effort, error, tolerance);
+    } else {
+        effort.wait = kSettling;
+        effort.error = effort.first = error;
+    }
+    effort.before = before;
+    return effort;
+}
+
+Effort whileRising(Effort effort, float error, float tolerance) {
+    if (error <= tolerance) return watching(effort, EffortPhase::Calm);
+    if (error > kGrew * effort.first) return risenAgain(effort, error, tolerance);
+    if (effort.wait > 0) return effort;
+    if (error < kStillFalls * effort.error) {
+        effort.error = error;
+        effort.wait = kSettling;
+        return effort;
+    }
+    if (error < kHelped * effort.first) return risen(effort, error, tolerance);
+    effort.quality = effort.before;
+    return resigned(effort, error);
+}
+
+Effort whileResigned(Effort effort, float error, float tolerance) {
+    if (error <= tolerance) return watching(effort, EffortPhase::Calm);
+    const bool isOver = effort.wait == 0 && effort.quality < kMaxQuality;
+    return isOver || error > kGrew * effort.error ? strained(effort) : effort;
+}
+
+}  // namespace
+
+Effort merged(const Effort& a, const Effort& b) {
+    if (a.quality != b.quality) return a.quality > b.quality ? a : b;
+    Effort both;
+    both.quality = a.quality;
+    both.before = std::max(a.before, b.before);
+    both.phase = std::max(a.phase, b.phase);
+    both.patience = std::max(a.patience, b.patience);
+    both.wait = std::max(a.wait, b.wait);
+    both.error = std::max(a.error, b.error);
+    both.first = std::max(a.first, b.first);
+    return both;
+}
+
+Effort begun(Quality quality) {
+    Effort effort;
+    effort.quality = quality;
+    return watching(effort, EffortPhase::Calm);
+}
+
+Effort judged(Effort effort, float error, float tolerance, Quality least) {
+    if (effort.wait > 0) --effort.wait;
+    if (effort.quality < least) {
+        effort.quality = least;
+        return watching(effort, EffortPhase::Calm);
+    }
+    switch (effort.phase) {
+        case EffortPhase::Calm:
+            return error > tolerance ? strained(effort) : whileCalm(effort, error, tolerance, least);
+        case EffortPhase::Trying: return whileTrying(effort, error, tolerance, least);
+        case EffortPhase::Strained:
+            if (error <= tolerance) return watching(effort, EffortPhase::Calm);
+            return effort.wait > 0 ? effort : risen(effort, error, tolerance);
+        case EffortPhase::Rising: return whileRising(effort, error, tolerance);
+        case EffortPhase::Resigned: return whileResigned(effort, error, tolerance);
+    }
+    return effort;
+}
+
+}  // namespace plumb::physics

@@ -1,0 +1,64 @@
+#include "physics/solver/hardness.hpp"
+
+#include <algorithm>
+
+#include "physics/sleeping.hpp"
+#include "physics/solver/grow_trees.hpp"
+
+namespace plumb::physics {
+
+namespace {
+
+/// One more for a value above a limit, and for each `factor` that it is above it, up to three: each makes
+/// errors three to four times smaller.
+int stepsAbove(float value, float limit, float factor) {
+    int steps = 0;
+    for (; steps < 3 && value > limit; limit *= factor) ++steps;
+    return steps;
+}
+
+void addTo(IslandHardness& island, const World& world, const Workspace& work, std::uint32_t body,
+           std::uint32_t root, Vec2 down) {
+    const BodyMass& mass = world.bodies.mass[body];
+    // What only hangs in a tree is never hard.
+    if (mass.inverseMass == 0.0f || isInTree(world, work, body)) return;
+    const float depth = dot(world.bodies.pose[body].centre - world.bodies.pose[root].centre, down);
+    island.lightest = std::min(island.lightest, mass.mass);
+    island.heaviest = std::max(island.heaviest, mass.mass);
+    island.lowest = std::min(island.lowest, depth);
+    island.highest = std::max(island.highest, depth);
+    island.size += world.bodies.info[body].core;
+    island.bodies += 1.0f;
+    for (std::uint32_t j = world.bodies.info[body].firstJoint; j != kNone;) {
+        const Joint& joint = world.joints.hot[j];
+        island.joints += 0.5f;  // the other half comes with its other body
+        j = joint.bodyA == body ? joint.nextA : joint.nextB;
+    }
+}
+
+}  // namespace
+
+int extraQuality(const IslandHardness& island) {
+    if (island.bodies == 0.0f) return 0;
+    const float layers =
+        (island.highest - island.lowest) * island.bodies / std::max(2.0f * island.size, 1e-6f);
+    // Where the limits are: measured, so that hard cases keep to millimetres (plumb-accuracy-physics).
+    return std::max({stepsAbove(island.heaviest, 10.0f * island.lightest, 3.0f),
+                     stepsAbove(layers, 7.0f, 2.0f), stepsAbove(island.joints, 8.0f, 4.0f)});
+}
+
+void findHardness(World& world, Workspace& work) {
+    const Vec2 gravity = world.settings.gravity;
+    const Vec2 down = lengthSquared(gravity) > 0.0f ? normalized(gravity) : Vec2{};
+    work.hardness.assign(world.bodies.size(), IslandHardness{});
+    for (const std::uint32_t body : world.awake) {
+        const std::uint32_t root = rootOf(world, body);
+        addTo(work.hardness[root], world, work, body, root, down);
+    }
+}
+
+std::uint32_t rootOf(World& world, std::uint32_t body) {
+    return world.bodies.info[body].kind == BodyKind::Dynamic ? islandOf(world, body) : body;
+}
+
+}  // namespace plumb::physics

@@ -1,0 +1,147 @@
+#include "physics/solver/hold_tolerance.hpp"
+
+#include <algorithm>
+
+#include "physics/deviations.hpp"
+#include "physics/solver/effort.hpp"
+#include "physics/solver/hardness.hpp"
+
+namespace plumb::physics {
+
+namespace {
+
+bool isPushed(const World& world, std::uint32_t body) {
+    return world.bodies.info[body].kind == BodyKind::Dynamic;
+}
+
+/// Who is in which island, and what they did up to now. @return true when some were never judged
+bool openCases(World& world, Workspace& work) {
+    const bool wishes = world.qualityCallers != 0;
+    bool some = false;
+    for (const std::uint32_t body : world.awake) work.cases[rootOf(world, body)] = {};
+    for (const std::uint32_t body : world.awake) {
+        if (!isPushed(world, body)) continue;
+        IslandCase& island = work.cases[rootOf(world, body)];
+        const Effort& effort = world.bodies.efforts[body];
+        island.effort = merged(island.effort, effort);
+        if (wishes) island.least = std::max(island.least, wishOf(world, body));
+        if (effort.quality != kQualityOfWorld) continue;
+        island.isNew = some = true;
+    }
+    return some;
+}
+
+void measure(World& world, Workspace& work) {
+    const auto note = [&](std::uint32_t a, std::uint32_t b, float error) {
+        float& most = work.cases[rootOf(world, isPushed(world, b) ? b : a)].error;
+        most = std::max(most, error);
+    };
+    if (world.manifest.runs(Effect::Contacts)) {
+        for (std::size_t i = 0; i < work.contactKeys.size(); ++i) {
+            if ((work.contactKeys[i] & kKeyColour) == kKeyIdle) continue;
+            const Contact& contact = world.contacts[i];
+            if (const float overlap = overlapOf(contact); overlap > 0.0f)
+                note(contact.bodyA, contact.bodyB, overlap);
+        }
+    }
+    if (!world.manifest.runs(Effect::Joints)) return;
+    for (const std::uint32_t j : world.joints.awake) {
+        const Joint& joint = world.joints.hot[j];
+        note(joint.bodyA, joint.bodyB, openingOf(world, j));
+    }
+}
+
+/// Nothing has to sink in before it is noticed: what is new begins with the guess.
+void guess(World& world, Workspace& work) {
+    findHardness(world, work);
+    for (const std::uint32_t body : world.awake) {
+        const std::uint32_t root = rootOf(world, body);
+        IslandCase& island = work.cases[root];
+        if (!island.isNew) continue;
+        const int guessed =
+            std::min(world.settings.quality + extraQuality(work.hardness[root]), int{kMaxQuality});
+        if (island.effort.quality < guessed) island.effort = begun(static_cast<Quality>(guessed));
+        island.isNew = false;
+    }
+}
+
+/// @return true when some island has another quality than before
+bool judge(World& world, Workspace& work) {
+    bool changed = false;
+    for (const std::uint32_t body : world.awake) {
+        if (!isPushed(world, body)) continue;
+        IslandCase& island = work.cases[rootOf(world, body)];
+        if (!island.isDone)
+            island.effort = judged(island.effort, island.error, world.settings.tolerance, island.least);
+        island.isDone = true;
+        changed = changed || world.bodies.efforts[body].quality != island.effort.quality;
+    }
+    return changed;
+}
+
+float powerOfTwo(int exponent) {
+    return exponent < 0 ? 1.0f / static_cast<float>(1 << -exponent) : static_cast<float>(1 << exponent);
+}
+
+/// Impulses are those of a substep. In longer ones the same forces give larger ones; joints keep theirs as
+/// forces.
+void scaleImpulses(World& world, Workspace& work) {
+    for (Contact& contact : world.contacts) {
+        if ((contact.flags & (kTouching | kTriggered)) != kTouching) continue;
+        const Quality before = world.bodies.efforts[contact.bodyB].quality;
+        if (world.bodies.info[contact.bodyB].place == kNone || before == kQualityOfWorld) continue;
+        const int change = before - work.cases[rootOf(world, contact.bodyB)].effort.quality;
+        if (change == 0) continue;
+        const float ratio = powerOfTwo(change);
+        for (float* impulse :
+             {&contact.impulse0, &contact.impulse1, &contact.frictionImpulse, &contact.rollingImpulse})
+            *impulse *= ratio;
+    }
+}
+
+/// A joint to what only its owner moves is exact where both are solved together.
+void takeAlong(World& world, Workspace& work) {
+    if (!world.manifest.runs(Effect::Kinematics)) return;
+    for (const std::uint32_t j : world.joints.awake) {
+        const Joint& joint = world.joints.hot[j];
+        if (isPushed(world, joint.bodyA) && isPushed(world, joint.bodyB)) continue;
+        const std::uint32_t pushed = isPushed(world, joint.bodyA) ? joint.bodyA : joint.bodyB;
+        const std::uint32_t other = pushed == joint.bodyA ? joint.bodyB : joint.bodyA;
+        work.bodyScratch[other] = std::max(work.bodyScratch[other], work.bodyScratch[rootOf(world, pushed)]);
+    }
+}
+
+void takeDown(World& world, Workspace& work) {
+    work.bodyScratch.assign(world.bodies.size(), 0);
+    for (const std::uint32_t body : world.awake) {
+        if (!isPushed(world, body)) continue;
+        const std::uint32_t root = rootOf(world, body);
+        world.bodies.efforts[body] = work.cases[root].effort;
+        work.bodyScratch[root] = static_cast<std::uint32_t>(work.cases[root].effort.quality);
+    }
+    takeAlong(world, work);
+}
+
+}  // namespace
+
+Quality wishOf(const World& world, std::uint32_t body) {
+    Quality wish = world.bodies.info[body].quality;
+    for (std::uint32_t j = world.bodies.info[body].firstJoint; j != kNone;) {
+        const Joint& joint = world.joints.hot[j];
+        wish = std::max(wish, joint.quality);
+        j = joint.bodyA == body ? joint.nextA : joint.nextB;
+    }
+    return wish;
+}
+
+void holdTolerance(World& world, Workspace& work) {
+    world.bodies.efforts.resize(world.bodies.size());
+    work.cases.resize(world.bodies.size());
+    const bool some = openCases(world, work);
+    measure(world, work);
+    if (some) guess(world, work);
+    if (judge(world, work)) scaleImpulses(world, work);
+    takeDown(world, work);
+}
+
+}  // namespace plumb::physics
