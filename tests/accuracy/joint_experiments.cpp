@@ -125,8 +125,7 @@ void bridge160(Trial& trial) {
 }
 
 void jointGrid(Trial& trial) {
-    const auto* const scene = scenes::findScene("jointgrid100");
-    scene->build(trial.scene(), 100);
+    scenes::buildJointGrid(trial.scene(), 100);
     reportJoints(trial, 4.0, 0.6, 19.0);
 }
 

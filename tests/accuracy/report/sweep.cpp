@@ -10,6 +10,7 @@ namespace plumb::accuracy {
 namespace {
 
 constexpr double kEnoughTime = 0.5;  // s: what took longer is not run again, its noise is small
+constexpr physics::Quality kIterated[] = {0, 2, 4};  // that are tried with more iterations
 
 std::vector<physics::Quality> qualitiesOf(const SweepOptions& options) {
     if (!options.qualities.empty()) return options.qualities;
@@ -70,7 +71,7 @@ std::vector<Method> methodsOf(const Experiment& experiment, const SweepOptions& 
     if (!options.quick && options.qualities.empty() && !experiment.has(kSmoothForces)) {
         for (const bool trees : {true, false}) {
             if (!trees && !experiment.has(kJoints)) continue;
-            for (const physics::Quality quality : {0, 2, 4}) {
+            for (const physics::Quality quality : kIterated) {
                 for (const int iterations : {2, 4, 8})
                     methods.push_back({.quality = quality, .iterations = iterations, .jointTrees = trees});
             }
