@@ -13,8 +13,9 @@ constexpr Material kElastic{.friction = 0.0f, .bounciness = 1.0f};
 /// How high a ball comes that falls 2 m, and keeps `kept` of its speed in each bounce.
 void bounceTrain(Trial& trial, double kept, int count, double seconds, double target) {
     constexpr double kHeight = 2.0;  // m under the ball
-    trial.floor();
+    // The floor too: some take the larger of both, some multiply.
     const Material material{.friction = 0.0f, .bounciness = static_cast<float>(kept)};
+    trial.floor(material);
     const BodyHandle ball = trial.add(scenes::circle(0.5f), {0.0f, 2.5f}, material);
     int bounces = 0;
     double before = 0.0, wanted = 1.0, worst = 0.0;

@@ -25,11 +25,11 @@ TEST(Order, isThePowerOfWhatFallsByOne) {
 }
 
 TEST(Order, looksNoFurtherThanTheFloorAndSaysWhereItIs) {
-    const Order order = orderOf(samplesOf(2.0, 0.01));  // reached between 16 and 32
-    EXPECT_NEAR(order.power, 2.0, 0.1);
+    const Order order = orderOf(samplesOf(2.0, 0.008));  // reached between 16 and 32
+    EXPECT_NEAR(order.power, 2.0, 1e-9);
     EXPECT_EQ(order.first, 1.0);
-    EXPECT_EQ(order.last, 32.0);
-    EXPECT_EQ(order.floor, 0.01);
+    EXPECT_EQ(order.last, 16.0);
+    EXPECT_EQ(order.floor, 0.008);
     EXPECT_EQ(order.floorFrom, 32.0);
 }
 

@@ -222,9 +222,11 @@ TEST(Report, theGuideHasTheMarksAndTheOrders) {
 
 TEST(SceneTexts, everySceneHasWordsAndEveryNumberAScene) {
     std::set<int> numbers;
-    for (const SceneText& text : allSceneTexts()) {
-        EXPECT_NE(findExperiment(text.name), nullptr) << text.name;
-        numbers.insert(text.number);
+    for (const std::span<const SceneText> texts : {exactTexts(), hardTexts()}) {
+        for (const SceneText& text : texts) {
+            EXPECT_NE(findExperiment(text.name), nullptr) << text.name;
+            numbers.insert(text.number);
+        }
     }
     for (const Experiment& experiment : allExperiments()) {
         const SceneText& text = textOf(experiment.name);

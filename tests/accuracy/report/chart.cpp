@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kWide = 760.0, kHigh = 430.0;  // px
 constexpr double kLeft = 68.0, kRight = 736.0, kTop = 66.0, kBottom = 372.0;
-constexpr double kDecades = 10.0;  // at most: what is worse is drawn at the upper edge
+constexpr double kDecades = 11.0;  // at most: what is worse is drawn at the upper edge
 
 /// In light; the same names with other colours for dark readers are in kStyle.
 constexpr std::string_view kColours[] = {"#2463c8", "#d8611c", "#12876a", "#8a4fc9", "#a8871a"};
@@ -97,8 +97,9 @@ Frame frameOf(const Chart& chart) {
     take(chart.target);
     if (chart.usTarget > 0.0) slow = std::max(slow, chart.usTarget), fast = std::min(fast, chart.usTarget);
     if (large == 0.0) small = 1.0, large = 10.0;
-    const double low = powerBelow(0.7 * small) * (zeros ? 0.1 : 1.0);
-    const double high = std::min(powerAbove(1.3 * large), low * std::pow(10.0, kDecades));
+    const double least = powerBelow(0.7 * small);
+    const double high = std::min(powerAbove(1.3 * large), least * std::pow(10.0, kDecades));
+    const double low = zeros ? 0.1 * least : least;
     return {LogScale{roundDown(std::max(0.9 * fast, 1.0e-3)), roundUp(std::max(1.1 * slow, 2.0e-3)), kLeft,
                      kRight},
             LogScale{low, high, kBottom, kTop}, low};
@@ -209,14 +210,16 @@ std::string numbers(const Frame& frame, const ChartLine& part) {
 
 std::string peerMarks(const Chart& chart, const Frame& frame) {
     std::string svg;
+    double lower = 14.0;  // px: names of those that fail are hung below each other
     for (const Row& row : chart.peers) {
         const double x = frame.px(row), y = frame.py(row);
         svg += format("<path d=\"M{} {}l6 6l-6 6l-6 -6z\" class=\"c-peer\" fill=\"#1c2330\">{}</path>\n",
                       px(x), px(y - 6.0), hint(row));
-        const bool left = x > kRight - 140.0;
-        const std::string words =
-            frame.above(row) ? format("{} fails", peerTitle(row.solver)) : peerTitle(row.solver);
-        svg += text(left ? x - 10.0 : x + 10.0, y + 4.0, words, "c-ink", left ? "end" : "start", 11);
+        const bool left = x > kRight - 140.0, fails = frame.above(row);
+        const std::string words = fails ? format("{} fails", peerTitle(row.solver)) : peerTitle(row.solver);
+        svg += text(left ? x - 10.0 : x + 10.0, y + (fails ? lower : 4.0), words, "c-ink",
+                    left ? "end" : "start", 11);
+        if (fails) lower += 14.0;
     }
     return svg;
 }

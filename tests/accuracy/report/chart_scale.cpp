@@ -28,7 +28,7 @@ std::vector<LogScale::Tick> LogScale::ticks() const {
             if (part == 1.0) {
                 ticks.push_back({value, power % stride == 0});
             } else if (decades <= 3) {
-                ticks.push_back({value, decades <= 2});
+                ticks.push_back({value, true});
             }
         }
     }

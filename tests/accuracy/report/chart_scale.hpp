@@ -19,7 +19,8 @@ public:
         double value = 0.0;
         bool named = true;
     };
-    /// Whole powers of ten; where there are fewer than three, 2 and 5 of each too.
+    /// Whole powers of ten, all or every second of them named; over three of them or fewer, 2 and 5 of each
+    /// too.
     [[nodiscard]] std::vector<Tick> ticks() const;
 
 private:

@@ -48,16 +48,19 @@ Order orderOf(std::span<const Sample> samples) {
     Run run = longestFall(good);
     const bool falls = run.size() >= kFewest;
     if (!falls) run = {0, good.size()};
+    const bool ends = falls && run.end < good.size();
+    const Run all = run;
+    if (ends && run.size() > kFewest) --run.end;  // the last one already has some of the floor in it
     const std::span<const Sample> used = std::span{good}.subspan(run.begin, run.size());
     Order order{.power = -slopeOf(used),
                 .first = used.front().effort,
                 .last = used.back().effort,
                 .points = static_cast<int>(used.size())};
-    if (falls && run.end < good.size()) {
-        order.floor = used.back().error;
-        for (std::size_t i = run.end; i < good.size(); ++i)
+    if (ends) {
+        order.floorFrom = good[all.end - 1].effort;
+        order.floor = good[all.end - 1].error;
+        for (std::size_t i = all.end; i < good.size(); ++i)
             order.floor = std::min(order.floor, good[i].error);
-        order.floorFrom = used.back().effort;
     }
     return order;
 }

@@ -23,7 +23,8 @@ struct Order {
 
 /// Fits a straight line by least squares, on log scales, to the longest row of points each of which is at
 /// least 15 % better than the one before; to all of them where no three in a row are. What follows that
-/// row is the floor. Points whose error is 0 or no number are left out.
+/// row is the floor, and the last of the row is left out then. Points whose error is 0 or no number are left
+/// out.
 /// @param samples  by growing effort
 Order orderOf(std::span<const Sample> samples);
 

@@ -1,15 +1,8 @@
 #include "tests/accuracy/report/scene_texts.hpp"
 
-#include <algorithm>
-#include <array>
-
 namespace plumb::accuracy {
 
 namespace {
-
-constexpr auto kTexts = std::to_array<SceneText>({
-    {.name = "freefall", .number = 1, .title = "Free fall", .answer = "½ g t² after 2 s."},
-});
 
 constexpr SceneText kNothing{};
 
@@ -22,12 +15,13 @@ constexpr Textbook kTextbook[] = {
 
 }  // namespace
 
-std::span<const SceneText> allSceneTexts() { return kTexts; }
-
 const SceneText& textOf(std::string_view scene) {
-    const auto found = std::find_if(kTexts.begin(), kTexts.end(),
-                                    [scene](const SceneText& text) { return text.name == scene; });
-    return found != kTexts.end() ? *found : kNothing;
+    for (const std::span<const SceneText> texts : {exactTexts(), hardTexts()}) {
+        for (const SceneText& text : texts) {
+            if (text.name == scene) return text;
+        }
+    }
+    return kNothing;
 }
 
 double textbookOrder(std::string_view integrator) {

@@ -20,7 +20,8 @@ struct SceneText {
     static constexpr double kNoOrder = -1.0;
 };
 
-std::span<const SceneText> allSceneTexts();
+std::span<const SceneText> exactTexts();  ///< of scenes with exact answers: texts_exact.cpp
+std::span<const SceneText> hardTexts();   ///< of all others: texts_hard.cpp
 /// That of a scene; one without words for a scene that has none.
 const SceneText& textOf(std::string_view scene);
 

@@ -72,6 +72,7 @@ std::vector<Method> methodsOf(const Experiment& experiment, const SweepOptions& 
         for (const bool trees : {true, false}) {
             if (!trees && !experiment.has(kJoints)) continue;
             for (const physics::Quality quality : kIterated) {
+                if (!experiment.quick && quality != Method{}.quality) continue;  // they take minutes
                 for (const int iterations : {2, 4, 8})
                     methods.push_back({.quality = quality, .iterations = iterations, .jointTrees = trees});
             }
