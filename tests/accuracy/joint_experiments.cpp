@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "tests/accuracy/experiments.hpp"
+#include "tests/accuracy/formulas.hpp"
 #include "tests/bench/physics/scenes.hpp"
 
 namespace plumb::accuracy {
@@ -11,13 +12,9 @@ namespace {
 constexpr double kMillimetres = 1000.0;
 constexpr Material kGhost{.group = -1};  // its bodies never meet
 
-BodyHandle pin(Trial& trial, Vec2 place) {
-    return trial.scene().createBody({.motion = scenes::Motion::Static, .position = place});
-}
-
 /// Twenty links that hang from a pin at the origin, and a ball `ratio` times as heavy as one.
 void hangingChain(Trial& trial, float ratio, double target) {
-    BodyHandle last = pin(trial, {});
+    BodyHandle last = trial.pin({});
     Vec2 hold;
     for (int i = 0; i < 20; ++i) {
         const BodyHandle link =
@@ -50,32 +47,54 @@ void reportJoints(Trial& trial, double seconds, double mean, double most) {
 
 }  // namespace
 
-void pendulum(Trial& trial) {
-    const BodyHandle hook = pin(trial, {});
-    const BodyHandle bob = trial.add(scenes::circle(0.1f), {1.0f, 0.0f}, kGhost);
-    static_cast<void>(physics::createJoint(trial.world(), {.kind = physics::JointKind::Revolute,
-                                                           .a = trial.scene().idOf(hook),
-                                                           .b = trial.scene().idOf(bob),
-                                                           .anchorB = {-1.0f, 0.0f}}));
-    // Its energy, as a height: of the last second, in which it swings through all heights.
-    double lost = 0.0;
-    trial.run(10.0, [&](double time) {
-        if (time < 9.0) return;
-        const Vec2 v = trial.velocity(bob);
-        const double spin =
-            static_cast<double>(physics::angularVelocityOf(trial.world(), trial.scene().idOf(bob)));
-        const double energy = 0.5 * static_cast<double>(lengthSquared(v)) + 0.25 * 0.01 * spin * spin;
-        const double height = trial.y(bob) + energy / kGravity;
-        lost = std::max(lost, std::fabs(height));
-    });
-    trial.report("height", lost * 100.0, "%", 0.05);
-}
-
 void chain100(Trial& trial) { hangingChain(trial, 100.0f, 10.0); }
 void chain1000(Trial& trial) { hangingChain(trial, 1000.0f, 30.0); }
 
+void catenary(Trial& trial) {
+    constexpr int kRods = 40;
+    constexpr double kLength = 0.25, kSpan = 8.0;  // m: of a rod, between the posts
+    const auto link = static_cast<float>(kLength);
+    // It starts as a V of the same length, and the air slows it down until it hangs still.
+    const double steep = std::acos(kSpan / (kRods * kLength));
+    BodyHandle last = trial.pin({});
+    Vec2 hold;
+    std::vector<BodyHandle> rods;
+    double x = 0.0, y = 0.0;
+    for (int i = 0; i < kRods; ++i) {
+        const double angle = 2 * i < kRods ? -steep : steep;
+        const double stepX = kLength * std::cos(angle), stepY = kLength * std::sin(angle);
+        const BodyHandle rod = trial.scene().createBody(
+            {.position = {static_cast<float>(x + 0.5 * stepX), static_cast<float>(y + 0.5 * stepY)},
+             .angle = static_cast<float>(angle),
+             .drag = 2.0f});
+        trial.scene().addShape(rod, scenes::box({0.5f * link, 0.02f}), kGhost);
+        trial.scene().addHinge({.a = last, .b = rod, .anchorA = hold, .anchorB = {-0.5f * link, 0.0f}});
+        rods.push_back(rod);
+        last = rod;
+        hold = {0.5f * link, 0.0f};
+        x += stepX;
+        y += stepY;
+    }
+    trial.scene().addHinge({.a = last, .b = trial.pin({static_cast<float>(kSpan), 0.0f}), .anchorA = hold});
+    trial.run(30.0);
+    const std::vector<double> angles = chainAngles(kRods, kLength, kSpan);
+    const double a = catenaryOf(kRods * kLength, kSpan), low = a * (1.0 - std::cosh(0.5 * kSpan / a));
+    double place = 0.0, curve = 0.0;
+    x = y = 0.0;
+    for (std::size_t i = 0; i < angles.size(); ++i) {
+        const double stepX = kLength * std::cos(angles[i]), stepY = kLength * std::sin(angles[i]);
+        const double isX = trial.x(rods[i]), isY = trial.y(rods[i]);
+        place = std::max(place, std::hypot(isX - (x + 0.5 * stepX), isY - (y + 0.5 * stepY)));
+        curve = std::max(curve, std::fabs(isY - (low + a * (std::cosh((isX - 0.5 * kSpan) / a) - 1.0))));
+        x += stepX;
+        y += stepY;
+    }
+    trial.report("place", place * kMillimetres, "mm", 1.0);
+    trial.report("curve", curve / -low * 100.0, "%", 1.0);  // of its sag; rods are not quite a rope
+}
+
 void ballAndChain(Trial& trial) {
-    BodyHandle last = pin(trial, {});
+    BodyHandle last = trial.pin({});
     Vec2 hold;
     for (int i = 0; i < 40; ++i) {
         const BodyHandle link = trial.add(scenes::capsule({-0.5f, 0.0f}, {0.5f, 0.0f}, 0.125f),
@@ -85,13 +104,13 @@ void ballAndChain(Trial& trial) {
         hold = {0.5f, 0.0f};
     }
     const BodyHandle ball = trial.add(scenes::circle(4.0f), {44.0f, 0.0f}, kGhost);
-    trial.setMass(ball, 500.0f * physics::massOf(trial.world(), trial.scene().idOf(last)));
+    trial.setMass(ball, 500.0f * physics::massOf(trial.world(), trial.id(last)));
     trial.scene().addHinge({.a = last, .b = ball, .anchorA = hold, .anchorB = {-4.0f, 0.0f}});
     reportJoints(trial, 20.0, 5.1, 0.0);
 }
 
 void bridge160(Trial& trial) {
-    BodyHandle last = pin(trial, {-80.0f, 20.0f});
+    BodyHandle last = trial.pin({-80.0f, 20.0f});
     Vec2 hold;
     for (int i = 0; i < 160; ++i) {
         const BodyHandle plank =
@@ -101,13 +120,12 @@ void bridge160(Trial& trial) {
         last = plank;
         hold = {0.5f, 0.0f};
     }
-    trial.scene().addHinge({.a = last, .b = pin(trial, {80.0f, 20.0f}), .anchorA = hold});
+    trial.scene().addHinge({.a = last, .b = trial.pin({80.0f, 20.0f}), .anchorA = hold});
     reportJoints(trial, 20.0, 3.0, 0.0);
 }
 
 void jointGrid(Trial& trial) {
-    const auto* const scene = scenes::findScene("jointgrid100");
-    scene->build(trial.scene(), 100);
+    scenes::buildJointGrid(trial.scene(), 100);
     reportJoints(trial, 4.0, 0.6, 19.0);
 }
 

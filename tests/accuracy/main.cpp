@@ -1,131 +1,175 @@
-// Experiments with known answers: what each quality reaches, in which time, beside what it should.
+// Experiments with known answers: what each way to simulate them reaches, in which time, beside what it
+// should.
+// ./plumb accuracy
 
-#include <algorithm>
 #include <cstdio>
-#include <cstdlib>
-#include <memory>
-#include <string>
-#include <vector>
+#include <unistd.h>
 
+#include "core/clock.hpp"
 #include "core/file.hpp"
 #include "core/text.hpp"
-#include "tests/accuracy/experiments.hpp"
+#include "tests/accuracy/report/chart.hpp"
+#include "tests/accuracy/report/guide.hpp"
+#include "tests/accuracy/report/options.hpp"
+#include "tests/accuracy/report/orders.hpp"
+#include "tests/accuracy/report/page.hpp"
+#include "tests/accuracy/report/sweep.hpp"
+#include "tests/accuracy/report/tables.hpp"
+#include "tests/bench/physics/peers/peers.hpp"
+#include "tests/support/allocations.hpp"
+#if __has_include("tests/accuracy/stability/stability.hpp")
+#include "tests/accuracy/stability/stability.hpp"
+#define PLUMB_STABILITY
+#endif
 
 namespace {
 
 using namespace plumb;
 using namespace plumb::accuracy;
 
-struct Options {
-    std::string scene;  // empty for all
-    std::string json;
-    bool quick = false;
-    int runs = 3;  // of each, of which the fastest counts
-    std::vector<physics::Quality> qualities{2, 3, 4, 5, physics::kQualityOfWorld};
+/// Says what runs, how much of all is done, and how long the rest takes.
+class Teller {
+public:
+    explicit Teller(bool loud) : loud_{loud} {}
+
+    void tell(const Progress& progress) {
+        if (!loud_) return;
+        const double now = wallSeconds(), spent = now - start_;
+        std::string rest;
+        if (spent > 2.0 && progress.part > 0.01) {
+            const double left = spent * (1.0 - progress.part) / progress.part;
+            rest = left < 90.0 ? format(", about {} s left", static_cast<int>(left) + 1)
+                               : format(", about {} min left", static_cast<int>(left / 60.0 + 0.5));
+        }
+        const std::string what = format("{} of {}{}: {}, {}", progress.number, progress.all, rest,
+                                        progress.experiment->name, progress.method);
+        if (isatty(STDERR_FILENO) != 0) {
+            std::fprintf(stderr, "\r\033[K%s", what.c_str());
+        } else if (now - told_ > kPause) {
+            std::fprintf(stderr, "%s\n", what.c_str());
+            told_ = now;
+        }
+        std::fflush(stderr);
+    }
+    void clear() const {
+        if (loud_ && isatty(STDERR_FILENO) != 0) std::fprintf(stderr, "\r\033[K");
+    }
+
+private:
+    static constexpr double kPause = 10.0;  // s between two lines, where they pile up
+    double start_ = wallSeconds();
+    double told_ = start_;
+    bool loud_;
 };
 
-int usage() {
-    std::fprintf(stderr,
-                 "plumb-accuracy-physics [--scene NAME] [--quick] [--runs N] [--quality 0..6] [--json FILE]\n"
-                 "Scenes:");
-    for (const Experiment& experiment : allExperiments())
-        std::fprintf(stderr, " %s", std::string(experiment.name).c_str());
-    std::fprintf(stderr, "\n");
-    return 2;
+void printHeader() {
+    std::printf("%-14s %-9s %-27s %9s %12s %-8s %9s   %9s %8s\n", "scene", "figure", "solver", "substeps",
+                "error", "unit", "target", "us/step", "target");
 }
 
-bool read(int argc, char** argv, Options& options) {
-    for (int i = 1; i < argc; ++i) {
-        const std::string word = argv[i];
-        if (word == "--quick") {
-            options.quick = true;
-            options.runs = 1;
-            continue;
-        }
-        if (i + 1 == argc) return false;
-        const std::string value = argv[++i];
-        if (word == "--scene") {
-            options.scene = value;
-        } else if (word == "--json") {
-            options.json = value;
-        } else if (word == "--runs") {
-            options.runs = std::max(1, std::atoi(value.c_str()));
-        } else if (word == "--quality") {
-            options.qualities = {static_cast<physics::Quality>(std::clamp(std::atoi(value.c_str()), 0, 6))};
-        } else {
-            return false;
-        }
-    }
-    return true;
+/// The default method at each quality, and the other engines; the rest is in the files.
+bool isPrinted(const Row& row) {
+    return row.method.peer != nullptr || (row.method.iterations == 1 && row.method.jointTrees &&
+                                          row.method.integrator == Method{}.integrator);
 }
 
-std::string jsonOf(const Experiment& experiment, const Finding& finding, int substeps, double micros) {
-    const std::string name = finding.name.empty() ? "" : "." + finding.name;
-    return format(
-        "  {\"scene\": \"{}{}\", \"solver\": \"softStep\", \"integrator\": \"semiImplicitEuler\", "
-        "\"substeps\": {}, \"iterations\": 1, \"error\": {}, \"unit\": \"{}\", \"usPerStep\": {}, "
-        "\"target\": {}, \"usTarget\": {}}",
-        experiment.name, name, substeps, finding.error, finding.unit, micros, finding.target,
-        experiment.micros);
-}
-
-void print(const Experiment& experiment, const Trial& trial, const std::string& substeps, double micros) {
-    for (const Finding& finding : trial.findings()) {
-        const bool exact = finding.error <= finding.target;
-        const bool fast = experiment.micros <= 0.0 || micros <= experiment.micros;
-        std::printf("%-14s %-9s %4s %12s %-6s %9s   %9.2f %8s   %s\n", std::string(experiment.name).c_str(),
-                    finding.name.c_str(), substeps.c_str(), fixedText(finding.error, 6).c_str(),
-                    finding.unit.c_str(), fixedText(finding.target, 4).c_str(), micros,
-                    experiment.micros > 0.0 ? fixedText(experiment.micros, 0).c_str() : "-",
-                    !exact ? "MISSED"
-                    : fast ? "met"
-                           : "met, but slow");
+void print(std::span<const Row> rows) {
+    for (const Row& row : rows) {
+        if (!isPrinted(row)) continue;
+        const bool goal = row.target != kNoTarget;
+        const std::string substeps = row.method.peer != nullptr ? "its own"
+                                     : row.automatic()          ? "auto"
+                                                                : format("{}", row.substeps);
+        std::printf("%-14s %-9s %-27s %9s %12s %-8s %9s   %9.2f %8s   %s\n", row.scene.c_str(),
+                    row.figure.c_str(), peerTitle(row.solver).c_str(), substeps.c_str(),
+                    figureText(row.error).c_str(), row.unit.c_str(),
+                    goal ? figureText(row.target).c_str() : "-", row.metrics.microsPerStep,
+                    row.usTarget > 0.0 ? figureText(row.usTarget).c_str() : "-",
+                    !goal        ? ""
+                    : !row.met() ? "MISSED"
+                    : row.fast() ? "met"
+                                 : "met, but slow");
     }
     std::fflush(stdout);
 }
 
-void run(const Experiment& experiment, const Options& options, std::vector<std::string>& rows) {
-    for (const physics::Quality quality : options.qualities) {
-        double micros = 0.0;
-        std::unique_ptr<Trial> trial;
-        for (int i = 0; i < options.runs; ++i) {
-            trial = std::make_unique<Trial>(quality, experiment.gravity);
-            experiment.run(*trial);
-            micros = i == 0 ? trial->microsPerStep() : std::min(micros, trial->microsPerStep());
-        }
-        if (!trial->scene().missing().empty()) {
-            std::printf("%-14s left out: %s\n", std::string(experiment.name).c_str(),
-                        trial->scene().missing().c_str());
-            return;
-        }
-        const bool automatic = quality == physics::kQualityOfWorld;
-        print(experiment, *trial, automatic ? "auto" : format("{}", 1 << quality), micros);
-        if (automatic) continue;  // no point of a curve
-        for (const Finding& finding : trial->findings())
-            rows.push_back(jsonOf(experiment, finding, 1 << quality, micros));
+void printOrders(const std::vector<Row>& rows) {
+    std::printf("\n%-14s %-27s %14s %9s   %s\n", "scene", "method", "order", "expected", "floor");
+    for (const OrderRow& row : ordersOf(rows)) {
+        std::printf("%-14s %-27s %14s %9s   %s\n", row.scene.c_str(), row.method.c_str(),
+                    powerText(row.order).c_str(), row.expected ? figureText(*row.expected).c_str() : "-",
+                    floorText(row).c_str());
     }
+}
+
+bool write(const Path& path, std::string_view text) {
+    const auto written = writeFile(path, text);
+    if (!written) std::fprintf(stderr, "%s\n", written.error().text().c_str());
+    return written.ok();
+}
+
+bool writeAll(const Options& options, const std::vector<Row>& rows, double seconds) {
+    const std::string how = howItRan(options, rows, seconds);
+    bool good = write(options.out / "results.csv", csvOf(rows)) &&
+                write(options.out / "results.json", jsonOf(rows)) &&
+                write(options.out / "accuracy.html", pageOf(rows, how));
+    if (good) std::printf("\nwrote %s\n", (options.out / "accuracy.html").c_str());
+    if (!good || options.docs.empty()) return good;
+    good = write(options.docs / "accuracy.md", guideOf(rows, how));
+    for (const std::string_view scene : guideScenes()) {
+        const std::vector<Row> own = rowsOf(rows, scene);
+        const std::string svg = svgOf(chartOf(textOf(scene).title, own));
+        if (good && !own.empty()) good = write(options.docs / "accuracy" / format("{}.svg", scene), svg);
+    }
+    if (good) std::printf("wrote %s\n", (options.docs / "accuracy.md").c_str());
+    return good;
+}
+
+int runStabilityMap(const Options& options) {
+#if defined(PLUMB_STABILITY)
+    return runStability(options.stabilityWords);
+#else
+    static_cast<void>(options);
+    std::fprintf(stderr, "the stability map is not part of this program\n");
+    return 1;
+#endif
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-    Options options;
-    if (!read(argc, argv, options)) return usage();
-    std::printf("%-14s %-9s %4s %12s %-6s %9s   %9s %8s\n", "scene", "figure", "sub", "error", "unit",
-                "target", "us/step", "target");
-    std::vector<std::string> rows;
-    bool found = false;
-    for (const Experiment& experiment : allExperiments()) {
-        if (options.scene.empty() ? options.quick && !experiment.quick : options.scene != experiment.name)
-            continue;
-        found = true;
-        run(experiment, options, rows);
+    const std::vector<std::string_view> words(argv + 1, argv + argc);
+    const auto read = readOptions(words);
+    if (!read) {
+        std::fprintf(stderr, "%s\n", read.error().text().c_str());
+        return 2;
     }
-    if (!found) return usage();
-    if (options.json.empty()) return 0;
-    std::string text = "[\n";
-    for (std::size_t i = 0; i < rows.size(); ++i) text += rows[i] + (i + 1 < rows.size() ? ",\n" : "\n");
-    const auto written = writeFile(options.json, text + "]\n");
-    if (!written) std::fprintf(stderr, "%s\n", written.error().text().c_str());
-    return written ? 0 : 1;
+    const Options& options = *read;
+    if (options.help) {
+        std::printf("%s", helpText().c_str());
+        return 0;
+    }
+    if (options.stability) return runStabilityMap(options);
+
+    std::vector<scenes::Engine> peers;
+    if (options.peers) {
+        for (const scenes::Engine& engine : scenes::peerEngines()) {
+            if (engine.name != "box2d-2.4-unswept") peers.push_back(engine);  // sweeps only cost time here
+        }
+    }
+    SweepOptions sweepOptions = options.sweep;
+    sweepOptions.peers = peers;
+    sweepOptions.count = [] { return test::allocations().made; };
+    Teller teller{true};
+    const double start = wallSeconds();
+    printHeader();
+    const std::vector<Row> rows = sweep(
+        sweepOptions, [&](const Progress& progress) { teller.tell(progress); },
+        [&](std::span<const Row> done) {
+            teller.clear();
+            print(done);
+        });
+    teller.clear();
+    printOrders(rows);
+    return writeAll(options, rows, wallSeconds() - start) ? 0 : 1;
 }

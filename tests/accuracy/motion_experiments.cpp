@@ -28,26 +28,6 @@ void projectile(Trial& trial) {
     trial.report("", std::sqrt(x * x + y * y) * 1000.0, "mm", 0.1);
 }
 
-void tenBounces(Trial& trial) {
-    constexpr double kHeight = 2.0;  // m under the ball
-    trial.floor();
-    const BodyHandle ball = trial.add(scenes::circle(0.5f), {0.0f, 2.5f}, kElastic);
-    int bounces = 0;
-    double before = 0.0;
-    double worst = 0.0;
-    trial.run(16.0, [&](double) {
-        const auto speed = static_cast<double>(trial.velocity(ball).y);
-        const bool bounced = before < 0.0 && speed > 0.0;
-        before = speed;
-        if (bounced && ++bounces <= 10) {
-            const double height = trial.y(ball) - 0.5 + speed * speed / (2.0 * kGravity);
-            worst = std::fabs(height - kHeight) > std::fabs(worst) ? height - kHeight : worst;
-        }
-    });
-    trial.report("height", std::fabs(worst) / kHeight * 100.0, "%", 0.5);
-    trial.report("gained", std::max(worst, 0.0) / kHeight * 100.0, "%", 0.005);
-}
-
 void incline(Trial& trial) {
     constexpr double kSlope = 0.5;  // rad
     constexpr double kFriction = 0.2;

@@ -68,6 +68,15 @@ void stackOf20(Trial& trial) {
     const std::vector<BodyHandle> crates = stackUp(trial, 20);
     trial.run(10.0);
     trial.report("", std::fabs(trial.y(crates.back()) - 19.5) * kMillimetres, "mm", 5.0);
+    // What a level carries is the weight of those above it.
+    double worst = 0.0;
+    for (std::size_t level = 1; level < crates.size(); ++level) {
+        const auto push = trial.pushBetween(crates[level - 1], crates[level]);
+        if (!push) return;
+        const double weight = static_cast<double>(crates.size() - level) * kGravity;  // N: of crates of 1 kg
+        worst = std::max(worst, std::fabs(*push - weight) / weight);
+    }
+    trial.report("force", worst * 100.0, "%", 1.0);
 }
 
 void heavyBox100(Trial& trial) { heavyBox(trial, 100.0f, 2.0); }
@@ -124,7 +133,7 @@ void farPyramid(Trial& trial) {
     std::vector<BodyHandle> all = pileUp(trial, 10, {-5.0f, 0.0f}, 1.0f);
     all.push_back(ground);
     for (const BodyHandle body : all) {
-        static_cast<void>(physics::setPosition(trial.world(), trial.scene().idOf(body),
+        static_cast<void>(physics::setPosition(trial.world(), trial.id(body),
                                                {trial.x(body) + kFar, trial.y(body) + kFar}, 0.0f));
     }
     trial.run(10.0);

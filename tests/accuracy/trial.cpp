@@ -3,6 +3,10 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <limits>
+
+#include "core/assert.hpp"
+#include "tests/bench/physics/scene_error.hpp"
 
 namespace plumb::accuracy {
 
@@ -14,9 +18,31 @@ double now() {
 
 }  // namespace
 
-Trial::Trial(physics::Quality quality, Vec2 gravity) : scene_{{.gravity = gravity, .sleeping = false}} {
-    world().settings.automaticQuality = quality == physics::kQualityOfWorld;
-    if (quality != physics::kQualityOfWorld) world().settings.quality = quality;
+Trial::Trial(const Method& method, Vec2 gravity, CountAllocations count) : method_{method}, count_{count} {
+    const scenes::WorldSetup setup{.gravity = gravity, .sleeping = false};
+    if (method.peer != nullptr) {
+        scene_ = method.peer->open(setup);
+        return;
+    }
+    auto made = std::make_unique<scenes::PlumbWorld>(setup);
+    plumb_ = made.get();
+    scene_ = std::move(made);
+    physics::Settings& settings = world().settings;
+    settings.automaticQuality = method.quality == physics::kQualityOfWorld;
+    if (!settings.automaticQuality) settings.quality = method.quality;
+    settings.iterations = static_cast<std::uint8_t>(method.iterations);
+    settings.directJoints = method.jointTrees;
+    settings.integrator = method.integrator;
+}
+
+physics::World& Trial::world() {
+    PLUMB_ASSERT(plumb_ != nullptr, "the world of another engine was asked for");
+    return plumb_->world();
+}
+
+physics::BodyId Trial::id(BodyHandle body) const {
+    PLUMB_ASSERT(plumb_ != nullptr, "a body of another engine was asked for");
+    return plumb_->idOf(body);
 }
 
 BodyHandle Trial::floor(const Material& material) {
@@ -24,60 +50,92 @@ BodyHandle Trial::floor(const Material& material) {
 }
 
 BodyHandle Trial::add(const scenes::Outline& outline, Vec2 centre, const Material& material, float angle) {
-    const BodyHandle body = scene_.createBody({.position = centre});
-    scene_.addShape(body, outline, material);
-    if (angle != 0.0f)
-        static_cast<void>(physics::setPosition(world(), scene_.idOf(body), physics::Place{centre}, angle));
+    const BodyHandle body = scene_->createBody({.position = centre, .angle = angle});
+    scene_->addShape(body, outline, material);
     return body;
 }
 
 BodyHandle Trial::addFixed(const scenes::Outline& outline, Vec2 centre, const Material& material,
                            float angle) {
-    const BodyHandle body = scene_.createBody({.motion = scenes::Motion::Static, .position = centre});
-    scene_.addShape(body, outline, material);
-    if (angle != 0.0f)
-        static_cast<void>(physics::setPosition(world(), scene_.idOf(body), physics::Place{centre}, angle));
+    const BodyHandle body =
+        scene_->createBody({.motion = scenes::Motion::Static, .position = centre, .angle = angle});
+    scene_->addShape(body, outline, material);
     return body;
 }
 
-void Trial::setMass(BodyHandle body, float kilograms) {
-    static_cast<void>(physics::setMass(world(), scene_.idOf(body), kilograms));
-}
-
-void Trial::setVelocity(BodyHandle body, Vec2 velocity) {
-    static_cast<void>(physics::setVelocity(world(), scene_.idOf(body), velocity));
+BodyHandle Trial::pin(Vec2 place) {
+    return scene_->createBody({.motion = scenes::Motion::Static, .position = place});
 }
 
 void Trial::run(double seconds, const std::function<void(double)>& look) {
+    if (steps_ == 0) {
+        scene_->finish();
+        if (plumb_ != nullptr) start_ = world();
+    }
     const int steps = static_cast<int>(std::lround(seconds / static_cast<double>(kTick)));
+    allocated_ = 0;
+    countedSteps_ = 0;
     for (int i = 0; i < steps; ++i) {
+        if (push_) push_(time_);
+        const std::size_t before = count_ != nullptr ? count_() : 0;
         const double start = now();
-        scene_.step(kTick);
+        scene_->step(kTick);
         spent_ += now() - start;
+        if (2 * i >= steps && count_ != nullptr) allocated_ += count_() - before, ++countedSteps_;
         time_ = ++steps_ / 60.0;
+        // Some engines never end a step of a world that has come apart.
+        if (plumb_ == nullptr && steps_ % 8 == 0 && scenes::isLost(*scene_)) lost_ = true;
+        if (lost_) return;
+        if (!(fastest() < Metrics::kRest)) moved_ = time_;
         if (look) look(time_);
     }
 }
 
 void Trial::report(std::string name, double error, std::string unit, double target) {
-    const double known = std::isfinite(error) ? error : std::numeric_limits<double>::infinity();
+    const double known = std::isfinite(error) && !lost_ ? error : std::numeric_limits<double>::infinity();
     findings_.push_back({std::move(name), known, std::move(unit), target});
 }
 
 double Trial::angle(BodyHandle body) const {
-    const scenes::Pose pose = scene_.poseOf(body);
+    const scenes::Pose pose = scene_->poseOf(body);
     return std::atan2(pose.sin, pose.cos);
 }
 
-Vec2 Trial::velocity(BodyHandle body) { return physics::velocityOf(world(), scene_.idOf(body)); }
-
-double Trial::fastest() {
+double Trial::fastest() const {
     float best = 0.0f;
-    for (const physics::BodyMotion& motion : world().bodies.motion)
-        best = std::max(best, length(motion.velocity));
+    for (std::uint32_t i = 0; i < scene_->bodies().size(); ++i) {
+        if (!scene_->alive({i}) || !scene_->isDynamic({i})) continue;
+        const float speed = length(scene_->velocityOf({i}));
+        if (!(speed <= best)) best = speed;  // also what is no number
+    }
     return static_cast<double>(best);
 }
 
+std::optional<double> Trial::pushBetween(BodyHandle a, BodyHandle b) {
+    // At automatic quality islands have substeps of their own, and contacts keep the impulse of the last.
+    if (plumb_ == nullptr || method_.quality == physics::kQualityOfWorld) return std::nullopt;
+    const std::uint32_t first = id(a).index, second = id(b).index;
+    double impulse = 0.0;
+    for (const physics::Contact& contact : world().contacts) {
+        if (std::min(contact.bodyA, contact.bodyB) != std::min(first, second)) continue;
+        if (std::max(contact.bodyA, contact.bodyB) != std::max(first, second)) continue;
+        impulse += static_cast<double>(std::fabs(contact.impulse0) + std::fabs(contact.impulse1));
+    }
+    return impulse * 60.0 * static_cast<double>(1 << method_.quality);
+}
+
 double Trial::microsPerStep() const { return steps_ > 0 ? spent_ * 1.0e6 / steps_ : 0.0; }
+
+Metrics Trial::metrics() const {
+    const scenes::SceneError error = scenes::errorOf(*scene_);
+    Metrics metrics{.maxPenetration = error.maxPenetration,
+                    .meanPenetration = error.meanPenetration,
+                    .jointSeparation = error.maxJointError,
+                    .microsPerStep = microsPerStep()};
+    if (!error.finite) metrics.jointSeparation = std::numeric_limits<double>::infinity();
+    if (moved_ < time_) metrics.restTime = moved_;
+    if (countedSteps_ > 0) metrics.allocationsPerStep = static_cast<double>(allocated_) / countedSteps_;
+    return metrics;
+}
 
 }  // namespace plumb::accuracy

@@ -15,8 +15,12 @@ namespace {
 class StillWorld final : public SceneBuilder {
 public:
     void moveTo(BodyHandle, Vec2, float) override {}
+    void setMass(BodyHandle, float) override {}
+    void setVelocity(BodyHandle, Vec2) override {}
     void step(float) override {}
     [[nodiscard]] Pose poseOf(BodyHandle body) const override { return poses_[body.index]; }
+    [[nodiscard]] Vec2 velocityOf(BodyHandle) const override { return {}; }
+    [[nodiscard]] float spinOf(BodyHandle) const override { return 0.0f; }
     [[nodiscard]] std::size_t contactCount() const override { return 0; }
 
 protected:

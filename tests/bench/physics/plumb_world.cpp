@@ -28,6 +28,7 @@ physics::ShapeDefinition definitionOf(const Material& material) {
 void PlumbWorld::makeBody(BodyHandle /*body*/, const BodySetup& setup) {
     const auto made = physics::createBody(world_, {.kind = kindOf(setup.motion),
                                                    .position = setup.position,
+                                                   .angle = setup.angle,
                                                    .velocity = setup.velocity,
                                                    .angularVelocity = setup.spin,
                                                    .linearDrag = setup.drag,

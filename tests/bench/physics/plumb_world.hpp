@@ -26,6 +26,12 @@ public:
     void moveTo(BodyHandle body, Vec2 position, float dt) override {
         static_cast<void>(physics::moveTo(world_, at(body), position, 0.0f, dt));
     }
+    void setMass(BodyHandle body, float kilograms) override {
+        static_cast<void>(physics::setMass(world_, at(body), kilograms));
+    }
+    void setVelocity(BodyHandle body, Vec2 velocity) override {
+        static_cast<void>(physics::setVelocity(world_, at(body), velocity));
+    }
     [[nodiscard]] physics::World& world() { return world_; }
     [[nodiscard]] physics::BodyId idOf(BodyHandle body) const { return ids_[body.index]; }
     void step(float dt) override { physics::step(world_, dt, options_); }
@@ -34,6 +40,12 @@ public:
         const physics::Place place = physics::positionOf(world_, at(body));
         const Rot rotation = physics::rotationOf(world_, at(body));
         return {place.x, place.y, static_cast<double>(rotation.cos), static_cast<double>(rotation.sin)};
+    }
+    [[nodiscard]] Vec2 velocityOf(BodyHandle body) const override {
+        return physics::velocityOf(world_, at(body));
+    }
+    [[nodiscard]] float spinOf(BodyHandle body) const override {
+        return physics::angularVelocityOf(world_, at(body));
     }
     [[nodiscard]] std::size_t contactCount() const override {
         return world_.contacts.size() + world_.sleepers.contacts.size() - world_.sleepers.freeContacts.size();

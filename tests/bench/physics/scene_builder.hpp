@@ -26,6 +26,7 @@ enum class Motion : std::uint8_t { Static, Kinematic, Dynamic };
 struct BodySetup {
     Motion motion = Motion::Dynamic;
     Vec2 position;             ///< m
+    float angle = 0.0f;        ///< rad
     Vec2 velocity;             ///< m/s
     float spin = 0.0f;         ///< rad/s
     float drag = 0.0f;         ///< 1/s
@@ -128,10 +129,15 @@ public:
 
     /// A kinematic body will be there at the end of the next step.
     virtual void moveTo(BodyHandle body, Vec2 position, float dt) = 0;
-    virtual void finish() {}  ///< everything is built
+    /// Kilograms whatever its shapes weigh; their distribution stays.
+    virtual void setMass(BodyHandle body, float kilograms) = 0;
+    virtual void setVelocity(BodyHandle body, Vec2 velocity) = 0;  ///< m/s
+    virtual void finish() {}                                       ///< everything is built
     virtual void step(float dt) = 0;
 
     [[nodiscard]] virtual Pose poseOf(BodyHandle body) const = 0;
+    [[nodiscard]] virtual Vec2 velocityOf(BodyHandle body) const = 0;  ///< m/s, of its centre of mass
+    [[nodiscard]] virtual float spinOf(BodyHandle body) const = 0;     ///< rad/s
     /// Pairs of shapes that the engine holds for near, touching or not.
     [[nodiscard]] virtual std::size_t contactCount() const = 0;
     /// Time by stage over all steps; empty where the engine does not tell.

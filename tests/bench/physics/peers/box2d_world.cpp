@@ -47,6 +47,16 @@ public:
     void moveTo(BodyHandle body, Vec2 position, float dt) override {
         at(body)->SetLinearVelocity((1.0f / dt) * (toPeer(position) - at(body)->GetPosition()));
     }
+    void setMass(BodyHandle body, float kilograms) override {
+        b2MassData mass;
+        at(body)->GetMassData(&mass);
+        mass.I *= kilograms / mass.mass;
+        mass.mass = kilograms;
+        at(body)->SetMassData(&mass);
+    }
+    void setVelocity(BodyHandle body, Vec2 velocity) override {
+        at(body)->SetLinearVelocity(toPeer(velocity));
+    }
     void step(float dt) override {
         world_.Step(dt, kVelocityIterations, kPositionIterations);
         totals_.add(world_.GetProfile());
@@ -57,6 +67,11 @@ public:
         return {static_cast<double>(frame.p.x), static_cast<double>(frame.p.y),
                 static_cast<double>(frame.q.c), static_cast<double>(frame.q.s)};
     }
+    [[nodiscard]] Vec2 velocityOf(BodyHandle body) const override {
+        const b2Vec2 velocity = at(body)->GetLinearVelocity();
+        return {velocity.x, velocity.y};
+    }
+    [[nodiscard]] float spinOf(BodyHandle body) const override { return at(body)->GetAngularVelocity(); }
     [[nodiscard]] std::size_t contactCount() const override {
         return static_cast<std::size_t>(world_.GetContactCount());
     }
@@ -73,6 +88,7 @@ protected:
         b2BodyDef definition;
         definition.type = typeOf(setup.motion);
         definition.position = toPeer(setup.position);
+        definition.angle = setup.angle;
         definition.linearVelocity = toPeer(setup.velocity);
         definition.angularVelocity = setup.spin;
         definition.linearDamping = setup.drag;

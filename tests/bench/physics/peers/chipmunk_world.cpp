@@ -48,6 +48,16 @@ public:
         const cpVect way = cpvsub(toPeer(position), cpBodyGetPosition(at(body)));
         cpBodySetVelocity(at(body), cpvmult(way, 1.0 / static_cast<double>(dt)));
     }
+    void setMass(BodyHandle body, float kilograms) override {
+        // Its shapes would weigh the body anew with each change of theirs.
+        const double mass = cpBodyGetMass(at(body)), moment = cpBodyGetMoment(at(body));
+        for (cpShape* shape : parts_[body.index].shapes) cpShapeSetMass(shape, 0.0);
+        cpBodySetMass(at(body), static_cast<double>(kilograms));
+        cpBodySetMoment(at(body), moment * static_cast<double>(kilograms) / mass);
+    }
+    void setVelocity(BodyHandle body, Vec2 velocity) override {
+        cpBodySetVelocity(at(body), toPeer(velocity));
+    }
     void finish() override {
         for (const BodyHandle body : sleepers_) cpBodySleep(at(body));
     }
@@ -57,6 +67,13 @@ public:
         const cpVect place = cpBodyGetPosition(at(body));
         const cpVect turn = cpBodyGetRotation(at(body));
         return {place.x, place.y, turn.x, turn.y};
+    }
+    [[nodiscard]] Vec2 velocityOf(BodyHandle body) const override {
+        const cpVect velocity = cpBodyGetVelocity(at(body));
+        return {static_cast<float>(velocity.x), static_cast<float>(velocity.y)};
+    }
+    [[nodiscard]] float spinOf(BodyHandle body) const override {
+        return static_cast<float>(cpBodyGetAngularVelocity(at(body)));
     }
     /// It drops pairs that do not touch, so these are fewer than others hold.
     [[nodiscard]] std::size_t contactCount() const override {
@@ -74,6 +91,7 @@ protected:
                                                            : cpBodyNew(0.0, 0.0);
         cpSpaceAddBody(space_, made);
         cpBodySetPosition(made, toPeer(setup.position));
+        cpBodySetAngle(made, static_cast<double>(setup.angle));
         if (setup.motion != Motion::Static) {
             cpBodySetVelocity(made, toPeer(setup.velocity));
             cpBodySetAngularVelocity(made, static_cast<double>(setup.spin));

@@ -1,0 +1,167 @@
+#include "tests/accuracy/report/guide.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <set>
+
+#include "core/text.hpp"
+#include "tests/accuracy/report/chart.hpp"
+#include "tests/accuracy/report/orders.hpp"
+
+namespace plumb::accuracy {
+
+namespace {
+
+constexpr auto kPlots = std::to_array<std::string_view>(
+    {"stack20", "heavy1000", "chain1000", "pendulum", "spring2", "spring10", "orbit", "bullet"});
+
+/// The marks to reach, in this order.
+constexpr auto kMarks =
+    std::to_array<std::string_view>({"stack20", "heavy100", "heavy1000", "chain100", "chain1000", "pendulum",
+                                     "pyramid465", "bounces", "incline", "freefall"});
+
+constexpr std::string_view kStart = R"(# What accuracy costs
+
+Every simulation is wrong by some amount. Plumb shows by how much, and what less of it costs, so that you can choose. All
+figures here come from `./plumb accuracy --docs docs`, which also writes `accuracy.html` with every scene, and tables to
+calculate with. `./plumb accuracy --quick` takes less than a minute; `--scene NAME` runs one.
+
+## What to choose
+
+1. **Leave it at the default** (quality 2: four small steps in each step of 1/60 s) until something looks wrong. It is the ringed point
+   in the plots.
+2. **Something sags, stretches or sinks in?** Raise the *quality* of that body or joint, not of the whole world: each step up
+   doubles the substeps, makes such errors three to four times smaller and costs that island 1.3 to 2 times the time.
+3. **Chains, ropes, bridges, pendulums:** leave *direct joints* on. They hold whatever hangs on them, also at quality 0.
+4. **Springs and orbits** are moved by the *integrator*: Runge-Kutta 4 for slow ones (below about 3 Hz), Verlet for stiff ones and for
+   what must not drift for hours. Explicit Euler is for teaching.
+5. **More iterations** hardly ever pay: most of what is left of an error is softness, which only substeps make smaller.
+
+## How to read the plots
+
+To the left is faster, further down is more exact; each grid line is ten times the one before. A line is one way to simulate the scene, its
+points are 1, 2, 4 … 64 substeps, hollow ones have more iterations instead. The yellow band joins the best buys: no other point is both faster
+and more exact. Green is the goal; a dark diamond is another engine with its own defaults.
+
+)";
+
+std::string cellOf(const Row* row) {
+    if (row == nullptr) return "-";
+    return format("{} {} @ {} µs", figureText(row->error), row->unit, figureText(row->metrics.microsPerStep));
+}
+
+/// The fastest row of the default solver that is exact enough, whatever the time.
+const Row* cheapestThatMeets(const std::vector<Row>& rows, std::string_view scene) {
+    const Row* best = nullptr;
+    for (const Row& row : rows) {
+        if (row.scene != scene || !row.main || !row.met() || row.method.peer != nullptr || row.automatic())
+            continue;
+        if (best == nullptr || row.metrics.microsPerStep < best->metrics.microsPerStep) best = &row;
+    }
+    return best;
+}
+
+std::string howMet(const Row* best) {
+    if (best == nullptr) return "not reached";
+    std::string words = format("{} substeps", best->substeps);
+    if (best->method.iterations > 1) words += format(", {} iterations", best->method.iterations);
+    return format("{}: {}{}", words, cellOf(best), best->fast() ? "" : " (too slow)");
+}
+
+std::string ratioTo(const Row* own, const Row* peer) {
+    if (own == nullptr || peer == nullptr) return "-";
+    const std::string time = figureText(own->metrics.microsPerStep / peer->metrics.microsPerStep);
+    if (!std::isfinite(peer->error)) return format("it fails / {}", time);
+    if (peer->error == 0.0) return format("both 0 / {}", time);
+    return format("{} / {}", figureText(own->error / peer->error), time);
+}
+
+std::string marksOf(const std::vector<Row>& rows) {
+    std::string text =
+        "## Marks to reach\n\nThe error and the time of a step of the whole world. The last column is the "
+        "default's error and time over "
+        "those of Box2D 2.4.1\nin the same run, with its usual 8 velocity and 3 position iterations: below 1 "
+        "is better.\n\n"
+        "| scene | goal | default | the cheapest that is exact enough | Box2D 2.4.1 | default over Box2D: "
+        "error / time |\n"
+        "|---|---|---|---|---|---|\n";
+    for (const std::string_view scene : kMarks) {
+        const Row* const own = defaultRow(rows, scene);
+        if (own == nullptr) continue;
+        const Row* const peer = peerRow(rows, scene, "box2d-2.4");
+        text += format("| {} | ≤ {} {}{} | {} | {} | {} | {} |\n", textOf(scene).title,
+                       figureText(own->target), own->unit,
+                       own->usTarget > 0.0 ? format(" @ ≤ {} µs", figureText(own->usTarget)) : std::string{},
+                       cellOf(own), howMet(cheapestThatMeets(rows, scene)), cellOf(peer), ratioTo(own, peer));
+    }
+    return text + "\n";
+}
+
+std::string plotsOf(const std::vector<Row>& rows) {
+    std::string text = "## Telling scenes\n\n";
+    for (const std::string_view scene : kPlots) {
+        if (defaultRow(rows, scene) == nullptr) continue;
+        const SceneText& words = textOf(scene);
+        text += format("### {}\n\n{} {} {}\n\n![{}](accuracy/{}.svg)\n\n", words.title, words.answer,
+                       words.shows, words.choose, words.title, scene);
+    }
+    return text;
+}
+
+std::string energiesOf(const std::vector<Row>& rows) {
+    std::string text =
+        "## Integrators alone\n\nA spring for 10 s with one substep of 1/60 s: the largest error of its "
+        "energy, in percent.\n\n"
+        "| integrator | 0.5 Hz | 2 Hz | 5 Hz | 10 Hz |\n|---|---|---|---|---|\n";
+    bool any = false;
+    for (int kind = 0; kind < static_cast<int>(physics::IntegratorKind::Count); ++kind) {
+        const std::string_view name = integratorName(static_cast<physics::IntegratorKind>(kind));
+        std::string line = format("| {} |", name);
+        for (const std::string_view scene : {"spring05", "spring2", "spring5", "spring10"}) {
+            const auto row = std::find_if(rows.begin(), rows.end(), [&](const Row& r) {
+                return r.scene == scene && r.figure == "energy" && r.integrator == name && r.substeps == 1;
+            });
+            any = any || row != rows.end();
+            line += format(" {} |", row != rows.end() ? figureText(row->error) : std::string{"-"});
+        }
+        text += line + "\n";
+    }
+    return any ? text + "\n" : std::string{};
+}
+
+std::string orderTable(const std::vector<Row>& rows) {
+    std::string text =
+        "## How fast errors fall\n\nThe p of error ~ 1 / substeps^p, fitted to the points at which the error "
+        "still falls; 2 means that twice the "
+        "substeps leave a\nquarter. What more substeps do not get below is the floor: mostly the rounding of "
+        "single precision, in which all but "
+        "places is kept.\n\n| scene | method | p | expected | floor |\n|---|---|---|---|---|\n";
+    std::set<std::string> explained;
+    std::string reasons;
+    for (const OrderRow& row : ordersOf(rows)) {
+        text += format("| {} | {} | {} | {} | {} |\n", row.scene, row.method, powerText(row.order),
+                       row.expected ? figureText(*row.expected) : std::string{"-"}, floorText(row));
+        if (!row.why.empty() && explained.insert(row.scene).second)
+            reasons += format("* **{}**: {}\n", row.scene, row.why);
+    }
+    return format("{}\nWhere that is not as expected:\n\n{}\n", text, reasons);
+}
+
+}  // namespace
+
+std::string howItRan(const Options& options, const std::vector<Row>& rows, double seconds) {
+    return format("{} figures of {} scenes in {} min, {}best of {} run{}; steps of 1/60 s, one thread.",
+                  rows.size(), chosen(options.sweep).size(), fixedText(seconds / 60.0, 1),
+                  options.sweep.quick ? "quick, " : "", options.sweep.runs,
+                  options.sweep.runs == 1 ? "" : "s");
+}
+
+std::span<const std::string_view> guideScenes() { return kPlots; }
+
+std::string guideOf(const std::vector<Row>& rows, std::string_view how) {
+    return format("{}{}{}{}{}## This run\n\n{}\n", kStart, marksOf(rows), plotsOf(rows), energiesOf(rows),
+                  orderTable(rows), how);
+}
+
+}  // namespace plumb::accuracy

@@ -1,0 +1,119 @@
+#include "tests/accuracy/report/options.hpp"
+
+#include <algorithm>
+
+#include "core/text.hpp"
+
+namespace plumb::accuracy {
+
+namespace {
+
+struct Option {
+    std::string_view name;
+    std::string_view value;  ///< what follows it; empty where nothing does
+    std::string_view help;
+};
+
+constexpr Option kOptions[] = {
+    {"--scene", "NAME", "one scene alone; --list names them"},
+    {"--quick", "", "the scenes that take a moment, three qualities, one run of each: under a minute"},
+    {"--quality", "0..6", "2^N substeps alone, not all from 1 to 64"},
+    {"--runs", "N", "of each, of which the fastest counts (3)"},
+    {"--out", "DIR", "where results.csv, results.json and accuracy.html go (build/accuracy)"},
+    {"--docs", "DIR", "where accuracy.md and its plots go as well (docs, to renew the page of the house)"},
+    {"--no-peers", "", "Plumb alone"},
+    {"--list", "", "the scenes"},
+    {"--stability", "", "the map of how far hard cases hold, instead; what follows is for it"},
+    {"--help", "", "this text"},
+};
+
+std::string optionsText() {
+    std::string text;
+    for (const Option& option : kOptions) {
+        const std::string name = format("{} {}", option.name, option.value);
+        text +=
+            format("  {}{}{}\n", name,
+                   std::string(std::max<std::size_t>(18, name.size() + 1) - name.size(), ' '), option.help);
+    }
+    return text;
+}
+
+Error badWord(std::string_view word, std::string_view what) {
+    return {format("plumb accuracy {}", word), std::string{what}, format("options:\n{}", optionsText())};
+}
+
+std::string sceneNames() {
+    std::string names;
+    for (const Experiment& experiment : allExperiments())
+        names += format("{}{}", names.empty() ? "" : " ", experiment.name);
+    return names;
+}
+
+Error noScene(std::string_view name) {
+    std::vector<std::string_view> names;
+    for (const Experiment& experiment : allExperiments()) names.push_back(experiment.name);
+    const std::string_view near = closestName(name, names);
+    return {format("plumb accuracy --scene {}", name), "there is no such scene",
+            format("{}the scenes: {}", near.empty() ? std::string{} : format("did you mean '{}'? ", near),
+                   sceneNames())};
+}
+
+/// @return what is wrong with the value; empty if nothing
+std::string take(Options& options, std::string_view name, std::string_view value) {
+    const auto number = parseInt(value);
+    if (name == "--out") {
+        options.out = Path{value};
+    } else if (name == "--docs") {
+        options.docs = Path{value};
+    } else if (name == "--scene") {
+        options.sweep.scene = value;
+    } else if (name == "--quality") {
+        if (!number || *number < 0 || *number > physics::kMaxQuality) return "a quality is 0 to 6";
+        options.sweep.qualities = {static_cast<physics::Quality>(*number)};
+    } else if (name == "--runs") {
+        if (!number || *number < 1 || *number > 1000) return "runs are 1 to 1000";
+        options.sweep.runs = static_cast<int>(*number);
+    }
+    return {};
+}
+
+}  // namespace
+
+std::string helpText() {
+    return format(
+        "usage: ./plumb accuracy [options]\n\nMeasures what accuracy costs in time, on scenes whose outcome "
+        "is "
+        "known.\n\n{}\nscenes: {}\n",
+        optionsText(), sceneNames());
+}
+
+Result<Options> readOptions(std::span<const std::string_view> words) {
+    Options options;
+    for (std::size_t i = 0; i < words.size(); ++i) {
+        const std::string_view word = words[i];
+        const auto found = std::find_if(std::begin(kOptions), std::end(kOptions),
+                                        [word](const Option& option) { return option.name == word; });
+        if (found == std::end(kOptions)) return badWord(word, "this word means nothing here");
+        if (!found->value.empty()) {
+            if (i + 1 == words.size()) return badWord(word, format("{} is missing", found->value));
+            const std::string_view value = words[++i];
+            if (const std::string wrong = take(options, word, value); !wrong.empty())
+                return badWord(format("{} {}", word, value), wrong);
+            if (word == "--scene" && findExperiment(value) == nullptr) return noScene(value);
+        } else if (word == "--quick") {
+            options.sweep.quick = true;
+            options.sweep.runs = 1;
+        } else if (word == "--no-peers") {
+            options.peers = false;
+        } else if (word == "--stability") {
+            options.stability = true;
+            options.stabilityWords.assign(words.begin() + static_cast<std::ptrdiff_t>(i) + 1, words.end());
+            return options;
+        } else {
+            options.help = true;  // --help and --list: the help has the list
+        }
+    }
+    return options;
+}
+
+}  // namespace plumb::accuracy

@@ -1,0 +1,84 @@
+#include "tests/accuracy/report/order.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace plumb::accuracy {
+
+namespace {
+
+constexpr double kBetter = 0.85;  // of the error before, where a point still counts as falling
+constexpr std::size_t kFewest = 3;
+
+struct Run {
+    std::size_t begin = 0, end = 0;
+    [[nodiscard]] std::size_t size() const { return end - begin; }
+};
+
+Run longestFall(std::span<const Sample> samples) {
+    Run best, run;
+    for (std::size_t i = 0; i < samples.size(); ++i) {
+        if (i == 0 || samples[i].error > kBetter * samples[i - 1].error) run = {i, i};
+        run.end = i + 1;
+        if (run.size() > best.size()) best = run;
+    }
+    return best;
+}
+
+double slopeOf(std::span<const Sample> samples) {
+    double x = 0.0, y = 0.0, xx = 0.0, xy = 0.0;
+    for (const Sample& sample : samples) {
+        const double a = std::log(sample.effort), b = std::log(sample.error);
+        x += a, y += b, xx += a * a, xy += a * b;
+    }
+    const auto n = static_cast<double>(samples.size());
+    const double spread = n * xx - x * x;
+    return spread > 0.0 ? (n * xy - x * y) / spread : 0.0;
+}
+
+}  // namespace
+
+Order orderOf(std::span<const Sample> samples) {
+    std::vector<Sample> good;
+    for (const Sample& sample : samples) {
+        if (sample.effort > 0.0 && sample.error > 0.0 && std::isfinite(sample.error)) good.push_back(sample);
+    }
+    if (good.size() < 2) return {};
+    Run run = longestFall(good);
+    const bool falls = run.size() >= kFewest;
+    if (!falls) run = {0, good.size()};
+    const bool ends = falls && run.end < good.size();
+    const Run all = run;
+    if (ends && run.size() > kFewest) --run.end;  // the last one already has some of the floor in it
+    const std::span<const Sample> used = std::span{good}.subspan(run.begin, run.size());
+    Order order{.power = -slopeOf(used),
+                .first = used.front().effort,
+                .last = used.back().effort,
+                .points = static_cast<int>(used.size())};
+    if (ends) {
+        order.floorFrom = good[all.end - 1].effort;
+        order.floor = good[all.end - 1].error;
+        for (std::size_t i = all.end; i < good.size(); ++i)
+            order.floor = std::min(order.floor, good[i].error);
+    }
+    return order;
+}
+
+std::vector<std::size_t> paretoFront(std::span<const Sample> samples) {
+    std::vector<std::size_t> byEffort;
+    for (std::size_t i = 0; i < samples.size(); ++i) {
+        if (std::isfinite(samples[i].error) && std::isfinite(samples[i].effort)) byEffort.push_back(i);
+    }
+    std::stable_sort(byEffort.begin(), byEffort.end(), [samples](std::size_t a, std::size_t b) {
+        return samples[a].effort < samples[b].effort ||
+               (samples[a].effort == samples[b].effort && samples[a].error < samples[b].error);
+    });
+    std::vector<std::size_t> front;
+    for (const std::size_t i : byEffort) {
+        if (front.empty() || samples[i].error < samples[front.back()].error) front.push_back(i);
+    }
+    return front;
+}
+
+}  // namespace plumb::accuracy

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace plumb::accuracy {
+
+/// One point of a work-precision plot.
+struct Sample {
+    double effort = 0.0;  ///< substeps, or µs a step
+    double error = 0.0;
+};
+
+/// The p of error ~ 1 / effort^p, and down to where it holds.
+struct Order {
+    double power = 0.0;
+    double first = 0.0, last = 0.0;  ///< effort: of the points it was fitted to
+    int points = 0;                  ///< 0: too few to tell
+    double floor = 0.0;              ///< the error that more effort does not get below; 0 where none was met
+    double floorFrom = 0.0;          ///< effort from which on
+};
+
+/// Fits a straight line by least squares, on log scales, to the longest row of points each of which is at
+/// least 15 % better than the one before; to all of them where no three in a row are. What follows that
+/// row is the floor, and the last of the row is left out then. Points whose error is 0 or no number are left
+/// out.
+/// @param samples  by growing effort
+Order orderOf(std::span<const Sample> samples);
+
+/// Indices of the samples that no other beats in both effort and error, by growing effort.
+std::vector<std::size_t> paretoFront(std::span<const Sample> samples);
+
+}  // namespace plumb::accuracy

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "tests/accuracy/report/order.hpp"
+#include "tests/accuracy/report/row.hpp"
+
+namespace plumb::accuracy {
+
+/// How fast the error of a scene falls with more substeps, beside what was expected.
+struct OrderRow {
+    std::string scene;
+    std::string method;  ///< solver or integrator
+    Order order;
+    std::optional<double> expected;
+    std::string unit;
+    std::string why;  ///< empty where it is as expected
+};
+
+/// Of each scene with all its solvers and integrators, at one iteration.
+std::vector<OrderRow> ordersOf(const std::vector<Row>& rows);
+
+/// "1.98", "too few points".
+std::string powerText(const Order& order);
+/// "from 16 substeps on 0.02 mm", "not met".
+std::string floorText(const OrderRow& row);
+
+}  // namespace plumb::accuracy

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "tests/accuracy/trial.hpp"
+
+namespace plumb::accuracy {
+
+/// One figure of one scene, simulated in one way: a line of results.csv.
+struct Row {
+    std::string scene;
+    std::string figure;  ///< empty where a scene has one figure
+    bool main = false;   ///< the first figure of its scene: what is plotted
+    Method method;
+    std::string solver;      ///< in plain words; of another engine its name
+    std::string integrator;  ///< in plain words
+    int substeps = 0;        ///< 0: as many as each island needs, or as another engine has it
+    double error = 0.0;      ///< infinite where the scene came apart
+    std::string unit;
+    double target = 0.0;    ///< infinite where there is none
+    double usTarget = 0.0;  ///< µs a step; 0 where there is none
+    Metrics metrics;
+
+    [[nodiscard]] bool automatic() const {
+        return method.peer == nullptr && method.quality == physics::kQualityOfWorld;
+    }
+    [[nodiscard]] bool met() const { return error <= target; }
+    [[nodiscard]] bool fast() const { return usTarget <= 0.0 || metrics.microsPerStep <= usTarget; }
+};
+
+/// What a scene is simulated with unless somebody says otherwise.
+inline bool isDefault(const Method& method) { return method == Method{}; }
+
+std::string_view integratorName(physics::IntegratorKind kind);
+/// @param joints  whether the scene has any: without them trees make no difference
+std::string solverName(const Method& method, bool joints);
+
+/// The rows of a scene, in their order.
+std::vector<Row> rowsOf(const std::vector<Row>& rows, std::string_view scene);
+/// The row of a scene's main figure by the default method; nullptr where it was not run.
+const Row* defaultRow(const std::vector<Row>& rows, std::string_view scene);
+/// The main figure of a scene by another engine.
+const Row* peerRow(const std::vector<Row>& rows, std::string_view scene, std::string_view engine);
+
+/// For people: three digits that count, 1.2e-07 where that is shorter.
+std::string figureText(double value);
+
+}  // namespace plumb::accuracy

@@ -1,0 +1,65 @@
+#include "tests/accuracy/report/order.hpp"
+
+#include <cmath>
+#include <limits>
+
+#include <gtest/gtest.h>
+
+namespace plumb::accuracy {
+namespace {
+
+std::vector<Sample> samplesOf(double power, double floor = 0.0) {
+    std::vector<Sample> samples;
+    for (double n = 1.0; n <= 64.0; n *= 2.0)
+        samples.push_back({n, std::max(3.0 * std::pow(n, -power), floor)});
+    return samples;
+}
+
+TEST(Order, isThePowerOfWhatFallsByOne) {
+    for (const double power : {0.5, 1.0, 2.0, 4.0}) {
+        const Order order = orderOf(samplesOf(power));
+        EXPECT_NEAR(order.power, power, 1e-9);
+        EXPECT_EQ(order.points, 7);
+        EXPECT_EQ(order.floorFrom, 0.0);
+    }
+}
+
+TEST(Order, looksNoFurtherThanTheFloorAndSaysWhereItIs) {
+    const Order order = orderOf(samplesOf(2.0, 0.008));  // reached between 16 and 32
+    EXPECT_NEAR(order.power, 2.0, 1e-9);
+    EXPECT_EQ(order.first, 1.0);
+    EXPECT_EQ(order.last, 16.0);
+    EXPECT_EQ(order.floor, 0.008);
+    EXPECT_EQ(order.floorFrom, 32.0);
+}
+
+TEST(Order, leavesOutWhatCameApartAndWhatIsExact) {
+    std::vector<Sample> samples = samplesOf(2.0);
+    samples[0].error = std::numeric_limits<double>::infinity();
+    samples[6].error = 0.0;
+    const Order order = orderOf(samples);
+    EXPECT_NEAR(order.power, 2.0, 1e-9);
+    EXPECT_EQ(order.points, 5);
+    EXPECT_EQ(order.first, 2.0);
+}
+
+TEST(Order, ofWhatDoesNotFallIsAboutZero) {
+    const std::vector<Sample> samples{{1, 1.0}, {2, 1.1}, {4, 0.95}, {8, 1.02}, {16, 1.0}};
+    const Order order = orderOf(samples);
+    EXPECT_NEAR(order.power, 0.0, 0.05);
+    EXPECT_EQ(order.points, 5);
+    EXPECT_EQ(order.floorFrom, 0.0);
+}
+
+TEST(Order, ofOnePointIsNotKnown) { EXPECT_EQ(orderOf(std::vector<Sample>{{1, 1.0}}).points, 0); }
+
+TEST(ParetoFront, hasWhatNothingBeatsInBoth) {
+    //                                 slow, exact | beaten by 2 | fast | alike 2, dearer | came apart
+    const std::vector<Sample> samples{{9.0, 0.1}, {5.0, 2.0}, {4.0, 1.0},
+                                      {1.0, 7.0}, {6.0, 1.0}, {0.5, INFINITY}};
+    EXPECT_EQ(paretoFront(samples), (std::vector<std::size_t>{3, 2, 0}));
+    EXPECT_TRUE(paretoFront({}).empty());
+}
+
+}  // namespace
+}  // namespace plumb::accuracy
