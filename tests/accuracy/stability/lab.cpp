@@ -109,7 +109,10 @@ void Lab::look(bool isLate) {
         const double turning = std::fabs(static_cast<double>(motion.angularVelocity)) *
                                static_cast<double>(world().bodies.info[i].reach);
         sound_ = sound_ && std::isfinite(speed) && std::isfinite(turning);
-        mostSpeed_ = std::max(mostSpeed_, speed);
+        // Of a fall from where it began, nothing is left; what has risen has the speed that it began with.
+        const double risen = world().bodies.pose[i].centre.y - static_cast<double>(stayer.start.y);
+        const double unexplained = speed * speed + 2.0 * terms_.gravity * risen;
+        mostSpeed_ = std::max(mostSpeed_, std::sqrt(std::max(unexplained, 0.0)));
         if (isLate) residual_ = std::max(residual_, speed + turning);
     }
     if (startEnergy_ < 0.0) {

@@ -26,7 +26,7 @@ struct Terms {
 struct Yardstick {
     double size = 1.0;        ///< m: thickness of the smallest body, or the length of a link
     double extent = 1.0;      ///< m: of the scene along gravity
-    double mostSpeed = 0.0;   ///< m/s that the scene explains; 0 is not looked at
+    double mostSpeed = 0.0;   ///< m/s that the scene explains besides falls; 0 is not looked at
     bool driven = false;      ///< by a motor or a kinematic body: energy may grow
     bool rests = true;        ///< where it starts is where it belongs, and it should come to rest
     bool overlapped = false;  ///< energy counts from the moment when all have come apart

@@ -50,7 +50,7 @@ Figures press(double quality, double left, double speed) {
     Lab lab{{.quality = quality},
             {.size = 1.0,
              .extent = 2.0,
-             .mostSpeed = speed + 20.0,
+             .mostSpeed = speed + 9.0,
              .driven = true,
              .rests = false,
              .overlapped = true}};
