@@ -103,19 +103,19 @@ std::string shareBar(const Counts& counts, int width) {
 }
 
 std::string legendPicture() {
-    constexpr int kStep = 170, kSide = 26;
-    const int count = static_cast<int>(Score::Count);
-    std::string legend = opening(kStep * count + kPad, kSide + 2 * kPad);
-    for (int i = 0; i < count; ++i) {
-        const ScoreInfo& info = infoOf(static_cast<Score>(count - 1 - i));
-        const int x = kPad + kStep * i;
-        legend += format("<rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" rx=\"3\" fill=\"{}\"/>\n", x,
-                         kPad, kSide, kSide, info.fill);
-        legend += text(x + kSide / 2, kPad + 18, "middle", 15, info.ink, std::string(1, info.sign),
-                       " font-weight=\"700\"");
-        legend += text(x + kSide + 8, kPad + 18, "start", 13, "#1f2933", info.word);
+    constexpr int kSide = 26, kGap = 8, kLetter = 8, kBetween = 22;
+    int x = kPad;
+    std::string marks;
+    for (auto i = static_cast<std::size_t>(Score::Count); i-- > 0;) {
+        const ScoreInfo& info = infoOf(static_cast<Score>(i));
+        marks += format("<rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" rx=\"3\" fill=\"{}\"/>\n", x,
+                        kPad, kSide, kSide, info.fill);
+        marks += text(x + kSide / 2, kPad + 18, "middle", 15, info.ink, std::string(1, info.sign),
+                      " font-weight=\"700\"");
+        marks += text(x + kSide + kGap, kPad + 18, "start", 13, "#1f2933", info.word);
+        x += kSide + kGap + kLetter * static_cast<int>(info.word.size()) + kBetween;
     }
-    return legend + "</svg>\n";
+    return opening(x, kSide + 2 * kPad) + marks + "</svg>\n";
 }
 
 }  // namespace plumb::stability
