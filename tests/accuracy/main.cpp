@@ -15,12 +15,9 @@
 #include "tests/accuracy/report/page.hpp"
 #include "tests/accuracy/report/sweep.hpp"
 #include "tests/accuracy/report/tables.hpp"
+#include "tests/accuracy/stability/stability.hpp"
 #include "tests/bench/physics/peers/peers.hpp"
 #include "tests/support/allocations.hpp"
-#if __has_include("tests/accuracy/stability/stability.hpp")
-#include "tests/accuracy/stability/stability.hpp"
-#define PLUMB_STABILITY
-#endif
 
 namespace {
 
@@ -125,16 +122,6 @@ bool writeAll(const Options& options, const std::vector<Row>& rows, double secon
     return good;
 }
 
-int runStabilityMap(const Options& options) {
-#if defined(PLUMB_STABILITY)
-    return runStability(options.stabilityWords);
-#else
-    static_cast<void>(options);
-    std::fprintf(stderr, "the stability map is not part of this program\n");
-    return 1;
-#endif
-}
-
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -149,7 +136,7 @@ int main(int argc, char** argv) {
         std::printf("%s", helpText().c_str());
         return 0;
     }
-    if (options.stability) return runStabilityMap(options);
+    if (options.stability) return stability::runStability(options.stabilityWords);
 
     std::vector<scenes::Engine> peers;
     if (options.peers) {

@@ -167,6 +167,7 @@ std::vector<Named> setters() {
         PLUMB_CALL(setVelocity(p.world, p.body, {0.0f, f})),
         PLUMB_CALL(setAngularVelocity(p.world, p.body, f)),
         PLUMB_CALL(setAcceleration(p.world, p.body, {f, 0.0f})),
+        PLUMB_CALL(setAcceleration(p.world, p.body, {0.0f, f})),
         PLUMB_CALL(setGravityScale(p.world, p.body, f)),
         PLUMB_CALL(setDrag(p.world, p.body, f, 0.0f)),
         PLUMB_CALL(setDrag(p.world, p.body, 0.0f, f)),
@@ -179,6 +180,7 @@ std::vector<Named> setters() {
         PLUMB_CALL(applyImpulseAt(p.world, p.body, {f, 0.0f}, {})),
         PLUMB_CALL(applyImpulseAt(p.world, p.body, {1.0f, 0.0f}, {d, 0.0})),
         PLUMB_CALL(moveTo(p.world, p.kinematic, {d, 0.0}, 0.0f, kTick)),
+        PLUMB_CALL(moveTo(p.world, p.kinematic, {0.0, d}, 0.0f, kTick)),
         PLUMB_CALL(moveTo(p.world, p.kinematic, {}, f, kTick)),
         PLUMB_CALL(moveTo(p.world, p.kinematic, {}, 0.0f, f)),
         PLUMB_CALL(setFriction(p.world, p.shape, f)),
@@ -187,6 +189,10 @@ std::vector<Named> setters() {
         PLUMB_CALL(setMotorSpeed(p.world, p.joint, f)),
         PLUMB_CALL(setTarget(p.world, p.joint, {d, 0.0})),
         PLUMB_CALL(setTarget(p.world, p.joint, {0.0, d})),
+        PLUMB_CALL(createShapes(p.world, p.body, std::array{circle(1.0f), circle(f)},
+                                std::array{ShapeDefinition{}, ShapeDefinition{}})),
+        PLUMB_CALL(createShapes(p.world, p.body, std::array{circle(1.0f), circle(1.0f)},
+                                std::array{ShapeDefinition{}, ShapeDefinition{.density = f}})),
         PLUMB_CALL(createPolygon(p.world, p.body,
                                  std::array<Vec2, 3>{Vec2{f, 0.0f}, Vec2{1.0f, 0.0f}, Vec2{0.0f, 1.0f}})),
         PLUMB_CALL(createPolygon(p.world, p.body,
@@ -236,7 +242,9 @@ TEST(BadInput, sizesAndRatesBelowZeroAreRefused) {
         PLUMB_SPOIL(joint, JointDefinition, motor.maxForce),
         PLUMB_SPOIL(joint, JointDefinition, spring.hertz),
         PLUMB_SPOIL(joint, JointDefinition, maxForce),
+        PLUMB_SPOIL(joint, JointDefinition, maxTorque),
         PLUMB_SPOIL(joint, JointDefinition, breakForce),
+        PLUMB_SPOIL(joint, JointDefinition, breakTorque),
         PLUMB_SPOIL(joint, JointDefinition, hertz),
         PLUMB_CALL(setDrag(p.world, p.body, f, 0.0f)),
         PLUMB_CALL(setMass(p.world, p.body, f)),
@@ -246,6 +254,37 @@ TEST(BadInput, sizesAndRatesBelowZeroAreRefused) {
     };
     Patient patient;
     for (const Named& one : attempts) EXPECT_TRUE(one.attempt(patient, -1.0).has_value()) << one.name;
+}
+
+TEST(BadInput, strengthsMayBeEndlessButMustBeNumbers) {
+    const std::vector<Named> attempts = {
+        PLUMB_SPOIL(joint, JointDefinition, motor.maxForce), PLUMB_SPOIL(joint, JointDefinition, maxForce),
+        PLUMB_SPOIL(joint, JointDefinition, maxTorque),      PLUMB_SPOIL(joint, JointDefinition, breakForce),
+        PLUMB_SPOIL(joint, JointDefinition, breakTorque),
+    };
+    for (const Named& one : attempts) {
+        Patient patient;
+        EXPECT_TRUE(one.attempt(patient, kNan).has_value()) << one.name;
+        EXPECT_TRUE(one.attempt(patient, -kInf).has_value()) << one.name;
+        EXPECT_FALSE(one.attempt(patient, kInf).has_value()) << one.name;
+    }
+}
+
+TEST(BadInput, thingsWithoutASizeAreRefused) {
+    const std::vector<Named> attempts = {
+        PLUMB_OUTLINE(circle(1.0f), radius),
+        PLUMB_OUTLINE(capsule({}, {1.0f, 0.0f}, 1.0f), radius),
+        PLUMB_OUTLINE(box({1.0f, 1.0f}), b.x),
+        PLUMB_OUTLINE(box({1.0f, 1.0f}), b.y),
+        PLUMB_OUTLINE(segment({}, {1.0f, 0.0f}), b.x),
+        PLUMB_CALL(createPolygon(p.world, p.body,
+                                 std::array<Vec2, 3>{Vec2{f, f}, Vec2{1.0f, 0.0f}, Vec2{2.0f, 0.0f}})),
+        PLUMB_CALL(moveTo(p.world, p.kinematic, {}, 0.0f, f)),
+    };
+    Patient patient;
+    const std::uint64_t before = hashOf(patient.world);
+    for (const Named& one : attempts) EXPECT_TRUE(one.attempt(patient, 0.0).has_value()) << one.name;
+    EXPECT_EQ(hashOf(patient.world), before);
 }
 
 TEST(BadInput, messagesHaveNumbersAsTheyWereWritten) {

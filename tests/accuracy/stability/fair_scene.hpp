@@ -1,0 +1,43 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/random.hpp"
+#include "physics/simulation.hpp"
+
+namespace plumb::stability {
+
+/// A random world in which nothing overlaps at the start and nothing is driven: bodies of all shapes in a
+/// pit, some hinged to a neighbour, thrown about. So its energy, motion and height together, may only fall.
+class FairScene {
+public:
+    explicit FairScene(std::uint64_t seed);
+
+    void run();
+    [[nodiscard]] bool isSound() const { return sound_; }
+    /// Most energy at any time over that at the start, minus 1.
+    [[nodiscard]] double energyGain() const { return mostEnergy_ / startEnergy_ - 1.0; }
+    [[nodiscard]] const physics::World& world() const { return world_; }
+
+private:
+    void addPit();
+    void addBody(Vec2 middle);
+    void addShape(physics::BodyId body);
+    void addHinge();
+    [[nodiscard]] double energy() const;
+    [[nodiscard]] double between(double low, double high);
+    [[nodiscard]] float decades(double low, double high);  ///< even over the decades
+    bool oneIn(std::uint32_t times) { return random_.below(times) == 0; }
+
+    physics::World world_;
+    Random random_;
+    std::vector<physics::BodyId> bodies_;
+    double gravity_ = 0.0;  ///< m/s2
+    float step_ = 0.0f;     ///< s
+    double startEnergy_ = 0.0;
+    double mostEnergy_ = 0.0;
+    bool sound_ = true;
+};
+
+}  // namespace plumb::stability

@@ -1,0 +1,73 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "tests/accuracy/stability/score.hpp"
+
+namespace plumb::stability {
+
+/// How the values along an axis are written.
+enum class Label : std::uint8_t { Plain, Quality, Step, Times, Percent };
+
+/// A row of values that a map has along one of its sides.
+struct Axis {
+    std::string_view name;  ///< with its unit
+    Label label = Label::Plain;
+    std::span<const double> values;
+};
+
+std::string labelOf(Label label, double value);
+
+/// A grid of cells: one scene under all combinations of two things that make it harder.
+struct Map {
+    std::string_view name;  ///< of files and in tables
+    std::string_view title;
+    std::string_view scene;  ///< what is built, for how long it runs, and what is exact, in words
+    Axis rows;
+    Axis columns;
+    std::size_t home = 0;  ///< the easiest column: reaches are counted from it
+    Figures (*run)(double row, double column) = nullptr;
+    std::uint32_t quickRows = 0;  ///< bits: what --quick and the tests play
+};
+
+/// All, in the order of the report.
+std::span<const Map> allMaps();
+
+// Things that rest: resting_cells.cpp.
+Figures heavyOnTop(double quality, double ratio);
+Figures heavyOnStack(double count, double ratio);
+Figures stackOf(double quality, double count);
+Figures stackAtStep(double quality, double step);
+Figures tallAtStep(double step, double count);
+Figures stackInGravity(double quality, double times);
+Figures sizesAtDensity(double quality, double size);
+Figures sizesAtMass(double quality, double size);
+Figures stackAtScale(double quality, double size);
+Figures stackFarAway(double quality, double distance);
+Figures thinPlates(double quality, double thickness);
+Figures slivers(double quality, double thickness);
+
+// Things that hang: hanging_cells.cpp.
+Figures chainOf(double quality, double count);
+Figures ballOnChain(double quality, double ratio);
+Figures ballOnChainOf(double count, double ratio);
+Figures chainAtStep(double quality, double step);
+Figures swingingChain(double quality, double count);
+Figures loadedBridge(double quality, double ratio);
+Figures pendulumAtStep(double quality, double step);
+Figures motorAtLimit(double quality, double torque);
+
+// Things that move: moving_cells.cpp.
+Figures bounce(double quality, double bounciness);
+Figures bounceAtStep(double step, double bounciness);
+Figures slope(double quality, double friction);
+Figures spinOnFloor(double quality, double spin);
+Figures spinAmongCrates(double quality, double spin);
+Figures spawnedInOnePlace(double quality, double count);
+Figures crushed(double quality, double left);
+Figures crushedFast(double quality, double speed);
+
+}  // namespace plumb::stability
