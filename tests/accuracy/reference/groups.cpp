@@ -75,8 +75,8 @@ public:
         return body;
     }
     void join(std::uint32_t a, std::uint32_t b) {
-        const auto [low, high] = std::minmax(rootOf(a), rootOf(b));
-        parent_[high] = low;
+        const std::uint32_t rootA = rootOf(a), rootB = rootOf(b);
+        parent_[std::max(rootA, rootB)] = std::min(rootA, rootB);
     }
 
 private:
