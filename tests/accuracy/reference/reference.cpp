@@ -1,0 +1,228 @@
+#include "tests/accuracy/reference/reference.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include "core/text.hpp"
+#include "physics/bodies.hpp"
+#include "tests/accuracy/reference/run.hpp"
+
+namespace plumb::reference {
+
+namespace {
+
+double now() {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+std::string text(double value) { return shortestText(static_cast<float>(value)); }
+
+/// The largest differences between two runs, or between what is left of an error.
+struct Spread {
+    double place = 0.0;     // m
+    double angle = 0.0;     // rad
+    double velocity = 0.0;  // m/s
+};
+
+Spread spreadOf(const Scene& scene, const RunState& one, const RunState& two) {
+    Spread spread;
+    for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
+        if (!scene.bodies[i].isPushed) continue;
+        const Triple pose = one.poses[i] - two.poses[i], velocity = one.velocities[i] - two.velocities[i];
+        spread.place = std::max(spread.place, length(placeOf(pose)));
+        spread.angle = std::max(spread.angle, std::fabs(pose.turn));
+        spread.velocity = std::max(spread.velocity, length(placeOf(velocity)));
+    }
+    return spread;
+}
+
+/// What rounding alone does to a run: a contact is as closed as kRight in put_right.cpp says, and each step
+/// rounds its places.
+Spread roundingOf(const Scene& scene, const RunState& state) {
+    Spread rounding{1.0e-12, 1.0e-12, 1.0e-12};
+    const double eps = 4.0 * std::numeric_limits<double>::epsilon() * std::sqrt(static_cast<double>(state.steps) + 1.0);
+    for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
+        
+        rounding.place = std::max(rounding.place, eps * largest(Triple{state.poses[i].x, state.poses[i].y, 0.0}));
+        rounding.angle = std::max(rounding.angle, eps * std::fabs(state.poses[i].turn));
+        rounding.velocity = std::max(rounding.velocity, eps * largest(state.velocities[i]));
+    }
+    return rounding;
+}
+
+/// What is left of an error in the finer of two runs that differ by so much, at this order of convergence.
+/// Twice what Richardson's rule says, as orders are never quite what they will be.
+double leftOf(double difference, double order) {
+    return 2.0 * difference / (std::pow(2.0, std::clamp(order, 0.5, 2.0)) - 1.0);
+}
+
+constexpr double kLeastOrder = 0.5;  // runs that come together more slowly do not come together
+
+/// All runs until now.
+class Runs {
+public:
+    Runs(const Scene& scene, double seconds, const Options& options)
+        : scene_{scene}, seconds_{seconds}, options_{options}, step_{2.0 * options.step} {}
+
+    /// @error why there is none that is finer
+    Result<Done> add() {
+        step_ *= 0.5;
+        const double start = now();
+        RunState finer = runScene(scene_, seconds_, step_);
+        lastTime_ = now() - start;
+        spent_ += lastTime_;
+        if (!finer.trouble.empty()) {
+            return Error{"reference", finer.trouble, format("at a step of {} s", text(step_))};
+        }
+        if (count_++ > 0) spreads_.push_back(spreadOf(scene_, state_, finer));
+        state_ = std::move(finer);
+        return Done{};
+    }
+    [[nodiscard]] bool mayGoOn() const {
+        return count_ < options_.mostRuns && spent_ + 2.2 * lastTime_ <= options_.patience;
+    }
+    [[nodiscard]] int count() const { return count_; }
+    [[nodiscard]] double step() const { return step_; }
+    [[nodiscard]] const RunState& state() const { return state_; }
+    [[nodiscard]] const std::vector<Spread>& spreads() const { return spreads_; }
+
+    [[nodiscard]] double orderOf(double Spread::*part) const {
+        if (spreads_.size() < 2) return 1.0;
+        const double before = spreads_[spreads_.size() - 2].*part, last = spreads_.back().*part;
+        return last > 0.0 ? std::log2(before / last) : 2.0;
+    }
+    /// m, rad or m/s: how far off the last run is.
+    [[nodiscard]] double errorOf(double Spread::*part) const {
+        const double rounding = roundingOf(scene_, state_).*part;
+        if (spreads_.empty()) return kEndless;
+        return leftOf(spreads_.back().*part, orderOf(part)) + rounding;
+    }
+    [[nodiscard]] bool isRounding() const {
+        const double rounding = 10.0 * roundingOf(scene_, state_).place;
+        return !spreads_.empty() && spreads_.back().place <= rounding;
+    }
+    [[nodiscard]] bool comesTogether() const {
+        return isRounding() || (orderOf(&Spread::place) >= kLeastOrder);
+    }
+
+private:
+    const Scene& scene_;
+    double seconds_;
+    const Options& options_;
+    double step_;
+    double lastTime_ = 0.0, spent_ = 0.0;  // s of the clock
+    int count_ = 0;
+    RunState state_;
+    std::vector<Spread> spreads_;
+};
+
+double energyOf(const Scene& scene, const RunState& state) {
+    double energy = 0.0;
+    for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
+        const Body& body = scene.bodies[i];
+        if (!body.isPushed) continue;
+        energy += 0.5 * dot(scaled(body.mass, state.velocities[i]), state.velocities[i]);
+        const Point place{state.poses[i].x + scene.origin.x, state.poses[i].y + scene.origin.y};
+        energy -= body.mass.x * dot(body.acceleration, place);
+    }
+    return energy;
+}
+
+ContactAnswer answerOf(const Scene& scene, const RunState& state, const Press& press) {
+    const Touch& touch = press.touch;
+    const TouchView view = viewOf(touch, state.poses[touch.bodyA], state.poses[touch.bodyB]);
+    return {scene.bodies[touch.bodyA].id,
+            scene.bodies[touch.bodyB].id,
+            scene.outlines[touch.outlineA].shape,
+            scene.outlines[touch.outlineB].shape,
+            {view.point.x + scene.origin.x, view.point.y + scene.origin.y},
+            view.normal.x,
+            view.normal.y,
+            press.normal,
+            press.tangent};
+}
+
+void addJoints(const Scene& scene, const RunState& state, Answer& answer) {
+    for (std::size_t i = 0; i < scene.laws.size(); ++i) {
+        const std::uint32_t joint = scene.laws[i].joint;
+        if (answer.joints.empty() || answer.joints.back().joint != joint) answer.joints.push_back({joint});
+        JointAnswer& sum = answer.joints.back();
+        sum.forceX += state.lawForces[i].x;
+        sum.forceY += state.lawForces[i].y;
+        sum.torque += state.lawForces[i].turn;
+    }
+}
+
+Answer answerOf(const Scene& scene, const Runs& runs, double seconds) {
+    Answer answer;
+    answer.seconds = seconds;
+    const RunState& state = runs.state();
+    for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
+        if (!scene.bodies[i].isPushed) continue;
+        const Triple pose = state.poses[i], velocity = state.velocities[i];
+        answer.bodies.push_back({scene.bodies[i].id,
+                                 {pose.x + scene.origin.x, pose.y + scene.origin.y},
+                                 pose.turn,
+                                 velocity.x,
+                                 velocity.y,
+                                 velocity.turn});
+    }
+    for (const Press& press : state.presses) answer.contacts.push_back(answerOf(scene, state, press));
+    addJoints(scene, state, answer);
+    answer.energy = energyOf(scene, state);
+    answer.error = runs.errorOf(&Spread::place);
+    answer.angleError = runs.errorOf(&Spread::angle);
+    answer.velocityError = runs.errorOf(&Spread::velocity);
+    answer.order = runs.isRounding() ? 0.0 : runs.orderOf(&Spread::place);
+    answer.step = runs.step();
+    answer.runs = runs.count();
+    for (const Spread& spread : runs.spreads()) answer.differences.push_back(spread.place);
+    answer.residual = state.worstResidual;
+    return answer;
+}
+
+Error notTogether(const Runs& runs) {
+    std::string list;
+    for (const Spread& spread : runs.spreads()) list += (list.empty() ? "" : ", ") + text(spread.place);
+    return {"reference",
+            format("runs do not come together: steps halved down to {} s differ by {} m", text(runs.step()), list),
+            "the scene is chaotic: ask for a shorter time; or give it more patience"};
+}
+
+}  // namespace
+
+Result<Answer> solveReference(const physics::World& world, double seconds, const Options& options) {
+    if (!(seconds > 0.0) || !(seconds <= 1.0e6) || !(options.step > 0.0)) {
+        return Error{"reference", "expected a time and a step above 0", "give both in seconds"};
+    }
+    auto scene = makeScene(world);
+    if (!scene) return scene.error();
+    Runs runs{*scene, seconds, options};
+    const int least = std::max(options.leastRuns, 2);
+    while (runs.count() < least || (runs.errorOf(&Spread::place) > options.wantedError && runs.mayGoOn())) {
+        if (const auto added = runs.add(); !added) return added.error();
+    }
+    const bool isGood = runs.errorOf(&Spread::place) <= options.wantedError;
+    if (!isGood && !runs.comesTogether()) return notTogether(runs);
+    return answerOf(*scene, runs, seconds);
+}
+
+Difference compare(const physics::World& world, const Answer& answer) {
+    Difference difference;
+    for (const BodyAnswer& body : answer.bodies) {
+        if (!physics::alive(world, body.body)) continue;
+        const physics::BodyPose& pose = world.bodies.pose[body.body.index];
+        const physics::BodyMotion& motion = world.bodies.motion[body.body.index];
+        const double off = std::hypot(pose.centre.x - body.centre.x, pose.centre.y - body.centre.y);
+        const double angle = std::atan2(static_cast<double>(pose.rotation.sin), static_cast<double>(pose.rotation.cos));
+        if (off >= difference.position) difference.position = off, difference.body = body.body;
+        difference.angle = std::max(difference.angle, std::fabs(std::remainder(angle - body.angle, 2.0 * 3.14159265358979323846)));
+        difference.velocity =
+            std::max(difference.velocity, std::hypot(static_cast<double>(motion.velocity.x) - body.velocityX,
+                                                     static_cast<double>(motion.velocity.y) - body.velocityY));
+    }
+    return difference;
+}
+
+}  // namespace plumb::reference

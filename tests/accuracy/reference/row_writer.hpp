@@ -1,0 +1,53 @@
+#pragma once
+
+#include <vector>
+
+#include "tests/accuracy/reference/group.hpp"
+#include "tests/accuracy/reference/solve_rows.hpp"
+
+namespace plumb::reference {
+
+/// The bodies of a group, in its order.
+struct GroupPoses {
+    std::vector<Triple> poses, velocities;
+};
+
+/// Writes the rows of touches and laws for the bodies of a group.
+class RowWriter {
+public:
+    explicit RowWriter(const Scene& scene) : scene_{scene}, localOf_(scene.bodies.size(), 0) {}
+
+    void setGroup(const Group& group);
+    [[nodiscard]] std::uint32_t local(std::uint32_t body) const { return localOf_[body]; }
+    [[nodiscard]] const Body& bodyAt(std::size_t local) const { return scene_.bodies[group_->bodies[local]]; }
+    [[nodiscard]] Triple inverseMassOf(std::uint32_t local) const;
+
+    /// For a step of `h` s, whose forces and drag are in the masses and momenta.
+    void beginStep(RowSystem& system, const std::vector<Triple>& velocities, double h);
+    /// For a blow, which takes no time.
+    void beginBlow(RowSystem& system, const std::vector<Triple>& velocities);
+    /// For a shift of places instead of velocities.
+    void beginShift(RowSystem& system);
+
+    /// Adds a row. What cannot be pushed moves as it does.
+    /// @return its index
+    std::uint32_t add(RowSystem& system, const Gradient& push, const Gradient& speed, std::uint32_t localA,
+                      std::uint32_t localB, Row row) const;
+    /// A spring's rows: a law, or the pair that it begins.
+    /// @param middle  poses in the middle of the step, as guessed; @param guess  velocities at its end
+    void addSpring(RowSystem& system, std::uint32_t law, const std::vector<Triple>& middle,
+                   const std::vector<Triple>& start, const std::vector<Triple>& guess, double h) const;
+
+private:
+    void addSpringRow(RowSystem& system, const Law& law, const Gradient& gradient, double speedAtStart,
+                      double speedAtGuess, double h) const;
+    [[nodiscard]] double give(const Gradient& one, const Gradient& two, const Law& law) const;
+    [[nodiscard]] double rate(const Gradient& gradient, const Law& law, const std::vector<Triple>& velocities) const;
+
+    const Scene& scene_;
+    const Group* group_ = nullptr;
+    std::vector<std::uint32_t> localOf_;
+    std::vector<Triple> known_;  // velocities of what is not pushed, or not pushed in some way
+};
+
+}  // namespace plumb::reference

@@ -1,0 +1,89 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/result.hpp"
+#include "physics/world.hpp"
+#include "tests/accuracy/reference/algebra.hpp"
+
+namespace plumb::reference {
+
+inline constexpr std::uint32_t kNobody = physics::kNone;
+
+/// A body as the reference solver needs it. What does not change in a run.
+struct Body {
+    physics::BodyId id;
+    bool isPushed = false;  ///< dynamic; all others move on as they do at the start
+    Triple mass;            ///< kg, kg, kg m2
+    Triple inverseMass;     ///< 0 for a way in which it cannot be pushed
+    Point acceleration;     ///< m/s2: of gravity and its own
+    double linearDrag = 0.0;
+    double angularDrag = 0.0;
+    double reach = 0.0;  ///< m: no point of it is further from its centre of mass
+};
+
+/// A convex outline: one corner (a circle), two (a capsule, a segment) or more, made larger by a radius.
+struct Outline {
+    std::uint32_t body = 0;
+    std::uint32_t shape = 0;  ///< in World::shapes
+    std::vector<Point> corners;  ///< m, from the centre of mass, in the body's frame, counter-clockwise
+    std::vector<Point> normals;  ///< outward, of the side from each corner to the next; of two corners both sides
+    double radius = 0.0;         ///< m
+    double width = 0.0;          ///< m: what passes through it is inside for at least so far
+    bool isChain = false;        ///< solid on the side of normals[0] only
+    Point before, after;         ///< of a chain: directions of the neighbours' normals, or its own
+    double friction = 0.0;
+    double bounciness = 0.0;
+    double surfaceSpeed = 0.0;  ///< m/s
+};
+
+/// A scalar between two bodies that a law holds, drives or limits.
+enum class MeasureKind : std::uint8_t { AnchorX, AnchorY, Angle, Across, Along, Length, Pulley };
+
+struct Measure {
+    MeasureKind kind = MeasureKind::AnchorX;
+    Point anchorA, anchorB;  ///< m, from the centres of mass, in the bodies' frames
+    Point axis{1.0, 0.0};    ///< in A's frame, or in the world for anchors
+    Point groundA, groundB;  ///< m, of a pulley
+    double ratio = 1.0;
+    double rest = 0.0;  ///< taken off
+};
+
+/// What is done to a measure.
+enum class LawKind : std::uint8_t { Hold, AtLeast, Drive, Spring };
+
+struct Law {
+    LawKind kind = LawKind::Hold;
+    std::uint32_t joint = 0;  ///< in World::joints
+    std::uint32_t a = 0, b = 0;
+    Measure measure;
+    double sign = 1.0;   ///< of AtLeast: -1 for an upper limit
+    double speed = 0.0;  ///< of Drive, m/s or rad/s
+    double most = kEndless;  ///< of Drive and Spring: N or N m
+    double hertz = 0.0, dampingRatio = 0.0;  ///< of Spring
+    bool isPoint = false;  ///< of Spring: one of a pair that hold a point, along x; the next law is the other
+};
+
+/// A world, as far as the solver needs it, with its state at the start.
+struct Scene {
+    std::vector<Body> bodies;  ///< the places are those of World::bodies; dead ones have no id
+    std::vector<Outline> outlines;
+    std::vector<Law> laws;
+    std::vector<Triple> poses;       ///< from `origin`
+    std::vector<Triple> velocities;  ///< m/s, rad/s
+    physics::Place origin;           ///< m: far from 0 a double is not exact enough
+    double bounceSpeed = 1.0;        ///< m/s
+    std::vector<physics::Filter> filters;               ///< by outline
+    std::vector<std::uint64_t> apart;                   ///< pairs of bodies that joints keep apart, sorted
+    std::vector<std::uint32_t> firstOutline, lastOutline;  ///< by body: its own, in a row
+};
+
+/// Takes a world over.
+/// @error what the reference solver does not know, by name
+Result<Scene> makeScene(const physics::World& world);
+
+/// True when two outlines may touch.
+bool mayMeet(const Scene& scene, std::uint32_t a, std::uint32_t b);
+
+}  // namespace plumb::reference

@@ -1,0 +1,276 @@
+#include "tests/accuracy/reference/solve_rows.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace plumb::reference {
+
+namespace {
+
+constexpr double kFirstStiffness = 1.0e5;  // ratio to what a row resists: each round leaves about 1/this
+constexpr double kMostStiffness = 1.0e8;   // stiffer, and rounding shows
+constexpr int kMostGuesses = 15;           // in a row, before sweeps
+constexpr int kMostRounds = 40;
+constexpr int kMostAttempts = 10;
+constexpr int kFirstSweeps = 50;  // each attempt does twice as many
+
+Triple inverse(Triple mass) { return {1.0 / mass.x, 1.0 / mass.y, 1.0 / mass.turn}; }
+
+void addOuter(BlockMatrix::Block& block, double weight, Triple push, Triple speed) {
+    const double rows[3] = {weight * push.x, weight * push.y, weight * push.turn};
+    for (std::size_t i = 0; i < 3; ++i) {
+        block[3 * i] += rows[i] * speed.x;
+        block[3 * i + 1] += rows[i] * speed.y;
+        block[3 * i + 2] += rows[i] * speed.turn;
+    }
+}
+
+}  // namespace
+
+double RowSolver::speedOf(const Row& row) const {
+    double speed = 0.0;
+    if (row.a != kNoRow) speed += dot(row.speedA, system_->velocity[row.a]);
+    if (row.b != kNoRow) speed += dot(row.speedB, system_->velocity[row.b]);
+    return speed;
+}
+
+double RowSolver::boundOf(const Row& row) const {
+    if (row.kind == RowKind::Friction) return row.friction * system_->rows[row.normal].impulse;
+    return row.kind == RowKind::Band ? row.most : kEndless;
+}
+
+void RowSolver::prepare() {
+    RowSystem& system = *system_;
+    resistance_.clear();
+    edges_.clear();
+    for (Row& row : system.rows) {
+        double resistance = 0.0;
+        if (row.a != kNoRow) resistance += dot(row.speedA, scaled(inverse(system.mass[row.a]), row.pushA));
+        if (row.b != kNoRow) resistance += dot(row.speedB, scaled(inverse(system.mass[row.b]), row.pushB));
+        // A row that nobody feels is one that does nothing.
+        if (!(resistance > 0.0)) resistance = kEndless, row.impulse = 0.0;
+        resistance_.push_back(resistance);
+        if (row.a != kNoRow && row.b != kNoRow) edges_.push_back(std::minmax(row.a, row.b));
+        if (row.kind == RowKind::Push) row.impulse = std::max(row.impulse, 0.0);
+        const double bound = boundOf(row);
+        row.impulse = std::clamp(row.impulse, -bound, bound);
+    }
+    std::sort(edges_.begin(), edges_.end());
+    edges_.erase(std::unique(edges_.begin(), edges_.end()), edges_.end());
+}
+
+void RowSolver::velocitiesFromImpulses() {
+    RowSystem& system = *system_;
+    system.velocity = system.momentum;
+    for (const Row& row : system.rows) {
+        if (row.a != kNoRow) system.velocity[row.a] = system.velocity[row.a] + row.impulse * row.pushA;
+        if (row.b != kNoRow) system.velocity[row.b] = system.velocity[row.b] + row.impulse * row.pushB;
+    }
+    for (std::size_t i = 0; i < system.mass.size(); ++i)
+        system.velocity[i] = scaled(inverse(system.mass[i]), system.velocity[i]);
+}
+
+/// m/s: how badly the worst row holds, with the impulses and velocities as they are.
+double RowSolver::worst() const {
+    double most = 0.0;
+    for (std::size_t i = 0; i < system_->rows.size(); ++i) {
+        const Row& row = system_->rows[i];
+        if (resistance_[i] == kEndless) continue;
+        const double miss = speedOf(row) + row.give * row.impulse - row.target;
+        const double bound = boundOf(row);
+        // By how far it would go on if it could, in terms of impulse, is what it lacks.
+        const double least = row.kind == RowKind::Push ? 0.0 : -bound;
+        const double wanted = std::clamp(row.impulse - miss / resistance_[i], least, bound);
+        most = std::max(most, std::fabs(wanted - row.impulse) * resistance_[i]);
+    }
+    return most;
+}
+
+void RowSolver::sweep() {
+    RowSystem& system = *system_;
+    for (std::size_t i = 0; i < system.rows.size(); ++i) {
+        Row& row = system.rows[i];
+        if (resistance_[i] == kEndless) continue;
+        const double bound = boundOf(row);
+        const double miss = speedOf(row) + row.give * row.impulse - row.target;
+        const double least = row.kind == RowKind::Push ? 0.0 : -bound;
+        const double impulse = std::clamp(row.impulse - miss / (resistance_[i] + row.give), least, bound);
+        const double more = impulse - row.impulse;
+        row.impulse = impulse;
+        if (more == 0.0) continue;
+        if (row.a != kNoRow)
+            system.velocity[row.a] = system.velocity[row.a] + more * scaled(inverse(system.mass[row.a]), row.pushA);
+        if (row.b != kNoRow)
+            system.velocity[row.b] = system.velocity[row.b] + more * scaled(inverse(system.mass[row.b]), row.pushB);
+    }
+}
+
+/// N s: what a row would push if it were not bounded.
+double RowSolver::trialOf(std::size_t i) const {
+    const Row& row = system_->rows[i];
+    const double miss = speedOf(row) - row.target;
+    if (row.give > 0.0) return -miss / row.give;
+    return row.impulse - stiffness_ / resistance_[i] * miss;
+}
+
+/// @return whether guesses are as they were, apart from those of rows that hardly push either way
+bool RowSolver::takeGuesses(bool isFirst) {
+    const std::vector<Row>& rows = system_->rows;
+    double largest = 0.0;
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        if (resistance_[i] < kEndless) trials_[i] = trialOf(i);
+        largest = std::max(largest, std::fabs(rows[i].impulse));
+    }
+    const double negligible = 1.0e-11 * largest;
+    bool same = !isFirst;
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        const Row& row = rows[i];
+        Guess guess = Guess::Free;
+        double margin = kEndless;  // how far the guess is from another
+        if (resistance_[i] < kEndless) {
+            double bound = row.most;
+            if (row.kind == RowKind::Friction)
+                bound = guesses_[row.normal] == Guess::Free ? 0.0 : row.friction * std::max(trials_[row.normal], 0.0);
+            if (row.kind == RowKind::Both) guess = Guess::Holds;
+            if (row.kind == RowKind::Push) {
+                guess = trials_[i] > 0.0 ? Guess::Holds : Guess::Free;
+                margin = std::fabs(trials_[i]);
+            }
+            if (row.kind == RowKind::Band || row.kind == RowKind::Friction) {
+                guess = std::fabs(trials_[i]) <= bound ? Guess::Holds
+                                                       : (trials_[i] > 0.0 ? Guess::Most : Guess::Least);
+                margin = std::fabs(std::fabs(trials_[i]) - bound);
+                if (bound == 0.0) guess = Guess::Free, margin = kEndless;
+            }
+        }
+        if (guess != guesses_[i] && !(margin < negligible)) same = false;
+        guesses_[i] = guess;
+    }
+    return same;
+}
+
+void RowSolver::addToMatrix(const Row& row, Triple pushA, Triple pushB, double weight) {
+    if (row.a != kNoRow) {
+        addOuter(matrix_.at(row.a, row.a), weight, pushA, row.speedA);
+        if (row.b != kNoRow) addOuter(matrix_.at(row.a, row.b), weight, pushA, row.speedB);
+    }
+    if (row.b != kNoRow) {
+        addOuter(matrix_.at(row.b, row.b), weight, pushB, row.speedB);
+        if (row.a != kNoRow) addOuter(matrix_.at(row.b, row.a), weight, pushB, row.speedA);
+    }
+}
+
+/// Velocities for which all rows that hold push as their speeds say.
+bool RowSolver::solveGuess() {
+    RowSystem& system = *system_;
+    matrix_.clear();
+    for (std::uint32_t i = 0; i < system.mass.size(); ++i) {
+        BlockMatrix::Block& block = matrix_.at(i, i);
+        block[0] += system.mass[i].x, block[4] += system.mass[i].y, block[8] += system.mass[i].turn;
+    }
+    std::vector<Triple> momentum = system.momentum;
+    const auto push = [&](const Row& row, double impulse) {
+        if (row.a != kNoRow) momentum[row.a] = momentum[row.a] + impulse * row.pushA;
+        if (row.b != kNoRow) momentum[row.b] = momentum[row.b] + impulse * row.pushB;
+    };
+    for (std::size_t i = 0; i < system.rows.size(); ++i) {
+        const Row& row = system.rows[i];
+        if (guesses_[i] == Guess::Free) continue;
+        // impulse = start - weight * speed
+        const auto weightOf = [&](std::size_t r) {
+            return system.rows[r].give > 0.0 ? 1.0 / system.rows[r].give : stiffness_ / resistance_[r];
+        };
+        const auto startOf = [&](std::size_t r) {
+            return (system.rows[r].give > 0.0 ? 0.0 : system.rows[r].impulse) + weightOf(r) * system.rows[r].target;
+        };
+        if (guesses_[i] == Guess::Holds) {
+            addToMatrix(row, row.pushA, row.pushB, weightOf(i));
+            push(row, startOf(i));
+            continue;
+        }
+        const double side = guesses_[i] == Guess::Most ? 1.0 : -1.0;
+        if (row.kind == RowKind::Band) {
+            push(row, side * row.most);
+            continue;
+        }
+        const Row& normal = system.rows[row.normal];
+        const double part = side * row.friction;
+        addToMatrix(normal, part * row.pushA, part * row.pushB, weightOf(row.normal));
+        push(row, part * startOf(row.normal));
+    }
+    if (!matrix_.factor()) return false;
+    right_.resize(3 * momentum.size());
+    for (std::size_t i = 0; i < momentum.size(); ++i)
+        right_[3 * i] = momentum[i].x, right_[3 * i + 1] = momentum[i].y, right_[3 * i + 2] = momentum[i].turn;
+    matrix_.solve(right_);
+    for (std::size_t i = 0; i < momentum.size(); ++i)
+        system.velocity[i] = {right_[3 * i], right_[3 * i + 1], right_[3 * i + 2]};
+    return true;
+}
+
+void RowSolver::takeImpulses() {
+    for (std::size_t i = 0; i < system_->rows.size(); ++i) trials_[i] = resistance_[i] < kEndless ? trialOf(i) : 0.0;
+    for (std::size_t i = 0; i < system_->rows.size(); ++i) {
+        Row& row = system_->rows[i];
+        const double least = row.kind == RowKind::Push ? 0.0 : -boundOf(row);
+        row.impulse = std::clamp(trials_[i], least, boundOf(row));
+    }
+}
+
+/// @return whether it came to the tolerance
+bool RowSolver::newton(RowOutcome& outcome) {
+    stiffness_ = kFirstStiffness;
+    double before = kEndless;
+    guesses_.assign(system_->rows.size(), Guess::Free);
+    for (int round = 0; round < kMostRounds; ++round) {
+        bool same = takeGuesses(true);
+        for (int i = 0; !same && i < kMostGuesses; ++i) {
+            if (!solveGuess()) return false;
+            ++outcome.factorings;
+            same = takeGuesses(false);
+        }
+        if (!same) return false;
+        takeImpulses();
+        outcome.residual = worst();
+        if (outcome.residual <= system_->tolerance) return true;
+        if (outcome.residual > 0.1 * before) {
+            if (stiffness_ >= kMostStiffness && outcome.residual > 0.5 * before) return false;
+            stiffness_ = std::min(10.0 * stiffness_, kMostStiffness);
+        }
+        before = outcome.residual;
+    }
+    return false;
+}
+
+RowOutcome RowSolver::solve(RowSystem& system) {
+    system_ = &system;
+    RowOutcome outcome;
+    prepare();
+    velocitiesFromImpulses();
+    if (system.rows.empty()) return outcome;
+    outcome.residual = worst();
+    if (outcome.residual <= system.tolerance) return outcome;
+    matrix_.shape(static_cast<std::uint32_t>(system.mass.size()), edges_);
+    trials_.assign(system.rows.size(), 0.0);
+    std::vector<double> best;
+    double bestResidual = kEndless;
+    for (int attempt = 0; attempt < kMostAttempts; ++attempt) {
+        if (newton(outcome)) return outcome;
+        velocitiesFromImpulses();
+        for (int i = 0; i < kFirstSweeps << attempt; ++i, ++outcome.sweeps) sweep();
+        velocitiesFromImpulses();
+        outcome.residual = worst();
+        if (outcome.residual <= system.tolerance) return outcome;
+        if (outcome.residual < bestResidual) {
+            bestResidual = outcome.residual;
+            best.clear();
+            for (const Row& row : system.rows) best.push_back(row.impulse);
+        }
+    }
+    for (std::size_t i = 0; i < best.size(); ++i) system.rows[i].impulse = best[i];
+    velocitiesFromImpulses();
+    outcome.residual = bestResidual;
+    return outcome;
+}
+
+}  // namespace plumb::reference

@@ -1,0 +1,89 @@
+#pragma once
+
+#include <vector>
+
+#include "tests/accuracy/reference/algebra.hpp"
+#include "tests/accuracy/reference/block_matrix.hpp"
+
+namespace plumb::reference {
+
+inline constexpr std::uint32_t kNoRow = 0xffffffffu;
+
+/// How a row may push.
+enum class RowKind : std::uint8_t {
+    Both,      ///< either way, as hard as need be
+    Push,      ///< never below 0
+    Band,      ///< at most `most` either way
+    Friction,  ///< at most `friction` times what row `normal` pushes, either way
+};
+
+/// One impulse, and the speed that it brings about: speed . v + give * impulse = target where it is not
+/// bounded; what is bounded below leaves at least that speed, and so on.
+/// What it pushes along and what speed it looks at are not the same: the first is that of the middle of a
+/// step, the second of its end.
+struct Row {
+    std::uint32_t a = kNoRow, b = kNoRow;  ///< bodies of the system, or kNoRow for what cannot be pushed
+    Triple pushA, pushB;
+    Triple speedA, speedB;
+    double target = 0.0;  ///< m/s or rad/s
+    double give = 0.0;    ///< of a spring: m/s for each N s
+    RowKind kind = RowKind::Both;
+    std::uint32_t normal = kNoRow;
+    double friction = 0.0;
+    double most = kEndless;  ///< N s
+    double impulse = 0.0;    ///< N s: a guess, then the result
+};
+
+/// Bodies and rows: mass * v = momentum + what the rows push.
+struct RowSystem {
+    std::vector<Triple> mass;      ///< of each body; where it cannot be pushed: 1, and rows have 0 there
+    std::vector<Triple> momentum;  ///< N s
+    std::vector<Row> rows;         ///< normals before their friction
+    std::vector<Triple> velocity;  ///< the result
+    double tolerance = 1.0e-13;    ///< m/s: how exactly each row is to hold
+};
+
+/// What became of a system.
+struct RowOutcome {
+    double residual = 0.0;  ///< m/s: by how much the worst row does not hold
+    int factorings = 0;
+    int sweeps = 0;
+};
+
+/// Solves systems to convergence: guesses which rows push, stick and slide, solves these as equations with
+/// multipliers, and looks again, until the guess is right (a semi-smooth Newton method on the augmented
+/// Lagrangian, which does not mind rows that say the same twice). Where guesses go in circles, sweeps of
+/// projected Gauss-Seidel find better ones.
+/// Sources: P. Alart, A. Curnier, A mixed formulation for frictional contact problems prone to Newton like
+/// solution methods, CMAME 92, 1991; M. Jean, The non-smooth contact dynamics method, CMAME 177, 1999.
+class RowSolver {
+public:
+    RowOutcome solve(RowSystem& system);
+
+private:
+    enum class Guess : std::uint8_t { Free, Holds, Least, Most };
+
+    void prepare();
+    void velocitiesFromImpulses();
+    [[nodiscard]] double speedOf(const Row& row) const;
+    [[nodiscard]] double boundOf(const Row& row) const;
+    [[nodiscard]] double worst() const;
+    void sweep();
+    [[nodiscard]] double trialOf(std::size_t row) const;
+    [[nodiscard]] bool takeGuesses(bool isFirst);
+    bool solveGuess();
+    void addToMatrix(const Row& row, Triple pushA, Triple pushB, double weight);
+    void takeImpulses();
+    bool newton(RowOutcome& outcome);
+
+    RowSystem* system_ = nullptr;
+    BlockMatrix matrix_;
+    std::vector<BlockMatrix::Edge> edges_;
+    std::vector<double> resistance_;  // by row: m/s for each N s
+    std::vector<double> trials_;      // by row: N s
+    std::vector<Guess> guesses_;
+    std::vector<double> right_;
+    double stiffness_ = 1.0;
+};
+
+}  // namespace plumb::reference
