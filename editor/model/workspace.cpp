@@ -7,6 +7,7 @@
 #include "core/log.hpp"
 #include "core/text.hpp"
 #include "editor/model/bounds.hpp"
+#include "editor/model/key_words.hpp"
 #include "editor/model/played_keys.hpp"
 #include "editor/model/prefab_file.hpp"
 #include "editor/model/prefab_group.hpp"
@@ -232,8 +233,9 @@ void Workspace::stopPlaying() {
 void Workspace::keepTicked() {
     const std::size_t kept = keepChanges(document, undo, toKeep);
     toKeep.clear();
-    notice =
-        kept == 0 ? "Nothing was kept" : format("Kept {} changes of the game; Ctrl+Z takes them back", kept);
+    notice = kept == 0 ? "Nothing was kept"
+                       : format("Kept {} changes of the game; {} takes them back", kept,
+                                keysFor(*this, "edit.undo"));
 }
 
 void Workspace::tend(double seconds) {

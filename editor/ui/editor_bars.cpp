@@ -5,6 +5,7 @@
 
 #include "core/text.hpp"
 #include "editor/model/actions.hpp"
+#include "editor/model/key_words.hpp"
 #include "editor/model/prefab_visit.hpp"
 #include "editor/ui/editor_window.hpp"
 #include "editor/ui/icons.hpp"
@@ -118,7 +119,8 @@ void EditorWindow::drawPhysicsButton() {
     ImGui::PushStyleColor(ImGuiCol_Text, view.on ? palette::kText : palette::kTextDim);
     if (ImGui::Button("Physics", {0.0f, ui_.px(26.0f)})) runAction(workspace_, "view.physics");
     widgets_.mark("Overlay/physics", view.on ? "on" : "off");
-    tooltip(format("{} the physics over the scene, edited or playing (F3)", view.on ? "Hide" : "Show"));
+    tooltip(format("{} the physics over the scene, edited or playing  ({})", view.on ? "Hide" : "Show",
+                   keysFor(workspace_, "view.physics")));
     ImGui::SameLine(0.0f, ui_.px(1.0f));
     if (ImGui::ArrowButton("physics layers", ImGuiDir_Down)) ImGui::OpenPopup("physics layers list");
     ImGui::PopStyleColor(2);

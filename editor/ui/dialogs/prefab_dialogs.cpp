@@ -5,6 +5,7 @@
 
 #include "core/text.hpp"
 #include "editor/model/actions.hpp"
+#include "editor/model/key_words.hpp"
 #include "editor/model/make_prefab.hpp"
 #include "editor/ui/ui_compat.hpp"
 
@@ -82,7 +83,8 @@ void PrefabDialogs::drawName(Ui& ui) {
             makePrefab(workspace, workspace.document.selection.all(), prefabPath(name_.data()));
         problem_ = made ? std::string{} : format("{}; {}", made.error().what, made.error().remedy);
         if (made) {
-            workspace.notice = format("Made {}; Ctrl+Z takes it back", prefabPath(name_.data()));
+            workspace.notice = format("Made {}; {} takes it back", prefabPath(name_.data()),
+                                      keysFor(workspace, "edit.undo"));
             ImGui::CloseCurrentPopup();
         }
     }

@@ -5,6 +5,7 @@
 #include "editor/model/actions.hpp"
 #include "editor/model/assets/asset_browser.hpp"
 #include "editor/model/assets/place_asset.hpp"
+#include "editor/model/key_words.hpp"
 #include "editor/model/prefab_visit.hpp"
 #include "editor/ui/dialogs/import_dialog.hpp"
 #include "editor/ui/panels/panels.hpp"
@@ -246,7 +247,10 @@ private:
             error_.clear();
         }
         if (!ImGui::BeginPopupModal("Delete file", nullptr, ImGuiWindowFlags_AlwaysAutoResize)) return;
-        ImGui::TextUnformatted(format("Delete {}?  Ctrl+Z puts it back.", subject_).c_str());
+        const std::string question =
+            format("Delete {}?  {} puts it back.", subject_, keysFor(ui.workspace, "edit.undo"));
+        ImGui::TextUnformatted(question.c_str());
+        ui.widgets.mark("Delete/question", question);
         drawUses("Nothing names it.", "These files name it and would show a placeholder:");
         drawError();
         if (ImGui::Button("Delete", {ui.px(110.0f), 0.0f}) && (error_ = browser.remove(subject_)).empty())
