@@ -35,6 +35,36 @@ void beginBar(const char* name, ImVec2 at, ImVec2 size, ImVec2 padding, ImU32 co
     ImGui::PopStyleVar(2);
 }
 
+/// What was done without a word of its own is told by its step of undo.
+void tellStep(Workspace& workspace) {
+    // As the bar showed it last: how many steps there were, and what told of which.
+    ImGuiStorage& storage = *ImGui::GetStateStorage();
+    int& steps = *storage.GetIntRef(ImGui::GetID("steps"));
+    int& cleared = *storage.GetIntRef(ImGui::GetID("cleared"));
+    int& told = *storage.GetIntRef(ImGui::GetID("told"));
+    int& toldStep = *storage.GetIntRef(ImGui::GetID("told step"));
+    const auto hash = [](const std::string& text) { return static_cast<int>(ImGui::GetID(text.c_str())); };
+    const UndoStack& undo = workspace.undo;
+    std::string& notice = workspace.notice;
+    const int now = static_cast<int>(undo.size());
+    const bool made = now > steps && cleared == static_cast<int>(undo.cleared());
+    const std::string label = made ? undo.label(undo.size() - 1) : std::string{};
+    // How a tile tool is used is worth more than that it was.
+    const ToolRow& tool = toolTable()[workspace.toolIndex()];
+    const bool hint = tool.forTiles && notice == format("{}: {}", tool.name, tool.hint);
+    if (made && !hint && hash(notice) == told && hash(label) != toldStep) {
+        const std::string& whom = undo.subject(undo.size() - 1);
+        const bool named = whom.empty() || label.find(whom) != std::string::npos || endsWith(whom, " more");
+        notice = named ? format("Did: {}", label) : format("Did: {} ({})", label, whom);
+    }
+    if (now < steps && hash(notice) == told && startsWith(notice, "Did: "))
+        notice.clear();  // it was taken back
+    if (hash(notice) != told) toldStep = hash(label);
+    told = hash(notice);
+    steps = now;
+    cleared = static_cast<int>(undo.cleared());
+}
+
 void centerNext(ImVec2 size) {
     const ImVec2 display = ImGui::GetIO().DisplaySize;
     ImGui::SetNextWindowPos({(display.x - size.x) * 0.5f, (display.y - size.y) * 0.4f});
@@ -189,6 +219,7 @@ void EditorWindow::drawStatus(float height) {
     const ImVec2 display = ImGui::GetIO().DisplaySize;
     beginBar("status", {0.0f, display.y - height}, {display.x, height}, {ui_.px(10.0f), ui_.px(4.0f)},
              chromeOf(workspace_.play));
+    tellStep(workspace_);
     const Document& document = workspace_.document;
     const std::string_view hint = toolTable()[workspace_.toolIndex()].hint;
     std::string left = workspace_.notice.empty() ? std::string{hint} : workspace_.notice;

@@ -2,14 +2,12 @@
 
 #include <string>
 #include <string_view>
-#include <unistd.h>
 
 #include <gtest/gtest.h>
 
 #include "app/engine_types.hpp"
 #include "assets/asset_store.hpp"
 #include "core/file.hpp"
-#include "core/text.hpp"
 #include "editor/model/commands/insert_entities.hpp"
 #include "editor/model/workspace.hpp"
 #include "scene/components/box_collider.hpp"
@@ -146,11 +144,10 @@ protected:
     }
 
 private:
-    /// Named with the process, so that two runs at once do not take each other's away.
     static Path makeFolder() {
         const auto* test = testing::UnitTest::GetInstance()->current_test_info();
         Path folder = std::filesystem::temp_directory_path() /
-                      format("plumb_editor_{}_{}_{}", ::getpid(), test->test_suite_name(), test->name());
+                      (std::string{"plumb_editor_"} + test->test_suite_name() + "_" + test->name());
         std::filesystem::remove_all(folder);
         std::filesystem::create_directories(folder / "scenes");
         return folder;
