@@ -36,12 +36,15 @@ bool findOut(Workspace& workspace) {
 bool instancesDiffer(const Workspace& constant) {
     auto& workspace = const_cast<Workspace&>(constant);  // only the answer is kept
     const Document& document = workspace.document;
-    auto& known = workspace.document.world.resource<KnownChanges>();
-    if (known.revision != document.sceneRevision || known.selection != document.selection.revision() ||
-        known.path != document.scenePath)
-        known = {document.sceneRevision, document.selection.revision(), document.scenePath,
-                 findOut(workspace)};
-    return known.differ;
+    const KnownChanges* known = document.world.findResource<KnownChanges>();
+    if (known == nullptr || known->revision != document.sceneRevision ||
+        known->selection != document.selection.revision() || known->path != document.scenePath) {
+        const bool differ = findOut(workspace);
+        auto& now = workspace.document.world.resource<KnownChanges>();
+        now = {document.sceneRevision, document.selection.revision(), document.scenePath, differ};
+        return differ;
+    }
+    return known->differ;
 }
 
 }  // namespace plumb::editor

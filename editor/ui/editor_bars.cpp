@@ -39,30 +39,30 @@ void beginBar(const char* name, ImVec2 at, ImVec2 size, ImVec2 padding, ImU32 co
 void tellStep(Workspace& workspace) {
     // As the bar showed it last: how many steps there were, and what told of which.
     ImGuiStorage& storage = *ImGui::GetStateStorage();
-    int& steps = *storage.GetIntRef(ImGui::GetID("steps"));
-    int& cleared = *storage.GetIntRef(ImGui::GetID("cleared"));
-    int& told = *storage.GetIntRef(ImGui::GetID("told"));
-    int& toldStep = *storage.GetIntRef(ImGui::GetID("told step"));
-    const auto hash = [](const std::string& text) { return static_cast<int>(ImGui::GetID(text.c_str())); };
+    const auto idOf = [](const std::string& text) { return static_cast<int>(ImGui::GetID(text.c_str())); };
+    const auto kept = [&](const char* name) { return storage.GetInt(ImGui::GetID(name)); };
+    const auto keep = [&](const char* name, int value) { storage.SetInt(ImGui::GetID(name), value); };
     const UndoStack& undo = workspace.undo;
     std::string& notice = workspace.notice;
-    const int now = static_cast<int>(undo.size());
-    const bool made = now > steps && cleared == static_cast<int>(undo.cleared());
+    const int steps = static_cast<int>(undo.size());
+    const int cleared = static_cast<int>(undo.cleared());
+    const bool made = steps > kept("steps") && cleared == kept("cleared");
+    const bool silent = idOf(notice) == kept("notice");
     const std::string label = made ? undo.label(undo.size() - 1) : std::string{};
     // How a tile tool is used is worth more than that it was.
     const ToolRow& tool = toolTable()[workspace.toolIndex()];
     const bool hint = tool.forTiles && notice == format("{}: {}", tool.name, tool.hint);
-    if (made && !hint && hash(notice) == told && hash(label) != toldStep) {
+    if (made && silent && !hint && idOf(label) != kept("step")) {
         const std::string& whom = undo.subject(undo.size() - 1);
         const bool named = whom.empty() || label.find(whom) != std::string::npos || endsWith(whom, " more");
         notice = named ? format("Did: {}", label) : format("Did: {} ({})", label, whom);
-    }
-    if (now < steps && hash(notice) == told && startsWith(notice, "Did: "))
+    } else if (silent && steps < kept("steps") && startsWith(notice, "Did: ")) {
         notice.clear();  // it was taken back
-    if (hash(notice) != told) toldStep = hash(label);
-    told = hash(notice);
-    steps = now;
-    cleared = static_cast<int>(undo.cleared());
+    }
+    if (idOf(notice) != kept("notice")) keep("step", idOf(label));
+    keep("notice", idOf(notice));
+    keep("steps", steps);
+    keep("cleared", cleared);
 }
 
 void centerNext(ImVec2 size) {

@@ -131,11 +131,11 @@ TEST_F(Copies, propertyAnyCopiesAreTakenBackAndPutInAgainExactly) {
         std::vector<ObjectId> some;
         for (std::uint32_t n = 0; n <= random.below(3); ++n)
             some.push_back(all[random.below(static_cast<std::uint32_t>(all.size()))]);
+        std::sort(some.begin(), some.end());
+        some.erase(std::unique(some.begin(), some.end()), some.end());
         workspace.document.selection.set(some);
-        if (i % 3 == 0) {
-            ASSERT_TRUE(moveInTree(workspace.document, workspace.undo, some, {}) || true);
-            if (workspace.undo.size() == first + texts.size()) texts.push_back(workspace.text());
-        }
+        if (i % 3 == 0 && moveInTree(workspace.document, workspace.undo, some, {}))
+            texts.push_back(workspace.text());
         if (i % 2 == 0) {
             ASSERT_TRUE(runAction(workspace, "edit.duplicate"));
         } else {

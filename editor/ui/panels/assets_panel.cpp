@@ -22,7 +22,7 @@ namespace {
 constexpr float kTreeWidth = 170.0f;  // px at scale 1
 constexpr float kPictureSide = 76.0f;
 constexpr float kLeastSide = 48.0f;  // of pictures that make room for one row more
-constexpr float kMostSide = 96.0f;
+constexpr float kMostSide = 124.0f;
 constexpr float kBetween = 12.0f;   // from picture to picture
 constexpr double kLookAgain = 0.5;  // s
 
@@ -38,25 +38,26 @@ std::string fitted(std::string_view name, float width) {
     return text;
 }
 
-/// How large pictures are so that whole rows are seen.
+/// How large pictures are, and how many stand beside each other.
 struct Rows {
-    float side;  // px, of a picture
+    float side;  // px
     int columns;
-
-    /// @param room   px
-    /// @param below  px, from a picture to the row after it
-    static Rows fitting(std::size_t items, ImVec2 room, float below, const Ui& ui) {
-        const auto columns = [&](float side) {
-            return std::max(static_cast<int>((room.x + ui.px(kBetween)) / (side + ui.px(kBetween))), 1);
-        };
-        const float usual = ui.px(kPictureSide);
-        const auto rows = (static_cast<int>(items) + columns(usual) - 1) / columns(usual);
-        if (static_cast<float>(rows) * (usual + below) <= room.y) return {usual, columns(usual)};
-        const float seen = std::max(std::floor(room.y / (ui.px(kLeastSide) + below)), 1.0f);
-        const float side = std::clamp(std::floor(room.y / seen - below), ui.px(kLeastSide), ui.px(kMostSide));
-        return {side, columns(side)};
-    }
 };
+
+/// Pictures as large as usual where all of them are seen; else so large that whole rows are.
+/// @param room   px
+/// @param below  px, from a picture to the row after it
+Rows rowsFitting(std::size_t items, ImVec2 room, float below, const Ui& ui) {
+    const auto across = [&](float side) {
+        return std::max(static_cast<int>((room.x + ui.px(kBetween)) / (side + ui.px(kBetween))), 1);
+    };
+    const float usual = ui.px(kPictureSide);
+    const int rows = (static_cast<int>(items) + across(usual) - 1) / across(usual);
+    if (static_cast<float>(rows) * (usual + below) <= room.y) return {usual, across(usual)};
+    const float seen = std::max(std::floor(room.y / (ui.px(kLeastSide) + below)), 1.0f);
+    const float side = std::clamp(std::floor(room.y / seen - below), ui.px(kLeastSide), ui.px(kMostSide));
+    return {side, across(side)};
+}
 
 /// The files of the project: looked through, searched, dragged into the scene, renamed and deleted.
 class AssetsPanel final : public Panel {
@@ -140,7 +141,7 @@ private:
                        : emptyState(ui, "Assets", "No file has this in its name.", "Try fewer letters.");
         }
         const float below = nameHeight(ui) + ImGui::GetStyle().ItemSpacing.y;
-        const auto [side, columns] = Rows::fitting(items.size(), ImGui::GetContentRegionAvail(), below, ui);
+        const auto [side, columns] = rowsFitting(items.size(), ImGui::GetContentRegionAvail(), below, ui);
         const float step = side + ui.px(kBetween);
         for (int i = 0; i < static_cast<int>(items.size()); ++i) {
             if (i % columns != 0) ImGui::SameLine(static_cast<float>(i % columns) * step);
