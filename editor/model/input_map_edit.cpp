@@ -7,6 +7,7 @@
 #include "core/text.hpp"
 #include "editor/model/commands/rename_action.hpp"
 #include "editor/model/commands/write_asset.hpp"
+#include "editor/model/key_words.hpp"
 #include "editor/model/played_keys.hpp"
 #include "reflect/json_text.hpp"
 
@@ -161,7 +162,9 @@ Result<Done> InputMapEdit::add(Kind kind, std::string_view name) {
 Result<Done> InputMapEdit::rename(Kind kind, const std::string& from, std::string_view to) {
     if (Result<Done> can = ready(); !can) return can;
     if (from == to) return Done{};
-    if (!workspace_.canEdit()) return Error{from, "the game is playing", "stop it first (F5)"};
+    if (!workspace_.canEdit())
+        return Error{from, "the game is playing",
+                     format("stop it first ({})", keysFor(workspace_, "run.play"))};
     if (!isNamed(project_, kind, from) || isDefault(kind, from))
         return Error{from, "every game has this one", "add another one and give that the keys"};
     if (Result<Done> good = checkName(kind, to); !good) return good;
@@ -180,9 +183,9 @@ Result<Done> InputMapEdit::rename(Kind kind, const std::string& from, std::strin
         return problem;
     }
     w.notice = made.places() == 0 ? format("{} is {} now; nothing names it", from, to)
-                                  : format("{} is {} now, in {} of {} too; Ctrl+Z takes it back", from, to,
+                                  : format("{} is {} now, in {} of {} too; {} takes it back", from, to,
                                            counted(static_cast<std::size_t>(made.places()), "place"),
-                                           counted(made.files(), "file"));
+                                           counted(made.files(), "file"), keysFor(w, "edit.undo"));
     return Done{};
 }
 

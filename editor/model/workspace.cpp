@@ -7,6 +7,7 @@
 #include "core/log.hpp"
 #include "core/text.hpp"
 #include "editor/model/bounds.hpp"
+#include "editor/model/key_words.hpp"
 #include "editor/model/played_keys.hpp"
 #include "editor/model/prefab_file.hpp"
 #include "editor/model/prefab_group.hpp"
@@ -79,7 +80,9 @@ Result<LoadReport> Workspace::load(const std::string& wanted, const std::string*
     for (const Error& problem : report->problems) {
         logWarning("Editor", problem);
     }
-    notice = format("Opened {}: {} entities", wanted, report->loaded);
+    // With the parts of prefabs, as the tree and the status bar count.
+    const std::size_t count = document.objectCount();
+    notice = format("Opened {}: {} {}", wanted, count, count == 1 ? "entity" : "entities");
     logNote("Editor", "{}", notice);
     showStart();
     return report;
@@ -189,7 +192,9 @@ void Workspace::useTool(std::size_t index) {
     tiles.layer = activeTileLayer(document, tiles);
     if (row.hand != Hand::Keeps) tiles.terrainInHand = row.hand == Hand::Terrain;
     const Tileset* tileset = tilesetOf(document, tiles.layer);
-    if (!tiles.layer) {
+    if (document.scenePath.empty()) {
+        notice = "No scene is open";
+    } else if (!tiles.layer) {
         notice = "This scene has no tile layer; add the component TileLayer to an entity";
     } else if (row.hand == Hand::Terrain && (tileset == nullptr || tileset->terrains.empty())) {
         notice = "This tileset has no terrain yet; the panel Tileset makes one of its tiles";
@@ -232,8 +237,9 @@ void Workspace::stopPlaying() {
 void Workspace::keepTicked() {
     const std::size_t kept = keepChanges(document, undo, toKeep);
     toKeep.clear();
-    notice =
-        kept == 0 ? "Nothing was kept" : format("Kept {} changes of the game; Ctrl+Z takes them back", kept);
+    notice = kept == 0 ? "Nothing was kept"
+                       : format("Kept {} changes of the game; {} takes them back", kept,
+                                keysFor(*this, "edit.undo"));
 }
 
 void Workspace::tend(double seconds) {

@@ -5,6 +5,7 @@
 
 #include "core/text.hpp"
 #include "editor/model/actions.hpp"
+#include "editor/model/key_words.hpp"
 #include "editor/model/prefab_visit.hpp"
 #include "editor/ui/editor_window.hpp"
 #include "editor/ui/icons.hpp"
@@ -32,6 +33,36 @@ void beginBar(const char* name, ImVec2 at, ImVec2 size, ImVec2 padding, ImU32 co
     ImGui::Begin(name, nullptr, kBar);
     ImGui::PopStyleColor();
     ImGui::PopStyleVar(2);
+}
+
+/// What was done without a word of its own is told by its step of undo.
+void tellStep(Workspace& workspace) {
+    // As the bar showed it last: how many steps there were, and what told of which.
+    ImGuiStorage& storage = *ImGui::GetStateStorage();
+    const auto idOf = [](const std::string& text) { return static_cast<int>(ImGui::GetID(text.c_str())); };
+    const auto kept = [&](const char* name) { return storage.GetInt(ImGui::GetID(name)); };
+    const auto keep = [&](const char* name, int value) { storage.SetInt(ImGui::GetID(name), value); };
+    const UndoStack& undo = workspace.undo;
+    std::string& notice = workspace.notice;
+    const int steps = static_cast<int>(undo.size());
+    const int cleared = static_cast<int>(undo.cleared());
+    const bool made = steps > kept("steps") && cleared == kept("cleared");
+    const bool silent = idOf(notice) == kept("notice");
+    const std::string label = made ? undo.label(undo.size() - 1) : std::string{};
+    // How a tile tool is used is worth more than that it was.
+    const ToolRow& tool = toolTable()[workspace.toolIndex()];
+    const bool hint = tool.forTiles && notice == format("{}: {}", tool.name, tool.hint);
+    if (made && silent && !hint && idOf(label) != kept("step")) {
+        const std::string& whom = undo.subject(undo.size() - 1);
+        const bool named = whom.empty() || label.find(whom) != std::string::npos || endsWith(whom, " more");
+        notice = named ? format("Did: {}", label) : format("Did: {} ({})", label, whom);
+    } else if (silent && steps < kept("steps") && startsWith(notice, "Did: ")) {
+        notice.clear();  // it was taken back
+    }
+    if (idOf(notice) != kept("notice")) keep("step", idOf(label));
+    keep("notice", idOf(notice));
+    keep("steps", steps);
+    keep("cleared", cleared);
 }
 
 void centerNext(ImVec2 size) {
@@ -118,7 +149,8 @@ void EditorWindow::drawPhysicsButton() {
     ImGui::PushStyleColor(ImGuiCol_Text, view.on ? palette::kText : palette::kTextDim);
     if (ImGui::Button("Physics", {0.0f, ui_.px(26.0f)})) runAction(workspace_, "view.physics");
     widgets_.mark("Overlay/physics", view.on ? "on" : "off");
-    tooltip(format("{} the physics over the scene, edited or playing (F3)", view.on ? "Hide" : "Show"));
+    tooltip(format("{} the physics over the scene, edited or playing  ({})", view.on ? "Hide" : "Show",
+                   keysFor(workspace_, "view.physics")));
     ImGui::SameLine(0.0f, ui_.px(1.0f));
     if (ImGui::ArrowButton("physics layers", ImGuiDir_Down)) ImGui::OpenPopup("physics layers list");
     ImGui::PopStyleColor(2);
@@ -187,6 +219,7 @@ void EditorWindow::drawStatus(float height) {
     const ImVec2 display = ImGui::GetIO().DisplaySize;
     beginBar("status", {0.0f, display.y - height}, {display.x, height}, {ui_.px(10.0f), ui_.px(4.0f)},
              chromeOf(workspace_.play));
+    tellStep(workspace_);
     const Document& document = workspace_.document;
     const std::string_view hint = toolTable()[workspace_.toolIndex()].hint;
     std::string left = workspace_.notice.empty() ? std::string{hint} : workspace_.notice;
@@ -202,8 +235,11 @@ void EditorWindow::drawStatus(float height) {
                                                   : format("{}, {}    ", std::lround(ui_.mouseInScene.x),
                                                            std::lround(ui_.mouseInScene.y));
     const std::string right =
-        format("{}{} of {} selected    {}%    {}", place, document.selection.size(), document.objectCount(),
-               std::lround(workspace_.view.zoom() * 100.0f), workspace_.unsaved() ? "Not saved" : "Saved");
+        document.scenePath.empty()
+            ? std::string{"No scene"}
+            : format("{}{} of {} selected    {}%    {}", place, document.selection.size(),
+                     document.objectCount(), std::lround(workspace_.view.zoom() * 100.0f),
+                     workspace_.unsaved() ? "Not saved" : "Saved");
     ImGui::SameLine(display.x - ImGui::CalcTextSize(right.c_str()).x - ui_.px(10.0f));
     ImGui::TextDisabled("%s", right.c_str());
     widgets_.mark("Status/state", right);

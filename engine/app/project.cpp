@@ -129,7 +129,9 @@ Result<Project> loadProject(const Path& path) {
     const Path file = isFolder ? path / "project.json" : path;
     Result<std::string> text = readFile(file);
     if (!text) {
-        return Error{file.generic_string(), text.error().what,
+        // Who means a file says so by its ending.
+        const bool noFolder = !isFolder && !path.has_extension() && !std::filesystem::exists(path, failed);
+        return Error{file.generic_string(), noFolder ? "there is no such folder" : text.error().what,
                      "name a folder with a project.json in it, e.g. projects/platformer"};
     }
     const Path root = file.has_parent_path() ? file.parent_path() : Path{"."};

@@ -50,9 +50,13 @@ private:
     [[nodiscard]] bool ended() const { return at_ >= text_.size(); }
     [[nodiscard]] char peek() const { return ended() ? '\0' : text_[at_]; }
 
+    [[nodiscard]] std::ptrdiff_t lineOf(std::size_t position) const {
+        const std::string_view before = text_.substr(0, position);
+        return std::count(before.begin(), before.end(), '\n') + 1;
+    }
     [[nodiscard]] std::string placeOf(std::size_t position) const {
         const std::string_view before = text_.substr(0, position);
-        const auto line = std::count(before.begin(), before.end(), '\n') + 1;
+        const auto line = lineOf(position);
         const std::size_t lineStart = before.rfind('\n') + 1;  // npos + 1 is 0: the first line
         return format("{}:{}:{}", where_, line, position - lineStart + 1);
     }
@@ -71,6 +75,23 @@ private:
     }
     bool failExpecting(std::string_view expected, std::string remedy) {
         return fail(at_, format("expected {}, found {}", expected, found()), std::move(remedy));
+    }
+
+    /// In an array or object stands something else than what was expected. What can never stand there shows
+    /// that its end is missing: the place to mend is where it begins, however much later one sees it.
+    bool failInside(std::size_t openedAt, std::string_view expected, std::string_view remedy) {
+        const char bracket = text_[openedAt];
+        const bool isArray = bracket == '[';
+        const bool unclosed = ended() || (isArray ? peek() == '}' || peek() == ':' : peek() == ']');
+        const auto line = lineOf(openedAt);
+        if (!unclosed)
+            return failExpecting(expected,
+                                 format("{}; the \"{}\" of line {} is open", remedy, bracket, line));
+        const std::string where = ended() ? std::string{} : format(" in line {}", lineOf(at_));
+        return fail(openedAt,
+                    format("the \"{}\" that opens here is not closed: expected {}, found {}{}", bracket,
+                           expected, found(), where),
+                    format("put a \"{}\" where it ends", isArray ? ']' : '}'));
     }
 
     bool admit() {
@@ -131,15 +152,15 @@ private:
         json = Json::object();
         auto& properties = *json.get_ptr<Json::object_t*>();
         std::unordered_set<std::string> seen;  // only asked, never walked; used once an object is large
-        ++at_;
+        const std::size_t openedAt = at_++;
         skipBlank();
         if (peek() == '}') return ++at_, true;
         for (;; ++at_) {
             skipBlank();
             const std::size_t keyAt = at_;
             if (peek() != '"')
-                return failExpecting("a property's name",
-                                     "names stand in double quotes, without a comma after the last");
+                return failInside(openedAt, "a property's name",
+                                  "names stand in double quotes, without a comma after the last");
             std::string key;
             if (!readText(key)) return false;
             skipBlank();
@@ -151,7 +172,7 @@ private:
             skipBlank();
             if (peek() == '}') return ++at_, true;
             if (peek() != ',')
-                return failExpecting("\",\" or \"}\"", "put a comma between properties and close the object");
+                return failInside(openedAt, "\",\" or \"}\"", "put a comma between properties");
         }
     }
 
@@ -180,15 +201,16 @@ private:
     bool readArray(Json& json, int depth) {
         json = Json::array();
         auto& items = *json.get_ptr<Json::array_t*>();
-        ++at_;
+        const std::size_t openedAt = at_++;
         skipBlank();
         if (peek() == ']') return ++at_, true;
         for (;; ++at_) {
+            skipBlank();
+            if (ended() || peek() == '}') return failInside(openedAt, "a value", "");
             if (!readValue(items.emplace_back(), depth)) return false;
             skipBlank();
             if (peek() == ']') return ++at_, true;
-            if (peek() != ',')
-                return failExpecting("\",\" or \"]\"", "put a comma between items and close the array");
+            if (peek() != ',') return failInside(openedAt, "\",\" or \"]\"", "put a comma between items");
         }
     }
 

@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include "core/text.hpp"
+
 namespace plumb {
 namespace {
 
@@ -32,6 +34,29 @@ TEST(PlayerOptions, aMistypedOptionNamesTheClosestOne) {
     ASSERT_FALSE(options.ok());
     EXPECT_EQ(options.error().text(),
               "command line: there is no option \"--headles\"; did you mean --headless?");
+}
+
+TEST(PlayerOptions, aWrongValueIsAnsweredWithWhatItMayBe) {
+    EXPECT_EQ(
+        parsed({"--scale", "17"}).error().text(),
+        "command line: --scale cannot be \"17\"; write --scale N: window size in multiples of the game's "
+        "resolution, 1..16");
+    EXPECT_EQ(parsed({"--seed"}).error().text(),
+              "command line: --seed needs a value; write --seed N: seed of the game's random numbers");
+}
+
+TEST(PlayerOptions, theHelpStandsInColumnsThatFitATerminal) {
+    const std::string usage = playerUsage();
+    ASSERT_EQ(usage.find("usage: plumb-player [PROJECT] [options]\n\n"), 0u);
+    const std::vector<std::string_view> lines =
+        split(trimmed(std::string_view{usage}.substr(usage.find("\n\n"))), '\n');
+    EXPECT_GT(lines.size(), 18u);
+    for (std::size_t i = 1; i < lines.size(); ++i) {
+        EXPECT_LE(lines[i].size(), 80u) << lines[i];
+        ASSERT_GT(lines[i].size(), 26u) << lines[i];
+        EXPECT_EQ(lines[i][25], ' ') << lines[i];
+        EXPECT_NE(lines[i][26], ' ') << lines[i];
+    }
 }
 
 TEST(PlayerOptions, wrongAndMissingValuesAreErrorsWithARemedy) {

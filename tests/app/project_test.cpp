@@ -45,7 +45,8 @@ TEST(Project, whatIsNoProjectIsAnError) {
     for (const char* wrong : {"", "[]", "{", "3", "nonsense"}) {
         EXPECT_FALSE(projectFromText(wrong, ".", "project.json").ok()) << wrong;
     }
-    EXPECT_FALSE(loadProject("/nowhere/at/all").ok());
+    EXPECT_EQ(loadProject("/nowhere/at/all").error().what, "there is no such folder");
+    EXPECT_EQ(loadProject("/nowhere/project.json").error().what, "there is no such file");
 }
 
 TEST(Project, sceneNamesAreShortOrWhole) {

@@ -64,6 +64,26 @@ TEST_F(AssetsPanelTest, filesAreFoundByTheirNameAndFoldersEntered) {
     EXPECT_EQ(valueOf("Assets/scenes/level.scene.json"), "scene");
 }
 
+TEST_F(AssetsPanelTest, wholeRowsAreSeenAndNamesAreCutOnlyWhereThereIsNoRoom) {
+    for (int i = 0; i < 40; ++i) putFile(format("assets/many/picture{}.png", i), *encodePng(sheet()));
+    putFile("assets/many/a_very_long_name_of_a_picture.png", *encodePng(sheet()));
+    hands.rest(60);
+    hands.click("Assets/folder/assets/many");
+    hands.rest(2);
+    EXPECT_EQ(valueOf("Assets/name/assets/many/picture0.png"), "picture0");
+    EXPECT_NE(valueOf("Assets/name/assets/many/a_very_long_name_of_a_picture.png").find(".."),
+              std::string::npos);
+    // None begins in the panel and ends below it.
+    const float end = window.widgets().find("Status/notice")->box.min.y;
+    int seen = 0;
+    for (const auto& [path, widget] : window.widgets().all()) {
+        if (path.find("Assets/assets/many/") != 0 || widget.box.min.y >= end - 12.0f) continue;
+        ++seen;
+        EXPECT_LE(widget.box.max.y, end) << path;
+    }
+    EXPECT_GT(seen, 10);
+}
+
 TEST_F(AssetsPanelTest, aPictureIsDraggedIntoTheSceneAndStandsWhereItWasDropped) {
     workspace.grid.snap = false;
     const Vec2 target = hands.middleOf("Viewport");
@@ -90,6 +110,36 @@ TEST_F(AssetsPanelTest, aFileIsRenamedByItsMenuAndEverythingThatNamesItFollows) 
     hands.rest(2);
     EXPECT_NE(fileText("assets/use.tileset.json").find("assets/villain.png"), std::string::npos);
     EXPECT_EQ(workspace.undo.size(), 1u);
+}
+
+TEST_F(AssetsPanelTest, afterTheMenuWasLeftTheKeysMeanTheFile) {
+    workspace.document.selection.set({named("crate")});
+    hands.clickAt(hands.middleOf("Viewport"), MouseButton::Right);
+    hands.key(Key::Escape);
+    workspace.document.selection.set({named("crate")});
+    hands.clickAt(hands.middleOf("Assets/assets/hero.png"), MouseButton::Right);
+    hands.key(Key::Escape);
+    ASSERT_EQ(window.widgets().find("Assets/menu/Open"), nullptr);
+    hands.key(Key::F2);
+    hands.rest(2);
+    EXPECT_EQ(valueOf("Rename/path"), "assets/hero.png");
+    EXPECT_EQ(window.widgets().find("Scene/rename"), nullptr) << "not the entity too";
+    hands.click("Rename/Cancel");
+    hands.rest(2);
+    hands.key(Key::Delete);
+    hands.rest(2);
+    hands.click("Delete/Keep");
+    hands.rest(2);
+    EXPECT_TRUE(named("crate")) << "what is selected in the scene is not meant";
+    EXPECT_EQ(workspace.undo.size(), 0u);
+
+    // In the scene they mean what is selected there.
+    hands.clickAt(hands.middleOf("Scene/crate"), MouseButton::Right);
+    hands.key(Key::Escape);
+    hands.key(Key::Delete);
+    hands.rest(2);
+    EXPECT_EQ(window.widgets().find("Delete/Keep"), nullptr);
+    EXPECT_FALSE(named("crate"));
 }
 
 TEST_F(AssetsPanelTest, deletingAsksAndKeepingKeeps) {

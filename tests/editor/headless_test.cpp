@@ -65,6 +65,25 @@ TEST_F(HeadlessTest, everyKindOfFaultIsFoundAndToldOnce) {
     EXPECT_EQ(found.scenes, 3u);
 }
 
+TEST_F(HeadlessTest, aMissingFileIsToldWithTheEntityAndTheFieldThatNameIt) {
+    putFile("scenes/odd.scene.json", R"({"format": 1, "effects": {}, "layers": [], "entities": [
+        {"id": "0000000000000001", "name": "ball",
+         "components": {"Transform": {}, "Sprite": {"texture": "assets/none.png"}}},
+        {"id": "0000000000000002", "name": "box",
+         "components": {"Transform": {}, "Sprite": {"texture": "assets/none.png"}}}]})");
+    putFile("prefabs/owl.prefab.json", R"({"format": 1, "entities": [{"id": "0000000000000001", "name": "owl",
+        "components": {"Transform": {}, "Sprite": {"texture": "assets/owl.png"}}}]})");
+    putFile("assets/set.tileset.json", R"({"format": 1, "image": "assets/tiles.png"})");
+    const std::string text = check().text();
+    for (const char* line :
+         {"assets/none.png: there is no such file, named by scenes/odd.scene.json: ball (0000000000000001), "
+          "Sprite.texture and 1 more; ",
+          "assets/owl.png: there is no such file, named by prefabs/owl.prefab.json: owl (0000000000000001), "
+          "Sprite.texture; ",
+          "assets/tiles.png: there is no such file, named by assets/set.tileset.json; "})
+        EXPECT_NE(text.find(line), std::string::npos) << line << " in\n" << text;
+}
+
 TEST_F(HeadlessTest, anExportedGamePlaysAsTheProjectDoes) {
     putFile(".plumb/journal", "secret");
     putFile("notes.txt", "taken along");
@@ -109,6 +128,37 @@ TEST(EditorOptionsTest, whatEndsByItselfIsAsked) {
         EXPECT_NE(editorUsage().find(option), std::string::npos);
     const std::vector<const char*> cut{"--export"};
     EXPECT_FALSE(parseEditorOptions(cut).ok());
+}
+
+TEST(EditorOptionsTest, whatIsWrongIsAnsweredWithWhatIsRight) {
+    const auto said = [](const std::vector<const char*>& words) {
+        const auto options = parseEditorOptions(words);
+        return options.ok() ? std::string{} : options.error().text();
+    };
+    EXPECT_EQ(said({"--validat"}),
+              "command line: there is no option \"--validat\"; did you mean --validate?");
+    EXPECT_EQ(said({"--theme", "pink"}),
+              "command line: --theme cannot be \"pink\"; write --theme NAME: dark or light");
+    EXPECT_EQ(said({"--size", "12"}),
+              "command line: --size cannot be \"12\"; write --size WxH: size of the window in px, 320x240 to "
+              "8192x8192, e.g. 1600x900");
+    EXPECT_EQ(said({"--scale"}),
+              "command line: --scale needs a value; write --scale RATIO: size of the interface, 0.75 to 3");
+    EXPECT_EQ(said({"one", "two"}), "command line: \"two\" is a second project; name one project");
+    EXPECT_EQ(said({"one", "--import", "level.tmx", "out.scene.json", "--theme=light"}), "");
+}
+
+TEST(EditorOptionsTest, theHelpStandsInColumnsThatFitATerminal) {
+    const std::string usage = editorUsage();
+    const std::vector<std::string_view> lines =
+        split(trimmed(std::string_view{usage}.substr(usage.find("\n\n"))), '\n');
+    EXPECT_GT(lines.size(), 12u);
+    for (std::size_t i = 1; i < lines.size(); ++i) {
+        EXPECT_LE(lines[i].size(), 80u) << lines[i];
+        ASSERT_GT(lines[i].size(), 26u) << lines[i];
+        EXPECT_EQ(lines[i][25], ' ') << lines[i];
+        EXPECT_NE(lines[i][26], ' ') << lines[i];
+    }
 }
 
 }  // namespace

@@ -51,6 +51,32 @@ TEST(JsonText, theErrorNamesLineColumnWhatWasExpectedAndARemedy) {
     EXPECT_FALSE(result.error().remedy.empty());
 }
 
+TEST(JsonText, whatIsNeverClosedIsToldWhereItOpens) {
+    struct Case {
+        std::string_view text;
+        std::string_view where;
+        std::string_view what;
+    };
+    for (const Case& one : {
+             Case{"{\n  \"at\": [1, 2\n}\n", "x:2:9", "the \"[\" that opens here is not closed"},
+             Case{"{\n  \"at\": [1, 2,\n}\n", "x:2:9", "expected a value, found \"}\" in line 3"},
+             Case{"{\n  \"at\": [1, 2,\n  \"next\": 3\n}\n", "x:2:9", "found \":\" in line 3"},
+             Case{"[\n  [1, 2],\n  [3, 4]\n", "x:1:1", "found the end of the file"},
+             Case{"[1, [2, 3], ", "x:1:1", "expected a value, found the end of the file"},
+             Case{"[\n  {\"a\": 1\n]", "x:2:3", "the \"{\" that opens here is not closed"},
+             Case{"{\n  \"a\": {\n    \"b\": 1\n", "x:2:8", "found the end of the file"},
+         }) {
+        const Result<Json> result = parseJson(one.text, "x");
+        ASSERT_FALSE(result.ok()) << one.text;
+        EXPECT_EQ(result.error().where, one.where) << one.text;
+        EXPECT_NE(result.error().what.find(one.what), std::string::npos) << result.error().what;
+    }
+    // Here a comma is as likely: the place stays, and what is open is named.
+    const Result<Json> result = parseJson("{\n  \"a\": {\n    \"b\": 1\n  \"c\": 2\n}", "x");
+    EXPECT_EQ(result.error().where, "x:4:3");
+    EXPECT_EQ(result.error().remedy, "put a comma between properties; the \"{\" of line 2 is open");
+}
+
 TEST(JsonText, brokenTextsAreRefusedWithWhereWhatAndRemedy) {
     const std::string_view broken[] = {"",
                                        " ",

@@ -2,7 +2,9 @@
 
 #include "editor/model/actions/action_rows.hpp"
 #include "editor/model/commands/insert_entities.hpp"
+#include "editor/model/instance_changes.hpp"
 #include "editor/model/prefab_visit.hpp"
+#include "editor/model/root_place.hpp"
 #include "editor/model/tools/transform_drag.hpp"
 #include "editor/model/tree_edit.hpp"
 #include "scene/components/name.hpp"
@@ -32,13 +34,17 @@ void createParticles(Workspace& w) {
     w.undo.push(std::make_unique<InsertEntities>("create particles", std::move(states)));
     w.undo.endGesture();
 }
+void nudgeOrSay(Workspace& w, Vec2 offset) {
+    nudge(w.tools(), offset);
+    if (onlyRootSelected(w.document)) w.notice = kRootStays;
+}
 template <int X, int Y>
 void nudgeBy(Workspace& w) {
-    nudge(w.tools(), {static_cast<float>(X), static_cast<float>(Y)});
+    nudgeOrSay(w, {static_cast<float>(X), static_cast<float>(Y)});
 }
 template <int X, int Y>
 void nudgeGrid(Workspace& w) {
-    nudge(w.tools(), scaled({static_cast<float>(X), static_cast<float>(Y)}, w.grid.size));
+    nudgeOrSay(w, scaled({static_cast<float>(X), static_cast<float>(Y)}, w.grid.size));
 }
 
 // What is selected, in the tree and in the view.
@@ -70,6 +76,7 @@ void stepInTreeBy(Workspace& w) {
 }
 
 bool onInstance(const Workspace& w) { return withSelection(w) && w.selectsInstance(); }
+bool changedInstance(const Workspace& w) { return onInstance(w) && instancesDiffer(w); }
 bool comesFromPrefab(const Workspace& w) { return onInstance(w) && !prefabInHand(w).empty(); }
 bool canLeavePrefab(const Workspace& w) { return w.canEdit() && !behindPrefab(w).empty(); }
 
@@ -133,9 +140,9 @@ const std::array kRows{
            {},
            onInstance,
            ask<WindowRequest::ShowOverrides>},
-    Action{"entity.revert", "Entity", "Revert to prefab", control(Key::R), onInstance,
+    Action{"entity.revert", "Entity", "Revert to prefab", control(Key::R), changedInstance,
            [](Workspace& w) { w.revertToPrefab(); }},
-    Action{"entity.apply", "Entity", "Apply to prefab", control(Key::R, true), onInstance,
+    Action{"entity.apply", "Entity", "Apply to prefab", control(Key::R, true), changedInstance,
            [](Workspace& w) { w.applyToPrefab(); }},
     line("Entity"),
     Action{"entity.left", "Entity", "Nudge left", {Key::Left}, withSelection, nudgeBy<-1, 0>},

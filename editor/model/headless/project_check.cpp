@@ -6,6 +6,8 @@
 #include "assets/asset_store.hpp"
 #include "core/text.hpp"
 #include "editor/model/assets/asset_catalog.hpp"
+#include "editor/model/assets/asset_uses.hpp"
+#include "editor/model/headless/asset_names.hpp"
 #include "editor/model/workspace.hpp"
 #include "scene/prefab.hpp"
 
@@ -31,6 +33,39 @@ private:
     ProjectCheck& check_;
     std::set<std::string> known_;
 };
+
+/// With who names the file: that is where it is to be mended.
+Error withNamers(const Path& root, const AssetNames& names, Error problem) {
+    std::string who = names.whoNames(problem.where);
+    if (who.empty()) {
+        const std::vector<AssetUse> uses = usesOfAsset(root, problem.where, false);
+        if (!uses.empty()) who = uses.front().file;
+    }
+    if (!who.empty()) problem.what += format(", named by {}", who);
+    return problem;
+}
+
+/// What is wrong with files that are named, and with those that lie there.
+void checkAssets(const Path& root, Workspace& workspace, ProjectCheck& check, Problems& problems,
+                 PrefabLibrary& prefabs) {
+    AssetNames names{workspace.document.types()};
+    AssetCatalog catalog{root};
+    catalog.refresh();
+    for (const AssetItem& file : catalog.all()) {
+        if (file.kind == AssetKind::Prefab) {
+            ++check.prefabs;
+            if (const auto prefab = prefabs.find(file.path); !prefab) problems.add(prefab.error());
+        } else if (file.kind != AssetKind::None && file.kind != AssetKind::Scene) {
+            ++check.assets;
+            workspace.assets.load(file.kind, file.path);
+        }
+        if (file.kind != AssetKind::Prefab && file.kind != AssetKind::Scene) continue;
+        if (const Result<std::string> text = readFile(root / file.path)) names.read(file.path, *text);
+    }
+    // Also of prefabs that no scene has.
+    for (const auto& [path, named] : names.all()) workspace.assets.load(named.kind, path);
+    for (const Error& problem : workspace.assets.errors()) problems.add(withNamers(root, names, problem));
+}
 
 }  // namespace
 
@@ -60,18 +95,7 @@ ProjectCheck checkProject(const Project& project, Workspace& workspace, PrefabLi
                            "name a scene that there is"});
         check.playable = false;
     }
-    AssetCatalog catalog{project.root};
-    catalog.refresh();
-    for (const AssetItem& file : catalog.all()) {
-        if (file.kind == AssetKind::Prefab) {
-            ++check.prefabs;
-            if (const auto prefab = prefabs.find(file.path); !prefab) problems.add(prefab.error());
-        } else if (file.kind != AssetKind::None && file.kind != AssetKind::Scene) {
-            ++check.assets;
-            workspace.assets.load(file.kind, file.path);
-        }
-    }
-    problems.add(workspace.assets.errors());
+    checkAssets(project.root, workspace, check, problems, prefabs);
     return check;
 }
 

@@ -5,6 +5,7 @@
 #include <imgui.h>
 
 #include "core/text.hpp"
+#include "editor/model/key_words.hpp"
 #include "editor/ui/ui_compat.hpp"
 #include "editor/ui/widgets/text_field.hpp"
 
@@ -40,7 +41,8 @@ void line(ImU32 color, const std::string& where, const std::string& what, const 
 void openSceneOrSay(Ui& ui, const std::string& path) {
     Workspace& workspace = ui.workspace;
     if (workspace.unsaved()) {
-        workspace.notice = format("Save the open scene first (Ctrl+S), then open {}", path);
+        workspace.notice = format("Save the open scene first ({}), then open {}",
+                                  keysFor(workspace, "file.save"), path);
         return;
     }
     static_cast<void>(workspace.open(path).ok());

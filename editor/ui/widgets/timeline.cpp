@@ -5,6 +5,7 @@
 
 #include "core/text.hpp"
 #include "editor/model/actions.hpp"
+#include "editor/model/key_words.hpp"
 #include "editor/ui/icons.hpp"
 
 namespace plumb::editor::ui {
@@ -83,7 +84,8 @@ void drawSpeed(Ui& ui) {
         ImGui::OpenPopup("speeds");
     ImGui::PopStyleColor();
     ui.widgets.mark("Timeline/speed", now);
-    tooltip("How fast the game plays  (F7 slower, F8 faster)");
+    tooltip(format("How fast the game plays  ({} slower, {} faster)", keysFor(ui.workspace, "run.slower"),
+                   keysFor(ui.workspace, "run.faster")));
     if (ImGui::BeginPopup("speeds")) {
         for (int speed = PlayMode::kFastest; speed >= PlayMode::kSlowest; --speed) {
             const std::string text = speedText(speed);

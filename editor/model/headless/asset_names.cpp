@@ -1,0 +1,77 @@
+#include "editor/model/headless/asset_names.hpp"
+
+#include "core/text.hpp"
+#include "reflect/json.hpp"
+#include "reflect/json_text.hpp"
+
+namespace plumb::editor {
+namespace {
+
+std::string textIn(const Json& object, const char* key) {
+    const auto found = object.find(key);
+    return found == object.end() || !found->is_string() ? std::string{} : found->get<std::string>();
+}
+
+/// An object within an object; an empty one when there is none.
+const Json& objectIn(const Json& object, const char* key) {
+    static const Json kNone = Json::object();
+    const auto found = object.find(key);
+    return found == object.end() || !found->is_object() ? kNone : *found;
+}
+
+/// "crate (0000000000000004)", as people and other tools find it.
+std::string whoIs(const Json& entity) {
+    const std::string name = textIn(entity, "name");
+    const std::string id = textIn(entity, "id");
+    return name.empty() ? id.empty() ? std::string{"an entity"} : id : format("{} ({})", name, id);
+}
+
+}  // namespace
+
+void AssetNames::read(const std::string& file, std::string_view text) {
+    std::vector<Error> repeated;  // told by who opens it
+    const Result<Json> json = parseJson(text, file, &repeated);
+    if (!json || !json->is_object()) return;
+    const auto entities = json->find("entities");
+    if (entities == json->end() || !entities->is_array()) return;
+    for (const Json& entity : *entities) {
+        if (entity.is_object()) readEntity(file, entity, whoIs(entity));
+    }
+}
+
+/// With what an instance says of the parts of its prefab.
+void AssetNames::readEntity(const std::string& file, const Json& entity, const std::string& who) {
+    for (const auto& [name, fields] : objectIn(entity, "components").items()) {
+        const TypeInfo* type = types_.find(name);
+        if (type == nullptr || !fields.is_object()) continue;
+        for (const auto& [key, value] : fields.items()) {
+            if (const FieldInfo* field = type->find(key))
+                add(*field, value, format("{}: {}, {}.{}", file, who, name, key));
+        }
+    }
+    for (const auto& [part, own] : objectIn(entity, "children").items()) {
+        if (own.is_object()) readEntity(file, own, format("{}, its part {}", who, part));
+    }
+}
+
+void AssetNames::add(const FieldInfo& field, const Json& value, const std::string& who) {
+    if (field.kind == FieldKind::List && field.element == FieldKind::Asset && value.is_array()) {
+        FieldInfo item = field;
+        item.kind = FieldKind::Asset;
+        for (const Json& one : value) add(item, one, who);
+    }
+    if (field.kind != FieldKind::Asset || !value.is_string() || value.get_ref<const std::string&>().empty())
+        return;
+    Named& named = named_[value.get<std::string>()];
+    named.kind = field.asset;
+    named.by.push_back(who);
+}
+
+std::string AssetNames::whoNames(std::string_view path) const {
+    const auto found = named_.find(path);
+    if (found == named_.end()) return {};
+    const std::vector<std::string>& by = found->second.by;
+    return by.size() == 1 ? by.front() : format("{} and {} more", by.front(), by.size() - 1);
+}
+
+}  // namespace plumb::editor

@@ -1,0 +1,56 @@
+#include "core/option_rows.hpp"
+
+#include "core/text.hpp"
+
+namespace plumb {
+namespace {
+
+constexpr std::size_t kColumn = 26;  // letters before what an option is for
+constexpr std::size_t kWidth = 80;   // letters in a line
+
+constexpr const char* kWhere = "command line";
+
+/// How much of a text goes into one line: up to a blank or behind a comma, and at least one word.
+std::size_t lineLength(std::string_view text, std::size_t room) {
+    if (text.size() <= room) return text.size();
+    std::size_t end = text.find_last_of(" ,", room);
+    if (end == std::string_view::npos || end == 0) end = text.find_first_of(" ,");
+    if (end == std::string_view::npos) return text.size();
+    return text[end] == ',' ? end + 1 : end;
+}
+
+}  // namespace
+
+std::string optionLines(std::span<const OptionHelp> options) {
+    std::string text;
+    for (const OptionHelp& option : options) {
+        std::string line = format("  {} {}", option.name, option.value);
+        for (std::string_view rest = option.doc; !rest.empty();) {
+            line.resize(kColumn, ' ');
+            const std::size_t length = lineLength(rest, kWidth - kColumn);
+            text += line.append(rest.substr(0, length)) + "\n";
+            rest = trimmed(rest.substr(length));
+            line.clear();
+        }
+    }
+    return text;
+}
+
+Error unknownOption(std::string_view name, std::span<const OptionHelp> options) {
+    std::vector<std::string_view> names;
+    for (const OptionHelp& option : options) names.push_back(option.name);
+    const std::string_view near = closestName(name, names);
+    return {kWhere, format("there is no option \"{}\"", name),
+            near.empty() ? std::string{"--help lists them"} : format("did you mean {}?", near)};
+}
+
+Error wrongValue(const OptionHelp& option, const std::string_view* value) {
+    const std::string usage =
+        option.value.empty() ? std::string{option.name} : format("{} {}", option.name, option.value);
+    return {kWhere,
+            value == nullptr ? format("{} needs a value", option.name)
+                             : format("{} cannot be \"{}\"", option.name, *value),
+            format("write {}: {}", usage, option.doc)};
+}
+
+}  // namespace plumb

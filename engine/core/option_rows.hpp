@@ -1,0 +1,75 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/result.hpp"
+
+namespace plumb {
+
+/// What is said of one option of a command line.
+struct OptionHelp {
+    std::string_view name;   ///< "--size"
+    std::string_view value;  ///< what is written behind it, "WxH"; empty for a switch
+    std::string_view doc;    ///< what it is for, and what the value may be
+};
+
+/// One row of a program's table of options. All programs read and tell theirs in the same way.
+template <class Options>
+struct OptionRow {
+    std::string_view name;
+    std::string_view value;
+    std::string_view doc;
+    bool (*set)(Options& options, std::string_view value);  ///< false when the value is wrong
+
+    [[nodiscard]] OptionHelp help() const { return {name, value, doc}; }
+};
+
+/// The options below each other, what they are for beside them in one column.
+std::string optionLines(std::span<const OptionHelp> options);
+
+Error unknownOption(std::string_view name, std::span<const OptionHelp> options);
+/// @param value  what was given; none: nothing was
+Error wrongValue(const OptionHelp& option, const std::string_view* value);
+
+template <class Options>
+std::vector<OptionHelp> helpOf(std::span<const OptionRow<Options>> rows) {
+    std::vector<OptionHelp> help;
+    for (const OptionRow<Options>& row : rows) help.push_back(row.help());
+    return help;
+}
+
+/// Reads `--name`, `--name value` and `--name=value`.
+/// @param onWord  takes each word that belongs to no option; says what is wrong with it
+/// @error  an unknown option, whose remedy names the closest one; a missing or wrong value
+template <class Options, class OnWord>
+Result<Done> readOptions(std::span<const OptionRow<Options>> rows, std::span<const char* const> words,
+                         Options& options, OnWord onWord) {
+    for (std::size_t i = 0; i < words.size(); ++i) {
+        const std::string_view word = words[i];
+        if (word.substr(0, 1) != "-") {
+            if (Result<Done> taken = onWord(word); !taken) return taken;
+            continue;
+        }
+        const std::size_t equals = word.find('=');
+        const std::string_view name = word.substr(0, equals);
+        const OptionRow<Options>* found = nullptr;
+        for (const OptionRow<Options>& row : rows) {
+            if (row.name == name) found = &row;
+        }
+        if (found == nullptr) return unknownOption(name, helpOf(rows));
+        std::string_view value;
+        if (equals != std::string_view::npos) {
+            value = word.substr(equals + 1);
+        } else if (!found->value.empty()) {
+            if (++i == words.size()) return wrongValue(found->help(), nullptr);
+            value = words[i];
+        }
+        if (!found->set(options, value)) return wrongValue(found->help(), &value);
+    }
+    return Done{};
+}
+
+}  // namespace plumb

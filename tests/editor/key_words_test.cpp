@@ -1,0 +1,79 @@
+// What a message says of keys are the keys that the person has.
+
+#include "editor/model/key_words.hpp"
+
+#include "editor/model/actions.hpp"
+#include "editor/model/input_map_edit.hpp"
+#include "platform/image_file.hpp"
+#include "tests/editor/support/editor_fixture.hpp"
+#include "tests/editor/support/hands.hpp"
+#include "tests/support/places.hpp"
+
+namespace plumb::editor::ui {
+namespace {
+
+/// Somebody takes back with Ctrl+U, saves with F12, and has no key to play.
+class KeyWords : public EditorFixture {
+protected:
+    KeyWords() : window{workspace, log, nullptr, test::sourceFolder() / "assets/fonts"}, hands{window} {
+        KeyBindings& keys = workspace.settings.keys;
+        keys.bind(*findAction("edit.undo"), {Key::U, true});
+        keys.bind(*findAction("file.save"), {Key::F12});
+        keys.unbind(*findAction("run.play"));
+    }
+
+    LogBook log;
+    EditorWindow window;
+    Hands hands;
+};
+
+TEST_F(KeyWords, areTheKeysOfTheActionOrItsName) {
+    EXPECT_EQ(keysFor(workspace, "edit.undo"), "Ctrl+U");
+    EXPECT_EQ(keysFor(workspace, "run.play"), "Play");
+    workspace.settings.keys.resetAll();
+    EXPECT_EQ(keysFor(workspace, "edit.undo"), "Ctrl+Z");
+}
+
+TEST_F(KeyWords, aNewPrefabIsTakenBackByThem) {
+    workspace.document.selection.set({named("crate")});
+    runAction(workspace, "entity.makePrefab");
+    hands.rest(3);
+    hands.click("MakePrefab/Make");
+    EXPECT_EQ(workspace.notice, "Made prefabs/crate.prefab.json; Ctrl+U takes it back");
+}
+
+TEST_F(KeyWords, aRenamedActionIsTakenBackByThem) {
+    putFile("project.json", R"({"format": 1, "input": {"actions": {"Dash": ["X"]}}})");
+    putFile("scenes/menu.scene.json", R"({"format": 1, "entities": [
+        {"id": "0000000000000001", "components": {"ToggleKey": {"action": "Dash"}}}]})");
+    InputMapEdit edit{workspace};
+    edit.refresh();
+    ASSERT_TRUE(edit.rename(InputMapEdit::Kind::Action, "Dash", "Rush").ok());
+    EXPECT_EQ(workspace.notice, "Dash is Rush now, in 1 place of 1 file too; Ctrl+U takes it back");
+}
+
+TEST_F(KeyWords, aFileIsPutBackByThemAndAnotherSceneWaitsForThoseOfSaving) {
+    putFile("assets/hero.png", *encodePng(Image{2, 2, std::vector<std::uint8_t>(16, 255)}));
+    putFile("scenes/other.scene.json", kSceneText);
+    hands.click("Tab/Assets");
+    hands.rest(40);
+    hands.click("Assets/folder/assets");
+    hands.rest(2);
+    hands.click("Assets/assets/hero.png");
+    hands.key(Key::Delete);
+    hands.rest(3);
+    EXPECT_EQ(window.widgets().find("Delete/question")->value,
+              "Delete assets/hero.png?  Ctrl+U puts it back.");
+    hands.click("Delete/Keep");
+    hands.rest(2);
+
+    runAction(workspace, "entity.create");
+    hands.click("Assets/folder/scenes");
+    hands.rest(2);
+    hands.click("Assets/scenes/other.scene.json");
+    hands.clickAt(hands.middleOf("Assets/scenes/other.scene.json"));
+    EXPECT_EQ(workspace.notice, "Save the open scene first (F12), then open scenes/other.scene.json");
+}
+
+}  // namespace
+}  // namespace plumb::editor::ui
