@@ -220,10 +220,10 @@ PaneBoxes arrange(const PaneLayout& layout, std::span<const PanelHome> panels, V
                   float least) {
     PaneBoxes boxes;
     const auto there = [&](Dock dock) { return !layout.hidden && !layout.pane(dock).tabs.empty(); };
+    // Of any tab, not of the one in front: neither the tabs nor the scene may jump when another is clicked.
     const auto tall = [&](Dock dock) {
-        const std::string& front = layout.pane(dock).front;
         return there(dock) && std::any_of(panels.begin(), panels.end(), [&](const PanelHome& home) {
-                   return home.tall && home.title == front;
+                   return home.tall && holds(layout.pane(dock).tabs, home.title);
                });
     };
     // No pane may leave the scene without room, however small the window is.

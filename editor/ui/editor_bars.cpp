@@ -11,6 +11,7 @@
 #include "editor/ui/icons.hpp"
 #include "editor/ui/overlays/overlay_list.hpp"
 #include "editor/ui/ui_compat.hpp"
+#include "editor/ui/widgets/list_arrow.hpp"
 #include "editor/ui/widgets/snap_menu.hpp"
 
 namespace plumb::editor::ui {
@@ -18,6 +19,8 @@ namespace {
 
 constexpr ImGuiWindowFlags kBar = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
                                   ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBringToFrontOnFocus;
+
+constexpr float kButtonSide = 28.0f;  // px at scale 1; all that stands in the toolbar is as high
 
 ImU32 chromeOf(const PlayMode& play) {
     if (!play.running()) return palette::kChrome;
@@ -75,7 +78,7 @@ void centerNext(ImVec2 size) {
 void EditorWindow::toolButton(std::string_view id, bool on, ImU32 color) {
     const Action& action = *findAction(id);
     const bool enabled = action.enabled(workspace_);
-    const float side = ui_.px(28.0f);
+    const float side = ui_.px(kButtonSide);
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const bool pressed = ImGui::InvisibleButton(std::string{id}.c_str(), {side, side});
     widgets_.mark(format("Toolbar/{}", action.label), on ? "on" : "off");
@@ -132,7 +135,7 @@ void EditorWindow::drawToolbar(float height) {
         const bool on = workspace_.shows(row.name);
         ImGui::PushStyleColor(ImGuiCol_Button, on ? palette::kAccentSoft : palette::kNothing);
         ImGui::PushStyleColor(ImGuiCol_Text, on ? palette::kText : palette::kTextDim);
-        if (ImGui::Button(std::string{row.label}.c_str(), {0.0f, ui_.px(26.0f)}))
+        if (ImGui::Button(std::string{row.label}.c_str(), {0.0f, ui_.px(kButtonSide)}))
             workspace_.toggleOverlay(row.name);
         ImGui::PopStyleColor(2);
         widgets_.mark(format("Overlay/{}", row.name), on ? "on" : "off");
@@ -147,14 +150,14 @@ void EditorWindow::drawPhysicsButton() {
     PhysicsView& view = workspace_.physics;
     ImGui::PushStyleColor(ImGuiCol_Button, view.on ? palette::kAccentSoft : palette::kNothing);
     ImGui::PushStyleColor(ImGuiCol_Text, view.on ? palette::kText : palette::kTextDim);
-    if (ImGui::Button("Physics", {0.0f, ui_.px(26.0f)})) runAction(workspace_, "view.physics");
+    if (ImGui::Button("Physics", {0.0f, ui_.px(kButtonSide)})) runAction(workspace_, "view.physics");
     widgets_.mark("Overlay/physics", view.on ? "on" : "off");
     tooltip(format("{} the physics over the scene, edited or playing  ({})", view.on ? "Hide" : "Show",
                    keysFor(workspace_, "view.physics")));
     ImGui::SameLine(0.0f, ui_.px(1.0f));
-    if (ImGui::ArrowButton("physics layers", ImGuiDir_Down)) ImGui::OpenPopup("physics layers list");
     ImGui::PopStyleColor(2);
-    widgets_.mark("Overlay/physics layers");
+    if (listArrow(ui_, "Overlay/physics layers", ui_.px(kButtonSide)))
+        ImGui::OpenPopup("physics layers list");
     tooltip("What of the physics is shown");
     // At the edge of the window its size is known too late to fit in by itself.
     ImGui::SetNextWindowPos(

@@ -66,8 +66,11 @@ float drawPrefabStrip(Ui& ui, float top, float width) {
     ImGui::PopStyleColor();
     ImGui::PopStyleVar(2);
     const ImVec2 from = ImGui::GetWindowPos();
-    ImGui::GetWindowDrawList()->AddRectFilled({from.x, from.y + height - ui.px(2.0f)},
-                                              {from.x + width, from.y + height}, palette::kViolet);
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const ImVec2 to{from.x + width, from.y + height};
+    list.PushClipRect(from, to);  // the window's own leaves out half of its padding
+    list.AddRectFilled({from.x, to.y - ui.px(2.0f)}, to, palette::kViolet);
+    list.PopClipRect();
     drawContents(ui, width);
     ImGui::End();
     return height;

@@ -53,6 +53,12 @@ TEST_F(TilesWindow, aTerrainIsTakenFromItsButtonAndPainted) {
     EXPECT_FALSE(workspace.tiles.terrainInHand) << "a tile of the palette goes before the terrain";
 }
 
+TEST_F(TilesWindow, whatStandsAboveThePaletteIsInSightInANarrowPane) {
+    const float right = window.widgets().find("Viewport")->box.max.x;
+    for (const char* widget : {"Tiles/terrain/terrain", "Tiles/search", "Tiles/zoomIn", "Tiles/grid"})
+        EXPECT_LE(window.widgets().find(widget)->box.max.x, right) << widget;
+}
+
 TEST_F(TilesWindow, theLayerListChoosesHidesLocksAndShowsAlone) {
     runAction(workspace, "layer.add");
     hands.rest(2);

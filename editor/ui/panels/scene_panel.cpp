@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstring>
 #include <optional>
 #include <utility>
@@ -43,7 +44,10 @@ public:
     void draw(Ui& ui) override {
         const Document& document = ui.workspace.document;
         drawFilter(ui);
-        beginChild("tree", {0.0f, 0.0f}, false);
+        // Whole rows only: what is left below is less than one.
+        const float room = ImGui::GetContentRegionAvail().y;
+        const float row = rowHeight(ui);
+        beginChild("tree", {0.0f, std::max(std::floor(room / row), 1.0f) * row}, false);
         if (document.scenePath.empty()) {
             emptyState(ui, "Scene", "No scene is open.", "", {"file.open", "file.new"});
         } else if (document.objectCount() == 0) {
@@ -67,10 +71,11 @@ private:
             ImGui::SetKeyboardFocusHere();
         }
         ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - clear);
-        ImGui::InputTextWithHint("##filter", "Filter: name, component, c:RigidBody", filter_.data(),
-                                 filter_.size());
+        ImGui::InputTextWithHint("##filter", "Filter", filter_.data(), filter_.size());
         ui.widgets.mark("Scene/filter", filter_.data());
-        tooltip("Words that are all in the name or in that of a component; c: looks at components only.");
+        tooltip(ui.workspace.settings.keys.labelOf(*findAction("edit.filter"),
+                                                   "Words that are all in the name or in that of a "
+                                                   "component; c:RigidBody looks at components only"));
         if (any) {
             ImGui::SameLine(0.0f, ui.px(2.0f));
             if (ImGui::Button("x", {ImGui::GetFrameHeight(), 0.0f})) filter_.fill('\0');

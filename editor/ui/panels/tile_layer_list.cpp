@@ -1,6 +1,8 @@
 #include "editor/ui/panels/tile_layer_list.hpp"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "editor/model/actions.hpp"
 #include "editor/model/tile_layer_edit.hpp"
@@ -37,8 +39,18 @@ void drawRow(Ui& ui, ObjectId layer, bool active) {
     const auto keyed = [&](std::string_view words, std::string_view action) {
         return workspace.settings.keys.labelOf(*findAction(action), words);
     };
+    const float height = ImGui::GetFrameHeight();
+    const ImVec2 from = ImGui::GetCursorScreenPos();
+    const ImVec2 to{from.x + ImGui::GetContentRegionAvail().x, from.y + height};
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    if (active) {
+        list.AddRectFilled(from, to, palette::kAccentSoft, ui.px(3.0f));
+    } else if (ImGui::IsWindowHovered() && ImGui::IsMouseHoveringRect(from, to)) {
+        list.AddRectFilled(from, to, palette::kHover, ui.px(3.0f));
+    }
     const bool hidden = view.isHidden(layer);
-    if (iconButton(ui, hidden ? Icon::EyeClosed : Icon::Eye, !hidden, path + "/seen",
+    const bool unseen = view.hides(layer);  // by another that is shown alone, too
+    if (iconButton(ui, hidden ? Icon::EyeClosed : Icon::Eye, !unseen, path + "/seen",
                    keyed("Hides or shows it", "layer.hide")))
         view.toggleHidden(layer);
     ImGui::SameLine(0.0f, 0.0f);
@@ -51,11 +63,16 @@ void drawRow(Ui& ui, ObjectId layer, bool active) {
                    keyed("Locked layers cannot be painted on", "layer.lock")))
         view.toggleLocked(layer);
     ImGui::SameLine(0.0f, ui.px(4.0f));
-    if (ImGui::Selectable(name.c_str(), active, 0, {0.0f, ImGui::GetFrameHeight()})) {
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    if (ImGui::InvisibleButton("name", {std::max(to.x - at.x, 1.0f), height})) {
         workspace.tiles.layer = layer;
         workspace.document.selection.set({layer});
     }
     ui.widgets.mark(path, active ? "in hand" : "");
+    list.PushClipRect(at, to, true);
+    list.AddText({at.x, std::floor(at.y + (height - ImGui::GetTextLineHeight()) * 0.5f)},
+                 unseen ? palette::kTextDim : palette::kText, name.c_str());
+    list.PopClipRect();
     ImGui::PopID();
 }
 

@@ -18,7 +18,10 @@ namespace plumb::editor::ui {
 namespace {
 
 constexpr float kLayersWidth = 236.0f;  // px at scale 1
-constexpr float kStampWidth = 176.0f;   // px at scale 1
+constexpr float kStampWidth = 196.0f;
+constexpr float kSearchWidth = 112.0f;
+constexpr float kZoomWidth = 170.0f;  // of the buttons behind it
+constexpr std::size_t kKeptInRow = 5;
 
 /// What is painted on which layer: the tileset of the layer in hand, its terrains, the stamp.
 class TilesPanel final : public Panel {
@@ -57,7 +60,7 @@ private:
                               "Select the layer and choose one in the inspector: TileLayer, tileset.");
         }
         drawTerrains(ui, *tileset);
-        ImGui::SetNextItemWidth(ui.px(112.0f));
+        ImGui::SetNextItemWidth(ui.px(kSearchWidth));
         ImGui::InputTextWithHint("##search", "Search tiles", search_.data(), search_.size());
         ui.widgets.mark("Tiles/search");
         tooltip("By number, collision, material, or a property's name or value.");
@@ -74,7 +77,7 @@ private:
         ImGui::EndChild();
     }
 
-    /// A button for each terrain; one with the tile that stands for its inside.
+    /// A button for each terrain, with a tile of it.
     static void drawTerrains(Ui& ui, const Tileset& tileset) {
         Workspace& workspace = ui.workspace;
         const Terrain* inHand =
@@ -93,7 +96,7 @@ private:
             tooltip(format("Paint {} (T): borders and corners come by themselves", terrain.name));
             ImDrawList& list = *ImGui::GetWindowDrawList();
             const float inset = ui.px(3.0f);
-            drawTile(ui, list, tileset, cellOf(insideOf(terrain)),
+            drawTile(ui, list, tileset, cellOf(signOf(terrain)),
                      {{at.x + inset, at.y + inset}, {at.x + side - inset, at.y + side - inset}});
             list.AddText({at.x + side + ui.px(4.0f), at.y + ImGui::GetStyle().FramePadding.y}, palette::kText,
                          terrain.name.c_str());
@@ -101,16 +104,28 @@ private:
                 outline(list, at, {at.x + width, at.y + side}, palette::kAccent, ui.px(3.0f), 2.0f);
             ImGui::SameLine(0.0f, ui.px(5.0f));
         }
-        if (!tileset.terrains.empty()) ImGui::SameLine(0.0f, ui.px(12.0f));
+        if (tileset.terrains.empty()) return;
+        // In a narrow pane what follows has a line of its own.
+        const float end = ImGui::GetItemRectMax().x + ui.px(12.0f + kSearchWidth + kZoomWidth);
+        if (end <= ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMax().x) {
+            ImGui::SameLine(0.0f, ui.px(12.0f));
+        } else {
+            ImGui::NewLine();
+        }
     }
 
-    static int insideOf(const Terrain& terrain) {
-        int best = -1;
-        int mask = -1;
+    /// The upper edge tells more than the inside, which is often plain; that where there is no other.
+    static int signOf(const Terrain& terrain) {
+        constexpr int kAbove = 128 | 1 | 2;  // the three neighbours in the row above
+        const TerrainTile* inside = nullptr;
         for (const TerrainTile& tile : terrain.tiles) {
-            if (int{tile.mask} > mask) best = tile.tile, mask = tile.mask;
+            if (inside == nullptr || tile.mask > inside->mask) inside = &tile;
         }
-        return best;
+        if (inside == nullptr) return -1;
+        for (const TerrainTile& tile : terrain.tiles) {
+            if (int{tile.mask} == (int{inside->mask} & ~kAbove)) return tile.tile;
+        }
+        return inside->tile;
     }
 
     /// A drag over the tiles makes them the pattern to paint with; the brush comes to hand.
@@ -143,28 +158,32 @@ private:
         ui.widgets.mark("Tiles/stamp", format("{} x {}", stamp.width, stamp.height));
         ImGui::SameLine(0.0f, ui.px(8.0f));
         ImGui::BeginGroup();
-        stampButton(ui, "tiles.flipX", "Flip X");
-        stampButton(ui, "tiles.flipY", "Flip Y");
-        ImGui::EndGroup();
-        stampButton(ui, "tiles.turnBack", "Left");
-        ImGui::SameLine(0.0f, ui.px(4.0f));
-        stampButton(ui, "tiles.turn", "Turn");
+        const float gap = ui.px(4.0f);
+        const float width = std::floor((ImGui::GetContentRegionAvail().x - gap) * 0.5f);
+        stampButton(ui, "tiles.flipX", "Flip X", width);
+        ImGui::SameLine(0.0f, gap);
+        stampButton(ui, "tiles.flipY", "Flip Y", width);
+        stampButton(ui, "tiles.turnBack", "Turn L", width);
+        ImGui::SameLine(0.0f, gap);
+        stampButton(ui, "tiles.turn", "Turn R", width);
         bool random = ui.workspace.tiles.random;
-        ImGui::SameLine(0.0f, ui.px(4.0f));
         if (ImGui::Checkbox("Random", &random)) runAction(ui.workspace, "tiles.random");
         ui.widgets.mark("Tiles/Random", random ? "on" : "off");
         tooltip("Each cell takes any tile of the pattern, by their probabilities (D)");
+        ImGui::EndGroup();
         drawKept(ui, tileset);
     }
 
     /// The stamps behind the keys 1 to 9: a click takes one, the right button keeps the present one there.
     static void drawKept(Ui& ui, const Tileset* tileset) {
         TilePaint& tiles = ui.workspace.tiles;
-        ImGui::Spacing();
         ImGui::TextDisabled("Kept");
-        const float side = ui.px(30.0f);
+        // Beside a scroll bar, too.
+        const float gap = ui.px(4.0f);
+        const float room = ImGui::GetContentRegionAvail().x - gap * static_cast<float>(kKeptInRow - 1);
+        const float side = std::min(std::floor(room / static_cast<float>(kKeptInRow)), ui.px(30.0f));
         for (std::size_t i = 0; i < TilePaint::kKept; ++i) {
-            if (i % 5 != 0) ImGui::SameLine(0.0f, ui.px(4.0f));
+            if (i % kKeptInRow != 0) ImGui::SameLine(0.0f, gap);
             const ImVec2 at = ImGui::GetCursorScreenPos();
             const std::string path = format("Tiles/kept/{}", i + 1);
             const bool clicked = ImGui::InvisibleButton(path.c_str(), {side, side});
@@ -192,9 +211,9 @@ private:
         }
     }
 
-    static void stampButton(Ui& ui, const char* id, const char* label) {
+    static void stampButton(Ui& ui, const char* id, const char* label, float width) {
         const Action& action = *findAction(id);
-        if (ImGui::Button(label)) runAction(ui.workspace, id);
+        if (ImGui::Button(label, {width, 0.0f})) runAction(ui.workspace, id);
         ui.widgets.mark(std::string{"Tiles/"} + label);
         tooltip(ui.workspace.settings.keys.labelOf(action));
     }

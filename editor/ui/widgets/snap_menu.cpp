@@ -7,6 +7,7 @@
 #include "core/text.hpp"
 #include "editor/model/actions.hpp"
 #include "editor/ui/ui_compat.hpp"
+#include "editor/ui/widgets/list_arrow.hpp"
 #include "math/angle.hpp"
 
 namespace plumb::editor::ui {
@@ -71,11 +72,7 @@ void editColor(Ui& ui, GridSettings& grid) {
 }  // namespace
 
 void snapMenu(Ui& ui) {
-    ImGui::PushStyleColor(ImGuiCol_Button, IM_COL32(0, 0, 0, 0));
-    ImGui::PushStyleColor(ImGuiCol_Text, palette::kTextDim);
-    const bool pressed = ImGui::ArrowButton("snap settings", ImGuiDir_Down);
-    ImGui::PopStyleColor(2);
-    ui.widgets.mark("Toolbar/snap settings");
+    const bool pressed = listArrow(ui, "Toolbar/snap settings", ImGui::GetItemRectSize().y);
     tooltip("To what things snap, and the grid");
     if (pressed) ImGui::OpenPopup("snap settings list");
     if (!ImGui::BeginPopup("snap settings list")) return;
