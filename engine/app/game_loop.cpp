@@ -80,6 +80,7 @@ void GameLoop::runScreen() {
     double before = wallSeconds();
     rateStart_ = before;
     while (running_ && ticks_ != options_.frames) {
+        openDevices();
         handleEvents();
         if (!lockstep) reloadEdited();
         const double now = wallSeconds();
@@ -92,6 +93,14 @@ void GameLoop::runScreen() {
         drawFrame(ticks_ == 0 ? 1.0f : frame.alpha);
         reportRate();
     }
+}
+
+/// For who calls for them; what is open stays open. The audio device opens with its first sound.
+void GameLoop::openDevices() {
+    if (padsOpen_ || !game_.effects.runs(game_.world, "pads")) return;
+    padsOpen_ = true;
+    screen_->window().openPads();
+    game_.effects.count("pads");
 }
 
 void GameLoop::handleEvents() {

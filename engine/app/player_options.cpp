@@ -89,7 +89,7 @@ constexpr std::array kOptions{
            [](PlayerOptions& o, std::string_view v) { return setText(v, o.record); }},
     Option{"--replay", "FILE", "play recorded input",
            [](PlayerOptions& o, std::string_view v) { return setText(v, o.replay); }},
-    Option{"--effects", "", "list what the scene calls for",
+    Option{"--effects", "", "list what the scene calls for, and what it costs",
            [](PlayerOptions& o, std::string_view) { return o.effects = true; }},
     Option{"--benchmark", "", "measure 10,000 moving, colliding, drawn entities",
            [](PlayerOptions& o, std::string_view) { return o.benchmark = true; }},
