@@ -57,17 +57,12 @@ void cell(std::string& line, const Column& column, std::string_view text) {
     if (!column.right) line.append(blank, ' ');
 }
 
-std::string joined(const std::vector<std::string_view>& names) {
-    std::string text;
-    for (const std::string_view name : names) text.append(text.empty() ? "" : ", ").append(name);
-    return text;
-}
-
 std::string callersText(const EffectRow& row, const EffectLine& line) {
     std::string text;
     for (const EffectCount& caller : line.callers)
         text += format("{}{} ({})", text.empty() ? "" : ", ", caller.type->name, caller.count);
     if (!text.empty()) return text;
+    if (line.calledFor) return "tiles, or game code";
     for (const EffectCaller& caller : row.callers)
         text += format("{}{}", text.empty() ? "nobody: " : ", ", caller.type().name);
     return text.empty() ? "nobody: only game code can" : text;

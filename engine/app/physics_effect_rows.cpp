@@ -62,12 +62,12 @@ std::vector<EffectRow> physicsEffectRows() {
         row<Some<RigidBody, falls>, Rope, Cloth, Jelly>(Effect::Gravity, "Bodies fall.", kByDefault));
     rows.push_back(row<Some<RigidBody, turns>>(Effect::Rotation, "Bodies turn.", kByDefault));
     rows.push_back(row<Some<BoxCollider, rubs>, Some<CircleCollider, rubs>, Some<CapsuleCollider, rubs>,
-                       Some<PolygonCollider, rubs>, Some<ChainCollider, rubs>, Some<TileCollider, rubs>>(
+                       Some<PolygonCollider, rubs>, Some<ChainCollider, rubs>, TileCollider>(
         Effect::Friction, "What touches rubs.", kByDefault));
     rows.push_back(
         row<Some<RigidBody, bouncesItself>, Some<BoxCollider, bounces>, Some<CircleCollider, bounces>,
-            Some<CapsuleCollider, bounces>, Some<PolygonCollider, bounces>, Some<ChainCollider, bounces>,
-            Some<TileCollider, bounces>>(Effect::Restitution, "What touches bounces off."));
+            Some<CapsuleCollider, bounces>, Some<PolygonCollider, bounces>, Some<ChainCollider, bounces>>(
+            Effect::Restitution, "What touches bounces off."));
     rows.push_back(row(Effect::Rolling, "Round things roll out."));
     rows.push_back(row<Some<RigidBody, slows>>(Effect::Drag, "The air slows bodies."));
     rows.push_back(row<RevoluteJoint, DistanceJoint, PrismaticJoint, WeldJoint, WheelJoint, MouseJoint,
@@ -79,23 +79,23 @@ std::vector<EffectRow> physicsEffectRows() {
     rows.push_back(row<Some<RigidBody, sleeps>>(Effect::Sleep, "What rests costs nothing.", kByDefault));
     rows.push_back(
         row<Some<BoxCollider, isSolid>, Some<CircleCollider, isSolid>, Some<CapsuleCollider, isSolid>,
-            Some<PolygonCollider, isSolid>, Some<ChainCollider, isSolid>, Some<TileCollider, isSolid>>(
+            Some<PolygonCollider, isSolid>, Some<ChainCollider, isSolid>, TileCollider>(
             Effect::Contacts, "Bodies collide.", kByDefault));
     rows.push_back(
         row<Some<BoxCollider, isTrigger>, Some<CircleCollider, isTrigger>, Some<CapsuleCollider, isTrigger>,
-            Some<PolygonCollider, isTrigger>, Some<ChainCollider, isTrigger>, Some<TileCollider, isTrigger>>(
+            Some<PolygonCollider, isTrigger>, Some<ChainCollider, isTrigger>>(
             Effect::Triggers, "Colliders notice who is in them."));
     rows.push_back(
         row<BoxCollider, CircleCollider, CapsuleCollider, PolygonCollider, ChainCollider, TileCollider>(
             Effect::ContactEvents, "Systems hear who touches whom.", kByDefault));
     rows.push_back(
         row<Some<BoxCollider, isOneWay>, Some<CircleCollider, isOneWay>, Some<CapsuleCollider, isOneWay>,
-            Some<PolygonCollider, isOneWay>, Some<ChainCollider, isOneWay>, Some<TileCollider, isOneWay>>(
+            Some<PolygonCollider, isOneWay>, Some<ChainCollider, isOneWay>>(
             Effect::OneWay, "Planks let through from below."));
     rows.push_back(
         row<Some<BoxCollider, conveys>, Some<CircleCollider, conveys>, Some<CapsuleCollider, conveys>,
-            Some<PolygonCollider, conveys>, Some<ChainCollider, conveys>, Some<TileCollider, conveys>>(
-            Effect::Conveyor, "Surfaces carry along."));
+            Some<PolygonCollider, conveys>, Some<ChainCollider, conveys>>(Effect::Conveyor,
+                                                                          "Surfaces carry along."));
     rows.push_back(row<KinematicBody>(Effect::Kinematics, "Platforms push and carry."));
     rows.push_back(row<Some<RigidBody, isLocked>>(Effect::Locks, "Bodies keep to a line."));
     rows.push_back(row<GravityField>(Effect::AreaGravity, "Regions with a gravity of their own."));

@@ -200,6 +200,10 @@ private:
     }
 
     static void drawCallers(Ui& ui, const EffectRow& row, const Line& line, const std::string& path) {
+        if (line.callers.empty() && line.calledFor) {
+            ImGui::TextDisabled("tiles, or game code");
+            return;
+        }
         if (line.callers.empty()) {
             std::string names;
             for (const EffectCaller& caller : row.callers)
