@@ -26,6 +26,12 @@ struct EffectCount {
 /// Who calls for an effect now, kinds of components that nobody has left out.
 std::vector<EffectCount> callersOf(const World& world, const EffectRow& row);
 
+/// The first kinds of components that could call for an effect, for who looks for them.
+std::string missingCallers(const EffectRow& row);
+
+/// s that a zone of a profile takes by itself: to be taken from what it measured, once a call.
+double zoneOverhead();
+
 /// One effect of a world, for people.
 struct EffectLine {
     std::size_t row = 0;

@@ -3,10 +3,12 @@
 #include <algorithm>
 
 #include "app/system_order.hpp"
+#include "assets/asset_store.hpp"
 #include "gameplay/components.hpp"
 #include "scene/components.hpp"
 #include "scene/loaded_scene.hpp"
 #include "scene/particles.hpp"
+#include "scene/tile_drawing.hpp"
 
 namespace plumb {
 namespace {
@@ -32,6 +34,16 @@ bool hasPicture(const World& world) {
     const auto* loaded = world.findResource<LoadedScenes>();
     return loaded != nullptr && std::any_of(loaded->scenes.begin(), loaded->scenes.end(),
                                             [](const LoadedScene& scene) { return scene.background.a > 0; });
+}
+
+/// Not asked in a tick, only where tiles are drawn.
+bool hasAnimatedTiles(const World& world) {
+    const auto* assets = world.service<AssetStore>();
+    if (assets == nullptr || !isThereAny<TileLayer>(world)) return false;
+    for (auto [entity, layer] : world.query<const TileLayer>(withPaused)) {
+        if (isAnimated(assets->tileset(layer.tileset))) return true;
+    }
+    return false;
 }
 
 /// Every effect beside those of the physics. A row is all that a new one needs; its systems name it in
@@ -73,6 +85,7 @@ std::vector<EffectRow> systemEffectRows() {
     for (EffectRow& made : rows) {
         if (made.name == "particles") made.calledFor = hasParticles;
         if (made.name == "picture") made.calledFor = hasPicture;
+        if (made.name == "tile_animation") made.calledFor = hasAnimatedTiles;
     }
     return rows;
 }

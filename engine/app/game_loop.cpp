@@ -30,6 +30,8 @@ GameLoop::GameLoop(Game& game, Screen* screen, const PlayerOptions& options, std
     : game_{game}, screen_{screen}, options_{options}, projectName_{std::move(projectName)} {
     game_.input.logging = screen_ != nullptr;
     if (screen_ != nullptr) sounds_.emplace(game_.assets);
+    if (!options_.allEffects) return;
+    for (const EffectRow& row : game_.effects.table().rows()) game_.effects.setProgram(row.name, Pin::On);
 }
 
 int GameLoop::run() {

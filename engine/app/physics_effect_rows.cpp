@@ -45,6 +45,9 @@ bool hasMotor(const T& joint) {
     return joint.motor;
 }
 
+bool tilesRub(const TileCollider& tiles) { return tiles.friction > 0.0f; }
+bool tilesBounce(const TileCollider& tiles) { return tiles.bounciness > 0.0f; }
+
 template <class... Callers>
 EffectRow row(Effect effect, std::string_view doc, bool byDefault = false) {
     EffectRow made{physics::nameOf(effect), doc, {}, nullptr, effect, byDefault};
@@ -62,12 +65,12 @@ std::vector<EffectRow> physicsEffectRows() {
         row<Some<RigidBody, falls>, Rope, Cloth, Jelly>(Effect::Gravity, "Bodies fall.", kByDefault));
     rows.push_back(row<Some<RigidBody, turns>>(Effect::Rotation, "Bodies turn.", kByDefault));
     rows.push_back(row<Some<BoxCollider, rubs>, Some<CircleCollider, rubs>, Some<CapsuleCollider, rubs>,
-                       Some<PolygonCollider, rubs>, Some<ChainCollider, rubs>, TileCollider>(
+                       Some<PolygonCollider, rubs>, Some<ChainCollider, rubs>, Some<TileCollider, tilesRub>>(
         Effect::Friction, "What touches rubs.", kByDefault));
     rows.push_back(
         row<Some<RigidBody, bouncesItself>, Some<BoxCollider, bounces>, Some<CircleCollider, bounces>,
-            Some<CapsuleCollider, bounces>, Some<PolygonCollider, bounces>, Some<ChainCollider, bounces>>(
-            Effect::Restitution, "What touches bounces off."));
+            Some<CapsuleCollider, bounces>, Some<PolygonCollider, bounces>, Some<ChainCollider, bounces>,
+            Some<TileCollider, tilesBounce>>(Effect::Restitution, "What touches bounces off."));
     rows.push_back(row(Effect::Rolling, "Round things roll out."));
     rows.push_back(row<Some<RigidBody, slows>>(Effect::Drag, "The air slows bodies."));
     rows.push_back(row<RevoluteJoint, DistanceJoint, PrismaticJoint, WeldJoint, WheelJoint, MouseJoint,
@@ -96,7 +99,7 @@ std::vector<EffectRow> physicsEffectRows() {
         row<Some<BoxCollider, conveys>, Some<CircleCollider, conveys>, Some<CapsuleCollider, conveys>,
             Some<PolygonCollider, conveys>, Some<ChainCollider, conveys>>(Effect::Conveyor,
                                                                           "Surfaces carry along."));
-    rows.push_back(row<KinematicBody>(Effect::Kinematics, "Platforms push and carry."));
+    rows.push_back(row<KinematicBody, CharacterBody>(Effect::Kinematics, "Platforms push and carry."));
     rows.push_back(row<Some<RigidBody, isLocked>>(Effect::Locks, "Bodies keep to a line."));
     rows.push_back(row<GravityField>(Effect::AreaGravity, "Regions with a gravity of their own."));
     rows.push_back(row<WindField>(Effect::Wind, "Wind blows in regions."));

@@ -91,6 +91,8 @@ constexpr std::array kOptions{
            [](PlayerOptions& o, std::string_view v) { return setText(v, o.replay); }},
     Option{"--effects", "", "list what the scene calls for, and what it costs",
            [](PlayerOptions& o, std::string_view) { return o.effects = true; }},
+    Option{"--all-effects", "", "run every effect, called for or not, to compare",
+           [](PlayerOptions& o, std::string_view) { return o.allEffects = true; }},
     Option{"--benchmark", "", "measure 10,000 moving, colliding, drawn entities",
            [](PlayerOptions& o, std::string_view) { return o.benchmark = true; }},
     Option{"--entities", "N", "so many in the benchmark, 1..1000000", &setEntities},

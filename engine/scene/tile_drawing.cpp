@@ -10,12 +10,12 @@ namespace {
 /// Layers that were not drawn for so many frames give their memory back.
 constexpr std::uint64_t kForgetFrames = 300;
 
+}  // namespace
+
 bool isAnimated(const Tileset& tileset) {
     return std::any_of(tileset.tiles.begin(), tileset.tiles.end(),
                        [](const Tile& tile) { return !tile.animation.empty(); });
 }
-
-}  // namespace
 
 void TileDrawing::beginFrame(double seconds) {
     seconds_ = seconds;
@@ -31,10 +31,10 @@ void TileDrawing::draw(const World& world, EntityId entity, const TileLayer& lay
     double seconds = seconds_;
     if (Effects* effects = world.service<Effects>();
         effects != nullptr && isAnimated(assets_.tileset(layer.tileset))) {
-        if (effects->runs(world, "tile_animation")) {
-            effects->count("tile_animation");
-        } else {
+        if (effects->pinOf(effects->table().find("tile_animation")) == Pin::Off) {
             seconds = 0.0;
+        } else {
+            effects->count("tile_animation");
         }
     }
     TileSheet sheet =

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <string>
+#include <string_view>
 #include <vector>
 
 #include "app/effect_rows.hpp"
@@ -14,8 +14,12 @@ namespace plumb::test {
 /// A pile of crates in a game that has every system. Nobody calls for anything but the physics.
 class PileGame : public Game {
 public:
-    explicit PileGame(int crates = 12) {
-        addAllSystems(world);
+    /// @param without  an effect whose systems are left out
+    explicit PileGame(int crates = 12, std::string_view without = {}) {
+        useSystemOrder(world);
+        for (const SystemRow& system : systemTable()) {
+            if (without.empty() || system.effect != without) system.add(world);
+        }
         world.resource<PictureSize>();  // as a scene has it, whoever looks
         Entity floor = world.createEntity();
         floor.addComponent<Transform>(-400.0f, 200.0f);

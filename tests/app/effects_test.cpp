@@ -149,8 +149,9 @@ TEST(Effects, theTableHasEveryEffectOfThePhysicsOnceAndEveryNameOnce) {
     for (const EffectRow& row : engineEffects().rows()) {
         EXPECT_TRUE(names.insert(row.name).second) << row.name;
         EXPECT_FALSE(row.doc.empty()) << row.name;
-        if (row.physics != physics::Effect::Count)
+        if (row.physics != physics::Effect::Count) {
             EXPECT_TRUE(ofPhysics.insert(row.physics).second) << row.name;
+        }
         EXPECT_EQ(row.calledFor == nullptr, row.physics != physics::Effect::Count) << row.name;
     }
     EXPECT_EQ(ofPhysics.size(), physics::kEffects);

@@ -97,13 +97,14 @@ void EffectsView::readCosts(const Profiler& profiler) {
         for (std::size_t zone = 0; zone < samples[i].zones.size(); ++zone)
             zones[zone] += samples[i].zones[zone] / static_cast<float>(count);
     }
+    if (overhead_ < 0.0f) overhead_ = static_cast<float>(zoneOverhead() * 1000.0);
     for (Line& line : lines_) {
         line.measured = count > 0 && line.runs && !line.zones.own.empty();
         line.milliseconds = 0.0f;
         for (std::size_t zone = 0; zone < zones.size(); ++zone) {
             const auto& own = line.zones.own;
             if (std::find(own.begin(), own.end(), profiler.zones()[zone].name) != own.end())
-                line.milliseconds += zones[zone];
+                line.milliseconds += std::max(zones[zone] - overhead_, 0.0f);
         }
         line.share = tick_ > 0.0f ? line.milliseconds / tick_ : 0.0f;
     }

@@ -42,6 +42,7 @@ private:
 
     std::vector<Line> lines_;
     float tick_ = 0.0f;
+    float overhead_ = -1.0f;  // ms that measuring a zone takes; below 0: not known yet
     std::uint64_t revision_ = ~std::uint64_t{0};
     std::int64_t ticks_ = -1;
 };

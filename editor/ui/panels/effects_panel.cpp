@@ -205,10 +205,8 @@ private:
             return;
         }
         if (line.callers.empty()) {
-            std::string names;
-            for (const EffectCaller& caller : row.callers)
-                names += format("{}{}", names.empty() ? "nobody has " : ", ", caller.type().name);
-            ImGui::TextDisabled("%s", names.empty() ? "only game code can" : names.c_str());
+            const std::string names = "nobody: " + missingCallers(row);
+            ImGui::TextDisabled("%s", names.c_str());
             ui.widgets.mark(path + "/nobody", names);
             return;
         }
