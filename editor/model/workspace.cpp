@@ -4,6 +4,7 @@
 #include <cmath>
 #include <optional>
 
+#include "app/effect_rows.hpp"
 #include "core/log.hpp"
 #include "core/text.hpp"
 #include "editor/model/bounds.hpp"
@@ -38,6 +39,7 @@ Workspace::Workspace(const TypeRegistry& types, AssetStore& store, ProjectFolder
                      PrefabLibrary* prefabs)
     : project{std::move(folder)}, assets{store}, document{types}, undo{document}, prefabs_{prefabs} {
     document.world.provide(assets);
+    document.world.provide(engineEffects());
     readGrid(*this);
     for (const ToolRow& row : toolTable()) {
         tools_.push_back(row.make());

@@ -231,6 +231,7 @@ int runEditor(const EditorOptions& given) {
     auto window = Window::open(
         {.title = "Plumb", .width = options.width, .height = options.height, .hidden = takesPictures});
     if (!window) return fail(window.error());
+    (*window)->openPads();  // of games that play in it
     auto device = GlDevice::create();
     if (!device) return fail(device.error());
     App app{std::move(*session), log, kept, std::move(*window), std::move(*device)};

@@ -1,155 +1,207 @@
 #include "app/effect_list.hpp"
 
 #include <algorithm>
-#include <string_view>
+#include <cmath>
+#include <limits>
 
-#include "app/system_order.hpp"
+#include "app/game.hpp"
+#include "core/clock.hpp"
+#include "core/profile.hpp"
 #include "core/text.hpp"
-#include "ecs/world.hpp"
 #include "physics/simulation.hpp"
-#include "reflect/type_registry.hpp"
 #include "scene/physics_bridge.hpp"
 #include "scene/physics_state.hpp"
-#include "scene/systems/physics_system.hpp"
 
 namespace plumb {
 namespace {
 
-constexpr std::string_view kMoving = "RigidBody, KinematicBody";
-constexpr std::string_view kColliders =
-    "BoxCollider, CircleCollider, CapsuleCollider, PolygonCollider, ChainCollider, TileCollider";
-constexpr std::string_view kJoints =
-    "RevoluteJoint, DistanceJoint, PrismaticJoint, WeldJoint, WheelJoint, MouseJoint, MotorJoint, "
-    "PulleyJoint, GearJoint";
-constexpr std::string_view kFields = "GravityField, WindField, BuoyancyField, Attractor";
-constexpr std::size_t kNameWidth = 20;  // "character animation" is the longest
+constexpr double kMicro = 1e6;
+constexpr int kRounds = 3;           // the best counts: other programs can only make it slower
+constexpr int kWarmUp = 20;          // ticks, until everything has its memory
+constexpr double kLongRound = 0.03;  // s: where ticks are so slow that fewer of them will do
+constexpr int kFewestTicks = 20;
 
-/// A device of the player that is opened only for who needs it.
-struct Device {
-    std::string_view name;
-    std::string_view calledFor;
-};
-constexpr Device kDevices[] = {
-    {"picture", "Sprite, TileLayer, ParticleEmitter, Label"},
-    {"sound", "SoundCues, Music"},
-    {"keys and pads",
-     "PlayerController, PushControl, MouseDrag, SceneLink, Menu, SceneKey, ToggleKey, Detonator"},
-};
+bool isOfPhysics(const EffectRow& row) { return row.physics != physics::Effect::Count; }
 
-/// Calls `f` for each name of "A, B, C".
-template <class F>
-void forEachName(std::string_view names, F&& f) {
-    while (!names.empty()) {
-        const std::size_t end = std::min(names.find(','), names.size());
-        f(names.substr(0, end));
-        names.remove_prefix(std::min(end + 2, names.size()));
+double microsecondsOf(const Profile& profile, std::string_view zone, int ticks, double overhead) {
+    for (const Profile::Zone& measured : profile.zones()) {
+        if (measured.name != zone) continue;
+        return std::max(measured.seconds - overhead * measured.calls, 0.0) * kMicro / ticks;
     }
+    return 0.0;
 }
 
-class EffectTable {
-public:
-    EffectTable(World& world, const TypeRegistry& types) : world_{world}, types_{types} {}
-
-    void heading(std::string_view name) {
-        if (!text_.empty()) text_ += '\n';
-        text_.append(name).append(kNameWidth + 2 - name.size(), ' ').append("works  for whom\n");
-    }
-    void line(std::string_view name, bool works, std::string_view calledFor) {
-        text_.append("  ").append(name);
-        text_.append(kNameWidth - std::min(name.size(), kNameWidth - 1), ' ');
-        const std::string callers = callersOf(calledFor);
-        text_.append(works ? "yes    " : "no     ");
-        if (callers.empty()) {
-            text_.append(calledFor.empty() ? "no component calls for it yet" : "nobody has ")
-                .append(calledFor);
-        } else {
-            text_.append(callers).append(works ? "" : ", but nothing of it moves");
-        }
-        text_ += '\n';
-    }
-    [[nodiscard]] bool calledFor(std::string_view names) const { return !callersOf(names).empty(); }
-    [[nodiscard]] std::string take() { return std::move(text_); }
-
-private:
-    /// "RigidBody (3), Patrol (2)"; empty when nobody has any of them.
-    [[nodiscard]] std::string callersOf(std::string_view names) const {
-        std::string callers;
-        forEachName(names, [&](std::string_view name) {
-            std::size_t count = 0;
-            if (const TypeInfo* type = types_.find(name))
-                world_.eachOf(*type, [&count](EntityId, const void*) { ++count; });
-            if (count == 0) return;
-            if (!callers.empty()) callers += ", ";
-            callers.append(name).append(format(" ({})", count));
-        });
-        return callers;
-    }
-
-    World& world_;
-    const TypeRegistry& types_;
-    std::string text_;
-};
-
-/// The components for which a stage runs, by one of its effects.
-struct Caller {
-    physics::Effect effect;
-    std::string_view components;
-};
-constexpr Caller kCallers[] = {
-    {physics::Effect::OneWay, kColliders},
-    {physics::Effect::Triggers, kColliders},
-    {physics::Effect::Contacts, kColliders},
-    {physics::Effect::Joints, kJoints},
-    {physics::Effect::Explosion, "Explosion"},
-    {physics::Effect::AreaGravity, kFields},
-    {physics::Effect::SoftBodies, "Rope, Cloth, Jelly"},
-};
-
-std::string_view callersOf(const physics::StageInfo& stage) {
-    for (const Caller& caller : kCallers) {
-        if ((stage.effects & physics::Manifest::bit(caller.effect)) != 0) return caller.components;
-    }
-    return kMoving;
+/// µs of each tick. @param from  where the game is afterwards again
+double play(Game& game, const Snapshot& from, int ticks) {
+    const double start = threadSeconds();
+    for (int i = 0; i < ticks; ++i) tickGame(game, InputFrame{});
+    const double seconds = threadSeconds() - start;
+    game.world.restore(from);
+    game.onLateUpdate(0.0f);  // what lies beside the world follows
+    return seconds * kMicro / ticks;
 }
 
-bool works(const physics::StageInfo& stage, const physics::World& world) {
-    if (world.awake.empty()) return false;
-    if (stage.effects == 0) return true;
-    for (std::size_t i = 0; i < physics::kEffects; ++i) {
-        const auto effect = static_cast<physics::Effect>(i);
-        if ((stage.effects & physics::Manifest::bit(effect)) != 0 && world.manifest.runs(effect)) return true;
-    }
-    return false;
+// The table.
+
+struct Column {
+    std::string_view title;
+    std::size_t width;
+    bool right = false;
+};
+constexpr Column kColumns[] = {{"effect", 21},          {"runs", 6},        {"pinned", 8},
+                               {"us a tick", 11, true}, {"share", 8, true}, {"saves us", 10, true},
+                               {"  called for by", 0}};
+
+void cell(std::string& line, const Column& column, std::string_view text) {
+    const std::size_t blank = column.width > text.size() ? column.width - text.size() : 0;
+    if (column.right) line.append(blank, ' ');
+    line.append(text);
+    if (!column.right) line.append(blank, ' ');
 }
 
-void listPhysics(EffectTable& table, const physics::World& world) {
-    table.heading("physics");
-    for (const physics::StageInfo& stage : physics::stages())
-        table.line(stage.name, works(stage, world), callersOf(stage));
+std::string callersText(const EffectRow& row, const EffectLine& line) {
+    std::string text;
+    for (const EffectCount& caller : line.callers)
+        text += format("{}{} ({})", text.empty() ? "" : ", ", caller.type->name, caller.count);
+    if (!text.empty()) return line.calledFor ? text : text + ", none of which calls now";
+    if (line.calledFor) return "tiles, or game code";
+    return "nobody: " + missingCallers(row);
 }
 
-void listSystems(EffectTable& table, bool physicsWorks) {
-    table.heading("systems");
-    for (const SystemRow& system : systemTable()) {
-        const bool isPhysics = system.name == PhysicsSystem::kName;
-        table.line(system.name, isPhysics ? physicsWorks : table.calledFor(system.calledFor),
-                   system.calledFor);
-    }
+std::string lineText(const EffectReport& report, const EffectLine& line) {
+    const EffectRow& row = report.table->rows()[line.row];
+    std::string text = "  ";
+    const auto number = [](double value, int digits) { return fixedText(value, digits); };
+    cell(text, kColumns[0], row.name);
+    cell(text, kColumns[1], line.runs ? "yes" : "no");
+    cell(text, kColumns[2], line.pin == Pin::Auto ? std::string_view{"-"} : nameOf(line.pin));
+    const bool measured = report.ticks > 0 && line.runs;
+    const bool own = measured && !line.zones.own.empty();
+    cell(text, kColumns[3],
+         own                            ? number(line.microseconds, 2)
+         : measured && isOfPhysics(row) ? "shared"
+                                        : "-");
+    cell(text, kColumns[4],
+         own && report.microseconds > 0.0 ? number(100.0 * line.microseconds / report.microseconds, 1) + " %"
+                                          : "-");
+    const bool saves = measured && (own || isOfPhysics(row));
+    cell(text, kColumns[5], saves ? number(std::max(line.saves, 0.0), 1) : "-");
+    text += "  " + callersText(row, line);
+    if (!line.pinnedBy.empty()) text += format("; pinned by {}", line.pinnedBy);
+    return text;
 }
 
 }  // namespace
 
-std::string effectList(World& world, const TypeRegistry& types) {
-    EffectTable table{world, types};
-    syncBodies(world, 1.0f / 60.0f);
-    const physics::World& physics = world.resource<PhysicsState>().world;
-    listPhysics(table, physics);
-    listSystems(table, physics::bodyCount(physics) > 0 && !physics.awake.empty());
-    table.heading("devices");
-    for (const Device& device : kDevices) {
-        table.line(device.name, table.calledFor(device.calledFor), device.calledFor);
+double zoneOverhead() {
+    constexpr int kScopes = 200;
+    double best = 1.0;
+    for (int round = 0; round < kRounds; ++round) {
+        Profile profile;
+        for (int i = 0; i < kScopes; ++i) const ProfileScope scope{&profile, "nothing"};
+        best = std::min(best, profile.zones().front().seconds / kScopes);
     }
-    return table.take();
+    return best;
+}
+
+std::string missingCallers(const EffectRow& row) {
+    constexpr std::size_t kMost = 4;
+    std::string text;
+    for (std::size_t i = 0; i < std::min(row.callers.size(), kMost); ++i)
+        text += format("{}{}", i == 0 ? "" : ", ", row.callers[i].type().name);
+    if (row.callers.size() > kMost) text += format(" and {} more", row.callers.size() - kMost);
+    return text.empty() ? "only game code can" : text;
+}
+
+EffectZones zonesOf(const EffectTable& table, std::size_t row) {
+    EffectZones zones;
+    const EffectRow& effect = table.rows()[row];
+    for (const EffectSystem& system : table.systems()) {
+        if (system.effect == effect.name) zones.own.push_back(system.name);
+    }
+    if (!isOfPhysics(effect)) return zones;
+    const std::uint32_t bit = physics::Manifest::bit(effect.physics);
+    for (const physics::StageInfo& stage : physics::stages()) {
+        if ((stage.effects & bit) == 0) continue;
+        (stage.effects == bit ? zones.own : zones.shared).push_back(stage.name);
+    }
+    if (zones.own.empty() && zones.shared.empty()) zones.shared.push_back("solve");
+    return zones;
+}
+
+std::vector<EffectCount> callersOf(const World& world, const EffectRow& row) {
+    std::vector<EffectCount> counts;
+    for (const EffectCaller& caller : row.callers) {
+        if (const std::size_t count = caller.callers(world); count > 0)
+            counts.push_back({&caller.type(), count});
+    }
+    return counts;
+}
+
+EffectReport reportEffects(const World& world, const Effects& effects, const Profile* profile, int ticks) {
+    EffectReport report{&effects.table(), profile == nullptr ? 0 : ticks, 0.0, {}};
+    const double overhead = profile == nullptr ? 0.0 : zoneOverhead();
+    for (std::size_t i = 0; i < effects.table().rows().size(); ++i) {
+        EffectLine line;
+        line.row = i;
+        line.calledFor = effects.calledFor(world, i);
+        line.runs = effects.runs(world, i);
+        line.pin = effects.pinOf(i);
+        line.pinnedBy = effects.pinnedBy(i);
+        line.callers = callersOf(world, effects.table().rows()[i]);
+        line.zones = zonesOf(effects.table(), i);
+        for (const std::string_view zone : line.zones.own) {
+            if (profile != nullptr) line.microseconds += microsecondsOf(*profile, zone, ticks, overhead);
+        }
+        report.lines.push_back(std::move(line));
+    }
+    return report;
+}
+
+EffectReport measureEffects(Game& game, Profile& profile, int ticks) {
+    for (int i = 0; i < kWarmUp; ++i) tickGame(game, InputFrame{});
+    const Snapshot start = game.world.save();
+    const double first = play(game, start, ticks);
+    if (first * ticks > kLongRound * kMicro)
+        ticks = std::max(kFewestTicks, static_cast<int>(kLongRound * kMicro / first));
+    game.world.provide(profile);
+    profile.reset();
+    profile.on = true;
+    play(game, start, ticks);
+    profile.on = false;
+    EffectReport report = reportEffects(game.world, game.effects, &profile, ticks);
+
+    report.microseconds = std::numeric_limits<double>::infinity();
+    for (EffectLine& line : report.lines) {
+        if (!line.runs || (line.zones.own.empty() && line.zones.shared.empty())) continue;
+        double with = std::numeric_limits<double>::infinity(), without = with;
+        for (int round = 0; round < kRounds;
+             ++round) {  // in turn, so that both meet what else the machine does
+            with = std::min(with, play(game, start, ticks));
+            game.effects.setMeasured(line.row, Pin::Off);
+            without = std::min(without, play(game, start, ticks));
+            game.effects.setMeasured(line.row, Pin::Auto);
+        }
+        line.saves = with - without;
+        report.microseconds = std::min(report.microseconds, with);
+    }
+    if (std::isinf(report.microseconds)) report.microseconds = first;  // nothing runs at all
+    return report;
+}
+
+std::string effectText(const EffectReport& report) {
+    std::string text = "  ";
+    for (const Column& column : kColumns) cell(text, column, column.title);
+    bool wasOfPhysics = false;
+    for (const EffectLine& line : report.lines) {
+        const bool ofPhysics = isOfPhysics(report.table->rows()[line.row]);
+        if (line.row == 0 || ofPhysics != wasOfPhysics)
+            text += ofPhysics ? "\nphysics\n" : "\nsystems and devices\n";
+        if (line.row != 0 && ofPhysics == wasOfPhysics) text += '\n';
+        wasOfPhysics = ofPhysics;
+        text += lineText(report, line);
+    }
+    return text + '\n';
 }
 
 }  // namespace plumb

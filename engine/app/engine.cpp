@@ -68,6 +68,7 @@ int Engine::loop() {
     useSystemOrder(game_->world);
     game_->onCreate();
     if (game_->world.systemNames().empty()) addAllSystems(game_->world);
+    game_->effects.setProgram("pads", Pin::On);  // its own code may ask for them
     const int code = GameLoop{*game_, screen_.get(), options_, title_}.run();
     screen_.reset();  // before the assets that its textures came from
     return code;

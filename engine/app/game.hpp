@@ -6,6 +6,7 @@
 #include "ecs/world.hpp"
 #include "input/input.hpp"
 #include "reflect/type_registry.hpp"
+#include "scene/effects.hpp"
 
 namespace plumb {
 
@@ -37,7 +38,8 @@ public:
     const TypeRegistry types;
     World world;
     AssetStore assets;
-    Input& input;  ///< lives in the world, so that a snapshot has it
+    Input& input;     ///< lives in the world, so that a snapshot has it
+    Effects effects;  ///< which of them run
 };
 
 /// Advances the game by one tick of 1/60 s: input, onUpdate, the systems in order, then scene changes.

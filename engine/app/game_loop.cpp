@@ -30,6 +30,8 @@ GameLoop::GameLoop(Game& game, Screen* screen, const PlayerOptions& options, std
     : game_{game}, screen_{screen}, options_{options}, projectName_{std::move(projectName)} {
     game_.input.logging = screen_ != nullptr;
     if (screen_ != nullptr) sounds_.emplace(game_.assets);
+    if (!options_.allEffects) return;
+    for (const EffectRow& row : game_.effects.table().rows()) game_.effects.setProgram(row.name, Pin::On);
 }
 
 int GameLoop::run() {
@@ -80,6 +82,7 @@ void GameLoop::runScreen() {
     double before = wallSeconds();
     rateStart_ = before;
     while (running_ && ticks_ != options_.frames) {
+        openDevices();
         handleEvents();
         if (!lockstep) reloadEdited();
         const double now = wallSeconds();
@@ -92,6 +95,14 @@ void GameLoop::runScreen() {
         drawFrame(ticks_ == 0 ? 1.0f : frame.alpha);
         reportRate();
     }
+}
+
+/// For who calls for them; what is open stays open. The audio device opens with its first sound.
+void GameLoop::openDevices() {
+    if (padsOpen_ || !game_.effects.runs(game_.world, "pads")) return;
+    padsOpen_ = true;
+    screen_->window().openPads();
+    game_.effects.count("pads");
 }
 
 void GameLoop::handleEvents() {

@@ -34,6 +34,7 @@ private:
     bool prepare();
     void runHeadless();
     void runScreen();
+    void openDevices();
     void handleEvents();
     void reloadEdited();
     void tick();
@@ -60,6 +61,7 @@ private:
     std::int64_t framesDrawn_ = 0;
     double rateStart_ = 0.0;  // s, wall clock
     std::int64_t rateFrames_ = 0;
+    bool padsOpen_ = false;
     bool running_ = true;
     bool failed_ = false;
 };

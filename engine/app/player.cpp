@@ -11,6 +11,8 @@
 #include "app/scene_game.hpp"
 #include "app/screen.hpp"
 #include "core/log.hpp"
+#include "core/profile.hpp"
+#include "core/text.hpp"
 
 namespace plumb {
 namespace {
@@ -30,8 +32,10 @@ ScreenSettings screenOf(const Project& project, const PlayerOptions& options) {
     return settings;
 }
 
-/// What the scene is made of, and what that calls for.
-void listEffects(SceneGame& game) {
+/// What the scene is made of, what that calls for, and what it costs.
+void listEffects(SceneGame& game, const PlayerOptions& options) {
+    constexpr int kTicks = 120;
+    Profile profile;
     std::printf("%-22sentities\n", "components");
     for (const TypeInfo& type : game.types.all()) {
         std::size_t count = 0;
@@ -39,7 +43,14 @@ void listEffects(SceneGame& game) {
         if (count > 0)
             std::printf("  %-20.*s%zu\n", static_cast<int>(type.name.size()), type.name.data(), count);
     }
-    std::printf("\n%s", effectList(game.world, game.types).c_str());
+    const EffectReport report = measureEffects(
+        game, profile,
+        options.frames > 0 ? static_cast<int>(std::min<std::int64_t>(options.frames, 6000)) : kTicks);
+    std::printf("\n%s\n", effectText(report).c_str());
+    std::printf(
+        "A tick takes %s us (CPU time, best of 3 times %d ticks without input). \"shared\": part of a\n"
+        "stage of the physics that others need as well. \"saves\": the same ticks played without it.\n",
+        fixedText(report.microseconds, 1).c_str(), report.ticks);
 }
 
 int benchmark(const PlayerOptions& options) {
@@ -90,7 +101,7 @@ int playProject(const PlayerOptions& options) {
     game.onCreate();
     if (game.failed()) return 1;
     if (options.effects) {
-        listEffects(game);
+        listEffects(game, options);
         return 0;
     }
     const int code = GameLoop{game, screen.get(), options, game.project().name}.run();

@@ -22,7 +22,8 @@ struct PlayerOptions {
     std::string capture;         ///< folder for a PNG of every frame
     std::string record;
     std::string replay;
-    bool effects = false;  ///< list what the scene calls for
+    bool allEffects = false;  ///< all run, whoever calls for them
+    bool effects = false;     ///< list what the scene calls for, and what it costs
     bool benchmark = false;
     int entities = 0;  ///< of the benchmark; 0: as many as the seed's table has
     std::uint64_t seed = 1;

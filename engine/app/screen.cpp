@@ -6,6 +6,7 @@
 
 #include "core/log.hpp"
 #include "gameplay/game_progress.hpp"
+#include "scene/effects.hpp"
 
 namespace plumb {
 
@@ -35,18 +36,33 @@ Result<std::unique_ptr<Screen>> Screen::open(const ScreenSettings& settings) {
 Screen::Screen(ScreenSettings settings, std::unique_ptr<Window> window, std::unique_ptr<GlDevice> device)
     : settings_{std::move(settings)}, window_{std::move(window)}, device_{std::move(device)} {}
 
+void Screen::clear() {
+    const PixelSize window = window_->drawableSize();
+    device_->setViewport({TargetHandle{}, 0, 0, window.width, window.height});
+    device_->clear(Color{0, 0, 0, 255});
+}
+
+/// Nobody calls for a picture: there is not even something that could draw one.
+void Screen::drawNothing() {
+    clear();
+    device_->finishWindow();
+    drawCalls_ = 0;
+}
+
 void Screen::draw(World& world, AssetStore& assets, float alpha, const PhysicsShown& physics) {
+    Effects* const effects = world.service<Effects>();
+    const bool draws = effects == nullptr || effects->runs(world, "picture");
+    device_->setWindowSize(window_->drawableSize());
+    if (!draws && physics.any() == 0) return drawNothing();
     if (drawnAssets_ != &assets) {
+        if (effects != nullptr) effects->count("picture");
         renderer_ = std::make_unique<SceneRenderer>(
             *device_, assets, settings_.smooth ? TextureFilter::Linear : TextureFilter::Nearest);
         drawnAssets_ = &assets;
     }
-    device_->setWindowSize(window_->drawableSize());
-    const Viewport whole{TargetHandle{}, 0, 0, window_->drawableSize().width, window_->drawableSize().height};
-    device_->setViewport(whole);
-    device_->clear(Color{0, 0, 0, 255});
+    clear();
     renderer_->renderer().resetCounts();
-    renderer_->draw(world, settings_.picture, alpha, viewport(), &fillPlaceholders);
+    if (draws) renderer_->draw(world, settings_.picture, alpha, viewport(), &fillPlaceholders);
     renderer_->drawPhysics(world, physics, renderer_->sceneView(), viewport());
     device_->finishWindow();
     drawCalls_ = renderer_->renderer().counts().drawCalls;

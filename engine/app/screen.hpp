@@ -47,6 +47,9 @@ public:
 private:
     Screen(ScreenSettings settings, std::unique_ptr<Window> window, std::unique_ptr<GlDevice> device);
 
+    void clear();
+    void drawNothing();
+
     ScreenSettings settings_;
     std::unique_ptr<Window> window_;
     std::unique_ptr<GlDevice> device_;

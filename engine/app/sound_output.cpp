@@ -1,11 +1,24 @@
 #include "app/sound_output.hpp"
 
 #include "gameplay/components/music.hpp"
+#include "scene/effects.hpp"
 #include "scene/play_sound.hpp"
 
 namespace plumb {
 
+void SoundOutput::stopMusic() {
+    if (!hasMusic_) return;
+    mixer_.stopMusic();
+    hasMusic_ = false;
+}
+
 void SoundOutput::listen(World& world) {
+    if (Effects* effects = world.service<Effects>()) {
+        if (mixer_.isOpen() && !std::exchange(counted_, true)) effects->count("sound");
+        const Pin pin = effects->pinOf(effects->table().find("sound"));
+        if (pin == Pin::Off) return stopMusic();
+        if (pin == Pin::On) mixer_.open();
+    }
     for (const PlaySound& sound : world.events<PlaySound>()) {
         queue_.add({sound.tick, sound.sound, sound.volume, 0.0f});
     }
@@ -16,9 +29,8 @@ void SoundOutput::listen(World& world) {
         const auto& music = std::as_const(world).get<Music>(entity);
         mixer_.playMusic(music.sound, music.volume);
         hasMusic_ = true;
-    } else if (hasMusic_) {
-        mixer_.stopMusic();
-        hasMusic_ = false;
+    } else {
+        stopMusic();
     }
 }
 

@@ -10,46 +10,45 @@ namespace plumb {
 namespace {
 
 template <class S>
-constexpr SystemRow row(std::string_view calledFor) {
-    return {S::kName, calledFor, [](World& world) { static_cast<void>(world.addSystem<S>()); }};
+constexpr SystemRow row(std::string_view effect) {
+    return {S::kName, effect, typeKey<S>, [](World& world) { static_cast<void>(world.addSystem<S>()); }};
 }
 
 // A tick, from top to bottom. What decides comes first, then what moves, then what answers, then what shows.
 constexpr std::array kSystems{
-    row<ProgressSystem>("PlayerController, Collectible"),
-    row<MovingPlatformSystem>("MovingPlatform"),
-    row<PatrolSystem>("Patrol"),
-    row<PlayerControllerSystem>("PlayerController"),
-    row<CharacterControllerSystem>("CharacterController"),
-    row<PushControlSystem>("PushControl"),
-    row<MouseDragSystem>("MouseDrag"),
-    row<DetonatorSystem>("Detonator"),
-    row<SliderSystem>("Slider"),
-    row<ExperimentSystem>("Experiment"),
-    row<PhysicsSystem>("RigidBody, KinematicBody, BoxCollider, CircleCollider, CapsuleCollider, "
-                       "PolygonCollider, ChainCollider, TileCollider"),
-    row<GhostSystem>("Ghost"),
-    row<PlotSystem>("Plot"),
-    row<PhysicsCountSystem>("Label"),
-    row<SpringSystem>("Spring"),
-    row<PortalSystem>("Portal"),
-    row<TouchColorSystem>("TouchColor"),
-    row<CollectSystem>("Collectible"),
-    row<CheckpointSystem>("Checkpoint"),
-    row<GoalSystem>("Goal, SceneLink"),
-    row<MenuSystem>("Menu, MenuItem"),
-    row<DoorSystem>("Door, Button"),
-    row<HazardSystem>("Hazard, Stompable, KillPlane"),
-    row<RespawnSystem>("Respawn"),
-    row<ShortcutSystem>("SceneKey, ToggleKey"),
-    row<PauseSystem>("PlayerController"),
-    row<MotionDecorSystem>("Bob, Spin, Lifetime"),
-    row<CharacterAnimationSystem>("PlayerController, Patrol"),
-    row<AnimationSystem>("Animator"),
-    row<ParticleSystem>("ParticleEmitter"),
-    row<SoundCueSystem>("SoundCues"),
-    row<CameraSystem>("Camera"),
-    row<RenderSystem>("Sprite, TileLayer, ParticleEmitter, Label, Slider, Plot, Ghost"),
+    row<ProgressSystem>("progress"),
+    row<MovingPlatformSystem>("moving_platforms"),
+    row<PatrolSystem>("patrols"),
+    row<PlayerControllerSystem>("players"),
+    row<CharacterControllerSystem>("characters"),
+    row<PushControlSystem>("push_controls"),
+    row<MouseDragSystem>("mouse_drag"),
+    row<DetonatorSystem>("detonators"),
+    row<SliderSystem>("sliders"),
+    row<ExperimentSystem>("experiments"),
+    row<PhysicsSystem>(""),  // its own manifest says which of its stages run
+    row<GhostSystem>("ghosts"),
+    row<PlotSystem>("plots"),
+    row<PhysicsCountSystem>("physics_counts"),
+    row<SpringSystem>("bouncers"),
+    row<PortalSystem>("portals"),
+    row<TouchColorSystem>("touch_colors"),
+    row<CollectSystem>("collectibles"),
+    row<CheckpointSystem>("checkpoints"),
+    row<GoalSystem>("goals"),
+    row<MenuSystem>("menus"),
+    row<DoorSystem>("doors"),
+    row<HazardSystem>("hazards"),
+    row<RespawnSystem>("respawn"),
+    row<ShortcutSystem>("shortcuts"),
+    row<PauseSystem>("players"),
+    row<MotionDecorSystem>("decor"),
+    row<CharacterAnimationSystem>("character_animation"),
+    row<AnimationSystem>("animation"),
+    row<ParticleSystem>("particles"),
+    row<SoundCueSystem>("sound"),
+    row<CameraSystem>("camera"),
+    row<RenderSystem>("picture"),
 };
 
 }  // namespace

@@ -9,8 +9,9 @@ namespace plumb {
 
 /// One row of the table of all systems.
 struct SystemRow {
-    std::string_view name;       ///< S::kName
-    std::string_view calledFor;  ///< which components call for it
+    std::string_view name;    ///< S::kName
+    std::string_view effect;  ///< for which it runs, of effect_rows.cpp; empty: always
+    TypeKey (*key)();
     void (*add)(World& world);
 };
 

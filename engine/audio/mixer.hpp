@@ -50,6 +50,8 @@ public:
 
     void setPaused(bool paused);
 
+    /// Opens the device now, before anything is played.
+    void open() { ready(); }
     /// True once a device is open.
     [[nodiscard]] bool isOpen() const { return device_ != nullptr; }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/profile.hpp"
+#include "ecs/system_gates.hpp"
 #include "ecs/world.hpp"
 
 namespace plumb {
@@ -43,8 +44,10 @@ std::vector<std::string_view> Schedule::names() const {
 }
 
 void Schedule::run(World& world, float dt, Profile* profile) const {
+    SystemGates* const gates = world.service<SystemGates>();
     // By number: a system may add another one, which then runs if it comes later in the order.
     for (std::size_t i = 0; i < boxes_.size(); ++i) {
+        if (gates != nullptr && !gates->admits(world, i, boxes_[i]->key)) continue;
         const ProfileScope scope{profile, boxes_[i]->name};
         boxes_[i]->update(world, dt);
         world.commands().flush(world);

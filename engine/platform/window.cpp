@@ -22,12 +22,11 @@ constexpr std::array kCursors{SDL_SYSTEM_CURSOR_ARROW,    SDL_SYSTEM_CURSOR_HAND
 /// Starts SDL's video; falls back to its driver without a display, which draws into memory.
 Result<Done> startVideo() {
     SDL_SetMainReady();
-    constexpr Uint32 kParts = SDL_INIT_VIDEO | SDL_INIT_GAMECONTROLLER;
-    if (SDL_InitSubSystem(kParts) == 0) return Done{};
+    if (SDL_InitSubSystem(SDL_INIT_VIDEO) == 0) return Done{};
     const std::string reason = SDL_GetError();
     if (std::getenv("SDL_VIDEODRIVER") == nullptr) {
         SDL_SetHint(SDL_HINT_VIDEODRIVER, "offscreen");
-        if (SDL_InitSubSystem(kParts) == 0) return Done{};
+        if (SDL_InitSubSystem(SDL_INIT_VIDEO) == 0) return Done{};
     }
     return Error{"window", "no video driver works: " + reason,
                  "start it on a desktop, or set SDL_VIDEODRIVER=offscreen to draw into memory"};
@@ -59,10 +58,12 @@ struct Window::Parts {
         translation.reset();
         context = GlContext{};
         if (window != nullptr) SDL_DestroyWindow(window);
-        SDL_QuitSubSystem(SDL_INIT_VIDEO | SDL_INIT_GAMECONTROLLER);
+        SDL_QuitSubSystem(SDL_INIT_VIDEO | (hasPads ? SDL_INIT_GAMECONTROLLER : 0u));
     }
 
     SDL_Window* window = nullptr;
+    bool hasPads = false;
+    bool triedPads = false;
     GlContext context;
     std::optional<EventTranslation> translation;
     std::array<SDL_Cursor*, kCursors.size()> cursors{};
@@ -103,6 +104,12 @@ void Window::pollEvents(std::vector<Event>& events) {
 void Window::waitEvents(std::vector<Event>& events, double seconds) {
     SDL_WaitEventTimeout(nullptr, static_cast<int>(seconds * 1000.0));
     pollEvents(events);
+}
+
+void Window::openPads() {
+    if (std::exchange(parts_->triedPads, true)) return;
+    parts_->hasPads = SDL_InitSubSystem(SDL_INIT_GAMECONTROLLER) == 0;
+    if (!parts_->hasPads) logNote("Input", "No gamepads: {}", SDL_GetError());
 }
 
 void Window::swap() { SDL_GL_SwapWindow(parts_->window); }

@@ -54,6 +54,9 @@ public:
     /// As pollEvents, but sleeps up to `seconds` when nothing has happened yet.
     void waitEvents(std::vector<Event>& events, double seconds);
 
+    /// From now on gamepads are heard; before, none is opened. Once is enough.
+    void openPads();
+
     /// Shows what was drawn. Read pixels before: afterwards they are undefined.
     void swap();
     void setVsync(bool on);

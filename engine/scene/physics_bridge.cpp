@@ -10,6 +10,7 @@
 #include "scene/body_sync.hpp"
 #include "scene/components/rigid_body.hpp"
 #include "scene/contact_events.hpp"
+#include "scene/effects.hpp"
 #include "scene/field_sync.hpp"
 #include "scene/joint_sync.hpp"
 #include "scene/kinematics.hpp"
@@ -25,10 +26,12 @@ namespace {
 using physics::Effect;
 using physics::Manifest;
 
-/// What the systems of the seed's sample call for. Without any of them all runs that components call for.
+/// What the systems of the seed's sample call for, and what scenes pin. Without any of them all runs that
+/// components call for.
 struct Calls {
     bool motion = true;
-    std::uint32_t off = 0;  // bits of effects that nobody called for
+    std::uint32_t off = 0;  // bits of effects that do not run
+    std::uint32_t on = 0;   // bits of effects that run though nobody calls for them
 };
 
 Calls callsOf(World& world) {
@@ -37,6 +40,10 @@ Calls callsOf(World& world) {
     const bool motion = world.hasSystem<MovementSystem>();
     const bool contacts = world.hasSystem<CollisionSystem>();
     calls.off = world.resource<PhysicsSettings>().effectsOff;
+    if (const auto* effects = world.service<Effects>()) {
+        calls.off |= effects->physicsOff();
+        calls.on = effects->physicsOn();
+    }
     if (!gravity && !motion && !contacts) return calls;
     if (!gravity) calls.off |= Manifest::bit(Effect::Gravity);
     if (!contacts) calls.off |= Manifest::bit(Effect::Contacts) | Manifest::bit(Effect::Triggers);
@@ -109,6 +116,7 @@ void stepPhysics(World& world, float dt) {
         driveKinematics(world, state, dt);
         pullSoftBodies(world, state, dt);
         state.world.manifest.pinnedOff = calls.off;
+        state.world.manifest.pinnedOn = calls.on;
         state.stepped.assign(state.world.awake.begin(), state.world.awake.end());
     }
     if (!calls.motion) {

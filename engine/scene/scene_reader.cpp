@@ -12,6 +12,7 @@
 #include "scene/components/name.hpp"
 #include "scene/components/prefab_instance.hpp"
 #include "scene/components/transform.hpp"
+#include "scene/effect_table.hpp"
 
 namespace plumb {
 namespace {
@@ -366,6 +367,14 @@ void SceneReader::keepField(const TypeInfo& type, const std::string& key, const 
          field == nullptr || field->transient ? Json() : fieldToJson(*field, object, fields_)});
 }
 
+/// Where nobody knows which effects there are, nothing can be wrong with them.
+void SceneReader::checkEffects() {
+    const auto* table = world_.service<const EffectTable>();
+    if (table == nullptr || scene_.effects.empty()) return;
+    const std::vector<Pin> pins = table->readPins(scene_.effects, scene_.path, &report_.problems);
+    table->checkNeeds(world_, scene_.id, scene_.path, pins, report_.problems);
+}
+
 LoadReport SceneReader::finish() {
     for (const Waiting& item : waiting_) {
         if (world_.alive(item.entity))
@@ -389,6 +398,7 @@ LoadReport SceneReader::finish() {
         transform.previousRotation = transform.rotation;
         transform.previousScale = transform.scale;
     }
+    checkEffects();
     LoadedScenes& scenes = world_.resource<LoadedScenes>();
     scene_.rest = std::make_shared<const SceneRest>(std::move(rest_));
     scenes.scenes.push_back(std::move(scene_));

@@ -70,6 +70,7 @@ private:
     };
 
     void readBackground(const Json& json);
+    void checkEffects();
     bool readId(const Json& json, int place, std::string_view text, std::uint64_t& id);
     bool placeInstance(const Json& json, int place, std::string_view text, std::uint64_t id,
                        EntityId& entity);

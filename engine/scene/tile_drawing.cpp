@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "scene/effects.hpp"
+
 namespace plumb {
 namespace {
 
@@ -9,6 +11,11 @@ namespace {
 constexpr std::uint64_t kForgetFrames = 300;
 
 }  // namespace
+
+bool isAnimated(const Tileset& tileset) {
+    return std::any_of(tileset.tiles.begin(), tileset.tiles.end(),
+                       [](const Tile& tile) { return !tile.animation.empty(); });
+}
 
 void TileDrawing::beginFrame(double seconds) {
     seconds_ = seconds;
@@ -21,8 +28,17 @@ void TileDrawing::draw(const World& world, EntityId entity, const TileLayer& lay
                        DrawList& list) {
     const TileGrid* grid = world.tiles().find(layer.cells);
     if (grid == nullptr || layer.tileset.empty()) return;
+    double seconds = seconds_;
+    if (Effects* effects = world.service<Effects>();
+        effects != nullptr && isAnimated(assets_.tileset(layer.tileset))) {
+        if (effects->pinOf(effects->table().find("tile_animation")) == Pin::Off) {
+            seconds = 0.0;
+        } else {
+            effects->count("tile_animation");
+        }
+    }
     TileSheet sheet =
-        looksOf(layer.tileset).sheet(assets_, textures_, layer.tileset, layer.tileSize, seconds_);
+        looksOf(layer.tileset).sheet(assets_, textures_, layer.tileset, layer.tileSize, seconds);
     sheet.cellSize = scaled(sheet.cellSize, pose.scale);
     sheet.scale = scaled(sheet.scale, pose.scale);
     sheet.offset = scaled(sheet.offset, pose.scale);

@@ -13,6 +13,9 @@
 
 namespace plumb {
 
+/// Whether any of its tiles changes by itself.
+bool isAnimated(const Tileset& tileset);
+
 /// Draws the tile layers of a world; keeps their chunks on the device between frames.
 class TileDrawing {
 public:

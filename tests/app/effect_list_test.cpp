@@ -1,20 +1,18 @@
 #include "app/effect_list.hpp"
 
+#include <algorithm>
 #include <string>
 
 #include <gtest/gtest.h>
 
-#include "app/engine_types.hpp"
-#include "ecs/world.hpp"
+#include "core/profile.hpp"
 #include "gameplay/components/music.hpp"
-#include "scene/components/box_collider.hpp"
-#include "scene/components/particle_emitter.hpp"
-#include "scene/components/rigid_body.hpp"
-#include "scene/components/sprite.hpp"
-#include "scene/components/transform.hpp"
+#include "tests/app/effect_games.hpp"
 
 namespace plumb {
 namespace {
+
+using test::PileGame;
 
 /// The line of the table that begins with this name.
 std::string lineOf(const std::string& table, const std::string& name) {
@@ -22,49 +20,70 @@ std::string lineOf(const std::string& table, const std::string& name) {
     return at == std::string::npos ? "" : table.substr(at + 1, table.find('\n', at + 1) - at - 1);
 }
 
-bool works(const std::string& table, const std::string& name) {
-    const std::string line = lineOf(table, name);
-    EXPECT_FALSE(line.empty()) << name;
-    return line.find("yes") != std::string::npos;
+std::string tableOf(PileGame& game) {
+    return effectText(reportEffects(game.world, game.effects, nullptr, 0));
 }
 
-TEST(EffectList, particlesWorkOnlyForAnEmitter) {
-    const TypeRegistry types = engineTypes();
-    World world{types};
-    const std::string none = effectList(world, types);
-    EXPECT_EQ(lineOf(none, "particles"), "  particles           no     nobody has ParticleEmitter");
-    EXPECT_FALSE(works(none, "picture"));
-    world.createEntity().addComponent<ParticleEmitter>();
-    const std::string one = effectList(world, types);
-    EXPECT_EQ(lineOf(one, "particles"), "  particles           yes    ParticleEmitter (1)");
-    EXPECT_TRUE(works(one, "picture"));
+TEST(EffectList, saysWhatRunsAndForWhom) {
+    PileGame game;
+    game.play(1);
+    const std::string before = tableOf(game);
+    EXPECT_EQ(lineOf(before, "particles"),
+              "  particles            no    -                 -       -         -  nobody: ParticleEmitter");
+    EXPECT_EQ(lineOf(before, "gravity"),
+              "  gravity              yes   -                 -       -         -  RigidBody (12)");
+    EXPECT_NE(lineOf(before, "sound").find("no "), std::string::npos);
+    game.world.createEntity().addComponent<ParticleEmitter>();
+    game.world.createEntity().addComponent<Music>();
+    game.effects.setProgram("particles", Pin::On);
+    const std::string after = tableOf(game);
+    EXPECT_EQ(lineOf(after, "particles"),
+              "  particles            yes   on                -       -         -  ParticleEmitter (1)");
+    EXPECT_EQ(lineOf(after, "sound"),
+              "  sound                yes   -                 -       -         -  Music (1)");
 }
 
-TEST(EffectList, saysWhatWorksAndForWhom) {
-    const TypeRegistry types = engineTypes();
-    World world{types};
-    Entity wall = world.createEntity();
-    wall.addComponent<Transform>();
-    wall.addComponent<BoxCollider>(8, 8);
-    wall.addComponent<Sprite>();
+TEST(EffectList, everyColumnStandsBelowItsTitle) {
+    PileGame game;
+    game.play(1);
+    const std::string table = tableOf(game);
+    const std::size_t callers = table.find("called for by");
+    ASSERT_LT(callers, table.find('\n'));
+    for (const EffectRow& row : engineEffects().rows()) {
+        const std::string line = lineOf(table, std::string{row.name});
+        ASSERT_GT(line.size(), callers) << row.name;
+        EXPECT_EQ(line[callers - 1], ' ') << line;
+        EXPECT_NE(line[callers], ' ') << line;
+    }
+}
 
-    const std::string still = effectList(world, types);
-    for (const char* stage : {"broad phase", "narrow phase", "solve", "finish bodies", "events"})
-        EXPECT_FALSE(works(still, stage)) << stage;
-    EXPECT_EQ(lineOf(still, "broad phase"),
-              "  broad phase         no     BoxCollider (1), but nothing of it moves");
-    EXPECT_EQ(lineOf(still, "solve"), "  solve               no     nobody has RigidBody, KinematicBody");
-    EXPECT_TRUE(works(still, "picture"));
-    EXPECT_FALSE(works(still, "sound"));
-    EXPECT_FALSE(works(still, "spring"));
+TEST(EffectList, measuringTellsTheCostOfWhatRunsAndLeavesTheGameAsItWas) {
+    PileGame game, same;
+    Profile profile;
+    const EffectReport report = measureEffects(game, profile, 20);
+    EXPECT_EQ(report.ticks, 20);
+    EXPECT_GT(report.microseconds, 0.0);
+    same.play(20);  // as many as it warms up
+    EXPECT_EQ(game.world.hash(), same.world.hash());
+    for (const EffectLine& line : report.lines) {
+        EXPECT_EQ(game.effects.pinOf(line.row), Pin::Auto);
+        const bool costs = line.microseconds > 0.0;
+        EXPECT_TRUE(!costs || line.runs) << engineEffects().rows()[line.row].name;
+    }
+    const EffectLine& contacts = report.lines[engineEffects().find("sleep")];
+    EXPECT_GT(contacts.microseconds, 0.0);
+    EXPECT_EQ(contacts.zones.own, std::vector<std::string_view>{"sleep"});
+}
 
-    wall.addComponent<RigidBody>();
-    world.createEntity().addComponent<Music>();
-    const std::string moving = effectList(world, types);
-    EXPECT_EQ(lineOf(moving, "narrow phase"), "  narrow phase        yes    BoxCollider (1)");
-    EXPECT_EQ(lineOf(moving, "solve"), "  solve               yes    RigidBody (1)");
-    EXPECT_TRUE(works(moving, "physics"));
-    EXPECT_EQ(lineOf(moving, "sound"), "  sound               yes    Music (1)");
+TEST(EffectList, aZoneThatOthersNeedAsWellIsNobodysOwn) {
+    const EffectTable& table = engineEffects();
+    const EffectZones contacts = zonesOf(table, table.find("contacts"));
+    EXPECT_TRUE(contacts.own.empty());
+    EXPECT_NE(std::find(contacts.shared.begin(), contacts.shared.end(), "broad phase"),
+              contacts.shared.end());
+    EXPECT_EQ(zonesOf(table, table.find("friction")).shared, std::vector<std::string_view>{"solve"});
+    EXPECT_EQ(zonesOf(table, table.find("players")).own,
+              (std::vector<std::string_view>{"player controller", "pause"}));
 }
 
 }  // namespace

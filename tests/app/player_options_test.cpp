@@ -90,9 +90,10 @@ TEST(PlayerOptions, theHelpNamesEveryLayerOfThePhysics) {
 }
 
 TEST(PlayerOptions, theUsageListsEveryOption) {
-    for (const char* name : {"--scene", "--headless", "--frames", "--hash", "--hash-every", "--screenshot",
-                             "--capture", "--record", "--replay", "--effects", "--benchmark", "--seed",
-                             "--scale", "--fullscreen", "--entities", "--window", "--physics-view"}) {
+    for (const char* name :
+         {"--scene", "--headless", "--frames", "--hash", "--hash-every", "--screenshot", "--capture",
+          "--record", "--replay", "--effects", "--all-effects", "--benchmark", "--seed", "--scale",
+          "--fullscreen", "--entities", "--window", "--physics-view"}) {
         EXPECT_NE(playerUsage().find(name), std::string::npos) << name;
     }
 }

@@ -1,0 +1,22 @@
+#include "ecs/system_gates.hpp"
+
+#include <algorithm>
+
+namespace plumb {
+
+std::size_t SystemGates::add(TypeKey system, bool (*calledFor)(const World& world)) {
+    gates_.push_back({system, calledFor});
+    places_.clear();
+    return gates_.size() - 1;
+}
+
+/// Rare: when a system was added or the order was changed.
+void SystemGates::findGate(std::size_t place, TypeKey system) {
+    if (place >= places_.size()) places_.resize(place + 1);
+    const auto found =
+        std::find_if(gates_.begin(), gates_.end(), [=](const Gate& gate) { return gate.system == system; });
+    places_[place] = {system,
+                      found == gates_.end() ? kNone : static_cast<std::size_t>(found - gates_.begin())};
+}
+
+}  // namespace plumb

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+#include "app/effect_rows.hpp"
+#include "app/game.hpp"
+#include "app/system_order.hpp"
+#include "scene/components.hpp"
+#include "scene/systems/camera_system.hpp"
+
+namespace plumb::test {
+
+/// A pile of crates in a game that has every system. Nobody calls for anything but the physics.
+class PileGame : public Game {
+public:
+    /// @param without  an effect whose systems are left out
+    explicit PileGame(int crates = 12, std::string_view without = {}) {
+        useSystemOrder(world);
+        for (const SystemRow& system : systemTable()) {
+            if (without.empty() || system.effect != without) system.add(world);
+        }
+        world.resource<PictureSize>();  // as a scene has it, whoever looks
+        Entity floor = world.createEntity();
+        floor.addComponent<Transform>(-400.0f, 200.0f);
+        floor.addComponent<BoxCollider>(1200, 20);
+        floor.addComponent<StaticBody>();
+        for (int i = 0; i < crates; ++i) {
+            Entity crate = world.createEntity();
+            crate.addComponent<Transform>(static_cast<float>(i % 5) * 17.0f,
+                                          150.0f - 18.0f * static_cast<float>(i / 5));
+            crate.addComponent<BoxCollider>(16, 16);
+            crate.addComponent<RigidBody>();
+        }
+    }
+    void play(int ticks) {
+        for (int i = 0; i < ticks; ++i) tickGame(*this, InputFrame{});
+    }
+};
+
+/// The effects beside those of the physics, by row of the table.
+inline std::vector<std::size_t> gameEffects() {
+    std::vector<std::size_t> rows;
+    for (std::size_t i = 0; i < engineEffects().rows().size(); ++i) {
+        if (engineEffects().rows()[i].physics == physics::Effect::Count) rows.push_back(i);
+    }
+    return rows;
+}
+
+inline bool hasSystem(std::size_t row) {
+    for (const EffectSystem& system : engineEffects().systems()) {
+        if (system.effect == engineEffects().rows()[row].name) return true;
+    }
+    return false;
+}
+
+}  // namespace plumb::test
