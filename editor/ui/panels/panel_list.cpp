@@ -17,6 +17,7 @@ std::span<const PanelRow> panelTable() {
         PanelRow{"Assets", Dock::Bottom, &makeAssetsPanel, true},
         PanelRow{"Animation", Dock::Bottom, &makeAnimationPanel, true},
         PanelRow{"Profiler", Dock::Bottom, &makeProfilerPanel, true},
+        PanelRow{"Cost", Dock::Bottom, &makeCostPanel, true},
         PanelRow{"Input", Dock::Bottom, &makeInputPanel, true},
     };
     return kPanels;
