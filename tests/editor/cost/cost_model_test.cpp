@@ -68,7 +68,9 @@ TEST_F(BodyErrors, theLowestOfAStackIsDeepestAndBearsMost) {
     const std::vector<float> errors = bodyErrors(world);
     float most = 0.0f;
     for (std::uint32_t body = 0; body < errors.size(); ++body) {
-        if (world.bodies.info[body].kind != physics::BodyKind::Dynamic) EXPECT_EQ(errors[body], 0.0f);
+        if (world.bodies.info[body].kind != physics::BodyKind::Dynamic) {
+            EXPECT_EQ(errors[body], 0.0f);
+        }
         most = std::max(most, errors[body]);
     }
     const auto errorOf = [&](std::string_view name) {

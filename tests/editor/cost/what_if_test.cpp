@@ -4,7 +4,7 @@
 #include "physics/simulation.hpp"
 #include "scene/physics_state.hpp"
 #include "tests/editor/support/cost_scenes.hpp"
-#include "tests/editor/support/play_scenes.hpp"
+#include "tests/editor/support/played_games.hpp"
 
 namespace plumb::editor {
 namespace {
@@ -129,6 +129,18 @@ TEST_F(WhatIfTest, aGameThatStopsMeanwhileIsNotMeasured) {
     whatIf.tend(workspace);
     EXPECT_FALSE(whatIf.busy());
     EXPECT_NE(whatIf.refusal(), "");
+}
+
+TEST_F(WhatIfTest, fiveHundredBodiesAreSteppedForAsLongAsTheTimeAllows) {
+    workspace.makeSession = [](const std::string&, const std::string&) { return playgroundSession(); };
+    play(310);
+    measure();
+    const WhatIfResult result = whatIf.result();
+    ASSERT_TRUE(result.complete) << whatIf.refusal();
+    EXPECT_EQ(result.bodies, 500u);
+    EXPECT_GT(whatIf.tape()->contacts, 500u);
+    EXPECT_GE(result.ticks, WhatIf::kLeastTicks);
+    EXPECT_GT(result.find(WhatIfKind::Quality, 0)->error(), result.find(WhatIfKind::Quality, 6)->error());
 }
 
 TEST_F(WhatIfTest, measuringCanBeStopped) {
