@@ -3,7 +3,9 @@
 #include <algorithm>
 
 #include "core/text.hpp"
+#include "editor/model/commands/change_components.hpp"
 #include "editor/model/commands/set_field.hpp"
+#include "editor/model/cost/scene_physics_edit.hpp"
 #include "editor/model/undo_stack.hpp"
 #include "reflect/field_json.hpp"
 #include "reflect/json.hpp"
@@ -37,15 +39,27 @@ std::string textOf(Document& document, const PlayEdit& edit, const FieldValue& v
     return text;
 }
 
+/// Whether the scene can take a change of this entity.
+bool canKeep(const Document& document, const PlayEdit& edit) {
+    const EntityId entity = document.find(edit.object);
+    return entity && (document.world.has(*edit.type, entity) || comesByItself(*edit.type));
+}
+
+/// Of the scene; of a component that it does not have yet, what that would begin with.
+FieldValue valueNow(const Document& document, const PlayEdit& edit) {
+    const void* component = document.world.find(*edit.type, document.find(edit.object));
+    if (component != nullptr) return readField(document, *edit.field, component);
+    const ComponentState fresh = defaultComponent(*edit.type);
+    return readField(document, *edit.field, fresh.bytes.data());
+}
+
 }  // namespace
 
 std::vector<KeepRow> changesToKeep(Document& document, const World& played, const PlayEdits& edits) {
     std::vector<KeepRow> rows;
     for (const PlayEdit& edit : edits.last()) {
-        const EntityId entity = document.find(edit.object);
-        if (edit.field->transient || !entity || !document.world.has(*edit.type, entity)) continue;
-        const void* component = std::as_const(document.world).find(*edit.type, entity);
-        const FieldValue now = readField(document, *edit.field, component);
+        if (edit.field->transient || !canKeep(document, edit)) continue;
+        const FieldValue now = valueNow(document, edit);
         if (now == edit.value) continue;
         takeTexts(document.world, played, *edit.field, edit.value);
         rows.push_back({edit, document.nameOf(edit.object),
@@ -56,15 +70,14 @@ std::vector<KeepRow> changesToKeep(Document& document, const World& played, cons
 }
 
 std::size_t keepChanges(Document& document, UndoStack& undo, std::span<const KeepRow> rows) {
-    const auto takes = [&document](const KeepRow& row) {
-        const EntityId entity = document.find(row.edit.object);
-        return row.keep && entity && document.world.has(*row.edit.type, entity);
-    };
+    const auto takes = [&document](const KeepRow& row) { return row.keep && canKeep(document, row.edit); };
     const auto count = static_cast<std::size_t>(std::count_if(rows.begin(), rows.end(), takes));
     Transaction step{undo,
                      count == 1 ? "keep a change of the game" : format("keep {} changes of the game", count)};
     for (const KeepRow& row : rows) {
         if (!takes(row)) continue;
+        if (!document.world.has(*row.edit.type, document.find(row.edit.object)))
+            undo.push(addComponent(document, {row.edit.object}, *row.edit.type));
         std::vector<SetField::Change> change;
         change.push_back({row.edit.object, row.edit.value});
         undo.push(std::make_unique<SetField>(*row.edit.type, *row.edit.field, std::move(change)));

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "editor/model/cost/scene_physics_edit.hpp"
 #include "editor/model/played_keys.hpp"
 
 namespace plumb::editor {
@@ -45,7 +46,11 @@ void PlayEdits::forgetBefore(std::int64_t tick) {
 bool writePlayed(World& world, const ObjectNames& names, const PlayEdit& edit) {
     if (isOfKeys(edit)) return writeKeys(world, edit), true;
     const EntityId entity = names.find(edit.object);
-    if (!entity || !world.has(*edit.type, entity)) return false;
+    if (!entity) return false;
+    if (!world.has(*edit.type, entity)) {
+        if (!comesByItself(*edit.type)) return false;
+        world.add(*edit.type, entity);
+    }
     writeField(names, *edit.field, world.find(*edit.type, entity), edit.value);
     return true;
 }

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "editor/model/bounds.hpp"
+#include "editor/ui/overlays/cost_overlays.hpp"
 #include "editor/ui/overlays/tile_collision.hpp"
 #include "editor/ui/overlays/way_overlays.hpp"
 #include "render/view.hpp"
@@ -71,6 +72,8 @@ std::span<const OverlayRow> overlayTable() {
         OverlayRow{"camera", "Camera", &drawCameras},
         OverlayRow{"reach", "Jump reach", &drawJumpReach, true},
         OverlayRow{"trajectories", "Trajectories", &drawTrajectories, true},
+        OverlayRow{"bodyErrors", "Errors of bodies", &drawBodyErrors, true},
+        OverlayRow{"contactForces", "Forces of contacts", &drawContactForces, true},
         OverlayRow{"collision", "Tile collision", &drawTileCollision},
     };
     return kOverlays;

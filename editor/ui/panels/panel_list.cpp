@@ -18,6 +18,7 @@ std::span<const PanelRow> panelTable() {
         PanelRow{"Animation", Dock::Bottom, &makeAnimationPanel, true},
         PanelRow{"Profiler", Dock::Bottom, &makeProfilerPanel, true},
         PanelRow{"Effects", Dock::Bottom, &makeEffectsPanel, true},
+        PanelRow{"Cost", Dock::Bottom, &makeCostPanel, true},
         PanelRow{"Input", Dock::Bottom, &makeInputPanel, true},
     };
     return kPanels;

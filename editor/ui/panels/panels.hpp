@@ -16,6 +16,7 @@ std::unique_ptr<Panel> makeHistoryPanel();
 std::unique_ptr<Panel> makeAssetsPanel();
 std::unique_ptr<Panel> makeProfilerPanel();
 std::unique_ptr<Panel> makeEffectsPanel();
+std::unique_ptr<Panel> makeCostPanel();
 std::unique_ptr<Panel> makeInputPanel();
 std::unique_ptr<Panel> makeAnimationPanel();
 

@@ -1,0 +1,93 @@
+#include "editor/model/cost/cost_words.hpp"
+
+#include <algorithm>
+
+#include "core/text.hpp"
+
+namespace plumb::editor {
+namespace {
+
+constexpr float kAlike = 1.1f;  // times: errors that differ by less are one
+
+std::string number(float value) {
+    const int digits = value < 0.0995f ? 2 : value < 9.95f ? 1 : 0;
+    return fixedText(static_cast<double>(value), digits);
+}
+
+std::string seconds(int ticks) { return fixedText(ticks / 60.0, 1); }
+
+std::string costDifference(float microseconds) {
+    return format("{}{}", microseconds < 0.0f ? "-" : "+", costWords(std::abs(microseconds)));
+}
+
+}  // namespace
+
+float pixelsOf(float metres, PixelScale scale) { return metres * scale.pixels; }
+
+std::string lengthWords(float metres, PixelScale scale) {
+    if (metres < 1.0e-5f) return "less than 0.01 mm";
+    const std::string millimetres =
+        metres < 0.995f ? format("{} mm", number(metres * 1000.0f)) : format("{} m", number(metres));
+    return format("{} ({} px)", millimetres, number(pixelsOf(metres, scale)));
+}
+
+std::string costWords(float microseconds) {
+    const float milliseconds = microseconds * 0.001f;
+    const int digits = milliseconds < 0.0995f ? 3 : milliseconds < 9.95f ? 2 : 1;
+    return format("{} ms", fixedText(static_cast<double>(milliseconds), digits));
+}
+
+std::string qualityWords(const WhatIfResult& result, const WhatIfPoint& point, const WhatIfPoint* below) {
+    const std::string error = lengthWords(point.error(), result.scale);
+    if (below == nullptr)
+        return format("Quality {}: {}, largest error {}.", point.quality, costWords(point.microseconds),
+                      error);
+    return format("Quality {}: {}, {}.", point.quality,
+                  costDifference(point.microseconds - below->microseconds), error);
+}
+
+const WhatIfPoint* enoughQuality(const WhatIfResult& result) {
+    const WhatIfPoint* best = nullptr;
+    for (int quality = 0; quality <= physics::kMaxQuality; ++quality) {
+        const WhatIfPoint* point = result.find(WhatIfKind::Quality, quality);
+        if (point == nullptr) return nullptr;
+        if (pixelsOf(point->error(), result.scale) < kSeenPixels) return point;
+        if (best == nullptr || point->error() * kAlike < best->error()) best = point;
+    }
+    return best;
+}
+
+std::string verdictWords(const WhatIfResult& result) {
+    const WhatIfPoint* now = result.present();
+    const WhatIfPoint* enough = enoughQuality(result);
+    if (!result.complete || now == nullptr || enough == nullptr) return {};
+    const float pixels = pixelsOf(now->error(), result.scale);
+    const std::string use = format(
+        "You use quality {}{}: {} a tick, largest error {}, which {}.", now->quality,
+        now->kind == WhatIfKind::Automatic ? " with automatic quality" : "", costWords(now->microseconds),
+        lengthWords(now->error(), result.scale), pixels < kSeenPixels ? "nobody sees" : "may be seen");
+    if (enough->quality == now->quality)
+        return format("{} {}", use,
+                      pixels < kSeenPixels ? "Nothing cheaper is as good to the eye."
+                                           : "More quality does not make it much smaller here.");
+    const bool dearer = enough->microseconds > now->microseconds;
+    return format("{} Quality {} {} {}, with {}.", use, enough->quality, dearer ? "costs" : "saves",
+                  costWords(std::abs(enough->microseconds - now->microseconds)),
+                  lengthWords(enough->error(), result.scale));
+}
+
+std::string methodWords(const WhatIfResult& result, bool wasPlaying, std::uint32_t leftOut) {
+    std::string words =
+        format("{} {} s{}, {} bodies, physics alone, nobody asleep. ",
+               wasPlaying ? "The last" : "The scene's first", seconds(result.ticks),
+               result.ticks < result.ticksOnTape ? format(" (of {}: it is dear)", seconds(result.ticksOnTape))
+                                                 : std::string{},
+               result.bodies);
+    words +=
+        "Error: the largest overlap or gap of a joint in the second half. "
+        "Reference: quality 6 with half the step.";
+    if (leftOut > 0) words += format(" {} things that were made meanwhile are left out.", leftOut);
+    return words;
+}
+
+}  // namespace plumb::editor

@@ -1,0 +1,73 @@
+#include "editor/model/cost/island_table.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "physics/bodies.hpp"
+#include "scene/body_sync.hpp"
+#include "scene/physics_state.hpp"
+
+namespace plumb::editor {
+namespace {
+
+/// What an island has to solve in a step, of which the time is made. A substep of a contact takes about as
+/// long as two of a body.
+double workOf(const physics::IslandReport& island) {
+    constexpr double kOnce = 6.0;  // substeps that finding contacts and moving on take
+    return (kOnce + std::exp2(island.quality)) *
+           (static_cast<double>(island.bodies) + 2.0 * (island.contacts + island.joints));
+}
+
+double keyOf(const IslandRow& row, IslandColumn by) {
+    const physics::IslandReport& island = row.report;
+    switch (by) {
+        case IslandColumn::Bodies: return island.bodies;
+        case IslandColumn::Contacts: return island.contacts;
+        case IslandColumn::Joints: return island.joints;
+        case IslandColumn::Quality: return island.quality;
+        case IslandColumn::Speed: return static_cast<double>(island.speed);
+        case IslandColumn::Overlap: return static_cast<double>(island.overlap);
+        case IslandColumn::JointError: return static_cast<double>(island.jointError);
+        case IslandColumn::Cost: break;
+    }
+    return static_cast<double>(row.microseconds);
+}
+
+}  // namespace
+
+std::vector<IslandRow> islandRows(const World& world, float stepMicroseconds) {
+    const auto* state = world.findResource<PhysicsState>();
+    if (state == nullptr) return {};
+    std::vector<IslandRow> rows;
+    double all = 0.0;
+    for (const physics::IslandReport& island : physics::reportIslands(state->world)) {
+        rows.push_back({island, 0.0f});
+        all += workOf(island);
+    }
+    for (IslandRow& row : rows)
+        row.microseconds =
+            static_cast<float>(static_cast<double>(stepMicroseconds) * workOf(row.report) / all);
+    return rows;
+}
+
+void sortIslands(std::vector<IslandRow>& rows, IslandColumn by, bool descending) {
+    std::stable_sort(rows.begin(), rows.end(), [=](const IslandRow& a, const IslandRow& b) {
+        return descending ? keyOf(a, by) > keyOf(b, by) : keyOf(a, by) < keyOf(b, by);
+    });
+}
+
+std::vector<EntityId> entitiesOfIsland(const World& world, physics::BodyId body) {
+    const auto* state = world.findResource<PhysicsState>();
+    if (state == nullptr || !alive(state->world, body)) return {};
+    const std::vector<std::uint32_t> indices = physics::islandIndices(state->world);
+    std::vector<EntityId> entities;
+    if (indices[body.index] == physics::kNone) return entities;
+    for (std::uint32_t other = 0; other < indices.size(); ++other) {
+        if (indices[other] != indices[body.index]) continue;
+        const physics::BodyId id{other, state->world.bodies.info[other].generation};
+        entities.push_back(ownerOf(*state, id));
+    }
+    return entities;
+}
+
+}  // namespace plumb::editor

@@ -1,0 +1,173 @@
+#include "editor/model/cost/advice.hpp"
+
+#include "tests/editor/support/cost_scenes.hpp"
+
+namespace plumb::editor {
+namespace {
+
+/// Each rule on a scene that deserves it, and on one that does not.
+class AdviceTest : public CostFixture {
+protected:
+    [[nodiscard]] const Advice* judged(const CostScene& scene, std::string_view rule, int ticks = 200) {
+        if (workspace.play.running()) workspace.stopPlaying();
+        open(scene);
+        play(ticks);
+        measure();
+        EXPECT_TRUE(whatIf.result().complete) << whatIf.refusal();
+        return adviceOf(rule);
+    }
+    static CostScene springs(const std::string& physics) {
+        CostScene scene{physics};
+        for (int i = 0; i < 60; ++i) {
+            scene.add(format("planet {}", i),
+                      format(R"("Transform": {"position": [{}, -300]}, "CircleCollider": {"radius": 4, "isTrigger": true}, )"
+                             R"("RigidBody": {"gravityScale": 0, "velocity": [0, 40]})",
+                             i * 20));
+        }
+        scene.add("sun", R"("Transform": {"position": [600, -900]}, )"
+                         R"("Attractor": {"acceleration": 200, "distance": 200, "linear": true})");
+        return scene;
+    }
+};
+
+TEST_F(AdviceTest, namesAreTheirOwn) {
+    const auto rules = adviceRules();
+    for (std::size_t i = 0; i < rules.size(); ++i) {
+        for (std::size_t j = 0; j < i; ++j) EXPECT_NE(rules[i].name, rules[j].name);
+    }
+    EXPECT_GE(rules.size(), 10u);
+}
+
+TEST_F(AdviceTest, aStackThatSinksGetsTheQualityThatHoldsIt) {
+    const Advice* advice = judged(CostScene{R"("quality": 0)"}.stack(20), "too coarse");
+    ASSERT_NE(advice, nullptr);
+    EXPECT_EQ(advice->words.find("Bodies overlap by up to "), 0u) << advice->words;
+    EXPECT_EQ(advice->remedy.field, "quality");
+    EXPECT_EQ(judged(CostScene{R"("quality": 6)"}.stack(3), "too coarse"), nullptr);
+}
+
+TEST_F(AdviceTest, aFewCratesNeedNoGreatQuality) {
+    const Advice* advice =
+        judged(CostScene{R"("quality": 6)"}.stack(4).stack(4, 200).stack(4, 300), "too fine");
+    ASSERT_NE(advice, nullptr);
+    EXPECT_NE(advice->words.find("saves"), std::string::npos) << advice->words;
+    EXPECT_EQ(judged(CostScene{R"("quality": 0)"}.stack(4), "too fine"), nullptr);
+}
+
+TEST_F(AdviceTest, oneHardHeapAmongManyEasyOnesIsForAutomaticQuality) {
+    CostScene scene{R"("quality": 0)"};
+    for (int i = 0; i < 40; ++i) scene.stack(2, 300.0f + 50.0f * static_cast<float>(i));
+    const Advice* advice = judged(scene.stack(20), "automatic quality");
+    ASSERT_NE(advice, nullptr);
+    EXPECT_EQ(advice->remedy.field, "automaticQuality");
+    EXPECT_EQ(judged(CostScene{}.stack(3), "automatic quality"), nullptr);
+}
+
+TEST_F(AdviceTest, bulletsThatCrawlAreNamed) {
+    CostScene scene;
+    scene.box("a", {100, 280}, R"("bullet": true)").box("b", {200, 280}, R"("bullet": true)");
+    scene.box("c", {300, 280});
+    const Advice* advice = judged(scene, "bullets");
+    ASSERT_NE(advice, nullptr);
+    EXPECT_EQ(advice->words.find("2 bodies use CCD"), 0u) << advice->words;
+    EXPECT_EQ(advice->remedy.objects.size(), 2u);
+    CostScene fast;
+    fast.box("shot", {100, 0}, R"("bullet": true, "velocity": [3000, 0])");
+    EXPECT_EQ(judged(fast, "bullets"), nullptr);
+}
+
+TEST_F(AdviceTest, fastBodiesWithoutContinuousDetectionAreNamed) {
+    const auto shot = [](const std::string& physics, const std::string& speed) {
+        CostScene scene{physics};
+        return scene.box("shot", {100, -3000}, format(R"("velocity": [{}, 0])", speed));
+    };
+    const Advice* advice = judged(shot(R"("continuous": false)", "4000"), "fast without CCD");
+    ASSERT_NE(advice, nullptr);
+    EXPECT_EQ(advice->remedy.field, "continuous");
+    EXPECT_EQ(advice->about.size(), 1u);
+    EXPECT_EQ(judged(shot(R"("continuous": true)", "4000"), "fast without CCD"), nullptr);
+    EXPECT_EQ(judged(shot(R"("continuous": false)", "40"), "fast without CCD", 60), nullptr);
+}
+
+TEST_F(AdviceTest, whatRestsWhileSleepingIsOffIsCounted) {
+    const Advice* advice = judged(CostScene{R"("sleeping": false)"}.stack(1).stack(1, 200), "sleep");
+    ASSERT_NE(advice, nullptr);
+    EXPECT_EQ(advice->words.find("2 bodies could sleep"), 0u) << advice->words;
+    EXPECT_EQ(judged(CostScene{}.stack(2), "sleep"), nullptr);
+}
+
+TEST_F(AdviceTest, rungeKuttaForSlowSpringsIsNoBetterThanVerlet) {
+    const Advice* advice = judged(springs(R"("integrator": "Rk4", "quality": 4)"), "Runge-Kutta");
+    ASSERT_NE(advice, nullptr);
+    EXPECT_EQ(advice->remedy.field, "integrator");
+    EXPECT_EQ(judged(springs(R"("integrator": "Verlet", "quality": 4)"), "Runge-Kutta"), nullptr);
+}
+
+TEST_F(AdviceTest, explicitEulerIsForTeaching) {
+    const Advice* advice =
+        judged(springs(R"("integrator": "ExplicitEuler", "quality": 0)"), "explicit Euler");
+    ASSERT_NE(advice, nullptr);
+    EXPECT_EQ(judged(springs(R"("integrator": "SemiImplicitEuler", "quality": 0)"), "explicit Euler"),
+              nullptr);
+}
+
+TEST_F(AdviceTest, iterationsThatBuyNothingAreNamed) {
+    const Advice* advice = judged(CostScene{R"("iterations": 16)"}.stack(6).stack(6, 200), "iterations");
+    ASSERT_NE(advice, nullptr);
+    EXPECT_EQ(judged(CostScene{}.stack(6), "iterations"), nullptr);
+}
+
+TEST_F(AdviceTest, manyEventsOfContactsThatGoOnAreCounted) {
+    CostScene scene{R"("sleeping": false)"};
+    for (int i = 0; i < 60; ++i) scene.stack(2, 100.0f + 40.0f * static_cast<float>(i));
+    const Advice* advice = judged(scene, "stay events", 60);
+    ASSERT_NE(advice, nullptr);
+    EXPECT_TRUE(advice->remedy.label.empty()) << "it is set in code";
+    EXPECT_EQ(judged(CostScene{}.stack(2), "stay events"), nullptr);
+}
+
+TEST_F(AdviceTest, aRemedyIsOneStepOfUndoAndLeavesTheRestAsItWas) {
+    open(CostScene{}.stack(3));
+    const std::string before = workspace.text();
+    ScenePhysics present;
+    present.gravity = {0.0f, 300.0f};
+    applyRemedy(workspace, qualityRemedy(5), present);
+    ASSERT_NE(scenePhysics(workspace.document.world), nullptr);
+    EXPECT_EQ(scenePhysics(workspace.document.world)->quality, 5);
+    EXPECT_EQ(scenePhysics(workspace.document.world)->gravity, (Vec2{0.0f, 300.0f}))
+        << "as the project has it";
+    EXPECT_TRUE(workspace.document.world.has<ScenePhysics>(workspace.document.find(named("camera"))));
+    applyRemedy(workspace, qualityRemedy(4), present);
+    EXPECT_EQ(workspace.undo.size(), 2u);
+    workspace.undo.undo();
+    EXPECT_EQ(scenePhysics(workspace.document.world)->quality, 5);
+    workspace.undo.undo();
+    EXPECT_EQ(workspace.text(), before);
+}
+
+TEST_F(AdviceTest, inTheGameItIsOfferedForKeepingAlsoWhereTheSceneHadNoSettings) {
+    open(CostScene{}.stack(3));
+    const std::string before = workspace.text();
+    play(40);
+    applyRemedy(workspace, qualityRemedy(5), ScenePhysics{});
+    ASSERT_NE(scenePhysics(workspace.play.world()), nullptr);
+    EXPECT_EQ(scenePhysics(workspace.play.world())->quality, 5);
+    EXPECT_EQ(scenePhysics(workspace.document.world), nullptr);
+    workspace.play.seek(20);
+    EXPECT_EQ(scenePhysics(workspace.play.world()), nullptr) << "it was not there yet";
+    workspace.play.seek(40);
+    EXPECT_EQ(scenePhysics(workspace.play.world())->quality, 5) << "and comes again";
+    workspace.stopPlaying();
+    ASSERT_EQ(workspace.toKeep.size(), 1u);
+    EXPECT_EQ(workspace.toKeep[0].field, "ScenePhysics.quality");
+    EXPECT_EQ(workspace.text(), before);
+    workspace.keepTicked();
+    ASSERT_NE(scenePhysics(workspace.document.world), nullptr);
+    EXPECT_EQ(scenePhysics(workspace.document.world)->quality, 5);
+    EXPECT_EQ(workspace.undo.size(), 1u);
+    workspace.undo.undo();
+    EXPECT_EQ(workspace.text(), before);
+}
+
+}  // namespace
+}  // namespace plumb::editor
