@@ -1,10 +1,38 @@
 #include "tests/accuracy/reference_error.hpp"
 
+#include <cmath>
+#include <map>
+#include <string>
+
+#include "tests/accuracy/reference/reference.hpp"
+
 namespace plumb::accuracy {
 
-std::optional<double> referenceError(std::string_view /*scene*/, const physics::World& /*start*/,
-                                     const physics::World& /*end*/, double /*seconds*/) {
-    return std::nullopt;
+namespace {
+
+/// An answer takes up to minutes, and all ways to simulate a scene are judged by the same one.
+const Result<reference::Answer>& answerOf(std::string_view scene, const physics::World& start, double seconds) {
+    static std::map<std::string, Result<reference::Answer>, std::less<>> known;
+    const auto found = known.find(scene);
+    if (found != known.end()) return found->second;
+    return known.emplace(std::string{scene}, reference::solveReference(start, seconds)).first->second;
+}
+
+}  // namespace
+
+std::optional<double> referenceError(std::string_view scene, const physics::World& start,
+                                     const physics::World& end, double seconds) {
+    const Result<reference::Answer>& answer = answerOf(scene, start, seconds);
+    if (!answer || answer->bodies.empty()) return std::nullopt;
+    double sum = 0.0;
+    for (const reference::BodyAnswer& body : answer->bodies) {
+        const physics::Place place = end.bodies.pose[body.body.index].centre;
+        sum += std::hypot(place.x - body.centre.x, place.y - body.centre.y);
+    }
+    const double mean = sum / static_cast<double>(answer->bodies.size());
+    // An answer that is not a hundred times as exact cannot judge.
+    if (!answer->canJudge(mean)) return std::nullopt;
+    return mean;
 }
 
 }  // namespace plumb::accuracy

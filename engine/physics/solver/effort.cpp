@@ -74,7 +74,7 @@ Effort whileCalm(Effort effort, float error, float tolerance, Quality least) {
     if (effort.wait > 0) return effort;
     if (effort.phase == EffortPhase::Trying) {
         effort.before = effort.quality;
-        effort.patience -= effort.patience > 0 ? 1 : 0;
+        if (effort.patience > 0) --effort.patience;
     }
     if (effort.quality <= least || effort.error * kMostGain > kRoom * tolerance)
         return watching(effort, EffortPhase::Calm);
