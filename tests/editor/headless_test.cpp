@@ -1,5 +1,6 @@
 #include "app/project.hpp"
 #include "app/scene_game.hpp"
+#include "core/text.hpp"
 #include "editor/model/editor_options.hpp"
 #include "editor/model/headless/project_check.hpp"
 #include "editor/model/headless/project_export.hpp"
