@@ -80,8 +80,8 @@ std::string verdictWords(const WhatIfResult& result) {
                                            : format("Quality {} costs the same, with {}.", enough->quality,
                                                     lengthWords(enough->error(), result.scale)));
     const bool dearer = enough->microseconds > now->microseconds;
-    return format("{} Quality {} {} {}, with {}.", use, enough->quality, dearer ? "costs" : "saves",
-                  costWords(std::abs(enough->microseconds - now->microseconds)),
+    return format("{} Quality {} {} {}{}, with {}.", use, enough->quality, dearer ? "costs" : "saves",
+                  costWords(std::abs(enough->microseconds - now->microseconds)), dearer ? " more" : "",
                   lengthWords(enough->error(), result.scale));
 }
 
