@@ -65,7 +65,8 @@ std::vector<ContactPush> contactPushes(const physics::World& world) {
             const float force = forceOf(world, contact, point);
             if (force <= 0.0f) continue;
             const Vec2 arm = rotate(pose.rotation, physics::pointOf(world, contact, point));
-            pushes.push_back({contact.bodyA, contact.bodyB, pose.centre + arm, force, force * inverse / gravity});
+            pushes.push_back(
+                {contact.bodyA, contact.bodyB, pose.centre + arm, force, force * inverse / gravity});
         }
     });
     return pushes;

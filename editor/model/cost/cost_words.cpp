@@ -1,6 +1,7 @@
 #include "editor/model/cost/cost_words.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/text.hpp"
 
@@ -15,6 +16,8 @@ std::string number(float value) {
 }
 
 std::string seconds(int ticks) { return fixedText(ticks / 60.0, 1); }
+
+bool isSameCost(float a, float b) { return std::abs(a - b) < std::max(2.0f, 0.05f * std::max(a, b)); }
 
 std::string costDifference(float microseconds) {
     return format("{}{}", microseconds < 0.0f ? "-" : "+", costWords(std::abs(microseconds)));
@@ -33,6 +36,7 @@ std::string lengthWords(float metres, PixelScale scale) {
 
 std::string costWords(float microseconds) {
     const float milliseconds = microseconds * 0.001f;
+    if (milliseconds < 0.00995f) return format("{} µs", fixedText(static_cast<double>(microseconds), 1));
     const int digits = milliseconds < 0.0995f ? 3 : milliseconds < 9.95f ? 2 : 1;
     return format("{} ms", fixedText(static_cast<double>(milliseconds), digits));
 }
@@ -70,9 +74,14 @@ std::string verdictWords(const WhatIfResult& result) {
         return format("{} {}", use,
                       pixels < kSeenPixels ? "Nothing cheaper is as good to the eye."
                                            : "More quality does not make it much smaller here.");
+    if (isSameCost(enough->microseconds, now->microseconds))
+        return format("{} {}", use,
+                      pixels < kSeenPixels ? "Less quality would save next to nothing: leave it."
+                                           : format("Quality {} costs the same, with {}.", enough->quality,
+                                                    lengthWords(enough->error(), result.scale)));
     const bool dearer = enough->microseconds > now->microseconds;
-    return format("{} Quality {} {} {}, with {}.", use, enough->quality, dearer ? "costs" : "saves",
-                  costWords(std::abs(enough->microseconds - now->microseconds)),
+    return format("{} Quality {} {} {}{}, with {}.", use, enough->quality, dearer ? "costs" : "saves",
+                  costWords(std::abs(enough->microseconds - now->microseconds)), dearer ? " more" : "",
                   lengthWords(enough->error(), result.scale));
 }
 
@@ -84,7 +93,7 @@ std::string methodWords(const WhatIfResult& result, bool wasPlaying, std::uint32
                                                  : std::string{},
                result.bodies);
     words +=
-        "Error: the largest overlap or gap of a joint in the second half. "
+        "Error: the largest overlap or gap of a joint, in most moments of the second half. "
         "Reference: quality 6 with half the step.";
     if (leftOut > 0) words += format(" {} things that were made meanwhile are left out.", leftOut);
     return words;

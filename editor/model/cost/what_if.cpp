@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/clock.hpp"
+#include "editor/model/prefab_visit.hpp"
 #include "editor/model/workspace.hpp"
 #include "scene/body_sync.hpp"
 #include "scene/components/scene_entity.hpp"
@@ -73,6 +74,7 @@ void WhatIf::begin(Workspace& workspace) {
     forget();
     const PlayMode& play = workspace.play;
     playing_ = play.running();
+    if (!playing_ && editsPrefab(workspace)) return refuse("A prefab is open; go back to the scene first.");
     last_ = playing_ ? play.ticks() : kTicks;
     first_ = playing_ ? std::max(play.oldest(), last_ - kTicks) : 0;
     if (last_ - first_ < kLeastTicks) return refuse("Let the game run for half a second first.");

@@ -12,7 +12,7 @@ namespace plumb::editor {
 namespace {
 
 constexpr float kTick = 1.0f / 60.0f;       // s
-constexpr std::size_t kEvery = 5;           // ticks between two looks at the errors
+constexpr std::size_t kEvery = 3;           // ticks between two looks at the errors
 constexpr std::size_t kProbe = 8;           // ticks, to find out what they cost
 constexpr float kGrown = 1.0e-3f;           // m: a hair that grew so much …
 constexpr float kPartOfDifference = 0.25f;  // … and to so much of what is to be measured hides it
@@ -29,11 +29,18 @@ double substepsOf(const WhatIfPoint& way) {
     return way.kind == WhatIfKind::Reference ? steps * WhatIfRun::kReferenceParts : steps;
 }
 
+/// Each way has one quality: none that follows from how far off islands may be.
+template <class Settings>
+void withoutTolerance(Settings& settings) {
+    if constexpr (requires { settings.tolerance; }) settings.tolerance = 0.0f;
+}
+
 /// The world of the game as this way wants it. Nobody sleeps, so that what rests is measured too.
 physics::World worldFor(const WhatIfPoint& way, const physics::World& start) {
     physics::World world = start;
     physics::Settings& settings = world.settings;
     settings.sleeping = false;
+    withoutTolerance(settings);
     settings.quality = static_cast<physics::Quality>(way.quality);
     settings.automaticQuality = way.kind == WhatIfKind::Automatic;
     if (way.kind == WhatIfKind::Verlet) settings.integrator = physics::IntegratorKind::Verlet;
@@ -134,7 +141,7 @@ WhatIfRun::Track WhatIfRun::follow(const WhatIfPoint& way, const PhysicsTape::St
     physics::World world = worldFor(way, start.world);
     const int parts = way.kind == WhatIfKind::Reference ? kReferenceParts : 1;
     const float dt = kTick / static_cast<float>(parts);
-    std::vector<float> times;
+    std::vector<float> times, overlaps, jointErrors;
     for (std::size_t tick = 0; tick < ticks && !cancelled_; ++tick) {
         const TickInput& input = tape_->ticks[start.tick + tick];
         double seconds = 0.0;
@@ -148,10 +155,14 @@ WhatIfRun::Track WhatIfRun::follow(const WhatIfPoint& way, const PhysicsTape::St
         stepsDone_ += substepsOf(way);
         progress_ = static_cast<float>(std::min(stepsDone_ / stepsToDo_, 1.0));
         if (tick < ticks / 2 || (ticks - 1 - tick) % kEvery != 0) continue;
+        float overlap = 0.0f, jointError = 0.0f;
         for (const physics::IslandReport& island : physics::reportIslands(world)) {
-            track.point.overlap = std::max(track.point.overlap, island.overlap);
-            track.point.jointError = std::max(track.point.jointError, island.jointError);
+            overlap = std::max(overlap, island.overlap);
+            jointError = std::max(jointError, island.jointError);
         }
+        overlaps.push_back(overlap);
+        jointErrors.push_back(jointError);
+        track.point.peak = std::max({track.point.peak, overlap, jointError});
         std::vector<Vec2>& places = track.places.emplace_back();
         for (const WatchedBody& watched : tape_->watched) {
             const bool known = alive(world, watched.body) && alive(start.world, watched.body);
@@ -160,6 +171,8 @@ WhatIfRun::Track WhatIfRun::follow(const WhatIfPoint& way, const PhysicsTape::St
         }
     }
     track.point.microseconds = medianOf(std::move(times));
+    track.point.overlap = medianOf(std::move(overlaps));
+    track.point.jointError = medianOf(std::move(jointErrors));
     return track;
 }
 

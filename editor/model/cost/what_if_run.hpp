@@ -27,8 +27,9 @@ struct WhatIfPoint {
     WhatIfKind kind = WhatIfKind::Quality;
     int quality = 0;
     float microseconds = 0.0f;  ///< CPU time of a tick's physics: the median
-    float overlap = 0.0f;       ///< m: the largest in the second half of the ticks
-    float jointError = 0.0f;    ///< m: the same
+    float overlap = 0.0f;       ///< m: the largest of a look; of all looks in the second half the median
+    float jointError = 0.0f;    ///< m: the same of the gaps of joints
+    float peak = 0.0f;          ///< m: the largest of all looks, e.g. when something hits hard
     float away = -1.0f;  ///< m: from the reference, half of the bodies more and half less; below 0: not known
 
     [[nodiscard]] float error() const { return overlap > jointError ? overlap : jointError; }

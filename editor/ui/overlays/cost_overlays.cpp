@@ -16,6 +16,8 @@ namespace {
 
 constexpr std::size_t kMostNumbers = 12;  // of the worst bodies
 constexpr float kLine = 18.0f;            // px of the screen at scale 1, of the legend
+constexpr float kLetter = 6.6f;           // px of the screen at scale 1: about, of the text
+constexpr Color kPaper{0, 0, 0, 150};     // below words, on any scene
 constexpr Color kWords{255, 255, 255, 255};
 
 using Shades = std::span<const CostShade>;
@@ -40,6 +42,12 @@ void drawLegend(const Workspace& workspace, Shades shades, std::string_view titl
                 Overlay& overlay) {
     const float pixel = workspace.settings.scale / workspace.view.view().zoom;
     const AABB box = pictureBox(workspace);
+    std::size_t longest = title.size();
+    for (const CostShade& shade : shades) longest = std::max(longest, shade.label.size());
+    const Vec2 size{30.0f + kLetter * static_cast<float>(longest),
+                    kLine * static_cast<float>(shades.size() + 1) + 6.0f};
+    const Vec2 corner{box.min.x + 4.0f * pixel, box.max.y - (lift + 4.0f) * pixel};
+    overlay.filledBox({{corner.x, corner.y - size.y * pixel}, {corner.x + size.x * pixel, corner.y}}, kPaper);
     Vec2 at{box.min.x + 10.0f * pixel, box.max.y - 8.0f * pixel - lift * pixel};
     for (std::size_t i = shades.size(); i-- > 0;) {
         const CostShade& shade = shades[i];

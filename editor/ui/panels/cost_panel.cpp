@@ -14,7 +14,8 @@
 namespace plumb::editor::ui {
 namespace {
 
-constexpr float kCurveWidth = 400.0f;  // px at scale 1
+constexpr float kCurveWidth = 420.0f;  // px at scale 1
+constexpr float kCurvePart = 0.38f;    // of the panel, at most
 constexpr float kMostWords = 760.0f;   // px at scale 1: longer lines are hard to read
 
 void wrapped(const std::string& words, ImU32 color) {
@@ -107,7 +108,7 @@ private:
         } else {
             const WhatIfResult result = whatIf_.result();
             const std::string method = methodWords(result, whatIf_.wasPlaying(), whatIf_.tape()->leftOut);
-            ImGui::TextDisabled("%s", method.substr(0, method.find('.') + 1).c_str());
+            ImGui::TextDisabled("%s", method.substr(0, method.find(". ") + 1).c_str());
             ui.widgets.mark("Cost/method", method);
             tooltip(method);
         }
@@ -119,14 +120,17 @@ private:
         const WhatIfResult result = shownResult(ui);
         if (result.points.empty()) return;
         const ImVec2 room = ImGui::GetContentRegionAvail();
-        const float width = std::min(ui.px(kCurveWidth), room.x * 0.45f);
+        const float width = std::min(ui.px(kCurveWidth), room.x * kCurvePart);
         beginChild("curve", {width, 0.0f}, false);
         const int clicked =
             drawWorkPrecision(ui, result, {width, std::min(ImGui::GetContentRegionAvail().y, ui.px(260.0f))});
         ImGui::EndChild();
         ImGui::SameLine(0.0f, ui.px(16.0f));
         beginChild("sentences", {std::min(ImGui::GetContentRegionAvail().x, ui.px(kMostWords)), 0.0f}, false);
+        // All seven shall be in sight in a small window.
+        ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ui.px(8.0f), ui.px(2.0f)});
         drawSentences(ui, result);
+        ImGui::PopStyleVar();
         ImGui::EndChild();
         if (clicked >= 0) apply(ui, qualityRemedy(clicked), result);
     }
@@ -190,20 +194,18 @@ private:
         ImGui::PushID(point.quality);
         const std::string words = qualityWords(result, point, below);
         if (isPresent) {
-            ImGui::AlignTextToFramePadding();
             ImGui::PushStyleColor(ImGuiCol_Text, palette::kTextDim);
             ImGui::TextUnformatted("now");
             ImGui::PopStyleColor();
         } else {
             ImGui::PushStyleColor(ImGuiCol_Button, isEnough ? palette::kAccentSoft : palette::kButton);
-            if (ImGui::Button("Use", {ui.px(44.0f), 0.0f})) apply(ui, qualityRemedy(point.quality), result);
+            if (ImGui::SmallButton("Use")) apply(ui, qualityRemedy(point.quality), result);
             ImGui::PopStyleColor();
             ui.widgets.mark(format("Cost/use/{}", point.quality), isEnough ? "enough" : "");
             tooltip(ui.workspace.play.running() ? "In the game that plays; when it stops you may keep it"
                                                 : "Sets it in the scene; undo takes it back");
         }
-        ImGui::SameLine(ui.px(58.0f));
-        ImGui::AlignTextToFramePadding();
+        ImGui::SameLine(ui.px(40.0f));
         const bool seen = pixelsOf(point.error(), result.scale) >= kSeenPixels;
         ImGui::PushStyleColor(ImGuiCol_Text, seen ? palette::kTextSoft : palette::kText);
         ImGui::TextUnformatted(words.c_str());

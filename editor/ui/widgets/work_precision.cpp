@@ -24,10 +24,13 @@ struct Axis {
         least = std::min(least, value);
         most = std::max(most, value);
     }
-    /// Some room beyond the outermost points.
+    /// Some room beyond the outermost points, and so much that what is alike looks alike.
     void widen() {
-        least /= 1.6f;
-        most *= 1.6f;
+        constexpr float kRoom = 1.6f;   // times
+        constexpr float kSpan = 20.0f;  // times, at least
+        const float more = std::sqrt(std::max(kSpan * least / most, 1.0f));
+        least /= kRoom * more;
+        most *= kRoom * more;
     }
     [[nodiscard]] float at(float value) const {
         return std::log(std::clamp(value, least, most) / least) / std::log(most / least);
@@ -35,7 +38,12 @@ struct Axis {
 };
 
 std::string tickWords(float value) {
-    return fixedText(static_cast<double>(value), value < 0.0995f ? 2 : value < 0.995f ? 1 : 0);
+    const int digits = value < 0.000995f  ? 4
+                       : value < 0.00995f ? 3
+                       : value < 0.0995f  ? 2
+                       : value < 0.995f   ? 1
+                                          : 0;
+    return fixedText(static_cast<double>(value), digits);
 }
 
 /// 1, 2 and 5 times the powers of ten; where these would be too many, the powers alone.
@@ -101,7 +109,8 @@ void drawAxes(const Plot& plot) {
     for (const float microseconds : ticksOf(plot.cost, 1000.0f)) {
         const float x = plot.place(microseconds, plot.error.least).x;
         list.AddLine({x, plot.from.y}, {x, plot.to.y}, palette::kCellLine);
-        const std::string words = format("{} ms", tickWords(microseconds * 0.001f));
+        const std::string words = microseconds < 9.95f ? format("{} µs", tickWords(microseconds))
+                                                       : format("{} ms", tickWords(microseconds * 0.001f));
         const float half = ImGui::CalcTextSize(words.c_str()).x * 0.5f;
         if (x - half < right + plot.ui.px(6.0f) || x + half > plot.to.x) continue;
         list.AddText({x - half, plot.to.y + plot.ui.px(3.0f)}, palette::kTextDim, words.c_str());
@@ -119,9 +128,11 @@ bool drawPoint(const Plot& plot, const WhatIfPoint& point, bool isPresent, const
     plot.list.AddCircleFilled(at, hovered ? radius * 1.4f : radius, color);
     if (isPresent) plot.list.AddCircle(at, radius * 2.0f, palette::kText, 0, plot.ui.px(1.5f));
     const ImVec2 size = ImGui::CalcTextSize(label.c_str());
-    const bool fits = at.x + radius * 2.4f + size.x < plot.to.x;
+    // That of automatic quality goes below, on the free side of a curve that falls: near it lie others.
+    const bool automatic = point.kind == WhatIfKind::Automatic;
+    const bool fits = at.x + radius * 2.4f + size.x < plot.to.x && !automatic;
     const float x = fits ? at.x + radius * 2.4f : at.x - radius * 2.4f - size.x;
-    const float y = std::max(at.y - size.y, plot.from.y);
+    const float y = automatic ? at.y : std::max(at.y - size.y, plot.from.y);
     plot.list.AddText({x, y}, isPresent ? palette::kText : palette::kTextSoft, label.c_str());
     plot.ui.widgets.mark(point.kind == WhatIfKind::Automatic ? std::string{"Cost/curve/automatic"}
                                                              : format("Cost/curve/{}", point.quality),
@@ -175,7 +186,7 @@ int drawWorkPrecision(Ui& ui, const WhatIfResult& result, ImVec2 size) {
         const std::string name = automatic ? std::string{"auto"} : format("{}", point->quality);
         const bool hovered = drawPoint(plot, *point, isPresent, isPresent ? name + " now" : name);
         if (!hovered || !over) continue;
-        tooltip(format("{}{}: {} a tick, largest error {}",
+        tooltip(format("{}{}: {} a tick, largest error {}, for a moment {}",
                        automatic ? "Automatic, from quality " : "Quality ", point->quality,
                        costWords(point->microseconds), lengthWords(point->error(), result.scale)));
         if (pressed && !automatic) clicked = point->quality;
