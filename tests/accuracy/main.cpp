@@ -91,11 +91,12 @@ void print(std::span<const Row> rows) {
 }
 
 void printOrders(const std::vector<Row>& rows) {
-    std::printf("\n%-14s %-27s %14s %9s   %s\n", "scene", "method", "order", "expected", "floor");
+    std::printf("\n%-14s %-27s %14s %9s %9s   %s\n", "scene", "method", "order", "expected", "substeps",
+                "floor");
     for (const OrderRow& row : ordersOf(rows)) {
-        std::printf("%-14s %-27s %14s %9s   %s\n", row.scene.c_str(), row.method.c_str(),
+        std::printf("%-14s %-27s %14s %9s %9s   %s\n", row.scene.c_str(), row.method.c_str(),
                     powerText(row.order).c_str(), row.expected ? figureText(*row.expected).c_str() : "-",
-                    floorText(row).c_str());
+                    rangeText(row.order).c_str(), floorText(row).c_str());
     }
 }
 

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 #include "core/assert.hpp"
 #include "tests/bench/physics/scene_error.hpp"
@@ -80,7 +81,7 @@ void Trial::run(double seconds, const std::function<void(double)>& look) {
         const std::size_t before = count_ != nullptr ? count_() : 0;
         const double start = now();
         scene_->step(kTick);
-        spent_ += now() - start;
+        spent_.push_back(now() - start);
         if (2 * i >= steps && count_ != nullptr) allocated_ += count_() - before, ++countedSteps_;
         time_ = ++steps_ / 60.0;
         // Some engines never end a step of a world that has come apart.
@@ -124,7 +125,13 @@ std::optional<double> Trial::pushBetween(BodyHandle a, BodyHandle b) {
     return impulse * 60.0 * static_cast<double>(1 << method_.quality);
 }
 
-double Trial::microsPerStep() const { return steps_ > 0 ? spent_ * 1.0e6 / steps_ : 0.0; }
+double Trial::microsPerStep() const {
+    if (spent_.empty()) return 0.0;
+    std::vector<double> sorted = spent_;
+    std::sort(sorted.begin(), sorted.end());
+    sorted.resize(sorted.size() - sorted.size() / 50);
+    return 1.0e6 * std::accumulate(sorted.begin(), sorted.end(), 0.0) / static_cast<double>(sorted.size());
+}
 
 Metrics Trial::metrics() const {
     const scenes::SceneError error = scenes::errorOf(*scene_);

@@ -96,6 +96,7 @@ public:
     /// N with which two bodies push each other apart; none where the engine does not tell.
     [[nodiscard]] std::optional<double> pushBetween(BodyHandle a, BodyHandle b);
     [[nodiscard]] double time() const { return time_; }
+    /// The mean, but for the slowest of 50 steps: those are what else the machine has to do.
     [[nodiscard]] double microsPerStep() const;
     [[nodiscard]] Metrics metrics() const;
     [[nodiscard]] const std::vector<Finding>& findings() const { return findings_; }
@@ -112,11 +113,11 @@ private:
     std::vector<Finding> findings_;
     double time_ = 0.0;
     double moved_ = 0.0;  ///< s: when something last moved
-    double spent_ = 0.0;  ///< s of the clock
     int steps_ = 0;
     bool lost_ = false;          ///< another engine's world came apart: nothing more is simulated
     std::size_t allocated_ = 0;  ///< in the second half of the last run
     int countedSteps_ = 0;
+    std::vector<double> spent_;  ///< s of the clock, of each step
 };
 
 }  // namespace plumb::accuracy

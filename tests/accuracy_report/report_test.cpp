@@ -215,9 +215,9 @@ TEST(Report, ordersAreThoseOfTheRows) {
 
 TEST(Report, theGuideHasTheMarksAndTheOrders) {
     const std::string guide = guideOf(nastyRows(), "here");
-    EXPECT_NE(guide.find("0.5 mm @ 9 µs"), std::string::npos) << guide;     // the default
-    EXPECT_NE(guide.find("4 substeps: 0.5 mm @ 9 µs"), std::string::npos);  // the cheapest within 1 mm
-    EXPECT_NE(guide.find("| stack20 | soft step | 2.00 |"), std::string::npos);
+    EXPECT_NE(guide.find("0.5 mm @ 9 µs"), std::string::npos) << guide;  // the default
+    EXPECT_NE(guide.find("| 4: 0.5 mm @ 9 µs |"), std::string::npos);    // the fewest within 1 mm
+    EXPECT_NE(guide.find("| stack20 | soft step | 2.00 | 2 | 1 to 64 | not met |"), std::string::npos);
 }
 
 TEST(SceneTexts, everySceneHasWordsAndEveryNumberAScene) {

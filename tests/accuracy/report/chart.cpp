@@ -59,7 +59,8 @@ std::vector<Row> allRows(const Chart& chart) {
 /// The plot's own picture of its numbers.
 struct Frame {
     LogScale x, y;
-    double zero;  ///< what errors of 0 are drawn as
+    double zero;    ///< what errors of 0 are drawn as
+    bool hasZeros;  ///< some are
 
     [[nodiscard]] double px(const Row& row) const { return x.at(row.metrics.microsPerStep); }
     [[nodiscard]] double py(const Row& row) const { return y.at(row.error > 0.0 ? row.error : zero); }
@@ -102,7 +103,7 @@ Frame frameOf(const Chart& chart) {
     const double low = zeros ? 0.1 * least : least;
     return {LogScale{roundDown(std::max(0.9 * fast, 1.0e-3)), roundUp(std::max(1.1 * slow, 2.0e-3)), kLeft,
                      kRight},
-            LogScale{low, high, kBottom, kTop}, low};
+            LogScale{low, high, kBottom, kTop}, low, zeros};
 }
 
 std::string grid(const Chart& chart, const Frame& frame) {
@@ -115,7 +116,10 @@ std::string grid(const Chart& chart, const Frame& frame) {
     for (const LogScale::Tick& tick : frame.y.ticks()) {
         const double y = frame.y.at(tick.value);
         svg += line(kLeft, y, kRight, y, "c-grid", "#e3e7ee", 1.0);
-        if (tick.named) svg += text(kLeft - 8.0, y + 4.0, tickText(tick.value), "c-soft", "end");
+        const bool isZero = frame.hasZeros && tick.value < 1.5 * frame.zero;
+        if (isZero || tick.named)
+            svg +=
+                text(kLeft - 8.0, y + 4.0, isZero ? std::string{"0"} : tickText(tick.value), "c-soft", "end");
     }
     svg += line(kLeft, kBottom, kRight, kBottom, "c-axis", "#aab3c0", 1.0);
     svg += text(kRight, kBottom + 38.0, "time of a step (µs), less to the left", "c-soft", "end");
@@ -136,8 +140,7 @@ std::string goal(const Chart& chart, const Frame& frame) {
         chart.usTarget > 0.0
             ? format("goal: {} {} in {} µs", figureText(chart.target), chart.unit, figureText(chart.usTarget))
             : format("goal: {} {}", figureText(chart.target), chart.unit);
-    return svg +
-           text(kLeft + 8.0, kBottom - y > 22.0 ? y + 15.0 : kBottom - 6.0, words, "c-goalink", "start", 11);
+    return svg + text(kLeft + 8.0, kBottom - 8.0, words, "c-goalink", "start", 11);
 }
 
 std::string front(const Chart& chart, const Frame& frame) {
@@ -182,9 +185,10 @@ std::string dot(const Frame& frame, const Row& row, int colour, double radius, b
 std::string path(const Frame& frame, const ChartLine& part) {
     std::string points;
     for (const Row& row : part.rows) points += format("{},{} ", px(frame.px(row)), px(frame.py(row)));
-    std::string svg =
-        format("<polyline points=\"{}\" class=\"c-s{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"2\"/>\n",
-               trimmed(points), part.colour, kColours[part.colour]);
+    std::string svg = format(
+        "<polyline points=\"{}\" class=\"c-s{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"2\" "
+        "stroke-linejoin=\"round\" stroke-linecap=\"round\"/>\n",
+        trimmed(points), part.colour, kColours[part.colour]);
     for (const Row& row : part.extra) svg += dot(frame, row, part.colour, 2.6, true);
     for (const Row& row : part.rows) svg += dot(frame, row, part.colour, 3.8, false);
     return svg;

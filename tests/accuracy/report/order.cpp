@@ -8,8 +8,9 @@ namespace plumb::accuracy {
 
 namespace {
 
-constexpr double kBetter = 0.85;  // of the error before, where a point still counts as falling
-constexpr std::size_t kFewest = 3;
+constexpr double kBetter = 0.85;    // of the error before, where a point still counts as falling
+constexpr double kStraight = 1.25;  // how far a point may be off its line, as a factor
+constexpr std::size_t kFewest = 3;  // of a straight part
 
 struct Run {
     std::size_t begin = 0, end = 0;
@@ -26,7 +27,12 @@ Run longestFall(std::span<const Sample> samples) {
     return best;
 }
 
-double slopeOf(std::span<const Sample> samples) {
+/// log error = height - power * log effort.
+struct Line {
+    double power = 0.0, height = 0.0;
+};
+
+Line lineThrough(std::span<const Sample> samples) {
     double x = 0.0, y = 0.0, xx = 0.0, xy = 0.0;
     for (const Sample& sample : samples) {
         const double a = std::log(sample.effort), b = std::log(sample.error);
@@ -34,7 +40,26 @@ double slopeOf(std::span<const Sample> samples) {
     }
     const auto n = static_cast<double>(samples.size());
     const double spread = n * xx - x * x;
-    return spread > 0.0 ? (n * xy - x * y) / spread : 0.0;
+    const double power = spread > 0.0 ? (x * y - n * xy) / spread : 0.0;
+    return {power, (y + power * x) / n};
+}
+
+bool isStraight(std::span<const Sample> samples) {
+    const Line line = lineThrough(samples);
+    return std::all_of(samples.begin(), samples.end(), [&](const Sample& sample) {
+        const double off = std::log(sample.error) - line.height + line.power * std::log(sample.effort);
+        return std::fabs(off) <= std::log(kStraight);
+    });
+}
+
+/// The longest part that is a straight line, of two alike the later; nothing where there is none.
+Run straightPart(std::span<const Sample> samples, Run fall) {
+    for (std::size_t size = fall.size(); size >= kFewest; --size) {
+        for (std::size_t begin = fall.end - size + 1; begin-- > fall.begin;) {
+            if (isStraight(samples.subspan(begin, size))) return {begin, begin + size};
+        }
+    }
+    return {};
 }
 
 }  // namespace
@@ -45,21 +70,20 @@ Order orderOf(std::span<const Sample> samples) {
         if (sample.effort > 0.0 && sample.error > 0.0 && std::isfinite(sample.error)) good.push_back(sample);
     }
     if (good.size() < 2) return {};
-    Run run = longestFall(good);
-    const bool falls = run.size() >= kFewest;
-    if (!falls) run = {0, good.size()};
-    const bool ends = falls && run.end < good.size();
-    const Run all = run;
-    if (ends && run.size() > kFewest) --run.end;  // the last one already has some of the floor in it
+    const Run fall = longestFall(good);
+    const bool ends = fall.size() >= kFewest && fall.end < good.size();
+    Run run = straightPart(good, fall);
+    if (run.size() == 0 && ends) run = {fall.begin, fall.end - 1};  // the last one is partly floor already
+    if (run.size() == 0) run = fall.size() >= kFewest ? fall : Run{0, good.size()};
     const std::span<const Sample> used = std::span{good}.subspan(run.begin, run.size());
-    Order order{.power = -slopeOf(used),
+    Order order{.power = lineThrough(used).power,
                 .first = used.front().effort,
                 .last = used.back().effort,
                 .points = static_cast<int>(used.size())};
     if (ends) {
-        order.floorFrom = good[all.end - 1].effort;
-        order.floor = good[all.end - 1].error;
-        for (std::size_t i = all.end; i < good.size(); ++i)
+        order.floorFrom = good[fall.end - 1].effort;
+        order.floor = good[fall.end - 1].error;
+        for (std::size_t i = fall.end; i < good.size(); ++i)
             order.floor = std::min(order.floor, good[i].error);
     }
     return order;

@@ -21,10 +21,10 @@ struct Order {
     double floorFrom = 0.0;          ///< effort from which on
 };
 
-/// Fits a straight line by least squares, on log scales, to the longest row of points each of which is at
-/// least 15 % better than the one before; to all of them where no three in a row are. What follows that
-/// row is the floor, and the last of the row is left out then. Points whose error is 0 or no number are left
-/// out.
+/// Fits a straight line by least squares, on log scales, to the longest part of the longest row of falling
+/// points (each at least 15 % better than the one before) that is within a quarter of such a line. Where
+/// there is none it takes the whole row, without the last point if a floor follows; and where nothing falls,
+/// all. What follows the row is the floor. Points whose error is 0 or no number are left out.
 /// @param samples  by growing effort
 Order orderOf(std::span<const Sample> samples);
 

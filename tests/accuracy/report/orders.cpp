@@ -48,6 +48,11 @@ std::string powerText(const Order& order) {
     return order.points < 2 ? "too few points" : fixedText(order.power, 2);
 }
 
+std::string rangeText(const Order& order) {
+    if (order.points < 2) return "-";
+    return format("{} to {}", static_cast<int>(order.first), static_cast<int>(order.last));
+}
+
 std::string floorText(const OrderRow& row) {
     if (row.order.floorFrom == 0.0) return "not met";
     return format("{} {} from {} substeps on", figureText(row.order.floor), row.unit,

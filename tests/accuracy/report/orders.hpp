@@ -25,7 +25,9 @@ std::vector<OrderRow> ordersOf(const std::vector<Row>& rows);
 
 /// "1.98", "too few points".
 std::string powerText(const Order& order);
-/// "from 16 substeps on 0.02 mm", "not met".
+/// "2 to 64": the substeps of the points it was fitted to.
+std::string rangeText(const Order& order);
+/// "0.02 mm from 16 substeps on", "not met".
 std::string floorText(const OrderRow& row);
 
 }  // namespace plumb::accuracy

@@ -74,9 +74,10 @@ std::string tableOf(std::span<const Row> rows) {
 std::string orderSentence(const std::vector<OrderRow>& orders, std::string_view scene) {
     std::string html;
     for (const OrderRow& row : orders) {
-        if (row.scene != scene || row.order.points < 3) continue;
+        if (row.scene != scene || row.order.points < 2) continue;
         html += format("{}{}: {}", html.empty() ? "" : "; ", escaped(row.method), powerText(row.order));
         if (row.expected) html += format(" (expected {})", figureText(*row.expected));
+        html += format(", {} substeps", rangeText(row.order));
         if (row.order.floorFrom > 0.0) html += format(", down to {}", floorText(row));
     }
     if (html.empty()) return {};
