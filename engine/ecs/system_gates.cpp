@@ -19,4 +19,18 @@ void SystemGates::findGate(std::size_t place, TypeKey system) {
                       found == gates_.end() ? kNone : static_cast<std::size_t>(found - gates_.begin())};
 }
 
+bool SystemGates::admits(const World& world, std::size_t place, TypeKey system) {
+    if (place >= places_.size() || places_[place].system != system) findGate(place, system);
+    const std::size_t number = places_[place].gate;
+    if (number == kNone) return true;
+    Gate& gate = gates_[number];
+    const bool called = gate.calledFor(world);
+    const bool runs = gate.pin == Pin::Auto ? called : gate.pin == Pin::On;
+    gate.runs += runs ? 1 : 0;
+    // Whom a pin forbids to run must not, if there is something that it would do.
+    if (!runs && (gate.begun || called)) return false;
+    gate.begun = true;
+    return true;
+}
+
 }  // namespace plumb

@@ -18,13 +18,17 @@ enum class Pin : std::uint8_t { Auto, On, Off };
 ///
 /// Who calls is asked right before a system's turn, so that what an earlier system made is heard in the same
 /// tick. The answer is a look at the sizes of a few pools, however many entities there are.
+///
+/// At its first turn a system runs once for nobody, so that its queries are made. Past 63 kinds of components
+/// the order of iteration depends on which were used first: it must not depend on who calls for what.
 class SystemGates {
 public:
     struct Gate {
         TypeKey system = 0;
         bool (*calledFor)(const World& world) = nullptr;
         Pin pin = Pin::Auto;
-        std::uint64_t runs = 0;  ///< how often the system ran
+        std::uint64_t runs = 0;  ///< how often the system ran for somebody, or because it is pinned on
+        bool begun = false;      ///< its queries are made
     };
 
     /// @return the number of the gate
@@ -33,16 +37,7 @@ public:
     [[nodiscard]] const Gate& gate(std::size_t number) const { return gates_[number]; }
 
     /// Whether the system at this place of the schedule runs now. Counts it.
-    [[nodiscard]] bool admits(const World& world, std::size_t place, TypeKey system) {
-        if (place >= places_.size() || places_[place].system != system) [[unlikely]]
-            findGate(place, system);
-        const std::size_t number = places_[place].gate;
-        if (number == kNone) return true;
-        Gate& gate = gates_[number];
-        const bool runs = gate.pin == Pin::Auto ? gate.calledFor(world) : gate.pin == Pin::On;
-        gate.runs += runs ? 1 : 0;
-        return runs;
-    }
+    [[nodiscard]] bool admits(const World& world, std::size_t place, TypeKey system);
 
 private:
     static constexpr std::size_t kNone = static_cast<std::size_t>(-1);

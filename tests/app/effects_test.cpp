@@ -37,6 +37,7 @@ TEST_P(EveryGameEffect, isNotRunInASceneWithoutIt) {
 }
 
 TEST_P(EveryGameEffect, isRunWhileSomebodyCallsForItAndNoLonger) {
+    if (rowOf(GetParam()).name == "tile_animation") GTEST_SKIP() << "its caller is a tileset: see below";
     ASSERT_FALSE(rowOf(GetParam()).callers.empty());
     for (const EffectCaller& caller : rowOf(GetParam()).callers) {
         PileGame game;
