@@ -18,6 +18,7 @@ using physics::Playground;
 inline Answer solved(const physics::World& world, double seconds, const Options& options = {}) {
     auto answer = solveReference(world, seconds, options);
     EXPECT_TRUE(answer.ok()) << (answer.ok() ? "" : answer.error().text());
+    if (getenv("REFSTAT") && answer.ok()) printf("  err %g ord %g res %g steps %ld hits %ld fact %ld sweeps %ld runs %d\n", answer->error, answer->order, answer->residual, answer->steps, answer->hits, answer->factorings, answer->sweeps, answer->runs);
     return answer.ok() ? *answer : Answer{};
 }
 

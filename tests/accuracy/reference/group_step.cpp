@@ -134,8 +134,8 @@ void GroupStep::solve(double scale) {
     const RowOutcome outcome = solver_.solve(system_);
     state_.factorings += outcome.factorings;
     state_.sweeps += outcome.sweeps;
-    const double relative = outcome.residual / (fastest + scale + 1.0e-9);
-    if (outcome.residual > system_.tolerance) state_.worstResidual = std::max(state_.worstResidual, relative);
+    const double relative = outcome.residual / (fastest + scale + outcome.scale + 1.0e-9);
+    if (outcome.residual > outcome.tolerance) state_.worstResidual = std::max(state_.worstResidual, relative);
     if (relative > kUnsolved && state_.trouble.empty()) {
         state_.trouble = format("the forces of a step are not found: {} bodies and {} rows miss by {} m/s",
                                 group_->pushed, system_.rows.size(), shortestText(static_cast<float>(outcome.residual)));
@@ -203,9 +203,19 @@ void GroupStep::keep(double h, double duration, bool isHit, std::vector<Press>& 
     for (const std::uint32_t law : group_->laws) state_.lawForces[law] = {};
     for (std::size_t r = 0; r < lawOfRow_.size(); ++r) {
         const Row& row = system_.rows[r];
-        if (row.b != kNoRow) state_.lawForces[lawOfRow_[r]] = state_.lawForces[lawOfRow_[r]] + row.impulse / h * row.pushB;
-        else state_.lawForces[lawOfRow_[r]] = state_.lawForces[lawOfRow_[r]] - row.impulse / h * row.pushA;
+        Triple& force = state_.lawForces[lawOfRow_[r]];
+        force = force + (row.b != kNoRow ? row.impulse / h : -row.impulse / h) * (row.b != kNoRow ? row.pushB : row.pushA);
     }
+}
+
+/// True when something has come to touch just now that did not push in the step.
+bool GroupStep::hasClosed() const {
+    findAt(q0_, scratch_);
+    return std::any_of(scratch_.begin(), scratch_.end(), [&](const Touch& touch) {
+        if (view(touch, q0_).gap > kClosed || approachOf(touch) > -kClosed) return false;
+        return std::none_of(active_.begin(), active_.end(),
+                            [&](const Active& active) { return active.touch.key == touch.key; });
+    });
 }
 
 void GroupStep::begin(const Group& group) {
@@ -248,7 +258,7 @@ void GroupStep::advance(const Group& group, double duration, std::span<const Pre
         }
         keep(h, duration, isHit || takeAll, presses);
         left = isHit ? left - h : 0.0;
-        if (isHit) {
+        if (isHit || hasClosed()) {
             strike();
             ++hits;
             ++state_.events;

@@ -53,6 +53,7 @@ private:
     void addLaw(std::uint32_t law, double h);
     double takeSolution(double h);
     void solve(double scale);
+    [[nodiscard]] bool hasClosed() const;
     void keep(double h, double duration, bool isHit, std::vector<Press>& found);
 
     // When something hits something first: closings.cpp.

@@ -150,7 +150,7 @@ void addJoints(const Scene& scene, const RunState& state, Answer& answer) {
         JointAnswer& sum = answer.joints.back();
         sum.forceX += state.lawForces[i].x;
         sum.forceY += state.lawForces[i].y;
-        sum.torque += state.lawForces[i].turn;
+        if (scene.laws[i].measure.kind == MeasureKind::Angle) sum.torque += state.lawForces[i].turn;
     }
 }
 
@@ -179,6 +179,10 @@ Answer answerOf(const Scene& scene, const Runs& runs, double seconds) {
     answer.runs = runs.count();
     for (const Spread& spread : runs.spreads()) answer.differences.push_back(spread.place);
     answer.residual = state.worstResidual;
+    answer.steps = state.steps;
+    answer.hits = state.events;
+    answer.factorings = state.factorings;
+    answer.sweeps = state.sweeps;
     return answer;
 }
 

@@ -39,7 +39,7 @@ double RowSolver::boundOf(const Row& row) const {
     return row.kind == RowKind::Band ? row.most : kEndless;
 }
 
-void RowSolver::prepare() {
+void RowSolver::prepare(RowOutcome& outcome) {
     RowSystem& system = *system_;
     resistance_.clear();
     edges_.clear();
@@ -50,6 +50,9 @@ void RowSolver::prepare() {
         // A row that nobody feels is one that does nothing.
         if (!(resistance > 0.0)) resistance = kEndless, row.impulse = 0.0;
         resistance_.push_back(resistance);
+        // What can be had of a target: all of it, or what a spring makes of it.
+        if (resistance < kEndless)
+            outcome.scale = std::max(outcome.scale, std::fabs(row.target) * resistance / (resistance + row.give));
         if (row.a != kNoRow && row.b != kNoRow) edges_.push_back(std::minmax(row.a, row.b));
         if (row.kind == RowKind::Push) row.impulse = std::max(row.impulse, 0.0);
         const double bound = boundOf(row);
@@ -57,6 +60,7 @@ void RowSolver::prepare() {
     }
     std::sort(edges_.begin(), edges_.end());
     edges_.erase(std::unique(edges_.begin(), edges_.end()), edges_.end());
+    outcome.tolerance = tolerance_ = std::max(system.tolerance, 1.0e-12 * outcome.scale);
 }
 
 void RowSolver::velocitiesFromImpulses() {
@@ -80,7 +84,7 @@ double RowSolver::worst() const {
         const double bound = boundOf(row);
         // By how far it would go on if it could, in terms of impulse, is what it lacks.
         const double least = row.kind == RowKind::Push ? 0.0 : -bound;
-        const double wanted = std::clamp(row.impulse - miss / resistance_[i], least, bound);
+        const double wanted = std::clamp(row.impulse - miss / (resistance_[i] + row.give), least, bound);
         most = std::max(most, std::fabs(wanted - row.impulse) * resistance_[i]);
     }
     return most;
@@ -232,7 +236,7 @@ bool RowSolver::newton(RowOutcome& outcome) {
         if (!same) return false;
         takeImpulses();
         outcome.residual = worst();
-        if (outcome.residual <= system_->tolerance) return true;
+        if (outcome.residual <= tolerance_) return true;
         if (outcome.residual > 0.1 * before) {
             if (stiffness_ >= kMostStiffness && outcome.residual > 0.5 * before) return false;
             stiffness_ = std::min(10.0 * stiffness_, kMostStiffness);
@@ -245,11 +249,11 @@ bool RowSolver::newton(RowOutcome& outcome) {
 RowOutcome RowSolver::solve(RowSystem& system) {
     system_ = &system;
     RowOutcome outcome;
-    prepare();
+    prepare(outcome);
     velocitiesFromImpulses();
     if (system.rows.empty()) return outcome;
     outcome.residual = worst();
-    if (outcome.residual <= system.tolerance) return outcome;
+    if (outcome.residual <= tolerance_) return outcome;
     matrix_.shape(static_cast<std::uint32_t>(system.mass.size()), edges_);
     trials_.assign(system.rows.size(), 0.0);
     std::vector<double> best;
@@ -260,7 +264,7 @@ RowOutcome RowSolver::solve(RowSystem& system) {
         for (int i = 0; i < kFirstSweeps << attempt; ++i, ++outcome.sweeps) sweep();
         velocitiesFromImpulses();
         outcome.residual = worst();
-        if (outcome.residual <= system.tolerance) return outcome;
+        if (outcome.residual <= tolerance_) return outcome;
         if (outcome.residual < bestResidual) {
             bestResidual = outcome.residual;
             best.clear();

@@ -40,12 +40,14 @@ struct RowSystem {
     std::vector<Triple> momentum;  ///< N s
     std::vector<Row> rows;         ///< normals before their friction
     std::vector<Triple> velocity;  ///< the result
-    double tolerance = 1.0e-13;    ///< m/s: how exactly each row is to hold
+    double tolerance = 1.0e-13;    ///< m/s: how exactly each row is to hold, next to what it asks for
 };
 
 /// What became of a system.
 struct RowOutcome {
-    double residual = 0.0;  ///< m/s: by how much the worst row does not hold
+    double residual = 0.0;   ///< m/s: by how much the worst row does not hold
+    double tolerance = 0.0;  ///< m/s: how exactly they were to
+    double scale = 0.0;      ///< m/s: the largest speed that a row asks for
     int factorings = 0;
     int sweeps = 0;
 };
@@ -63,7 +65,7 @@ public:
 private:
     enum class Guess : std::uint8_t { Free, Holds, Least, Most };
 
-    void prepare();
+    void prepare(RowOutcome& outcome);
     void velocitiesFromImpulses();
     [[nodiscard]] double speedOf(const Row& row) const;
     [[nodiscard]] double boundOf(const Row& row) const;
@@ -83,7 +85,7 @@ private:
     std::vector<double> trials_;      // by row: N s
     std::vector<Guess> guesses_;
     std::vector<double> right_;
-    double stiffness_ = 1.0;
+    double stiffness_ = 1.0, tolerance_ = 0.0;
 };
 
 }  // namespace plumb::reference
