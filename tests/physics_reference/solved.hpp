@@ -18,7 +18,6 @@ using physics::Playground;
 inline Answer solved(const physics::World& world, double seconds, const Options& options = {}) {
     auto answer = solveReference(world, seconds, options);
     EXPECT_TRUE(answer.ok()) << (answer.ok() ? "" : answer.error().text());
-    if (getenv("REFSTAT") && answer.ok()) printf("  err %g ord %g res %g steps %ld hits %ld fact %ld sweeps %ld runs %d\n", answer->error, answer->order, answer->residual, answer->steps, answer->hits, answer->factorings, answer->sweeps, answer->runs);
     return answer.ok() ? *answer : Answer{};
 }
 
@@ -30,8 +29,8 @@ inline BodyAnswer of(const Answer& answer, BodyId body) {
     return {};
 }
 
-/// The true error is no larger than the stated one, which is no more than a hundred times the true one. What is
-/// exact but for rounding may say so with some nanometres.
+/// The true error is no larger than the stated one, which is no more than a hundred times the true one. What
+/// is exact but for rounding may say so with some nanometres.
 inline void expectHonest(double truth, double stated, double least = 1.0e-9) {
     EXPECT_LE(truth, stated);
     EXPECT_LE(stated, std::max(100.0 * truth, least));

@@ -8,10 +8,10 @@ namespace plumb::reference {
 
 namespace {
 
-constexpr int kMostPasses = 6;      // of a step, until its end is where it was thought to be
+constexpr int kMostPasses = 6;        // of a step, until its end is where it was thought to be
 constexpr double kSettled = 1.0e-13;  // m, rad
-constexpr int kMostHits = 12;       // in one step, each of which ends it; later ones are taken together
-constexpr int kMostTries = 6;       // to end at a hit
+constexpr int kMostHits = 12;         // in one step, each of which ends it; later ones are taken together
+constexpr int kMostTries = 6;         // to end at a hit
 constexpr double kUnsolved = 1.0e-4;  // ratio to the speeds there are
 
 const Press* findPress(std::span<const Press> presses, std::uint64_t key) {
@@ -88,8 +88,8 @@ void GroupStep::addContact(Active& active) {
                 .normal = active.row,
                 .friction = touch.friction,
                 .impulse = active.tangent};
-    writer_.add(system_, tangentGradient(middle, middle_[a], middle_[b]), tangentGradient(end, q1_[a], q1_[b]), a, b,
-                tangent);
+    writer_.add(system_, tangentGradient(middle, middle_[a], middle_[b]),
+                tangentGradient(end, q1_[a], q1_[b]), a, b, tangent);
 }
 
 void GroupStep::addLaw(std::uint32_t index, double h) {
@@ -105,7 +105,8 @@ void GroupStep::addLaw(std::uint32_t index, double h) {
     Row row{.impulse = state_.lawPushes[index] * h};
     if (law.kind == LawKind::AtLeast) {
         if (law.sign * end.value > kClosed && row.impulse == 0.0) return;
-        for (Gradient* gradient : {&push, &end}) gradient->a = law.sign * gradient->a, gradient->b = law.sign * gradient->b;
+        for (Gradient* gradient : {&push, &end})
+            gradient->a = law.sign * gradient->a, gradient->b = law.sign * gradient->b;
         row.kind = RowKind::Push;
     }
     if (law.kind == LawKind::Drive) {
@@ -137,8 +138,9 @@ void GroupStep::solve(double scale) {
     const double relative = outcome.residual / (fastest + scale + outcome.scale + 1.0e-9);
     if (outcome.residual > outcome.tolerance) state_.worstResidual = std::max(state_.worstResidual, relative);
     if (relative > kUnsolved && state_.trouble.empty()) {
-        state_.trouble = format("the forces of a step are not found: {} bodies and {} rows miss by {} m/s",
-                                group_->pushed, system_.rows.size(), shortestText(static_cast<float>(outcome.residual)));
+        state_.trouble =
+            format("the forces of a step are not found: {} bodies and {} rows miss by {} m/s", group_->pushed,
+                   system_.rows.size(), shortestText(static_cast<float>(outcome.residual)));
     }
 }
 
@@ -204,7 +206,8 @@ void GroupStep::keep(double h, double duration, bool isHit, std::vector<Press>& 
     for (std::size_t r = 0; r < lawOfRow_.size(); ++r) {
         const Row& row = system_.rows[r];
         Triple& force = state_.lawForces[lawOfRow_[r]];
-        force = force + (row.b != kNoRow ? row.impulse / h : -row.impulse / h) * (row.b != kNoRow ? row.pushB : row.pushA);
+        force = force + (row.b != kNoRow ? row.impulse / h : -row.impulse / h) *
+                            (row.b != kNoRow ? row.pushB : row.pushA);
     }
 }
 

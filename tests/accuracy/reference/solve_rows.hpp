@@ -73,10 +73,14 @@ private:
     void sweep();
     [[nodiscard]] double trialOf(std::size_t row) const;
     [[nodiscard]] bool takeGuesses(bool isFirst);
-    bool solveGuess();
+    bool factorGuess();
+    void solveGuess();
+    [[nodiscard]] double weightOf(std::size_t row) const;
+    [[nodiscard]] double startOf(std::size_t row) const;
     void addToMatrix(const Row& row, Triple pushA, Triple pushB, double weight);
     void takeImpulses();
     bool newton(RowOutcome& outcome);
+    void solveOrGiveUp(RowOutcome& outcome);
 
     RowSystem* system_ = nullptr;
     BlockMatrix matrix_;
@@ -84,7 +88,11 @@ private:
     std::vector<double> resistance_;  // by row: m/s for each N s
     std::vector<double> trials_;      // by row: N s
     std::vector<Guess> guesses_;
+    std::vector<Guess> factored_;  // the guesses that the matrix is of
+    double factoredStiffness_ = 0.0;
+    int factorings_ = 0;
     std::vector<double> right_;
+    std::vector<Triple> momentum_;
     double stiffness_ = 1.0, tolerance_ = 0.0;
 };
 
