@@ -32,7 +32,7 @@ TEST(ReferenceJoints, aPendulumTakesItsPeriod) {
     const double mass = static_cast<double>(physics::massOf(scene.world, bob));
     const double inertia = static_cast<double>(scene.world.bodies.mass[bob.index].inertia) + mass;
     const double omega = std::sqrt(10.0 * mass / inertia);  // rad/s, of small swings
-    const float spin = 4.0f;                                // rad/s, at the bottom: it swings to about 78 degrees
+    const float spin = 4.0f;  // rad/s, at the bottom: it swings to about 78 degrees
     ASSERT_TRUE(physics::setVelocity(scene.world, bob, {spin, 0.0f}).ok());
     ASSERT_TRUE(physics::setAngularVelocity(scene.world, bob, spin).ok());
     const double period = 4.0 * ellipticK(static_cast<double>(spin) / (2.0 * omega)) / omega;
@@ -87,7 +87,10 @@ TEST(ReferenceJoints, aChainBetweenTwoPostsIsACatenary) {
         const physics::Place middle{0.5 * (ends[i].x + ends[i + 1].x), 0.5 * (ends[i].y + ends[i + 1].y)};
         const BodyId rod = scene.body(BodyKind::Dynamic, middle, static_cast<float>(slopes[i]));
         scene.shape(rod, physics::box({halfWidth, 0.0625f}), kGhost);
-        join(scene, {.a = last, .b = rod, .anchorA = i == 0 ? Vec2{} : Vec2{halfWidth, 0.0f}, .anchorB = {-halfWidth, 0.0f}});
+        join(scene, {.a = last,
+                     .b = rod,
+                     .anchorA = i == 0 ? Vec2{} : Vec2{halfWidth, 0.0f},
+                     .anchorB = {-halfWidth, 0.0f}});
         rods.push_back(rod);
         last = rod;
         weight += one;
@@ -124,16 +127,28 @@ TEST(ReferenceJoints, aDampedSpringAndAMotorAndASlider) {
     scene.world.settings.gravity = {0.0f, -10.0f};
     // A slider at an angle of 3 : 4 : 5.
     const BodyId sled = scene.crate({20.0, 0.0}, {0.5f, 0.5f}, kGhost);
-    join(scene, {.kind = JointKind::Prismatic, .a = wall, .b = sled, .anchorA = {20.0f, 0.0f}, .axis = {4.0f, -3.0f}});
+    join(scene, {.kind = JointKind::Prismatic,
+                 .a = wall,
+                 .b = sled,
+                 .anchorA = {20.0f, 0.0f},
+                 .axis = {4.0f, -3.0f}});
     // A wheel that a motor of 2 N m turns.
     const BodyId wheel = scene.ball({-20.0, 0.0}, 0.5f, kGhost);
-    join(scene, {.a = wall, .b = wheel, .anchorA = {-20.0f, 0.0f}, .motor = {.on = true, .speed = 1000.0f, .maxForce = 2.0f}});
+    join(scene, {.a = wall,
+                 .b = wheel,
+                 .anchorA = {-20.0f, 0.0f},
+                 .motor = {.on = true, .speed = 1000.0f, .maxForce = 2.0f}});
     // A rope that is taut after 5 m.
     const BodyId weight = scene.ball({0.0, -1.0}, 0.5f, kGhost);
-    join(scene, {.kind = JointKind::Distance, .a = wall, .b = weight, .limit = {.on = true, .lower = 0.0f, .upper = 1.0f}});
+    join(scene, {.kind = JointKind::Distance,
+                 .a = wall,
+                 .b = weight,
+                 .limit = {.on = true, .lower = 0.0f, .upper = 1.0f}});
     // What is welded to a wall stays there.
     const BodyId sign = scene.crate({-39.0, 0.0}, {0.5f, 0.5f}, kGhost);
-    join(scene, {.kind = JointKind::Weld, .a = wall, .b = sign, .anchorA = {-40.0f, 0.0f}, .anchorB = {-1.0f, 0.0f}});
+    join(
+        scene,
+        {.kind = JointKind::Weld, .a = wall, .b = sign, .anchorA = {-40.0f, 0.0f}, .anchorB = {-1.0f, 0.0f}});
     const Answer answer = solved(scene.world, 1.0);
     EXPECT_LT(farFrom(of(answer, sled), 20.0 + 0.8 * 3.0, -0.6 * 3.0), 1.0e-6);
     const auto inertia = static_cast<double>(scene.world.bodies.mass[wheel.index].inertia);
@@ -142,7 +157,8 @@ TEST(ReferenceJoints, aDampedSpringAndAMotorAndASlider) {
     EXPECT_LT(farFrom(of(answer, sign), -39.0, 0.0), 1.0e-9);
     EXPECT_NEAR(answer.joints[3].forceY, 10.0, 1.0e-6);
     EXPECT_NEAR(answer.joints[3].torque, 10.0, 1.0e-5);
-    EXPECT_NEAR(answer.joints[2].forceY, 10.0 * static_cast<double>(physics::massOf(scene.world, weight)), 1.0e-5);
+    EXPECT_NEAR(answer.joints[2].forceY, 10.0 * static_cast<double>(physics::massOf(scene.world, weight)),
+                1.0e-5);
 }
 
 }  // namespace

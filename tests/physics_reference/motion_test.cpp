@@ -107,10 +107,11 @@ TEST(ReferenceMotion, anElasticBallBouncesForEver) {
     Playground scene;
     scene.floor(kElastic);
     const BodyId ball = scene.ball({0.0, 2.5}, 0.5f, kElastic);
-    const double fall = std::sqrt(0.4);  // s from 2 m
+    const double fall = std::sqrt(0.4);                     // s from 2 m
     const double seconds = 2.0 * fall * 7.0 + 0.75 * fall;  // after 7 bounces, between top and ground
     const Answer answer = solved(scene.world, seconds);
-    expectHonest(farFrom(of(answer, ball), 0.0, 2.5 - 5.0 * std::pow(0.75 * fall, 2.0)), answer.error, 1.0e-7);
+    expectHonest(farFrom(of(answer, ball), 0.0, 2.5 - 5.0 * std::pow(0.75 * fall, 2.0)), answer.error,
+                 1.0e-7);
 }
 
 TEST(ReferenceMotion, halfOfTheSpeedIsKeptByABounceOfAHalf) {
@@ -126,7 +127,8 @@ TEST(ReferenceMotion, elasticPairsAreAsTheFormulaSays) {
     struct Pair {
         float massA, massB, speedA, speedB;
     };
-    for (const Pair pair : {Pair{1, 1, 4, 0}, {1, 3, 5, -2}, {1, 100, 3, 0}, {50, 1, 2, 0}, {2, 7, 9, 1.5f}}) {
+    for (const Pair pair :
+         {Pair{1, 1, 4, 0}, {1, 3, 5, -2}, {1, 100, 3, 0}, {50, 1, 2, 0}, {2, 7, 9, 1.5f}}) {
         Playground scene;
         scene.world.settings.gravity = {};
         const BodyId one = scene.ball({-2.0, 0.0}, 0.5f, kElastic), two = scene.ball({}, 0.5f, kElastic);
@@ -151,7 +153,8 @@ TEST(ReferenceMotion, asManyBallsLeaveACradleAsCome) {
     std::array<BodyId, 5> balls;
     for (std::size_t i = 0; i < balls.size(); ++i)
         balls[i] = scene.ball({static_cast<double>(i) - (i < 2 ? 1.0 : 0.0), 0.0}, 0.5f, kElastic);
-    for (std::size_t i = 0; i < 2; ++i) ASSERT_TRUE(physics::setVelocity(scene.world, balls[i], {4.0f, 0.0f}).ok());
+    for (std::size_t i = 0; i < 2; ++i)
+        ASSERT_TRUE(physics::setVelocity(scene.world, balls[i], {4.0f, 0.0f}).ok());
     const Answer answer = solved(scene.world, 1.0);
     for (std::size_t i = 0; i < balls.size(); ++i)
         EXPECT_NEAR(of(answer, balls[i]).velocityX, i < 3 ? 0.0 : 4.0, 1.0e-9) << i;

@@ -50,7 +50,8 @@ TEST(ReferenceRefusals, whatIsNotModelledIsNamed) {
 
 TEST(ReferenceRefusals, whereThereIsNoRoomNothingIsParted) {
     Playground scene;
-    for (const double x : {-0.75, 0.75}) scene.shape(scene.body(BodyKind::Static, {x, 0.0}), physics::box({0.5f, 10.0f}));
+    for (const double x : {-0.75, 0.75})
+        scene.shape(scene.body(BodyKind::Static, {x, 0.0}), physics::box({0.5f, 10.0f}));
     scene.crate({});
     expectSays(refusal(scene.world), "no room to part them");
 }

@@ -29,8 +29,8 @@ inline BodyAnswer of(const Answer& answer, BodyId body) {
     return {};
 }
 
-/// The true error is no larger than the stated one, which is no more than a hundred times the true one. What is
-/// exact but for rounding may say so with some nanometres.
+/// The true error is no larger than the stated one, which is no more than a hundred times the true one. What
+/// is exact but for rounding may say so with some nanometres.
 inline void expectHonest(double truth, double stated, double least = 1.0e-9) {
     EXPECT_LE(truth, stated);
     EXPECT_LE(stated, std::max(100.0 * truth, least));

@@ -48,7 +48,8 @@ TEST(ReferenceStanding, allOutlinesRestOnAFloorAndOnAChain) {
     for (const bool onChain : {false, true}) {
         Playground scene;
         if (onChain) {
-            const std::array<Vec2, 6> points{Vec2{20, 0}, Vec2{12, 0}, Vec2{3, 0}, Vec2{-4, 0}, Vec2{-12, 0}, Vec2{-20, 0}};
+            const std::array<Vec2, 6> points{Vec2{20, 0}, Vec2{12, 0},  Vec2{3, 0},
+                                             Vec2{-4, 0}, Vec2{-12, 0}, Vec2{-20, 0}};
             const BodyId ground = scene.body(BodyKind::Static, {});
             ASSERT_TRUE(physics::createChain(scene.world, ground, points, false).ok());
         } else {
@@ -97,7 +98,8 @@ TEST(ReferenceStanding, aBeltCarriesAndAPlatformLifts) {
     const Answer answer = solved(scene.world, 1.5);
     physics::World world = scene.world;
     for (int i = 0; i < 90; ++i) physics::step(world, 1.0f / 60.0f);
-    EXPECT_NEAR(of(answer, crate).velocityX, static_cast<double>(physics::velocityOf(world, crate).x), 1.0e-2);
+    EXPECT_NEAR(of(answer, crate).velocityX, static_cast<double>(physics::velocityOf(world, crate).x),
+                1.0e-2);
     EXPECT_NEAR(std::fabs(of(answer, crate).velocityX), 2.0, 1.0e-9);
     EXPECT_NEAR(of(answer, rider).centre.y, 2.0, 1.0e-7);
     EXPECT_NEAR(forceBetween(answer, lift, rider), 10.0, 1.0e-5);

@@ -81,7 +81,8 @@ void BlockMatrix::order() {
     for (std::uint32_t turn = 0; turn < count_; ++turn) {
         std::uint32_t best = count_;
         for (std::uint32_t row = 0; row < count_; ++row) {
-            if (placeOf_[row] == count_ && (best == count_ || near[row].size() < near[best].size())) best = row;
+            if (placeOf_[row] == count_ && (best == count_ || near[row].size() < near[best].size()))
+                best = row;
         }
         placeOf_[best] = turn;
         rowAt_.push_back(best);
@@ -115,7 +116,8 @@ std::uint32_t BlockMatrix::indexOf(std::uint32_t low, std::uint32_t high) const 
 }
 
 void BlockMatrix::clear() {
-    for (auto* const blocks : {&diagonal_, &upper_, &lower_}) std::fill(blocks->begin(), blocks->end(), Block{});
+    for (auto* const blocks : {&diagonal_, &upper_, &lower_})
+        std::fill(blocks->begin(), blocks->end(), Block{});
 }
 
 BlockMatrix::Block& BlockMatrix::at(std::uint32_t row, std::uint32_t column) {
@@ -157,7 +159,8 @@ void BlockMatrix::solve(std::span<double> values) {
             subtractProduct(upper_[i], &sorted_[3 * later_[i]], rest);
         const Block& inverse = diagonal_[turn];
         for (std::uint32_t i = 0; i < 3; ++i) {
-            const double value = inverse[3 * i] * rest[0] + inverse[3 * i + 1] * rest[1] + inverse[3 * i + 2] * rest[2];
+            const double value =
+                inverse[3 * i] * rest[0] + inverse[3 * i + 1] * rest[1] + inverse[3 * i + 2] * rest[2];
             sorted_[3 * turn + i] = value;
             values[3 * rowAt_[turn] + i] = value;
         }

@@ -34,7 +34,8 @@ void GroupStep::solveBlow(std::span<const Touch> touches, bool bounces) {
     for (const Touch& touch : touches) {
         const std::uint32_t a = writer_.local(touch.bodyA), b = writer_.local(touch.bodyB);
         const TouchView now = view(touch, q0_);
-        const Gradient along = normalGradient(now, q0_[a], q0_[b]), across = tangentGradient(now, q0_[a], q0_[b]);
+        const Gradient along = normalGradient(now, q0_[a], q0_[b]),
+                       across = tangentGradient(now, q0_[a], q0_[b]);
         Row normal{.kind = RowKind::Push};
         const double approach = approachOf(touch);
         if (bounces && approach < -scene_.bounceSpeed) normal.target = -touch.bounciness * approach;
@@ -51,8 +52,8 @@ void GroupStep::solveBlow(std::span<const Touch> touches, bool bounces) {
     for (std::size_t i = 0; i < group_->pushed; ++i) v0_[i] = system_.velocity[i];
 }
 
-/// Lets the two bodies bounce off each other that approach each other the fastest, as if nobody else were there
-/// but what they are tied to. So blows run through rows of balls, and as many leave as come.
+/// Lets the two bodies bounce off each other that approach each other the fastest, as if nobody else were
+/// there but what they are tied to. So blows run through rows of balls, and as many leave as come.
 bool GroupStep::bounceOnce(std::span<const Touch> touches) {
     double fastest = -scene_.bounceSpeed;
     std::size_t worst = touches.size();
@@ -74,7 +75,8 @@ void GroupStep::strike() {
     std::vector<Touch> touches;
     findAt(q0_, touches);
     std::erase_if(touches, [&](const Touch& touch) { return view(touch, q0_).gap > kClosed; });
-    for (int i = 0; i < kMostBounces && bounceOnce(touches); ++i) {}
+    for (int i = 0; i < kMostBounces && bounceOnce(touches); ++i) {
+    }
     solveBlow(touches, false);
 }
 

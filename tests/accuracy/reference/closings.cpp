@@ -6,12 +6,12 @@ namespace plumb::reference {
 
 namespace {
 
-constexpr double kExact = 2.0e-9;  // m: a hit is found when the gap is as small
-constexpr double kFarOff = 1.0e9;  // m: a gap that is told, however large
+constexpr double kExact = 1.0e-13;  // m: a hit is found when the gap is as small
+constexpr double kFarOff = 1.0e9;   // m: a gap that is told, however large
 constexpr int kMostSamples = 2000;
 
-/// The first time at which a gap that is open at `low` and overlaps at `high` closes. `gap` may be endless where
-/// the two have nothing to do with each other. By halving, and by secants with the Illinois rule.
+/// The first time at which a gap that is open at `low` and overlaps at `high` closes. `gap` may be endless
+/// where the two have nothing to do with each other. By halving, and by secants with the Illinois rule.
 template <class Gap>
 double closingBetween(double low, double high, double gapLow, double gapHigh, const Gap& gap) {
     for (int i = 0; i < 200 && high - low > 1.0e-15 * high; ++i) {
@@ -39,8 +39,8 @@ Triple GroupStep::poseAt(std::size_t local, double time, double h) const {
 
 double GroupStep::gapAt(std::uint32_t a, std::uint32_t b, double time, double h) const {
     scratch_.clear();
-    return findTouches(scene_, a, poseAt(localOfOutline(a), time, h), b, poseAt(localOfOutline(b), time, h), kFarOff,
-                       scratch_);
+    return findTouches(scene_, a, poseAt(localOfOutline(a), time, h), b, poseAt(localOfOutline(b), time, h),
+                       kFarOff, scratch_);
 }
 
 /// m: no point of one comes further past the other in the step.
@@ -57,7 +57,8 @@ double GroupStep::closingOfPair(std::uint32_t a, std::uint32_t b, double h) {
     const double before = gapAt(a, b, 0.0, h), way = longestWay(a, b, h);
     if (before - way > 0.0 && before < kEndless) return kEndless;
     const auto gap = [&](double time) { return gapAt(a, b, time, h); };
-    // Who is fast may be through at the end of the step: it is looked at as often as it takes to be seen inside.
+    // Who is fast may be through at the end of the step: it is looked at as often as it takes to be seen
+    // inside.
     const double width = 0.25 * (scene_.outlines[a].width + scene_.outlines[b].width);
     const int samples = std::clamp(static_cast<int>(way / std::max(width, 1.0e-6)) + 1, 1, kMostSamples);
     double low = 0.0, gapLow = before;

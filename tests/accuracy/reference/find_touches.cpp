@@ -51,7 +51,8 @@ bool isOwnDirection(const Placed& chain, Point direction) {
 double nearestBefore(const Placed& side, std::size_t index, const Placed& other) {
     double nearest = kEndless;
     for (const Point corner : other.corners)
-        nearest = std::min(nearest, dot(side.normals[index], corner - side.corners[index % side.corners.size()]));
+        nearest =
+            std::min(nearest, dot(side.normals[index], corner - side.corners[index % side.corners.size()]));
     return nearest;
 }
 
@@ -179,7 +180,8 @@ private:
         return best.apart - round_;
     }
 
-    /// Where the other lies before a side: at the ends of what of the two sides is before each other.
+    /// Where the other lies before a side: at the ends of what of the two sides is before each other. Where
+    /// two corners are before each other it is always the other's, so that a touch keeps its name.
     void addSide(bool ofA, std::size_t index) {
         const Placed& mine = ofA ? a_ : b_;
         const Placed& other = ofA ? b_ : a_;
@@ -192,17 +194,22 @@ private:
         const std::size_t facing = facingSide(other, normal, nearest);
         const std::size_t first = index % mine.corners.size();
         const Point start = mine.corners[first], along = mine.corners[mine.next(first)] - start;
-        const std::size_t ends[2] = {facing % other.corners.size(), other.next(facing % other.corners.size())};
+        const std::size_t ends[2] = {facing % other.corners.size(),
+                                     other.next(facing % other.corners.size())};
         const double size = dot(along, along);
         double parts[2];
         for (int i = 0; i < 2; ++i) parts[i] = dot(other.corners[ends[i]] - start, along) / size;
         const int low = parts[0] <= parts[1] ? 0 : 1;
         const double begin = std::max(parts[low], 0.0), end = std::min(parts[1 - low], 1.0);
         if (end - begin < kLeast) return addCornerBefore(ofA, index, nearest);
-        if (parts[low] >= 0.0) addCornerBefore(ofA, index, ends[low]);
-        else addCornerBefore(!ofA, facing, first);
-        if (parts[1 - low] <= 1.0) addCornerBefore(ofA, index, ends[1 - low]);
-        else addCornerBefore(!ofA, facing, mine.next(first));
+        if (parts[low] >= -kLeast)
+            addCornerBefore(ofA, index, ends[low]);
+        else
+            addCornerBefore(!ofA, facing, first);
+        if (parts[1 - low] <= 1.0 + kLeast)
+            addCornerBefore(ofA, index, ends[1 - low]);
+        else
+            addCornerBefore(!ofA, facing, mine.next(first));
     }
 
     /// The side at the nearest corner that looks most against the normal.
@@ -225,7 +232,8 @@ private:
         touch.a = sideOfA ? onSide : other.corners[corner];
         touch.b = sideOfA ? other.corners[corner] : onSide;
         touch.normal = owner.normals[side];
-        touch.key |= (sideOfA ? 1u : 2u) << 20 | static_cast<unsigned>(side) << 8 | static_cast<unsigned>(corner);
+        touch.key |=
+            (sideOfA ? 1u : 2u) << 20 | static_cast<unsigned>(side) << 8 | static_cast<unsigned>(corner);
         add(touch);
     }
 
@@ -250,8 +258,8 @@ private:
 
 }  // namespace
 
-double findTouches(const Scene& scene, std::uint32_t outlineA, Triple poseA, std::uint32_t outlineB, Triple poseB,
-                   double margin, std::vector<Touch>& touches) {
+double findTouches(const Scene& scene, std::uint32_t outlineA, Triple poseA, std::uint32_t outlineB,
+                   Triple poseB, double margin, std::vector<Touch>& touches) {
     return Finder{scene, outlineA, poseA, outlineB, poseB, margin, touches}.find();
 }
 

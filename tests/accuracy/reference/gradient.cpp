@@ -6,7 +6,8 @@ namespace {
 
 /// Of direction . (point of B - point of A), for points at arms `a` and `b` from the centres.
 Gradient alongDirection(Point direction, Point a, Point b) {
-    return {{-direction.x, -direction.y, -cross(a, direction)}, {direction.x, direction.y, cross(b, direction)}};
+    return {{-direction.x, -direction.y, -cross(a, direction)},
+            {direction.x, direction.y, cross(b, direction)}};
 }
 
 Gradient lengthOf(const Measure& measure, Triple poseA, Triple poseB, Point armA, Point armB) {
@@ -65,8 +66,7 @@ TouchView viewOf(const Touch& touch, Triple poseA, Triple poseB) {
 }
 
 Gradient normalGradient(const TouchView& view, Triple poseA, Triple poseB) {
-    Gradient gradient =
-        alongDirection(view.normal, view.point - placeOf(poseA), view.point - placeOf(poseB));
+    Gradient gradient = alongDirection(view.normal, view.point - placeOf(poseA), view.point - placeOf(poseB));
     gradient.value = view.gap;
     return gradient;
 }

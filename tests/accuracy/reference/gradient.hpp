@@ -18,18 +18,18 @@ struct Touch {
     std::uint64_t key = 0;  ///< names the two outlines and what of them touches
     std::uint32_t outlineA = 0, outlineB = 0;
     std::uint32_t bodyA = 0, bodyB = 0;
-    bool hasSide = false;   ///< else two corners
-    bool sideOfA = false;   ///< the side belongs to A and the corner to B, or the other way round
-    Point a, b;             ///< in the bodies' frames: the corner, or a point of the side
-    Point normal;           ///< in the frame of the side's body, outward
+    bool hasSide = false;  ///< else two corners
+    bool sideOfA = false;  ///< the side belongs to A and the corner to B, or the other way round
+    Point a, b;            ///< in the bodies' frames: the corner, or a point of the side
+    Point normal;          ///< in the frame of the side's body, outward
     double radiusA = 0.0, radiusB = 0.0;
     double friction = 0.0, bounciness = 0.0, surfaceSpeed = 0.0;
 };
 
 /// A touch at two poses.
 struct TouchView {
-    Point point;   ///< m
-    Point normal;  ///< from A to B
+    Point point;       ///< m
+    Point normal;      ///< from A to B
     double gap = 0.0;  ///< m; below 0 they overlap
 };
 

@@ -8,10 +8,10 @@ namespace plumb::reference {
 
 namespace {
 
-constexpr int kMostPasses = 6;      // of a step, until its end is where it was thought to be
+constexpr int kMostPasses = 6;        // of a step, until its end is where it was thought to be
 constexpr double kSettled = 1.0e-13;  // m, rad
-constexpr int kMostHits = 12;       // in one step, each of which ends it; later ones are taken together
-constexpr int kMostTries = 6;       // to end at a hit
+constexpr int kMostHits = 12;         // in one step, each of which ends it; later ones are taken together
+constexpr int kMostTries = 6;         // to end at a hit
 constexpr double kUnsolved = 1.0e-4;  // ratio to the speeds there are
 
 const Press* findPress(std::span<const Press> presses, std::uint64_t key) {
@@ -88,8 +88,8 @@ void GroupStep::addContact(Active& active) {
                 .normal = active.row,
                 .friction = touch.friction,
                 .impulse = active.tangent};
-    writer_.add(system_, tangentGradient(middle, middle_[a], middle_[b]), tangentGradient(end, q1_[a], q1_[b]), a, b,
-                tangent);
+    writer_.add(system_, tangentGradient(middle, middle_[a], middle_[b]),
+                tangentGradient(end, q1_[a], q1_[b]), a, b, tangent);
 }
 
 void GroupStep::addLaw(std::uint32_t index, double h) {
@@ -105,7 +105,8 @@ void GroupStep::addLaw(std::uint32_t index, double h) {
     Row row{.impulse = state_.lawPushes[index] * h};
     if (law.kind == LawKind::AtLeast) {
         if (law.sign * end.value > kClosed && row.impulse == 0.0) return;
-        for (Gradient* gradient : {&push, &end}) gradient->a = law.sign * gradient->a, gradient->b = law.sign * gradient->b;
+        for (Gradient* gradient : {&push, &end})
+            gradient->a = law.sign * gradient->a, gradient->b = law.sign * gradient->b;
         row.kind = RowKind::Push;
     }
     if (law.kind == LawKind::Drive) {
@@ -134,11 +135,12 @@ void GroupStep::solve(double scale) {
     const RowOutcome outcome = solver_.solve(system_);
     state_.factorings += outcome.factorings;
     state_.sweeps += outcome.sweeps;
-    const double relative = outcome.residual / (fastest + scale + 1.0e-9);
-    if (outcome.residual > system_.tolerance) state_.worstResidual = std::max(state_.worstResidual, relative);
+    const double relative = outcome.residual / (fastest + scale + outcome.scale + 1.0e-9);
+    if (outcome.residual > outcome.tolerance) state_.worstResidual = std::max(state_.worstResidual, relative);
     if (relative > kUnsolved && state_.trouble.empty()) {
-        state_.trouble = format("the forces of a step are not found: {} bodies and {} rows miss by {} m/s",
-                                group_->pushed, system_.rows.size(), shortestText(static_cast<float>(outcome.residual)));
+        state_.trouble =
+            format("the forces of a step are not found: {} bodies and {} rows miss by {} m/s", group_->pushed,
+                   system_.rows.size(), shortestText(static_cast<float>(outcome.residual)));
     }
 }
 
@@ -203,9 +205,20 @@ void GroupStep::keep(double h, double duration, bool isHit, std::vector<Press>& 
     for (const std::uint32_t law : group_->laws) state_.lawForces[law] = {};
     for (std::size_t r = 0; r < lawOfRow_.size(); ++r) {
         const Row& row = system_.rows[r];
-        if (row.b != kNoRow) state_.lawForces[lawOfRow_[r]] = state_.lawForces[lawOfRow_[r]] + row.impulse / h * row.pushB;
-        else state_.lawForces[lawOfRow_[r]] = state_.lawForces[lawOfRow_[r]] - row.impulse / h * row.pushA;
+        Triple& force = state_.lawForces[lawOfRow_[r]];
+        force = force + (row.b != kNoRow ? row.impulse / h : -row.impulse / h) *
+                            (row.b != kNoRow ? row.pushB : row.pushA);
     }
+}
+
+/// True when something has come to touch just now that did not push in the step.
+bool GroupStep::hasClosed() const {
+    findAt(q0_, scratch_);
+    return std::any_of(scratch_.begin(), scratch_.end(), [&](const Touch& touch) {
+        if (view(touch, q0_).gap > kClosed || approachOf(touch) > -kClosed) return false;
+        return std::none_of(active_.begin(), active_.end(),
+                            [&](const Active& active) { return active.touch.key == touch.key; });
+    });
 }
 
 void GroupStep::begin(const Group& group) {
@@ -248,7 +261,7 @@ void GroupStep::advance(const Group& group, double duration, std::span<const Pre
         }
         keep(h, duration, isHit || takeAll, presses);
         left = isHit ? left - h : 0.0;
-        if (isHit) {
+        if (isHit || hasClosed()) {
             strike();
             ++hits;
             ++state_.events;

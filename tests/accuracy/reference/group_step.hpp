@@ -9,13 +9,13 @@ namespace plumb::reference {
 
 /// Moves the bodies of a group on by a step, or by several where something hits something in it.
 ///
-/// A step is that of a trapezoid: velocities end so that joints and contacts hold at the end, pushed along the
-/// directions of its middle; places follow by the mean of both velocities, and what then is amiss with joints
-/// and contacts is put right. It is of second order and the same backwards, so that energy does not drift. A
-/// step in which something hits something ends there, and the blow is a system of its own.
-/// Sources: E. Hairer, C. Lubich, G. Wanner, Geometric Numerical Integration, 2006, V.4 and VII.1;
-/// M. Jean, The non-smooth contact dynamics method, CMAME 177, 1999; V. Acary, B. Brogliato, Numerical Methods
-/// for Nonsmooth Dynamical Systems, 2008, 8 and 10.
+/// A step is that of a trapezoid: velocities end so that joints and contacts hold at the end, pushed along
+/// the directions of its middle; places follow by the mean of both velocities, and what then is amiss with
+/// joints and contacts is put right. It is of second order and the same backwards, so that energy does not
+/// drift. A step in which something hits something ends there, and the blow is a system of its own. Sources:
+/// E. Hairer, C. Lubich, G. Wanner, Geometric Numerical Integration, 2006, V.4 and VII.1; M. Jean, The
+/// non-smooth contact dynamics method, CMAME 177, 1999; V. Acary, B. Brogliato, Numerical Methods for
+/// Nonsmooth Dynamical Systems, 2008, 8 and 10.
 class GroupStep {
 public:
     GroupStep(const Scene& scene, RunState& state) : scene_{scene}, state_{state}, writer_{scene} {}
@@ -29,8 +29,8 @@ public:
 private:
     struct Active {
         Touch touch;
-        bool isNew = false;      // hit in this step; there are too many such for each to end a step
-        double normal = 0.0;     // N s
+        bool isNew = false;   // hit in this step; there are too many such for each to end a step
+        double normal = 0.0;  // N s
         double tangent = 0.0;
         std::uint32_t row = kNoRow;
     };
@@ -53,6 +53,7 @@ private:
     void addLaw(std::uint32_t law, double h);
     double takeSolution(double h);
     void solve(double scale);
+    [[nodiscard]] bool hasClosed() const;
     void keep(double h, double duration, bool isHit, std::vector<Press>& found);
 
     // When something hits something first: closings.cpp.

@@ -35,14 +35,16 @@ double marginOf(const Scene& scene, const RunState& state, double h) {
     for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
         const Body& body = scene.bodies[i];
         if (!body.id) continue;
-        const double speed = length(placeOf(state.velocities[i])) + std::fabs(state.velocities[i].turn) * body.reach;
+        const double speed =
+            length(placeOf(state.velocities[i])) + std::fabs(state.velocities[i].turn) * body.reach;
         fastest = std::max(fastest, speed + h * length(body.acceleration));
     }
     return 2.0 * fastest * h + 2.0 * kNear;
 }
 
 /// Sorts and sweeps along x. Source: C. Ericson, Real-Time Collision Detection, 2005, 7.5.
-std::vector<std::pair<std::uint32_t, std::uint32_t>> pairsOf(const Scene& scene, const RunState& state, double h) {
+std::vector<std::pair<std::uint32_t, std::uint32_t>> pairsOf(const Scene& scene, const RunState& state,
+                                                             double h) {
     const double margin = marginOf(scene, state, h);
     std::vector<Bounds> all;
     for (std::uint32_t i = 0; i < scene.outlines.size(); ++i)

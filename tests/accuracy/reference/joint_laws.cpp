@@ -108,7 +108,8 @@ void writePulley(Writer& writer, const JointDefinition& definition) {
 
 void writeLaws(Writer& writer, const JointDefinition& definition) {
     const auto reference = static_cast<double>(definition.referenceAngle);
-    const auto hertz = static_cast<double>(definition.hertz), ratio = static_cast<double>(definition.dampingRatio);
+    const auto hertz = static_cast<double>(definition.hertz),
+               ratio = static_cast<double>(definition.dampingRatio);
     switch (definition.kind) {
         case JointKind::Distance:
             if (!definition.spring.on && !definition.limit.on)

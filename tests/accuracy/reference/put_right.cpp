@@ -54,8 +54,13 @@ double GroupStep::putRightOnce() {
 }
 
 void GroupStep::putRight(int mostRounds, double hopeless) {
-    double worst = kEndless;
-    for (int round = 0; round < mostRounds && !(worst < kRight); ++round) worst = putRightOnce();
+    double worst = kEndless, before = kEndless;
+    for (int round = 0; round < mostRounds && !(worst < kRight); ++round) {
+        worst = putRightOnce();
+        if (round % 10 != 9) continue;
+        if (worst > 0.9 * before) break;
+        before = worst;
+    }
     if (worst > hopeless && state_.trouble.empty()) {
         state_.trouble = format("bodies overlap at the start by {} m and there is no room to part them",
                                 shortestText(static_cast<float>(worst)));

@@ -37,18 +37,22 @@ Spread spreadOf(const Scene& scene, const RunState& one, const RunState& two) {
     return spread;
 }
 
-/// What rounding alone does to a run: a contact is as closed as kRight in put_right.cpp says, and each step
-/// rounds its places.
-Spread roundingOf(const Scene& scene, const RunState& state) {
-    Spread rounding{1.0e-12, 1.0e-12, 1.0e-12};
-    const double eps = 4.0 * std::numeric_limits<double>::epsilon() * std::sqrt(static_cast<double>(state.steps) + 1.0);
+/// What rounding alone does to a run. Where rows are solved, speeds are as exact as 1e-16 times how much
+/// stiffer than their bodies rows are made for it (solve_rows.cpp); places are put right to 1e-12 m.
+Spread roundingOf(const Scene& scene, const RunState& state, double seconds) {
+    constexpr double kSpeeds = 2.0e-11;  // ratio
+    const double ratio =
+        4.0 * std::numeric_limits<double>::epsilon() * std::sqrt(static_cast<double>(state.steps) + 1.0);
+    double furthest = 0.0, turned = 0.0, fastest = 0.0;
     for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
-        
-        rounding.place = std::max(rounding.place, eps * largest(Triple{state.poses[i].x, state.poses[i].y, 0.0}));
-        rounding.angle = std::max(rounding.angle, eps * std::fabs(state.poses[i].turn));
-        rounding.velocity = std::max(rounding.velocity, eps * largest(state.velocities[i]));
+        if (!scene.bodies[i].isPushed) continue;
+        furthest = std::max({furthest, std::fabs(state.poses[i].x), std::fabs(state.poses[i].y)});
+        turned = std::max(turned, std::fabs(state.poses[i].turn));
+        fastest = std::max(fastest, largest(state.velocities[i]));
     }
-    return rounding;
+    const double speed = state.factorings > 0 ? kSpeeds * fastest : ratio * fastest;
+    return {2.0e-12 + ratio * furthest + speed * seconds, 2.0e-12 + ratio * turned + speed * seconds,
+            2.0e-12 + speed};
 }
 
 /// What is left of an error in the finer of two runs that differ by so much, at this order of convergence.
@@ -94,12 +98,12 @@ public:
     }
     /// m, rad or m/s: how far off the last run is.
     [[nodiscard]] double errorOf(double Spread::*part) const {
-        const double rounding = roundingOf(scene_, state_).*part;
+        const double rounding = roundingOf(scene_, state_, seconds_).*part;
         if (spreads_.empty()) return kEndless;
         return leftOf(spreads_.back().*part, orderOf(part)) + rounding;
     }
     [[nodiscard]] bool isRounding() const {
-        const double rounding = 10.0 * roundingOf(scene_, state_).place;
+        const double rounding = 10.0 * roundingOf(scene_, state_, seconds_).place;
         return !spreads_.empty() && spreads_.back().place <= rounding;
     }
     [[nodiscard]] bool comesTogether() const {
@@ -150,7 +154,7 @@ void addJoints(const Scene& scene, const RunState& state, Answer& answer) {
         JointAnswer& sum = answer.joints.back();
         sum.forceX += state.lawForces[i].x;
         sum.forceY += state.lawForces[i].y;
-        sum.torque += state.lawForces[i].turn;
+        if (scene.laws[i].measure.kind == MeasureKind::Angle) sum.torque += state.lawForces[i].turn;
     }
 }
 
@@ -179,6 +183,10 @@ Answer answerOf(const Scene& scene, const Runs& runs, double seconds) {
     answer.runs = runs.count();
     for (const Spread& spread : runs.spreads()) answer.differences.push_back(spread.place);
     answer.residual = state.worstResidual;
+    answer.steps = state.steps;
+    answer.hits = state.events;
+    answer.factorings = state.factorings;
+    answer.sweeps = state.sweeps;
     return answer;
 }
 
@@ -186,7 +194,8 @@ Error notTogether(const Runs& runs) {
     std::string list;
     for (const Spread& spread : runs.spreads()) list += (list.empty() ? "" : ", ") + text(spread.place);
     return {"reference",
-            format("runs do not come together: steps halved down to {} s differ by {} m", text(runs.step()), list),
+            format("runs do not come together: steps halved down to {} s differ by {} m", text(runs.step()),
+                   list),
             "the scene is chaotic: ask for a shorter time; or give it more patience"};
 }
 
@@ -215,12 +224,14 @@ Difference compare(const physics::World& world, const Answer& answer) {
         const physics::BodyPose& pose = world.bodies.pose[body.body.index];
         const physics::BodyMotion& motion = world.bodies.motion[body.body.index];
         const double off = std::hypot(pose.centre.x - body.centre.x, pose.centre.y - body.centre.y);
-        const double angle = std::atan2(static_cast<double>(pose.rotation.sin), static_cast<double>(pose.rotation.cos));
+        const double angle =
+            std::atan2(static_cast<double>(pose.rotation.sin), static_cast<double>(pose.rotation.cos));
         if (off >= difference.position) difference.position = off, difference.body = body.body;
-        difference.angle = std::max(difference.angle, std::fabs(std::remainder(angle - body.angle, 2.0 * 3.14159265358979323846)));
-        difference.velocity =
-            std::max(difference.velocity, std::hypot(static_cast<double>(motion.velocity.x) - body.velocityX,
-                                                     static_cast<double>(motion.velocity.y) - body.velocityY));
+        difference.angle = std::max(
+            difference.angle, std::fabs(std::remainder(angle - body.angle, 2.0 * 3.14159265358979323846)));
+        difference.velocity = std::max(difference.velocity,
+                                       std::hypot(static_cast<double>(motion.velocity.x) - body.velocityX,
+                                                  static_cast<double>(motion.velocity.y) - body.velocityY));
     }
     return difference;
 }

@@ -12,8 +12,8 @@ namespace plumb::reference {
 // smaller until the answer no longer depends on them. Slow; nothing in the engine uses it. See README.md.
 
 struct Options {
-    double step = 1.0 / 240.0;    ///< s: of the coarsest run; the others halve it
-    int leastRuns = 3;            ///< so many at least: two give an error, three the order of convergence
+    double step = 1.0 / 240.0;  ///< s: of the coarsest run; the others halve it
+    int leastRuns = 3;          ///< so many at least: two give an error, three the order of convergence
     int mostRuns = 7;
     double wantedError = 1.0e-4;  ///< m: steps are halved until the answer is as good
     double patience = 60.0;       ///< s of the clock: no run is begun that would probably take longer in all
@@ -39,9 +39,9 @@ struct ContactAnswer {
     double friction = 0.0;                 ///< N on b along the normal turned from x towards y
 };
 
-/// What a joint needs to hold at the end, on its body B.
+/// What a joint needs to hold at the end, on its body B: a force at its anchor, and a torque.
 struct JointAnswer {
-    std::uint32_t joint = 0;  ///< in World::joints
+    std::uint32_t joint = 0;            ///< in World::joints
     double forceX = 0.0, forceY = 0.0;  ///< N
     double torque = 0.0;                ///< N m
 };
@@ -56,11 +56,12 @@ struct Answer {
     double error = 0.0;          ///< m: no centre is further off, as far as can be told from the runs
     double angleError = 0.0;     ///< rad
     double velocityError = 0.0;  ///< m/s
-    double order = 0.0;          ///< of convergence, as observed; 0 where all runs are the same but for rounding
-    double step = 0.0;           ///< s: of the finest run, which this is
+    double order = 0.0;  ///< of convergence, as observed; 0 where all runs are the same but for rounding
+    double step = 0.0;   ///< s: of the finest run, which this is
     int runs = 0;
     std::vector<double> differences;  ///< m: between each run and the one before it
-    double residual = 0.0;       ///< ratio to its speeds: by how much the worst system of all steps is not solved
+    double residual = 0.0;  ///< ratio to its speeds: by how much the worst system of all steps is not solved
+    long steps = 0, hits = 0, factorings = 0, sweeps = 0;  ///< the work of the finest run
 
     /// True when it is a hundred times as exact as an error (m) that it is to judge.
     [[nodiscard]] bool canJudge(double judged) const { return error <= 0.01 * judged; }

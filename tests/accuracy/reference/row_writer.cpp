@@ -25,7 +25,8 @@ Gradient combined(double a, const Gradient& one, double b, const Gradient& two) 
 
 void RowWriter::setGroup(const Group& group) {
     group_ = &group;
-    for (std::size_t i = 0; i < group.bodies.size(); ++i) localOf_[group.bodies[i]] = static_cast<std::uint32_t>(i);
+    for (std::size_t i = 0; i < group.bodies.size(); ++i)
+        localOf_[group.bodies[i]] = static_cast<std::uint32_t>(i);
 }
 
 Triple RowWriter::inverseMassOf(std::uint32_t local) const {
@@ -61,10 +62,10 @@ void RowWriter::beginShift(RowSystem& system) {
     beginBlow(system, std::vector<Triple>(group_->bodies.size()));
 }
 
-std::uint32_t RowWriter::add(RowSystem& system, const Gradient& push, const Gradient& speed, std::uint32_t localA,
-                             std::uint32_t localB, Row row) const {
-    const auto side = [&](std::uint32_t local, Triple pushed, Triple seen, std::uint32_t& body, Triple& rowPush,
-                          Triple& rowSpeed) {
+std::uint32_t RowWriter::add(RowSystem& system, const Gradient& push, const Gradient& speed,
+                             std::uint32_t localA, std::uint32_t localB, Row row) const {
+    const auto side = [&](std::uint32_t local, Triple pushed, Triple seen, std::uint32_t& body,
+                          Triple& rowPush, Triple& rowSpeed) {
         const Triple way = ways(inverseMassOf(local));
         const Triple all{1.0, 1.0, 1.0};
         row.target -= dot(scaled(seen, all - way), known_[local]);
@@ -84,7 +85,8 @@ double RowWriter::give(const Gradient& one, const Gradient& two, const Law& law)
            dot(one.b, scaled(inverseMassOf(local(law.b)), two.b));
 }
 
-double RowWriter::rate(const Gradient& gradient, const Law& law, const std::vector<Triple>& velocities) const {
+double RowWriter::rate(const Gradient& gradient, const Law& law,
+                       const std::vector<Triple>& velocities) const {
     return dot(gradient.a, velocities[local(law.a)]) + dot(gradient.b, velocities[local(law.b)]);
 }
 
@@ -97,7 +99,8 @@ void RowWriter::addSpringRow(RowSystem& system, const Law& law, const Gradient& 
     if (!(inverse > 0.0) || !(omega > 0.0)) return;
     const double stiffness = omega * omega / inverse, damping = 2.0 * law.dampingRatio * omega / inverse;
     const double perSpeed = h * (0.25 * h * stiffness + 0.5 * damping);
-    const double rest = -h * (stiffness * (gradient.value - 0.25 * h * speedAtGuess) + 0.5 * damping * speedAtStart);
+    const double rest =
+        -h * (stiffness * (gradient.value - 0.25 * h * speedAtGuess) + 0.5 * damping * speedAtStart);
     Row row;
     row.give = 1.0 / perSpeed;
     row.target = rest / perSpeed;
@@ -106,7 +109,8 @@ void RowWriter::addSpringRow(RowSystem& system, const Law& law, const Gradient& 
 }
 
 void RowWriter::addSpring(RowSystem& system, std::uint32_t index, const std::vector<Triple>& middle,
-                          const std::vector<Triple>& start, const std::vector<Triple>& guess, double h) const {
+                          const std::vector<Triple>& start, const std::vector<Triple>& guess,
+                          double h) const {
     const Law& law = scene_.laws[index];
     const auto gradientAt = [&](const Law& which) {
         return gradientOf(which.measure, middle[local(law.a)], middle[local(law.b)]);

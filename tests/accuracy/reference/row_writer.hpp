@@ -42,7 +42,8 @@ private:
     void addSpringRow(RowSystem& system, const Law& law, const Gradient& gradient, double speedAtStart,
                       double speedAtGuess, double h) const;
     [[nodiscard]] double give(const Gradient& one, const Gradient& two, const Law& law) const;
-    [[nodiscard]] double rate(const Gradient& gradient, const Law& law, const std::vector<Triple>& velocities) const;
+    [[nodiscard]] double rate(const Gradient& gradient, const Law& law,
+                              const std::vector<Triple>& velocities) const;
 
     const Scene& scene_;
     const Group* group_ = nullptr;

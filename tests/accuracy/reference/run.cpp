@@ -36,7 +36,8 @@ RunState runScene(const Scene& scene, double seconds, double h) {
     std::vector<Press> found;
     for (long i = 0; i < steps && state.trouble.empty(); ++i) {
         found.clear();
-        for (const Group& group : findGroups(scene, state, length)) step.advance(group, length, state.presses, found);
+        for (const Group& group : findGroups(scene, state, length))
+            step.advance(group, length, state.presses, found);
         state.presses = found;
         std::sort(state.presses.begin(), state.presses.end(),
                   [](const Press& a, const Press& b) { return a.touch.key < b.touch.key; });

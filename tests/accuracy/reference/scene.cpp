@@ -1,7 +1,6 @@
 #include "tests/accuracy/reference/scene.hpp"
 
 #include <algorithm>
-
 #include <numbers>
 
 #include "physics/joints.hpp"
@@ -58,7 +57,8 @@ Result<Done> checkShape(const World& world, std::uint32_t index) {
     if ((world.shapes.info[index].flags & physics::kOneWay) != 0)
         return unknown(where(), "it is one-way, which is not modelled", "make it solid on all sides");
     if (extras.rollingResistance > 0.0f)
-        return unknown(where(), "it resists rolling, which is not modelled", "set its rolling resistance to 0");
+        return unknown(where(), "it resists rolling, which is not modelled",
+                       "set its rolling resistance to 0");
     if (extras.frontLayers != 0)
         return unknown(where(), "it is an inner border, which is not modelled", "use other layers for it");
     return Done{};
@@ -90,7 +90,8 @@ std::vector<Point> cornersOf(const World& world, const Geometry& geometry) {
     switch (geometry.kind) {
         case ShapeKind::Circle: return {a};
         case ShapeKind::Box: {
-            Turn turn{std::atan2(static_cast<double>(geometry.turn.sin), static_cast<double>(geometry.turn.cos))};
+            Turn turn{
+                std::atan2(static_cast<double>(geometry.turn.sin), static_cast<double>(geometry.turn.cos))};
             std::vector<Point> corners;
             for (const Point corner : {Point{-b.x, -b.y}, Point{b.x, -b.y}, b, Point{-b.x, b.y}})
                 corners.push_back(a + rotate(turn, corner));
@@ -127,7 +128,8 @@ double widthOf(const Outline& outline) {
 
 /// The normal of a neighbour in a chain; where there is none, the way on, so that the end has a side too.
 Point neighbourNormal(Point start, Point end, Point wayOn) {
-    return length(end - start) > 0.0 ? normalized(Point{(end - start).y, -(end - start).x}) : normalized(wayOn);
+    return length(end - start) > 0.0 ? normalized(Point{(end - start).y, -(end - start).x})
+                                     : normalized(wayOn);
 }
 
 void addNormals(Outline& outline, const Geometry& geometry) {
@@ -192,7 +194,8 @@ physics::Place originOf(const World& world) {
 }
 
 Result<Done> addOutlines(const World& world, std::uint32_t body, Scene& scene) {
-    for (std::uint32_t s = world.bodies.info[body].firstShape; s != physics::kNone; s = world.shapes.info[s].next) {
+    for (std::uint32_t s = world.bodies.info[body].firstShape; s != physics::kNone;
+         s = world.shapes.info[s].next) {
         if ((world.shapes.info[s].flags & physics::kTrigger) != 0) continue;
         if (const auto checked = checkShape(world, s); !checked) return checked.error();
         scene.outlines.push_back(outlineOf(world, s));

@@ -26,13 +26,14 @@ struct Body {
 /// A convex outline: one corner (a circle), two (a capsule, a segment) or more, made larger by a radius.
 struct Outline {
     std::uint32_t body = 0;
-    std::uint32_t shape = 0;  ///< in World::shapes
+    std::uint32_t shape = 0;     ///< in World::shapes
     std::vector<Point> corners;  ///< m, from the centre of mass, in the body's frame, counter-clockwise
-    std::vector<Point> normals;  ///< outward, of the side from each corner to the next; of two corners both sides
-    double radius = 0.0;         ///< m
-    double width = 0.0;          ///< m: what passes through it is inside for at least so far
-    bool isChain = false;        ///< solid on the side of normals[0] only
-    Point before, after;         ///< of a chain: directions of the neighbours' normals, or its own
+    std::vector<Point>
+        normals;           ///< outward, of the side from each corner to the next; of two corners both sides
+    double radius = 0.0;   ///< m
+    double width = 0.0;    ///< m: what passes through it is inside for at least so far
+    bool isChain = false;  ///< solid on the side of normals[0] only
+    Point before, after;   ///< of a chain: directions of the neighbours' normals, or its own
     double friction = 0.0;
     double bounciness = 0.0;
     double surfaceSpeed = 0.0;  ///< m/s
@@ -58,9 +59,9 @@ struct Law {
     std::uint32_t joint = 0;  ///< in World::joints
     std::uint32_t a = 0, b = 0;
     Measure measure;
-    double sign = 1.0;   ///< of AtLeast: -1 for an upper limit
-    double speed = 0.0;  ///< of Drive, m/s or rad/s
-    double most = kEndless;  ///< of Drive and Spring: N or N m
+    double sign = 1.0;                       ///< of AtLeast: -1 for an upper limit
+    double speed = 0.0;                      ///< of Drive, m/s or rad/s
+    double most = kEndless;                  ///< of Drive and Spring: N or N m
     double hertz = 0.0, dampingRatio = 0.0;  ///< of Spring
     bool isPoint = false;  ///< of Spring: one of a pair that hold a point, along x; the next law is the other
 };
@@ -70,12 +71,12 @@ struct Scene {
     std::vector<Body> bodies;  ///< the places are those of World::bodies; dead ones have no id
     std::vector<Outline> outlines;
     std::vector<Law> laws;
-    std::vector<Triple> poses;       ///< from `origin`
-    std::vector<Triple> velocities;  ///< m/s, rad/s
-    physics::Place origin;           ///< m: far from 0 a double is not exact enough
-    double bounceSpeed = 1.0;        ///< m/s
-    std::vector<physics::Filter> filters;               ///< by outline
-    std::vector<std::uint64_t> apart;                   ///< pairs of bodies that joints keep apart, sorted
+    std::vector<Triple> poses;                             ///< from `origin`
+    std::vector<Triple> velocities;                        ///< m/s, rad/s
+    physics::Place origin;                                 ///< m: far from 0 a double is not exact enough
+    double bounceSpeed = 1.0;                              ///< m/s
+    std::vector<physics::Filter> filters;                  ///< by outline
+    std::vector<std::uint64_t> apart;                      ///< pairs of bodies that joints keep apart, sorted
     std::vector<std::uint32_t> firstOutline, lastOutline;  ///< by body: its own, in a row
 };
 

@@ -9,7 +9,7 @@ namespace {
 
 constexpr double kFirstStiffness = 1.0e5;  // ratio to what a row resists: each round leaves about 1/this
 constexpr double kMostStiffness = 1.0e8;   // stiffer, and rounding shows
-constexpr int kMostGuesses = 15;           // in a row, before sweeps
+constexpr int kMostGuesses = 25;           // in a row, before sweeps
 constexpr int kMostRounds = 40;
 constexpr int kMostAttempts = 10;
 constexpr int kFirstSweeps = 50;  // each attempt does twice as many
@@ -39,7 +39,7 @@ double RowSolver::boundOf(const Row& row) const {
     return row.kind == RowKind::Band ? row.most : kEndless;
 }
 
-void RowSolver::prepare() {
+void RowSolver::prepare(RowOutcome& outcome) {
     RowSystem& system = *system_;
     resistance_.clear();
     edges_.clear();
@@ -50,6 +50,10 @@ void RowSolver::prepare() {
         // A row that nobody feels is one that does nothing.
         if (!(resistance > 0.0)) resistance = kEndless, row.impulse = 0.0;
         resistance_.push_back(resistance);
+        // What can be had of a target: all of it, or what a spring makes of it.
+        if (resistance < kEndless)
+            outcome.scale =
+                std::max(outcome.scale, std::fabs(row.target) * resistance / (resistance + row.give));
         if (row.a != kNoRow && row.b != kNoRow) edges_.push_back(std::minmax(row.a, row.b));
         if (row.kind == RowKind::Push) row.impulse = std::max(row.impulse, 0.0);
         const double bound = boundOf(row);
@@ -57,6 +61,7 @@ void RowSolver::prepare() {
     }
     std::sort(edges_.begin(), edges_.end());
     edges_.erase(std::unique(edges_.begin(), edges_.end()), edges_.end());
+    outcome.tolerance = tolerance_ = std::max(system.tolerance, 1.0e-12 * outcome.scale);
 }
 
 void RowSolver::velocitiesFromImpulses() {
@@ -80,7 +85,7 @@ double RowSolver::worst() const {
         const double bound = boundOf(row);
         // By how far it would go on if it could, in terms of impulse, is what it lacks.
         const double least = row.kind == RowKind::Push ? 0.0 : -bound;
-        const double wanted = std::clamp(row.impulse - miss / resistance_[i], least, bound);
+        const double wanted = std::clamp(row.impulse - miss / (resistance_[i] + row.give), least, bound);
         most = std::max(most, std::fabs(wanted - row.impulse) * resistance_[i]);
     }
     return most;
@@ -99,9 +104,11 @@ void RowSolver::sweep() {
         row.impulse = impulse;
         if (more == 0.0) continue;
         if (row.a != kNoRow)
-            system.velocity[row.a] = system.velocity[row.a] + more * scaled(inverse(system.mass[row.a]), row.pushA);
+            system.velocity[row.a] =
+                system.velocity[row.a] + more * scaled(inverse(system.mass[row.a]), row.pushA);
         if (row.b != kNoRow)
-            system.velocity[row.b] = system.velocity[row.b] + more * scaled(inverse(system.mass[row.b]), row.pushB);
+            system.velocity[row.b] =
+                system.velocity[row.b] + more * scaled(inverse(system.mass[row.b]), row.pushB);
     }
 }
 
@@ -130,7 +137,9 @@ bool RowSolver::takeGuesses(bool isFirst) {
         if (resistance_[i] < kEndless) {
             double bound = row.most;
             if (row.kind == RowKind::Friction)
-                bound = guesses_[row.normal] == Guess::Free ? 0.0 : row.friction * std::max(trials_[row.normal], 0.0);
+                bound = guesses_[row.normal] == Guess::Free
+                            ? 0.0
+                            : row.friction * std::max(trials_[row.normal], 0.0);
             if (row.kind == RowKind::Both) guess = Guess::Holds;
             if (row.kind == RowKind::Push) {
                 guess = trials_[i] > 0.0 ? Guess::Holds : Guess::Free;
@@ -160,56 +169,69 @@ void RowSolver::addToMatrix(const Row& row, Triple pushA, Triple pushB, double w
     }
 }
 
-/// Velocities for which all rows that hold push as their speeds say.
-bool RowSolver::solveGuess() {
-    RowSystem& system = *system_;
+/// N s for each m/s: impulse = start - weight * speed, for a row that holds.
+double RowSolver::weightOf(std::size_t i) const {
+    const Row& row = system_->rows[i];
+    return row.give > 0.0 ? 1.0 / row.give : stiffness_ / resistance_[i];
+}
+double RowSolver::startOf(std::size_t i) const {
+    const Row& row = system_->rows[i];
+    return (row.give > 0.0 ? 0.0 : row.impulse) + weightOf(i) * row.target;
+}
+
+/// The matrix of all rows that hold or slide, unless it is there already.
+bool RowSolver::factorGuess() {
+    if (guesses_ == factored_ && stiffness_ == factoredStiffness_) return true;
+    const RowSystem& system = *system_;
     matrix_.clear();
+    factored_.clear();
     for (std::uint32_t i = 0; i < system.mass.size(); ++i) {
         BlockMatrix::Block& block = matrix_.at(i, i);
         block[0] += system.mass[i].x, block[4] += system.mass[i].y, block[8] += system.mass[i].turn;
     }
-    std::vector<Triple> momentum = system.momentum;
-    const auto push = [&](const Row& row, double impulse) {
-        if (row.a != kNoRow) momentum[row.a] = momentum[row.a] + impulse * row.pushA;
-        if (row.b != kNoRow) momentum[row.b] = momentum[row.b] + impulse * row.pushB;
-    };
     for (std::size_t i = 0; i < system.rows.size(); ++i) {
         const Row& row = system.rows[i];
-        if (guesses_[i] == Guess::Free) continue;
-        // impulse = start - weight * speed
-        const auto weightOf = [&](std::size_t r) {
-            return system.rows[r].give > 0.0 ? 1.0 / system.rows[r].give : stiffness_ / resistance_[r];
-        };
-        const auto startOf = [&](std::size_t r) {
-            return (system.rows[r].give > 0.0 ? 0.0 : system.rows[r].impulse) + weightOf(r) * system.rows[r].target;
-        };
-        if (guesses_[i] == Guess::Holds) {
-            addToMatrix(row, row.pushA, row.pushB, weightOf(i));
-            push(row, startOf(i));
+        if (guesses_[i] == Guess::Holds) addToMatrix(row, row.pushA, row.pushB, weightOf(i));
+        if (row.kind != RowKind::Friction || (guesses_[i] != Guess::Most && guesses_[i] != Guess::Least))
             continue;
-        }
-        const double side = guesses_[i] == Guess::Most ? 1.0 : -1.0;
-        if (row.kind == RowKind::Band) {
-            push(row, side * row.most);
-            continue;
-        }
-        const Row& normal = system.rows[row.normal];
-        const double part = side * row.friction;
-        addToMatrix(normal, part * row.pushA, part * row.pushB, weightOf(row.normal));
-        push(row, part * startOf(row.normal));
+        const double part = guesses_[i] == Guess::Most ? row.friction : -row.friction;
+        addToMatrix(system.rows[row.normal], part * row.pushA, part * row.pushB, weightOf(row.normal));
     }
     if (!matrix_.factor()) return false;
-    right_.resize(3 * momentum.size());
-    for (std::size_t i = 0; i < momentum.size(); ++i)
-        right_[3 * i] = momentum[i].x, right_[3 * i + 1] = momentum[i].y, right_[3 * i + 2] = momentum[i].turn;
-    matrix_.solve(right_);
-    for (std::size_t i = 0; i < momentum.size(); ++i)
-        system.velocity[i] = {right_[3 * i], right_[3 * i + 1], right_[3 * i + 2]};
+    ++factorings_;
+    factored_ = guesses_;
+    factoredStiffness_ = stiffness_;
     return true;
 }
 
+/// Velocities for which all rows that hold push as their speeds say. @pre factorGuess()
+void RowSolver::solveGuess() {
+    RowSystem& system = *system_;
+    momentum_ = system.momentum;
+    for (std::size_t i = 0; i < system.rows.size(); ++i) {
+        const Row& row = system.rows[i];
+        if (guesses_[i] == Guess::Free) continue;
+        const double side = guesses_[i] == Guess::Most ? 1.0 : -1.0;
+        double impulse = side * row.most;
+        if (guesses_[i] == Guess::Holds)
+            impulse = startOf(i);
+        else if (row.kind == RowKind::Friction)
+            impulse = side * row.friction * startOf(row.normal);
+        if (row.a != kNoRow) momentum_[row.a] = momentum_[row.a] + impulse * row.pushA;
+        if (row.b != kNoRow) momentum_[row.b] = momentum_[row.b] + impulse * row.pushB;
+    }
+    right_.resize(3 * momentum_.size());
+    for (std::size_t i = 0; i < momentum_.size(); ++i)
+        right_[3 * i] = momentum_[i].x, right_[3 * i + 1] = momentum_[i].y,
+                   right_[3 * i + 2] = momentum_[i].turn;
+    matrix_.solve(right_);
+    for (std::size_t i = 0; i < momentum_.size(); ++i)
+        system.velocity[i] = {right_[3 * i], right_[3 * i + 1], right_[3 * i + 2]};
+}
+
 void RowSolver::takeImpulses() {
-    for (std::size_t i = 0; i < system_->rows.size(); ++i) trials_[i] = resistance_[i] < kEndless ? trialOf(i) : 0.0;
+    for (std::size_t i = 0; i < system_->rows.size(); ++i)
+        trials_[i] = resistance_[i] < kEndless ? trialOf(i) : 0.0;
     for (std::size_t i = 0; i < system_->rows.size(); ++i) {
         Row& row = system_->rows[i];
         const double least = row.kind == RowKind::Push ? 0.0 : -boundOf(row);
@@ -225,14 +247,14 @@ bool RowSolver::newton(RowOutcome& outcome) {
     for (int round = 0; round < kMostRounds; ++round) {
         bool same = takeGuesses(true);
         for (int i = 0; !same && i < kMostGuesses; ++i) {
-            if (!solveGuess()) return false;
-            ++outcome.factorings;
+            if (!factorGuess()) return false;
+            solveGuess();
             same = takeGuesses(false);
         }
         if (!same) return false;
         takeImpulses();
         outcome.residual = worst();
-        if (outcome.residual <= system_->tolerance) return true;
+        if (outcome.residual <= tolerance_) return true;
         if (outcome.residual > 0.1 * before) {
             if (stiffness_ >= kMostStiffness && outcome.residual > 0.5 * before) return false;
             stiffness_ = std::min(10.0 * stiffness_, kMostStiffness);
@@ -245,22 +267,31 @@ bool RowSolver::newton(RowOutcome& outcome) {
 RowOutcome RowSolver::solve(RowSystem& system) {
     system_ = &system;
     RowOutcome outcome;
-    prepare();
+    factorings_ = 0;
+    solveOrGiveUp(outcome);
+    outcome.factorings = factorings_;
+    return outcome;
+}
+
+void RowSolver::solveOrGiveUp(RowOutcome& outcome) {
+    RowSystem& system = *system_;
+    prepare(outcome);
     velocitiesFromImpulses();
-    if (system.rows.empty()) return outcome;
+    if (system.rows.empty()) return;
     outcome.residual = worst();
-    if (outcome.residual <= system.tolerance) return outcome;
+    if (outcome.residual <= tolerance_) return;
+    factored_.clear();
     matrix_.shape(static_cast<std::uint32_t>(system.mass.size()), edges_);
     trials_.assign(system.rows.size(), 0.0);
     std::vector<double> best;
     double bestResidual = kEndless;
     for (int attempt = 0; attempt < kMostAttempts; ++attempt) {
-        if (newton(outcome)) return outcome;
+        if (newton(outcome)) return;
         velocitiesFromImpulses();
         for (int i = 0; i < kFirstSweeps << attempt; ++i, ++outcome.sweeps) sweep();
         velocitiesFromImpulses();
         outcome.residual = worst();
-        if (outcome.residual <= system.tolerance) return outcome;
+        if (outcome.residual <= tolerance_) return;
         if (outcome.residual < bestResidual) {
             bestResidual = outcome.residual;
             best.clear();
@@ -270,7 +301,6 @@ RowOutcome RowSolver::solve(RowSystem& system) {
     for (std::size_t i = 0; i < best.size(); ++i) system.rows[i].impulse = best[i];
     velocitiesFromImpulses();
     outcome.residual = bestResidual;
-    return outcome;
 }
 
 }  // namespace plumb::reference

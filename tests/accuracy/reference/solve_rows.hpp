@@ -40,12 +40,14 @@ struct RowSystem {
     std::vector<Triple> momentum;  ///< N s
     std::vector<Row> rows;         ///< normals before their friction
     std::vector<Triple> velocity;  ///< the result
-    double tolerance = 1.0e-13;    ///< m/s: how exactly each row is to hold
+    double tolerance = 1.0e-13;    ///< m/s: how exactly each row is to hold, next to what it asks for
 };
 
 /// What became of a system.
 struct RowOutcome {
-    double residual = 0.0;  ///< m/s: by how much the worst row does not hold
+    double residual = 0.0;   ///< m/s: by how much the worst row does not hold
+    double tolerance = 0.0;  ///< m/s: how exactly they were to
+    double scale = 0.0;      ///< m/s: the largest speed that a row asks for
     int factorings = 0;
     int sweeps = 0;
 };
@@ -63,7 +65,7 @@ public:
 private:
     enum class Guess : std::uint8_t { Free, Holds, Least, Most };
 
-    void prepare();
+    void prepare(RowOutcome& outcome);
     void velocitiesFromImpulses();
     [[nodiscard]] double speedOf(const Row& row) const;
     [[nodiscard]] double boundOf(const Row& row) const;
@@ -71,10 +73,14 @@ private:
     void sweep();
     [[nodiscard]] double trialOf(std::size_t row) const;
     [[nodiscard]] bool takeGuesses(bool isFirst);
-    bool solveGuess();
+    bool factorGuess();
+    void solveGuess();
+    [[nodiscard]] double weightOf(std::size_t row) const;
+    [[nodiscard]] double startOf(std::size_t row) const;
     void addToMatrix(const Row& row, Triple pushA, Triple pushB, double weight);
     void takeImpulses();
     bool newton(RowOutcome& outcome);
+    void solveOrGiveUp(RowOutcome& outcome);
 
     RowSystem* system_ = nullptr;
     BlockMatrix matrix_;
@@ -82,8 +88,12 @@ private:
     std::vector<double> resistance_;  // by row: m/s for each N s
     std::vector<double> trials_;      // by row: N s
     std::vector<Guess> guesses_;
+    std::vector<Guess> factored_;  // the guesses that the matrix is of
+    double factoredStiffness_ = 0.0;
+    int factorings_ = 0;
     std::vector<double> right_;
-    double stiffness_ = 1.0;
+    std::vector<Triple> momentum_;
+    double stiffness_ = 1.0, tolerance_ = 0.0;
 };
 
 }  // namespace plumb::reference
