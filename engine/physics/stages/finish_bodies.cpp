@@ -35,9 +35,9 @@ void limitSpeed(BodyMotion& motion, float most) {
 /// No point of a body is faster than bodies may be. Spins that nothing limits would grow until they are no
 /// numbers, where joints have arms of many times a body's size.
 void limitSpin(BodyMotion& motion, float reach, float most) {
-    const float fastest = std::min(most / reach, kFastest);
-    if (std::fabs(motion.angularVelocity) > fastest)
-        motion.angularVelocity = std::copysign(fastest, motion.angularVelocity);
+    const float spin = std::fabs(motion.angularVelocity);
+    if (spin * reach <= most && spin <= kFastest) return;
+    motion.angularVelocity = std::copysign(std::min(most / reach, kFastest), motion.angularVelocity);
 }
 
 /// Whether some point of the body is too fast to rest, about.
