@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "physics/bounds.hpp"
+#include "physics/ranges.hpp"
 #include "physics/shapes/shape_types.hpp"
 #include "physics/stages.hpp"
 
@@ -29,6 +30,14 @@ Vec2 unsigned0(Vec2 a) { return a + Vec2{}; }
 void limitSpeed(BodyMotion& motion, float most) {
     const float square = lengthSquared(motion.velocity);
     if (square > most * most) motion.velocity *= most / std::sqrt(square);
+}
+
+/// No point of a body is faster than bodies may be. Spins that nothing limits would grow until they are no
+/// numbers, where joints have arms of many times a body's size.
+void limitSpin(BodyMotion& motion, float reach, float most) {
+    const float spin = std::fabs(motion.angularVelocity);
+    if (spin * reach <= most && spin <= kFastest) return;
+    motion.angularVelocity = std::copysign(std::min(most / reach, kFastest), motion.angularVelocity);
 }
 
 /// Whether some point of the body is too fast to rest, about.
@@ -90,6 +99,7 @@ bool takeAlong(StepContext& step, std::size_t slot, std::uint32_t body) {
     motion.velocity = unsigned0({velocity.x, velocity.y});
     motion.angularVelocity = velocity.z + 0.0f;
     limitSpeed(motion, step.world.settings.maxSpeed);
+    limitSpin(motion, bodies.info[body].reach, step.world.settings.maxSpeed);
     const Vec2 way = Vec2{shift.x, shift.y} - overshoot(step, slot, body, motion.velocity - before);
     BodyPose& pose = bodies.pose[body];
     pose.centre = pose.centre + unsigned0(way);

@@ -18,6 +18,7 @@ public:
     [[nodiscard]] bool isSound() const { return sound_; }
     /// Most energy at any time over that at the start, minus 1.
     [[nodiscard]] double energyGain() const { return mostEnergy_ / startEnergy_ - 1.0; }
+    [[nodiscard]] bool hasJoints() const { return world_.joints.size() > 0; }
     [[nodiscard]] const physics::World& world() const { return world_; }
 
 private:

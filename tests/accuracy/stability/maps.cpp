@@ -223,6 +223,7 @@ constexpr Map kMaps[] = {
 
 /// "0.001", "10", "10⁴".
 std::string numberText(double value) {
+    if (value > 0.0 && value < 1.0e-3) return fixedText(value, 4);
     if (value < 1.0e4) return shortestText(value);
     constexpr std::array<const char*, 10> kPowers{"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
     const auto power = static_cast<std::size_t>(std::lround(std::log10(value)));

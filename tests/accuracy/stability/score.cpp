@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include "core/text.hpp"
 
@@ -37,7 +38,12 @@ Score scoreOf(char sign) {
 }
 
 double errorOf(const Figures& figures) {
-    return std::max({figures.penetration, figures.joints, figures.off, figures.residual});
+    double worst = 0.0;
+    for (const double error : {figures.penetration, figures.joints, figures.off, figures.residual}) {
+        if (std::isnan(error)) return std::numeric_limits<double>::infinity();  // which std::max would lose
+        worst = std::max(worst, error);
+    }
+    return worst;
 }
 
 Score scoreOf(const Figures& figures) {

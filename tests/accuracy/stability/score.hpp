@@ -45,7 +45,7 @@ const ScoreInfo& infoOf(Score score);
 /// @return the score with this sign; BlowsUp for any other character
 Score scoreOf(char sign);
 
-/// The largest of the figures that count as error.
+/// The largest of the figures that count as error; infinite when one is no number.
 double errorOf(const Figures& figures);
 Score scoreOf(const Figures& figures);
 /// Why a cell has its score: the figure that decided, in words.
