@@ -48,7 +48,7 @@ TEST(IslandReport, tellsTheQualityOfTheLastStep) {
     EXPECT_EQ(reportIslands(scene.world)[1].quality, 5) << "before the first step";
     scene.run(1);
     const World copy = scene.world;
-    for (const World* world : {&scene.world, &copy}) {
+    for (const World* world : std::array<const World*, 2>{&scene.world, &copy}) {
         const std::vector<IslandReport> islands = reportIslands(*world);
         ASSERT_EQ(islands.size(), 2u);
         EXPECT_EQ(islands[0].quality, 2);
