@@ -13,7 +13,7 @@
 //
 // Instructions, which no other machine disturbs, by valgrind, one dump for each row:
 //     valgrind --tool=callgrind --zero-before=plumbCountedSteps --dump-after=plumbCountedSteps \
-//         build/release/bin/plumb-bench quality counted
+//         build/release/bin/plumb-bench quality counted tower
 
 extern "C" __attribute__((noinline)) void plumbCountedSteps(plumb::physics::World* world, int steps) {
     for (int i = 0; i < steps; ++i) plumb::physics::step(*world, 1.0f / 60.0f);
@@ -173,11 +173,12 @@ void count(const Hard& hard) {
 }  // namespace
 
 int runQuality(const Options& options) {
-    const bool counted = !options.rest.empty() && options.rest.front() == "counted";
+    const std::vector<std::string>& words = options.rest;
+    const bool counted = !words.empty() && words.front() == "counted";
+    const std::string part = words.size() > (counted ? 1u : 0u) ? words.back() : "";
     std::vector<bench::Row> results;
     for (const Hard& hard : kHard) {
-        const std::string part = options.rest.empty() ? std::string{} : options.rest.back();
-        if (!counted && std::string_view{hard.name}.find(part) == std::string_view::npos) continue;
+        if (std::string_view{hard.name}.find(part) == std::string_view::npos) continue;
         counted ? count(hard) : compare(hard, options, results);
     }
     return options.jsonPath.empty() || writeRows(options.jsonPath, results) ? 0 : 1;

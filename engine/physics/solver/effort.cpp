@@ -124,7 +124,8 @@ Effort whileRising(Effort effort, float error, float tolerance) {
 Effort whileResigned(Effort effort, float error, float tolerance) {
     if (error <= tolerance) return watching(effort, EffortPhase::Calm);
     const bool isOver = effort.wait == 0 && effort.quality < kMaxQuality;
-    return isOver || error > kGrew * effort.error ? strained(effort) : effort;
+    const bool isAnother = error > kGrew * effort.error || error < kHelped * effort.error;
+    return isOver || isAnother ? strained(effort) : effort;
 }
 
 }  // namespace
