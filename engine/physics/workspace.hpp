@@ -107,7 +107,6 @@ struct IslandCase {
     Effort effort;        ///< the highest of its bodies
     Quality least = 0;    ///< what its bodies and joints ask for
     bool isNew = false;   ///< some of its bodies were never judged
-    bool isDone = false;  ///< judged
     float error = 0.0f;   ///< m: the largest overlap or opening
 };
 

@@ -328,7 +328,8 @@ TEST(BadInput, settingsThatMakeNoSenseAreBroughtIntoTheirRange) {
                                         &Settings::recycleDistance,
                                         &Settings::bounceSpeed,
                                         &Settings::sleepTime,
-                                        &Settings::maxSpeed};
+                                        &Settings::maxSpeed,
+                                        &Settings::tolerance};
     for (const double bad : {kNan, kInf, -kInf, -1.0}) {
         SCOPED_TRACE(bad);
         for (float Settings::*const member : members) {

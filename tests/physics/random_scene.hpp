@@ -30,6 +30,7 @@ public:
         for (std::uint32_t i = 0; i < count; ++i) addBody();
         for (std::uint32_t i = plain_ ? 0 : random_.below(5); i > 0; --i) addJoint();
         if (oneIn(4)) addField();
+        world_.settings.tolerance = oneIn(4) ? 0.01f * size_ : 0.0f;
     }
 
     void run() {

@@ -13,7 +13,11 @@ constexpr float kMostGain = 4.5f;
 
 constexpr float kRoom = 0.8f;  // ratio to the tolerance: where a quality should bring the error
 
-constexpr std::uint32_t kBlow = 3;           // steps in which the overlap of a blow passes by itself
+constexpr std::uint32_t kBlow = 3;  // steps in which the overlap of a blow passes by itself
+/// Steps for each quality of a rise. What is deep in something is a spring: let go at once, a stack of 16
+/// whose boxes are 2 cm deep hops by 1.7 m; one at a time it hardly moves (measured; at 4 steps it hops by
+/// 0.2 m).
+constexpr std::uint32_t kClimb = 8;
 constexpr std::uint32_t kSettling = 20;      // steps, about: bodies come out of each other
 constexpr std::uint32_t kWatch = 30;         // steps of quiet for which less quality is tried
 constexpr std::uint32_t kResignation = 240;  // steps after which what did not help is tried again
@@ -47,15 +51,25 @@ Effort resigned(Effort effort, float error) {
     return effort;
 }
 
+/// The quality that an island rises to.
+Quality goalOf(const Effort& effort, float tolerance) {
+    const int levels = std::max(1, levelsFor(effort.first, tolerance));
+    return static_cast<Quality>(std::min(effort.before + levels, int{kMaxQuality}));
+}
+
+Effort oneHigher(Effort effort, float error, float tolerance) {
+    ++effort.quality;
+    effort.wait = effort.quality < goalOf(effort, tolerance) ? kClimb : kSettling;
+    effort.error = error;
+    return effort;
+}
+
 Effort risen(Effort effort, float error, float tolerance) {
     if (effort.quality == kMaxQuality) return resigned(effort, error);
     effort.before = effort.quality;
-    effort.quality = static_cast<Quality>(
-        std::min(effort.quality + std::max(1, levelsFor(error, tolerance)), int{kMaxQuality}));
+    effort.first = error;
     effort.phase = EffortPhase::Rising;
-    effort.wait = kSettling;
-    effort.error = effort.first = error;
-    return effort;
+    return oneHigher(effort, error, tolerance);
 }
 
 Effort strained(Effort effort) {
@@ -92,23 +106,11 @@ Effort whileTrying(Effort effort, float error, float tolerance, Quality least) {
     return effort;
 }
 
-/// There came more to carry before it was known whether the rise helps.
-Effort risenAgain(Effort effort, float error, float tolerance) {
-    const Quality before = effort.before;
-    if (effort.quality < kMaxQuality) {
-        effort = risen(effort, error, tolerance);
-    } else {
-        effort.wait = kSettling;
-        effort.error = effort.first = error;
-    }
-    effort.before = before;
-    return effort;
-}
-
 Effort whileRising(Effort effort, float error, float tolerance) {
     if (error <= tolerance) return watching(effort, EffortPhase::Calm);
-    if (error > kGrew * effort.first) return risenAgain(effort, error, tolerance);
+    if (error > kGrew * effort.first) effort.first = error;  // there came more to carry
     if (effort.wait > 0) return effort;
+    if (effort.quality < goalOf(effort, tolerance)) return oneHigher(effort, error, tolerance);
     if (error < kStillFalls * effort.error) {
         effort.error = error;
         effort.wait = kSettling;
@@ -122,7 +124,8 @@ Effort whileRising(Effort effort, float error, float tolerance) {
 Effort whileResigned(Effort effort, float error, float tolerance) {
     if (error <= tolerance) return watching(effort, EffortPhase::Calm);
     const bool isOver = effort.wait == 0 && effort.quality < kMaxQuality;
-    return isOver || error > kGrew * effort.error ? strained(effort) : effort;
+    const bool isAnother = error > kGrew * effort.error || error < kHelped * effort.error;
+    return isOver || isAnother ? strained(effort) : effort;
 }
 
 }  // namespace

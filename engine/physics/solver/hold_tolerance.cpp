@@ -14,21 +14,35 @@ bool isPushed(const World& world, std::uint32_t body) {
     return world.bodies.info[body].kind == BodyKind::Dynamic;
 }
 
-/// Who is in which island, and what they did up to now. @return true when some were never judged
-bool openCases(World& world, Workspace& work) {
+bool isRoot(const World& world, std::uint32_t body) {
+    return isPushed(world, body) && world.bodies.info[body].island == body;
+}
+
+/// What is known before anything is measured.
+struct Findings {
+    bool someNew = false;      // bodies that were never judged
+    bool someChanged = false;  // qualities
+};
+
+/// Who is in which island, and what they did up to now.
+Findings openCases(World& world, Workspace& work) {
     const bool wishes = world.qualityCallers != 0;
-    bool some = false;
-    for (const std::uint32_t body : world.awake) work.cases[rootOf(world, body)] = {};
+    Findings found;
+    for (const std::uint32_t body : world.awake) {
+        if (isRoot(world, body)) work.cases[body] = {};
+    }
     for (const std::uint32_t body : world.awake) {
         if (!isPushed(world, body)) continue;
         IslandCase& island = work.cases[rootOf(world, body)];
         const Effort& effort = world.bodies.efforts[body];
+        const Quality others = island.effort.quality;
+        found.someChanged |= others != kQualityOfWorld && others != effort.quality;
         island.effort = merged(island.effort, effort);
         if (wishes) island.least = std::max(island.least, wishOf(world, body));
         if (effort.quality != kQualityOfWorld) continue;
-        island.isNew = some = true;
+        island.isNew = found.someNew = true;
     }
-    return some;
+    return found;
 }
 
 void measure(World& world, Workspace& work) {
@@ -69,12 +83,11 @@ void guess(World& world, Workspace& work) {
 bool judge(World& world, Workspace& work) {
     bool changed = false;
     for (const std::uint32_t body : world.awake) {
-        if (!isPushed(world, body)) continue;
-        IslandCase& island = work.cases[rootOf(world, body)];
-        if (!island.isDone)
-            island.effort = judged(island.effort, island.error, world.settings.tolerance, island.least);
-        island.isDone = true;
-        changed = changed || world.bodies.efforts[body].quality != island.effort.quality;
+        if (!isRoot(world, body)) continue;
+        IslandCase& island = work.cases[body];
+        const Quality before = island.effort.quality;
+        island.effort = judged(island.effort, island.error, world.settings.tolerance, island.least);
+        changed |= island.effort.quality != before;
     }
     return changed;
 }
@@ -100,14 +113,14 @@ void scaleImpulses(World& world, Workspace& work) {
 }
 
 /// A joint to what only its owner moves is exact where both are solved together.
-void takeAlong(World& world, Workspace& work) {
+void takeAlong(const World& world, Workspace& work) {
     if (!world.manifest.runs(Effect::Kinematics)) return;
     for (const std::uint32_t j : world.joints.awake) {
         const Joint& joint = world.joints.hot[j];
         if (isPushed(world, joint.bodyA) && isPushed(world, joint.bodyB)) continue;
         const std::uint32_t pushed = isPushed(world, joint.bodyA) ? joint.bodyA : joint.bodyB;
         const std::uint32_t other = pushed == joint.bodyA ? joint.bodyB : joint.bodyA;
-        work.bodyScratch[other] = std::max(work.bodyScratch[other], work.bodyScratch[rootOf(world, pushed)]);
+        work.bodyScratch[other] = std::max(work.bodyScratch[other], work.bodyScratch[pushed]);
     }
 }
 
@@ -115,9 +128,9 @@ void takeDown(World& world, Workspace& work) {
     work.bodyScratch.assign(world.bodies.size(), 0);
     for (const std::uint32_t body : world.awake) {
         if (!isPushed(world, body)) continue;
-        const std::uint32_t root = rootOf(world, body);
-        world.bodies.efforts[body] = work.cases[root].effort;
-        work.bodyScratch[root] = static_cast<std::uint32_t>(work.cases[root].effort.quality);
+        const Effort& effort = work.cases[rootOf(world, body)].effort;
+        world.bodies.efforts[body] = effort;
+        work.bodyScratch[body] = static_cast<std::uint32_t>(std::max(effort.quality, Quality{0}));
     }
     takeAlong(world, work);
 }
@@ -137,10 +150,10 @@ Quality wishOf(const World& world, std::uint32_t body) {
 void holdTolerance(World& world, Workspace& work) {
     world.bodies.efforts.resize(world.bodies.size());
     work.cases.resize(world.bodies.size());
-    const bool some = openCases(world, work);
+    const Findings found = openCases(world, work);
     measure(world, work);
-    if (some) guess(world, work);
-    if (judge(world, work)) scaleImpulses(world, work);
+    if (found.someNew) guess(world, work);
+    if (judge(world, work) || found.someNew || found.someChanged) scaleImpulses(world, work);
     takeDown(world, work);
 }
 

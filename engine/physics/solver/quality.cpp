@@ -18,7 +18,18 @@ void addGroup(Workspace& work, int quality, int bodies) {
     group.bodies = bodies;
 }
 
-/// The quality that all bodies of an island get, by its root: work.bodyScratch.
+void addGuesses(World& world, Workspace& work) {
+    findHardness(world, work);
+    for (const std::uint32_t body : world.awake) {
+        const std::uint32_t root = rootOf(world, body);
+        std::uint32_t& quality = work.bodyScratch[root];
+        const auto extra = static_cast<std::uint32_t>(extraQuality(work.hardness[root]));
+        quality = std::min(quality + extra, static_cast<std::uint32_t>(kMaxQuality));
+        work.hardness[root].bodies = 0.0f;  // done
+    }
+}
+
+/// The quality that each body gets, the same for an island: work.bodyScratch.
 void judgeIslands(World& world, Workspace& work) {
     std::vector<std::uint32_t>& qualities = work.bodyScratch;
     qualities.assign(world.bodies.size(), static_cast<std::uint32_t>(world.settings.quality));
@@ -27,24 +38,18 @@ void judgeIslands(World& world, Workspace& work) {
         const Quality wish = std::max(world.settings.quality, wishOf(world, body));
         best = std::max(best, static_cast<std::uint32_t>(wish));
     }
-    if (!world.settings.automaticQuality) return;
-    findHardness(world, work);
-    for (const std::uint32_t body : world.awake) {
-        const std::uint32_t root = rootOf(world, body);
-        const auto extra = static_cast<std::uint32_t>(extraQuality(work.hardness[root]));
-        qualities[root] = std::min(qualities[root] + extra, static_cast<std::uint32_t>(kMaxQuality));
-        work.hardness[root].bodies = 0.0f;  // done
-    }
+    if (world.settings.automaticQuality) addGuesses(world, work);
+    for (const std::uint32_t body : world.awake) qualities[body] = qualities[rootOf(world, body)];
 }
 
 void sortByIsland(World& world, Workspace& work) {
     if (world.islandsStale) rebuildIslands(world);
     world.settings.tolerance > 0.0f ? holdTolerance(world, work) : judgeIslands(world, work);
-    const std::vector<std::uint32_t>& highest = work.bodyScratch;  // by root
+    const std::vector<std::uint32_t>& qualities = work.bodyScratch;
     // A counting sort: how many of each quality, where each begins, then everyone to their place.
     std::array<int, kMaxQuality + 1> counts{}, begins{};
     std::array<std::uint8_t, kMaxQuality + 1> groups{};
-    for (const std::uint32_t body : world.awake) ++counts[highest[rootOf(world, body)]];
+    for (const std::uint32_t body : world.awake) ++counts[qualities[body]];
     int total = 0;
     for (std::size_t q = 0; q < counts.size(); ++q) {
         begins[q] = total;
@@ -56,7 +61,7 @@ void sortByIsland(World& world, Workspace& work) {
     work.solveOrder.resize(world.awake.size());
     work.groupOf.resize(world.bodies.size());
     for (const std::uint32_t body : world.awake) {
-        const std::size_t quality = highest[rootOf(world, body)];
+        const std::size_t quality = qualities[body];
         work.groupOf[body] = groups[quality];
         work.solveOrder[static_cast<std::size_t>(begins[quality]++)] = body;
     }
