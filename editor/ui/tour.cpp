@@ -52,16 +52,26 @@ std::optional<Vec2> parsePlace(std::string_view text) {
     return Vec2{*x, *y};
 }
 
-/// "Timeline/track 10%": how far along a widget, from its left.
+/// Takes "10%" from the end of a name. @return the ratio
+std::optional<float> takePercent(std::string_view& name) {
+    const std::size_t space = name.rfind(' ');
+    if (!endsWith(name, "%") || space == name.npos) return std::nullopt;
+    const auto percent = parseFloat(name.substr(space + 1, name.size() - space - 2));
+    if (!percent) return std::nullopt;
+    name = name.substr(0, space);
+    return *percent / 100.0f;
+}
+
+/// "Timeline/track 10%": how far along a widget, from its left; with a second one how far down, from its top.
 struct Part {
     std::string_view widget;
-    float along = 0.5f;  // ratio
+    Vec2 at{0.5f, 0.5f};  // ratio
 };
 Part parsePart(std::string_view name) {
-    const std::size_t space = name.rfind(' ');
-    if (!endsWith(name, "%") || space == name.npos) return {name};
-    const auto percent = parseFloat(name.substr(space + 1, name.size() - space - 2));
-    return percent ? Part{name.substr(0, space), *percent / 100.0f} : Part{name};
+    const auto last = takePercent(name);
+    const auto first = last ? takePercent(name) : std::nullopt;
+    if (first) return {name, {*first, *last}};
+    return {name, {last.value_or(0.5f), 0.5f}};
 }
 
 /// px of the window: a widget's middle or another part of it, or a place in the scene.
@@ -70,7 +80,7 @@ Result<Vec2> placeOf(const Player& player, std::string_view name, const std::str
     if (!startsWith(name, "@")) {
         const Part part = parsePart(name);
         if (const WidgetMap::Widget* widget = widgets.find(part.widget))
-            return Vec2{lerp(widget->box.min.x, widget->box.max.x, part.along), widget->box.center().y};
+            return widget->box.min + scaled(widget->box.size(), part.at);
         std::vector<std::string_view> names;
         for (const auto& [path, widget] : widgets.all()) names.push_back(path);
         const std::string_view near = closestName(name, names);

@@ -15,6 +15,7 @@ namespace plumb::editor::ui {
 ///     # a comment
 ///     click Toolbar/Play
 ///     click Timeline/track 10%          a tenth along it from the left, not its middle
+///     click Tiles/palette 10% 50%       the same, and half down
 ///     click @160,64                     a place in the scene (px, world)
 ///     right-click Scene/crate
 ///     double-click Inspector/Transform/position.x

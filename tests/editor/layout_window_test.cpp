@@ -1,5 +1,7 @@
 #include <imgui.h>
 
+#include "core/text.hpp"
+#include "editor/model/actions.hpp"
 #include "tests/editor/support/editor_fixture.hpp"
 #include "tests/editor/support/hands.hpp"
 #include "tests/support/places.hpp"
@@ -36,6 +38,19 @@ TEST_F(LayoutWindow, aSplitterIsDraggedAndItsSizeIsAPartOfTheWindow) {
     hands.drag(up, up - Vec2{0.0f, 60.0f});
     EXPECT_NEAR(boxOf("Viewport").size().y, height - 60.0f, 2.0f);
     EXPECT_EQ(workspace.undo.size(), 0u) << "how it looks is no edit";
+}
+
+TEST_F(LayoutWindow, theTreeShowsWholeRows) {
+    for (int i = 0; i < 60; ++i) runAction(workspace, "entity.create");
+    const float bottom = boxOf("Splitter/left").max.y - 8.0f;  // px; below is the margin of the panel
+    for (const char* name : {"camera", "ground"}) {
+        workspace.document.selection.set({named(name)});
+        hands.rest(3);
+        for (const auto& [path, widget] : window.widgets().all()) {
+            if (!startsWith(path, "Scene/")) continue;
+            EXPECT_LE(widget.box.max.y, bottom) << path << ", " << name;
+        }
+    }
 }
 
 TEST_F(LayoutWindow, theMenuOfATabMovesItAndClosesItAndTheMenuViewOpensItAgain) {

@@ -1,5 +1,7 @@
 #include "editor/ui/tour.hpp"
 
+#include <imgui.h>
+
 #include "core/text.hpp"
 #include "tests/editor/support/editor_fixture.hpp"
 #include "tests/support/places.hpp"
@@ -73,6 +75,13 @@ TEST_F(TourTest, aPlaceAlongAWidgetIsSaidInPercent) {
         EXPECT_NEAR(parseFloat(window.widgets().find("Tiles/layer/opacity")->value).value(),
                     static_cast<float>(percent), 5.0f);
     }
+}
+
+TEST_F(TourTest, aSecondPercentIsHowFarDown) {
+    ASSERT_TRUE(play("move Viewport 25% 75%").ok());
+    const AABB box = window.widgets().find("Viewport")->box;
+    EXPECT_NEAR(ImGui::GetIO().MousePos.x, box.min.x + 0.25f * box.size().x, 1.0f);
+    EXPECT_NEAR(ImGui::GetIO().MousePos.y, box.min.y + 0.75f * box.size().y, 1.0f);
 }
 
 TEST_F(TourTest, anErrorSaysWhichLineAndWhatThereIs) {

@@ -6,6 +6,7 @@
 #include "editor/ui/panels/panels.hpp"
 #include "editor/ui/ui_compat.hpp"
 #include "editor/ui/widgets/empty_state.hpp"
+#include "editor/ui/widgets/list_arrow.hpp"
 #include "editor/ui/widgets/text_field.hpp"
 
 namespace plumb::editor::ui {
@@ -61,8 +62,10 @@ private:
              {Button{LogLevel::Error, "error"}, Button{LogLevel::Warning, "warning"},
               Button{LogLevel::Note, "note"}}) {
             bool& shown = view_.levels[static_cast<std::size_t>(level)];
-            if (toggle(ui, counted(view_.count(level), name), format("Console/{}s", name), shown,
-                       colorOfLevel(level)))
+            // Red is for what is there: no errors are nothing to look at.
+            const std::size_t count = view_.count(level);
+            if (toggle(ui, counted(count, name), format("Console/{}s", name), shown,
+                       count > 0 ? colorOfLevel(level) : palette::kTextDim))
                 shown = !shown;
             tooltip(format("{} lines of this kind", shown ? "Hides" : "Shows"));
             ImGui::SameLine(0.0f, ui.px(4.0f));
@@ -105,7 +108,10 @@ private:
     void drawChannels(Ui& ui) {
         const std::size_t hidden = view_.hiddenChannels.size();
         const std::string label = hidden == 0 ? "All channels" : format("{} hidden", hidden);
-        if (toggle(ui, label, "Console/channels", hidden > 0)) ImGui::OpenPopup("channels");
+        const bool pressed = toggle(ui, label, "Console/channels", hidden > 0);
+        ImGui::SameLine(0.0f, 0.0f);
+        if (listArrow(ui, "Console/channels/list", ImGui::GetFrameHeight()) || pressed)
+            ImGui::OpenPopup("channels");
         if (!ImGui::BeginPopup("channels")) return;
         for (const std::string& channel : view_.channels()) {
             const auto found = view_.hiddenChannels.find(channel);

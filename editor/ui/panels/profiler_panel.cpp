@@ -11,8 +11,10 @@
 namespace plumb::editor::ui {
 namespace {
 
-constexpr float kBar = 3.0f;              // px at scale 1, of a tick
-constexpr float kGraphHeight = 84.0f;     // px at scale 1
+constexpr float kBar = 3.0f;           // px at scale 1, of a tick
+constexpr float kGraphHeight = 84.0f;  // px at scale 1
+constexpr float kLowestGraph = 44.0f;
+constexpr float kGraphPart = 0.28f;  // of the height that graph and table share: a low pane shows some rows
 constexpr float kCountsWidth = 168.0f;    // px at scale 1
 constexpr float kTick = 1000.0f / 60.0f;  // ms: what a tick may take at most
 
@@ -142,7 +144,9 @@ private:
         const auto& samples = profiler.samples();
         const float bar = std::max(std::floor(ui.px(kBar)), 2.0f);
         const ImVec2 at = ImGui::GetCursorScreenPos();
-        const ImVec2 size{ImGui::GetContentRegionAvail().x, ui.px(kGraphHeight)};
+        const ImVec2 room = ImGui::GetContentRegionAvail();
+        const float tall = std::clamp(room.y * kGraphPart, ui.px(kLowestGraph), ui.px(kGraphHeight));
+        const ImVec2 size{room.x, std::floor(tall)};
         ImGui::InvisibleButton("graph", size);
         ui.widgets.mark("Profiler/graph");
         const bool hovered = ImGui::IsItemHovered();
@@ -188,15 +192,20 @@ private:
 
     template <class Height>
     static void drawScale(const Ui& ui, ImDrawList& list, ImVec2 at, ImVec2 to, float whole, Height height) {
-        const auto line = [&](float time, ImU32 color, const std::string& label) {
+        const auto line = [&](float time, const std::string& label) {
             const float y = to.y - height(time);
-            list.AddLine({at.x, y}, {to.x, y}, color);
+            list.AddLine({at.x, y}, {to.x, y}, palette::kCellLine);
             list.AddText({at.x + ui.px(4.0f), y + ui.px(1.0f)}, palette::kTextDim, label.c_str());
         };
-        const ImU32 faint = palette::kCellLine;
-        line(whole, faint, format("{} ms", ms(whole)));
-        line(whole * 0.5f, faint, format("{}", ms(whole * 0.5f)));
-        if (kTick < whole) line(kTick, palette::kError, "16.7");
+        line(whole, format("{} ms", ms(whole)));
+        line(whole * 0.5f, format("{}", ms(whole * 0.5f)));
+        if (kTick >= whole) return;
+        // At the right: in a low graph it would lie over one of the others.
+        const char* label = "16.7";
+        const float y = to.y - height(kTick);
+        list.AddLine({at.x, y}, {to.x, y}, palette::kError);
+        list.AddText({to.x - ImGui::CalcTextSize(label).x - ui.px(4.0f), y + ui.px(1.0f)}, palette::kTextDim,
+                     label);
     }
 
     void drawTable(Ui& ui, Profiler& profiler) {

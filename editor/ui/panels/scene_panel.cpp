@@ -133,7 +133,7 @@ private:
         const float top = rowHeight(ui) * static_cast<float>(row);
         const float room = ImGui::GetWindowHeight();
         if (top < ImGui::GetScrollY() || top + rowHeight(ui) > ImGui::GetScrollY() + room)
-            ImGui::SetScrollY(top - room * 0.5f);
+            ImGui::SetScrollY(top - std::floor(room * 0.5f / rowHeight(ui)) * rowHeight(ui));
     }
 
     static void scrollWhileDragging(const Ui& ui) {

@@ -51,14 +51,16 @@ public:
 
 private:
     void drawHead(Ui& ui, const Tileset& tileset, std::string_view path) {
-        ImGui::TextUnformatted(std::string{path}.c_str());
-        ui.widgets.mark("Tileset/path", path);
-        ImGui::SameLine(0.0f, ui.px(12.0f));
-        ImGui::SetNextItemWidth(ui.px(140.0f));
+        ImGui::SetNextItemWidth(ui.px(112.0f));
         ImGui::InputTextWithHint("##search", "Search tiles", search_.data(), search_.size());
         ui.widgets.mark("Tileset/search");
         ImGui::SameLine();
         view_.zoomButtons(ui, "Tileset");
+        ImGui::SameLine(0.0f, ui.px(12.0f));
+        ImGui::AlignTextToFramePadding();
+        ImGui::TextDisabled("%s", std::string{path.substr(path.rfind('/') + 1)}.c_str());
+        ui.widgets.mark("Tileset/path", path);
+        tooltip(path);
         drawGrowth(ui, tileset);
     }
 
