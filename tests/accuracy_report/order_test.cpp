@@ -33,6 +33,24 @@ TEST(Order, looksNoFurtherThanTheFloorAndSaysWhereItIs) {
     EXPECT_EQ(order.floorFrom, 32.0);
 }
 
+TEST(Order, isThatOfTheStraightPartAndNotOfWhatCollapsesBeforeIt) {
+    std::vector<Sample> samples = samplesOf(2.0);
+    samples[0].error = 1.0e4;
+    const Order order = orderOf(samples);
+    EXPECT_NEAR(order.power, 2.0, 1e-9);
+    EXPECT_EQ(order.first, 2.0);
+    EXPECT_EQ(order.last, 64.0);
+    EXPECT_EQ(order.floorFrom, 0.0);
+}
+
+TEST(Order, ofTwoPartsBeforeAFloorIsThatOfTheFirst) {
+    const std::vector<Sample> samples{{1, 64.0}, {2, 8.0}, {4, 1.0}, {8, 0.5}, {16, 0.25}, {32, 0.25}};
+    const Order order = orderOf(samples);
+    EXPECT_NEAR(order.power, 3.0, 1e-9);
+    EXPECT_EQ(order.last, 4.0);
+    EXPECT_EQ(order.floor, 0.25);
+}
+
 TEST(Order, leavesOutWhatCameApartAndWhatIsExact) {
     std::vector<Sample> samples = samplesOf(2.0);
     samples[0].error = std::numeric_limits<double>::infinity();

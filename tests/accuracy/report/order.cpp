@@ -52,12 +52,17 @@ bool isStraight(std::span<const Sample> samples) {
     });
 }
 
-/// The longest part that is a straight line, of two alike the later; nothing where there is none.
-Run straightPart(std::span<const Sample> samples, Run fall) {
+/// The longest part that is a straight line; nothing where there is none.
+/// @param early  of two alike the first, as the other is nearer to the floor; else the last
+Run straightPart(std::span<const Sample> samples, Run fall, bool early) {
     for (std::size_t size = fall.size(); size >= kFewest; --size) {
-        for (std::size_t begin = fall.end - size + 1; begin-- > fall.begin;) {
-            if (isStraight(samples.subspan(begin, size))) return {begin, begin + size};
+        Run found;
+        for (std::size_t begin = fall.begin; begin + size <= fall.end; ++begin) {
+            if (!isStraight(samples.subspan(begin, size))) continue;
+            found = {begin, begin + size};
+            if (early) break;
         }
+        if (found.size() > 0) return found;
     }
     return {};
 }
@@ -72,7 +77,7 @@ Order orderOf(std::span<const Sample> samples) {
     if (good.size() < 2) return {};
     const Run fall = longestFall(good);
     const bool ends = fall.size() >= kFewest && fall.end < good.size();
-    Run run = straightPart(good, fall);
+    Run run = straightPart(good, fall, ends);
     if (run.size() == 0 && ends) run = {fall.begin, fall.end - 1};  // the last one is partly floor already
     if (run.size() == 0) run = fall.size() >= kFewest ? fall : Run{0, good.size()};
     const std::span<const Sample> used = std::span{good}.subspan(run.begin, run.size());

@@ -105,9 +105,7 @@ constexpr auto kHard = std::to_array<SceneText>({
      .shows = "Half a thousand boxes and circles in a shaft. The deepest overlap falls with "
               "every doubling, from 41 cm at one substep to a sixth of a millimetre at 64.",
      .choose = "The default; quality 3 if overlaps show.",
-     .order = 2.0,
-     .why = "Where each body comes to lie is another place at each quality, so the deepest "
-            "of 1500 overlaps is partly chance."},
+     .order = 2.0},
     {.name = "cramped",
      .title = "625 circles in a box that is too small",
      .answer = "They cannot all fit; the deepest overlap.",
@@ -162,8 +160,7 @@ constexpr auto kHard = std::to_array<SceneText>({
      .shows = "Twice the pile in a wide pit. The deepest overlap falls with substeps while the "
               "time grows less than they do, as finding contacts costs the same.",
      .choose = "The default; quality 3 if overlaps show.",
-     .order = 2.0,
-     .why = "Another heap at each quality: the deepest overlap is partly chance."},
+     .order = 2.0},
 });
 
 }  // namespace
