@@ -54,9 +54,8 @@ constexpr std::array kOptions{
     Row{"--tour", "FILE", "play the actions of this file, take its pictures, end",
         [](EditorOptions& o, std::string_view v) { return setText(v, o.tour); }},
     Row{"--import", "FILE [OUT]",
-        "import a map of Tiled (.tmx, .tmj, .world), a project of LDtk (.ldtk) or a sheet of Aseprite "
-        "(.json) "
-        "into PROJECT, or as OUT.scene.json, tell what came of it, end",
+        "import a map of Tiled (.tmx, .tmj, .world), a project of LDtk (.ldtk) or a sheet of "
+        "Aseprite (.json) into PROJECT, or as OUT.scene.json, tell what came of it, end",
         [](EditorOptions& o, std::string_view v) { return setText(v, o.importFrom); }},
     Row{"--size", "WxH", "size of the window in px, 320x240 to 8192x8192, e.g. 1600x900", &setSize},
     Row{"--scale", "RATIO", "size of the interface, 0.75 to 3", &setScale},
@@ -85,7 +84,8 @@ Result<EditorOptions> parseEditorOptions(std::span<const char* const> words) {
 }
 
 std::string editorUsage() {
-    return "usage: plumb-editor [PROJECT] [options]\n\n" + optionLines(helpOf<EditorOptions>(kOptions));
+    return format("usage: plumb-editor [PROJECT] [options]\n\n{}",
+                  optionLines(helpOf<EditorOptions>(kOptions)));
 }
 
 }  // namespace plumb::editor

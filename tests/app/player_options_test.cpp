@@ -48,7 +48,8 @@ TEST(PlayerOptions, aWrongValueIsAnsweredWithWhatItMayBe) {
 TEST(PlayerOptions, theHelpStandsInColumnsThatFitATerminal) {
     const std::string usage = playerUsage();
     ASSERT_EQ(usage.find("usage: plumb-player [PROJECT] [options]\n\n"), 0u);
-    const std::vector<std::string_view> lines = split(trimmed(usage.substr(usage.find("\n\n"))), '\n');
+    const std::vector<std::string_view> lines =
+        split(trimmed(std::string_view{usage}.substr(usage.find("\n\n"))), '\n');
     EXPECT_GT(lines.size(), 18u);
     for (std::size_t i = 1; i < lines.size(); ++i) {
         EXPECT_LE(lines[i].size(), 80u) << lines[i];

@@ -150,7 +150,8 @@ TEST(EditorOptionsTest, whatIsWrongIsAnsweredWithWhatIsRight) {
 
 TEST(EditorOptionsTest, theHelpStandsInColumnsThatFitATerminal) {
     const std::string usage = editorUsage();
-    const std::vector<std::string_view> lines = split(trimmed(usage.substr(usage.find("\n\n"))), '\n');
+    const std::vector<std::string_view> lines =
+        split(trimmed(std::string_view{usage}.substr(usage.find("\n\n"))), '\n');
     EXPECT_GT(lines.size(), 12u);
     for (std::size_t i = 1; i < lines.size(); ++i) {
         EXPECT_LE(lines[i].size(), 80u) << lines[i];
