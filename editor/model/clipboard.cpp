@@ -173,6 +173,7 @@ Pasted pasteFromText(const PrefabEdit& edit, std::string_view text) {
                                    "and paste again to keep it an instance"});
     const std::string label =
         states.size() == 1 ? "paste entity" : format("paste {} entities", states.size());
+    for (const EntityState& state : states) pasted.originals.push_back(state.id);
     std::vector<EntityState> copies = copiesOf(document, std::move(states));
     belowPrefabRoot(document, copies);
     pasted.command = std::make_unique<InsertEntities>(label, std::move(copies));

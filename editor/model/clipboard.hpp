@@ -16,6 +16,7 @@ std::string copyAsText(Document& document, const std::vector<ObjectId>& objects)
 /// What came of a text that is to be pasted.
 struct Pasted {
     std::unique_ptr<InsertEntities> command;  ///< null: the text is something else, or it cannot be put in
+    std::vector<ObjectId> originals;          ///< of each entity of it, wherever that is
     std::vector<std::string> unpacked;        ///< prefabs that this project does not have
     std::string why;                          ///< it cannot be put in; empty
 };

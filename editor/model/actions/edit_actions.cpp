@@ -4,6 +4,7 @@
 #include "editor/model/actions/action_rows.hpp"
 #include "editor/model/clipboard.hpp"
 #include "editor/model/commands/delete_entities.hpp"
+#include "editor/model/commands/place_copies.hpp"
 #include "editor/model/prefab_root.hpp"
 #include "editor/model/sight.hpp"
 
@@ -21,29 +22,50 @@ void redoStep(Workspace& w) {
 bool canUndo(const Workspace& w) { return w.canEdit() && w.undo.size() > 0; }
 bool canRedo(const Workspace& w) { return w.canEdit() && w.undo.size() < w.undo.total(); }
 
+/// "crate", "3 entities": with what is below them counted once more, "crate and 2 below it".
+std::string namesOf(const Workspace& w, const std::vector<ObjectId>& ids) {
+    const std::vector<ObjectId> roots = outermost(w.document, ids);
+    const std::size_t below = withDescendants(w.document, roots).size() - roots.size();
+    const bool one = roots.size() == 1;
+    const std::string names = one ? w.document.nameOf(roots.front()) : format("{} entities", roots.size());
+    return below == 0 ? names : format("{} and {} below {}", names, below, one ? "it" : "them");
+}
+
 void duplicate(Workspace& w) {
-    w.undo.push(duplicateEntities(w.document, w.document.selection.all())), w.undo.endGesture();
-}
-void remove(Workspace& w) {
-    std::vector<ObjectId> ids = w.document.selection.all();
-    if (std::erase(ids, prefabRootOf(w.document)) > 0)
-        w.notice = "The first entity of a prefab is the prefab itself; it stays";
-    if (ids.empty()) return;
-    w.undo.push(std::make_unique<DeleteEntities>(std::move(ids)));
+    const std::vector<ObjectId> selected = w.document.selection.all();
+    const std::string names = namesOf(w, selected);
+    insertCopies(w.undo, duplicateEntities(w.document, selected), withDescendants(w.document, selected));
     w.undo.endGesture();
+    w.notice = format("Duplicated {}", names);
 }
-void copy(Workspace& w) { w.clipboard = copyAsText(w.document, w.document.selection.all()); }
-void cut(Workspace& w) { copy(w), remove(w); }
+/// @param verb  how the status bar calls it
+void takeOut(Workspace& w, std::string_view verb) {
+    std::vector<ObjectId> ids = w.document.selection.all();
+    const bool root = std::erase(ids, prefabRootOf(w.document)) > 0;
+    if (!ids.empty()) {
+        w.notice = format("{} {}", verb, namesOf(w, ids));
+        w.undo.push(std::make_unique<DeleteEntities>(std::move(ids)));
+        w.undo.endGesture();
+    }
+    if (root) w.notice = "The first entity of a prefab is the prefab itself; it stays";
+}
+void remove(Workspace& w) { takeOut(w, "Deleted"); }
+void copy(Workspace& w) {
+    w.clipboard = copyAsText(w.document, w.document.selection.all());
+    w.notice = format("Copied {}", namesOf(w, w.document.selection.all()));
+}
+void cut(Workspace& w) { copy(w), takeOut(w, "Cut"); }
 void paste(Workspace& w) {
     Pasted pasted = pasteFromText(w.prefabs(), w.clipboard);
     if (pasted.command == nullptr) {
         w.notice = pasted.why.empty() ? "The clipboard holds no entities" : pasted.why;
         return;
     }
-    w.undo.push(std::move(pasted.command));
+    insertCopies(w.undo, std::move(pasted.command), std::move(pasted.originals));
     w.undo.endGesture();
-    if (!pasted.unpacked.empty())
-        w.notice = format("Pasted as plain entities: this project has no {}", pasted.unpacked.front());
+    w.notice = pasted.unpacked.empty()
+                   ? format("Pasted {}", namesOf(w, w.document.selection.all()))
+                   : format("Pasted as plain entities: this project has no {}", pasted.unpacked.front());
 }
 /// But for what the mouse goes through.
 void selectAll(Workspace& w) {

@@ -5,6 +5,7 @@
 
 #include "core/text.hpp"
 #include "editor/model/commands/change_components.hpp"
+#include "editor/model/commands/place_copies.hpp"
 
 namespace plumb::editor {
 
@@ -21,15 +22,17 @@ std::vector<ObjectId> CopyEntities::ids() const {
 void CopyEntities::apply(Document& document) {
     if (copies_.empty()) {
         std::vector<EntityState> states;
-        for (const ObjectId id : withDescendants(document, originals_))
-            states.push_back(readEntity(document, id));
+        sources_ = withDescendants(document, originals_);
+        for (const ObjectId id : sources_) states.push_back(readEntity(document, id));
         copies_ = copiesOf(document, std::move(states));
     }
     insertEntities(document, copies_);
+    placeCopies(document, ids(), sources_);
     document.selection.set(outermost(document, ids()));
 }
 
 void CopyEntities::revert(Document& document) {
+    placeAtEnd(document, ids());
     if (std::exchange(changed_, false)) {
         for (EntityState& copy : copies_) copy = readEntity(document, copy.id);
     }

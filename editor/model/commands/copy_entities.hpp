@@ -8,8 +8,8 @@
 
 namespace plumb::editor {
 
-/// Copies entities, with all below them, and selects the copies. What is changed of them in the same gesture
-/// belongs to it: a copy that is dragged away is one step.
+/// Copies entities, with all below them, each right behind what it is a copy of, and selects the copies. What
+/// is changed of them in the same gesture belongs to it: a copy that is dragged away is one step.
 class CopyEntities final : public Command {
 public:
     explicit CopyEntities(std::vector<ObjectId> originals) : originals_{std::move(originals)} {}
@@ -27,6 +27,7 @@ private:
 
     std::vector<ObjectId> originals_;
     std::vector<EntityState> copies_;  // made when it is applied first: so that they keep their ids
+    std::vector<ObjectId> sources_;    // of each of them
     bool changed_ = false;             // since they were put in: they are read again before they go
 };
 

@@ -19,14 +19,19 @@ bool hasPlace(const Document& document, ObjectId id) {
     return entity && !document.world.has<PrefabPart>(entity);
 }
 
-/// With the parts of an instance, which stand where it stands.
-void setOrder(Document& document, ObjectId object, std::int32_t order) {
-    if (orderOf(document, object) == order) return;
-    const EntityId entity = document.find(object);
-    document.world.get<SceneEntity>(entity).order = order;
-    if (!document.world.has<PrefabInstance>(entity)) return;
+/// An instance and its new place.
+struct Moved {
+    std::uint64_t instance;
+    std::int32_t order;
+};
+
+/// The parts of an instance stand where it stands. @param moved  sorted by instance
+void takeParts(Document& document, const std::vector<Moved>& moved) {
     document.world.each<const PrefabPart, SceneEntity>([&](const PrefabPart& part, SceneEntity& own) {
-        if (part.instance == object.value) own.order = order;
+        const auto found =
+            std::lower_bound(moved.begin(), moved.end(), part.instance,
+                             [](const Moved& one, std::uint64_t id) { return one.instance < id; });
+        if (found != moved.end() && found->instance == part.instance) own.order = found->order;
     });
 }
 
@@ -49,11 +54,18 @@ void placeInOrder(Document& document, const std::vector<ObjectId>& line) {
     std::vector<std::int32_t> places;
     for (const ObjectId id : line) places.push_back(orderOf(document, id));
     std::sort(places.begin(), places.end());
+    std::vector<Moved> moved;
     for (std::size_t i = 0; i < line.size(); ++i) {
         // Of two on one place nobody could say which one is first.
         if (i > 0) places[i] = std::max(places[i], places[i - 1] + 1);
-        setOrder(document, line[i], places[i]);
+        if (orderOf(document, line[i]) == places[i]) continue;
+        const EntityId entity = document.find(line[i]);
+        document.world.get<SceneEntity>(entity).order = places[i];
+        if (document.world.has<PrefabInstance>(entity)) moved.push_back({line[i].value, places[i]});
     }
+    std::sort(moved.begin(), moved.end(),
+              [](const Moved& a, const Moved& b) { return a.instance < b.instance; });
+    if (!moved.empty()) takeParts(document, moved);
     document.reordered();
 }
 
