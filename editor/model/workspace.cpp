@@ -80,7 +80,9 @@ Result<LoadReport> Workspace::load(const std::string& wanted, const std::string*
     for (const Error& problem : report->problems) {
         logWarning("Editor", problem);
     }
-    notice = format("Opened {}: {} entities", wanted, report->loaded);
+    // With the parts of prefabs, as the tree and the status bar count.
+    const std::size_t count = document.objectCount();
+    notice = format("Opened {}: {} {}", wanted, count, count == 1 ? "entity" : "entities");
     logNote("Editor", "{}", notice);
     showStart();
     return report;

@@ -35,6 +35,36 @@ void beginBar(const char* name, ImVec2 at, ImVec2 size, ImVec2 padding, ImU32 co
     ImGui::PopStyleVar(2);
 }
 
+/// What was done without a word of its own is told by its step of undo.
+void tellStep(Workspace& workspace) {
+    // As the bar showed it last: how many steps there were, and what told of which.
+    ImGuiStorage& storage = *ImGui::GetStateStorage();
+    const auto idOf = [](const std::string& text) { return static_cast<int>(ImGui::GetID(text.c_str())); };
+    const auto kept = [&](const char* name) { return storage.GetInt(ImGui::GetID(name)); };
+    const auto keep = [&](const char* name, int value) { storage.SetInt(ImGui::GetID(name), value); };
+    const UndoStack& undo = workspace.undo;
+    std::string& notice = workspace.notice;
+    const int steps = static_cast<int>(undo.size());
+    const int cleared = static_cast<int>(undo.cleared());
+    const bool made = steps > kept("steps") && cleared == kept("cleared");
+    const bool silent = idOf(notice) == kept("notice");
+    const std::string label = made ? undo.label(undo.size() - 1) : std::string{};
+    // How a tile tool is used is worth more than that it was.
+    const ToolRow& tool = toolTable()[workspace.toolIndex()];
+    const bool hint = tool.forTiles && notice == format("{}: {}", tool.name, tool.hint);
+    if (made && silent && !hint && idOf(label) != kept("step")) {
+        const std::string& whom = undo.subject(undo.size() - 1);
+        const bool named = whom.empty() || label.find(whom) != std::string::npos || endsWith(whom, " more");
+        notice = named ? format("Did: {}", label) : format("Did: {} ({})", label, whom);
+    } else if (silent && steps < kept("steps") && startsWith(notice, "Did: ")) {
+        notice.clear();  // it was taken back
+    }
+    if (idOf(notice) != kept("notice")) keep("step", idOf(label));
+    keep("notice", idOf(notice));
+    keep("steps", steps);
+    keep("cleared", cleared);
+}
+
 void centerNext(ImVec2 size) {
     const ImVec2 display = ImGui::GetIO().DisplaySize;
     ImGui::SetNextWindowPos({(display.x - size.x) * 0.5f, (display.y - size.y) * 0.4f});
@@ -189,6 +219,7 @@ void EditorWindow::drawStatus(float height) {
     const ImVec2 display = ImGui::GetIO().DisplaySize;
     beginBar("status", {0.0f, display.y - height}, {display.x, height}, {ui_.px(10.0f), ui_.px(4.0f)},
              chromeOf(workspace_.play));
+    tellStep(workspace_);
     const Document& document = workspace_.document;
     const std::string_view hint = toolTable()[workspace_.toolIndex()].hint;
     std::string left = workspace_.notice.empty() ? std::string{hint} : workspace_.notice;
