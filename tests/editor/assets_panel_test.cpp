@@ -112,6 +112,36 @@ TEST_F(AssetsPanelTest, deletingAsksAndKeepingKeeps) {
 
 TEST_F(AssetsPanelTest, aMapIsChosenImportedAndItsReportShown) {
     putFile("maps/cave.tmx",
+TEST_F(AssetsPanelTest, afterTheMenuWasLeftTheKeysMeanTheFile) {
+    workspace.document.selection.set({named("crate")});
+    hands.clickAt(hands.middleOf("Viewport"), MouseButton::Right);
+    hands.key(Key::Escape);
+    workspace.document.selection.set({named("crate")});
+    hands.clickAt(hands.middleOf("Assets/assets/hero.png"), MouseButton::Right);
+    hands.key(Key::Escape);
+    ASSERT_EQ(window.widgets().find("Assets/menu/Open"), nullptr);
+    hands.key(Key::F2);
+    hands.rest(2);
+    EXPECT_EQ(valueOf("Rename/path"), "assets/hero.png");
+    EXPECT_EQ(window.widgets().find("Scene/rename"), nullptr) << "not the entity too";
+    hands.click("Rename/Cancel");
+    hands.rest(2);
+    hands.key(Key::Delete);
+    hands.rest(2);
+    hands.click("Delete/Keep");
+    hands.rest(2);
+    EXPECT_TRUE(named("crate")) << "what is selected in the scene is not meant";
+    EXPECT_EQ(workspace.undo.size(), 0u);
+
+    // In the scene they mean what is selected there.
+    hands.clickAt(hands.middleOf("Scene/crate"), MouseButton::Right);
+    hands.key(Key::Escape);
+    hands.key(Key::Delete);
+    hands.rest(2);
+    EXPECT_EQ(window.widgets().find("Delete/Keep"), nullptr);
+    EXPECT_FALSE(named("crate"));
+}
+
             R"(<map orientation="orthogonal" width="1" height="1" tilewidth="16" tileheight="16">
         <tileset firstgid="1" name="t" tilewidth="16" tileheight="16"><image source="gone.png" width="16" height="16"/></tileset>
         <layer name="a" width="1" height="1"><data encoding="csv">1</data></layer></map>)");

@@ -123,13 +123,33 @@ private:
         }
         if (ImGui::IsMouseClicked(0) && ImGui::IsWindowHovered() && !ImGui::IsAnyItemHovered())
             browser.selected.clear();
-        if (ImGui::IsWindowFocused() && !ImGui::GetIO().WantTextInput) keys(browser);
+        // The right button leaves the focus where it was, and with it what the keys are for.
+        if (ImGui::IsMouseClicked(1) && ImGui::IsWindowHovered()) ImGui::SetWindowFocus();
+        waitForKeys(ui, browser);
     }
 
-    void keys(AssetBrowser& browser) {
-        if (browser.selected.empty()) return;
-        if (pressed(Key::F2)) rename_ = browser.selected;
-        if (pressed(Key::Delete)) delete_ = browser.selected;
+    /// The keys that rename and delete mean the selected file here, and not what is selected in the scene.
+    void waitForKeys(Ui& ui, const AssetBrowser& browser) {
+        const bool wants = ImGui::IsWindowFocused() && !browser.selected.empty();
+        keysSeen_ = ImGui::GetFrameCount();
+        if (wants && !ui.takeEvent) {
+            ui.takeEvent = [this, &workspace = ui.workspace](const Event& event) {
+                return takeKey(workspace, event);
+            };
+            waits_ = true;
+        } else if (!wants && std::exchange(waits_, false)) {
+            ui.takeEvent = nullptr;
+        }
+    }
+    bool takeKey(const Workspace& workspace, const Event& event) {
+        const bool seen = ImGui::GetFrameCount() <= keysSeen_ + 1;
+        if (!seen || !browser_ || anyPopupOpen() || ImGui::GetIO().WantTextInput) return false;
+        const auto means = [&](const char* action) {
+            return workspace.settings.keys.matches(*findAction(action), event);
+        };
+        if (means("entity.rename")) return rename_ = browser_->selected, true;
+        if (means("edit.delete")) return delete_ = browser_->selected, true;
+        return false;
     }
 
     void drawItem(Ui& ui, AssetBrowser& browser, const AssetItem& item, float side) {
@@ -299,3 +319,5 @@ private:
 std::unique_ptr<Panel> makeAssetsPanel() { return std::make_unique<AssetsPanel>(); }
 
 }  // namespace plumb::editor::ui
+    bool waits_ = false;  ///< for keys
+    int keysSeen_ = 0;    ///< the frame in which the files were drawn last

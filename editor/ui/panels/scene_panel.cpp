@@ -96,6 +96,8 @@ private:
                 drawRow(ui, tree_.rows()[static_cast<std::size_t>(i)]);
             }
         }
+        // Keys mean the tree again.
+        if (ImGui::IsMouseClicked(1) && ImGui::IsWindowHovered()) ImGui::SetWindowFocus();
         const ImVec2 rest = ImGui::GetContentRegionAvail();
         if (rest.y > 4.0f && ImGui::InvisibleButton("below", {rest.x, rest.y}))
             ui.workspace.document.selection.clear();

@@ -53,6 +53,8 @@ public:
                                    ImGuiButtonFlags_MouseButtonRight);
         ui.widgets.mark("Viewport");
         from_ = {from.x, from.y};
+        if (ImGui::IsItemClicked(ImGuiMouseButton_Right))
+            ImGui::SetWindowFocus();  // keys mean the scene again
         dropIntoScene(ui, from_);
         offerMenu(ui);
         followGame(ui);
