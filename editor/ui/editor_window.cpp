@@ -54,22 +54,20 @@ void actionItem(Ui& ui, std::string_view id, const std::string& path) {
 }
 
 void selectionMenu(Ui& ui, const std::string& path) {
-    for (const char* id : {"view.frame", "entity.rename", "edit.duplicate", "edit.delete"}) {
-        actionItem(ui, id, path);
-    }
+    const auto items = [&](std::initializer_list<const char*> actions) {
+        for (const char* id : actions) actionItem(ui, id, path);
+    };
+    const Workspace& workspace = ui.workspace;
+    items({"edit.cut", "edit.copy", "edit.paste", "edit.duplicate", "edit.delete"});
     ImGui::Separator();
-    for (const char* id : {"entity.group", "entity.hide", "entity.lock"}) {
-        actionItem(ui, id, path);
-    }
+    items({"view.frame", "entity.rename", "entity.group", "entity.hide", "entity.lock"});
     ImGui::Separator();
-    for (const char* id :
-         {"entity.makePrefab", "entity.editPrefab", "entity.overrides", "entity.revert", "entity.apply"}) {
-        actionItem(ui, id, path);
-    }
+    items({"entity.makePrefab"});
+    // Plain entities have nothing to do with the rest.
+    if (workspace.selectsInstance())
+        items({"entity.editPrefab", "entity.overrides", "entity.revert", "entity.apply"});
     ImGui::Separator();
-    for (const char* id : {"entity.create", "entity.particles", "entity.prefab", "edit.paste"}) {
-        actionItem(ui, id, path);
-    }
+    items({"entity.create", "entity.particles", "entity.prefab"});
 }
 
 EditorWindow::EditorWindow(Workspace& workspace, LogBook& log, ScenePicture* picture, Path fonts, float scale)
@@ -234,6 +232,11 @@ void EditorWindow::drawMenus() {
             }
             actionItem(ui_, action.id, std::string{"Menu/"} + menu);
         }
+            // People look for these here as well.
+            if (action.id == "entity.rename") {
+                for (const char* id : {"edit.duplicate", "edit.delete"})
+                    actionItem(ui_, id, std::string{"Menu/"} + menu);
+            }
         if (std::string_view{menu} == "View") {
             layoutMenu_.drawItems(ui_);
             drawOverlayMenu();
