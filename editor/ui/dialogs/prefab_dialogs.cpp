@@ -7,6 +7,7 @@
 #include "editor/model/actions.hpp"
 #include "editor/model/key_words.hpp"
 #include "editor/model/make_prefab.hpp"
+#include "editor/model/prefab_names.hpp"
 #include "editor/ui/ui_compat.hpp"
 
 namespace plumb::editor::ui {
@@ -46,7 +47,7 @@ void PrefabDialogs::open(Ui& ui) {
     if (document.selection.empty()) return;
     if (workspace.request == WindowRequest::NamePrefab) {
         workspace.request = WindowRequest::None;
-        const std::string name = document.nameOf(document.selection.all().back());
+        const std::string name = freePrefabName(workspace, document.nameOf(document.selection.all().back()));
         name_.fill('\0');
         name.copy(name_.data(), name_.size() - 1);
         problem_.clear();
@@ -60,13 +61,19 @@ void PrefabDialogs::open(Ui& ui) {
 }
 
 void PrefabDialogs::drawName(Ui& ui) {
-    if (!beginDialog(kName, {ui.px(420.0f), ui.px(164.0f)}, ui)) return;
+    if (!beginDialog(kName, {ui.px(420.0f), ui.px(190.0f)}, ui)) return;
     ImGui::TextDisabled("Its name in the folder prefabs/");
     if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
     ImGui::SetNextItemWidth(-1.0f);
     bool done = ImGui::InputText("##name", name_.data(), name_.size(),
                                  ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
     ui.widgets.mark("MakePrefab/name", name_.data());
+    const Document& document = ui.workspace.document;
+    const std::string kind = prefabToBe(document, document.selection.all());
+    ImGui::PushStyleColor(ImGuiCol_Text, palette::kTextDim);
+    if (problem_.empty()) ImGui::TextWrapped("%s", kind.c_str());
+    ImGui::PopStyleColor();
+    ui.widgets.mark("MakePrefab/kind", kind);
     ImGui::PushStyleColor(ImGuiCol_Text, palette::kWarning);
     ImGui::TextWrapped("%s", problem_.c_str());
     ImGui::PopStyleColor();
