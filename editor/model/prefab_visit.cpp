@@ -59,13 +59,17 @@ bool editsPrefab(const Workspace& workspace) { return isPrefabFile(workspace.doc
 
 std::string prefabInHand(const Workspace& workspace) {
     const Document& document = workspace.document;
-    if (document.selection.empty()) return {};
     const World& world = document.world;
-    const ObjectId id = document.selection.all().back();
-    const PrefabPart* link = world.find<PrefabPart>(document.find(id));
-    const ObjectId root = link == nullptr ? id : ObjectId{link->instance};
-    const PrefabInstance* instance = world.find<PrefabInstance>(document.find(root));
-    return instance == nullptr ? std::string{} : std::string{world.texts().find(instance->prefab.path)};
+    TextId one;
+    for (const ObjectId id : document.selection.all()) {
+        const PrefabPart* link = world.find<PrefabPart>(document.find(id));
+        const ObjectId root = link == nullptr ? id : ObjectId{link->instance};
+        const PrefabInstance* instance = world.find<PrefabInstance>(document.find(root));
+        if (instance == nullptr) continue;
+        if (!one.empty() && one != instance->prefab.path) return {};
+        one = instance->prefab.path;
+    }
+    return std::string{world.texts().find(one)};
 }
 
 Result<LoadReport> editPrefab(Workspace& workspace, const std::string& path) {

@@ -35,7 +35,8 @@ bool actsWhilePlaying(const Event& event) {
 }  // namespace
 
 void tooltip(std::string_view text) {
-    if (text.empty() || !ImGui::IsItemHovered() || ImGui::GetCurrentContext() == nullptr) return;
+    // What cannot be pressed says why.
+    if (text.empty() || !ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
     ImGui::BeginTooltip();
     ImGui::PushTextWrapPos(ImGui::GetFontSize() * 24.0f);
     ImGui::TextUnformatted(text.data(), text.data() + text.size());

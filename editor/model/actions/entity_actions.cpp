@@ -2,6 +2,7 @@
 
 #include "editor/model/actions/action_rows.hpp"
 #include "editor/model/commands/insert_entities.hpp"
+#include "editor/model/instance_changes.hpp"
 #include "editor/model/prefab_visit.hpp"
 #include "editor/model/tools/transform_drag.hpp"
 #include "editor/model/tree_edit.hpp"
@@ -75,6 +76,7 @@ bool canLeavePrefab(const Workspace& w) { return w.canEdit() && !behindPrefab(w)
 
 const std::array kRows{
     Action{"entity.create", "Entity", "Create entity", control(Key::N), editable, create},
+bool changedInstance(const Workspace& w) { return onInstance(w) && instancesDiffer(w); }
     Action{"entity.particles", "Entity", "Add particles", {}, editable, createParticles},
     Action{"entity.prefab", "Entity", "Add prefab...", control(Key::N, true), editable,
            ask<WindowRequest::ChoosePrefab>},
@@ -133,9 +135,9 @@ const std::array kRows{
            {},
            onInstance,
            ask<WindowRequest::ShowOverrides>},
-    Action{"entity.revert", "Entity", "Revert to prefab", control(Key::R), onInstance,
+    Action{"entity.revert", "Entity", "Revert to prefab", control(Key::R), changedInstance,
            [](Workspace& w) { w.revertToPrefab(); }},
-    Action{"entity.apply", "Entity", "Apply to prefab", control(Key::R, true), onInstance,
+    Action{"entity.apply", "Entity", "Apply to prefab", control(Key::R, true), changedInstance,
            [](Workspace& w) { w.applyToPrefab(); }},
     line("Entity"),
     Action{"entity.left", "Entity", "Nudge left", {Key::Left}, withSelection, nudgeBy<-1, 0>},

@@ -122,11 +122,13 @@ void PrefabDialogs::drawOverrides(Ui& ui) {
     }
     ImGui::SetCursorPosY(ImGui::GetWindowHeight() - ui.px(40.0f));
     const ImVec2 button{ui.px(110.0f), 0.0f};
+    ImGui::BeginDisabled(rows_.empty());
     if (ImGui::Button("Revert all", button)) runAction(workspace, "entity.revert");
     ui.widgets.mark("Overrides/revert all");
     ImGui::SameLine();
     if (ImGui::Button("Apply all", button)) runAction(workspace, "entity.apply");
     ui.widgets.mark("Overrides/apply all");
+    ImGui::EndDisabled();
     ImGui::SameLine(ImGui::GetWindowWidth() - ui.px(118.0f));
     if (ImGui::Button("Close", button)) ImGui::CloseCurrentPopup();
     ui.widgets.mark("Overrides/Close");

@@ -3,8 +3,8 @@
 #include "core/text.hpp"
 #include "editor/model/actions.hpp"
 #include "editor/model/commands/change_components.hpp"
+#include "editor/model/key_words.hpp"
 #include "editor/model/prefab_group.hpp"
-#include "editor/model/prefab_visit.hpp"
 #include "editor/model/shared_components.hpp"
 #include "editor/ui/icons.hpp"
 #include "editor/ui/panels/component_view.hpp"
@@ -153,11 +153,15 @@ private:
         const float right = ImGui::GetContentRegionMax().x - width;
         const float end = ImGui::GetItemRectMax().x - ImGui::GetWindowPos().x + ui.px(8.0f);
         if (right > end) ImGui::SameLine(right);
-        if (ImGui::Button(label)) runAction(ui.workspace, "entity.editPrefab");
-        ui.widgets.mark("Inspector/prefab/edit");
         const Action& action = *findAction("entity.editPrefab");
-        tooltip(format("Opens {}; what is changed there changes all of its instances.  ({})",
-                       prefabInHand(ui.workspace), ui.workspace.settings.keys.shownOf(action).text()));
+        const bool several = group_.prefabs.size() > 1;
+        ImGui::BeginDisabled(!action.enabled(ui.workspace));
+        if (ImGui::Button(label)) runAction(ui.workspace, "entity.editPrefab");
+        ImGui::EndDisabled();
+        ui.widgets.mark("Inspector/prefab/edit", several ? "several" : group_.prefabs.front());
+        tooltip(several ? std::string{"They come from several prefabs: select instances of one."}
+                        : format("Opens {}; what is changed there changes all of its instances.  ({})",
+                                 group_.prefabs.front(), keysFor(ui.workspace, "entity.editPrefab")));
     }
 
     void drawBothWays(Ui& ui) {
