@@ -192,7 +192,9 @@ void Workspace::useTool(std::size_t index) {
     tiles.layer = activeTileLayer(document, tiles);
     if (row.hand != Hand::Keeps) tiles.terrainInHand = row.hand == Hand::Terrain;
     const Tileset* tileset = tilesetOf(document, tiles.layer);
-    if (!tiles.layer) {
+    if (document.scenePath.empty()) {
+        notice = "No scene is open";
+    } else if (!tiles.layer) {
         notice = "This scene has no tile layer; add the component TileLayer to an entity";
     } else if (row.hand == Hand::Terrain && (tileset == nullptr || tileset->terrains.empty())) {
         notice = "This tileset has no terrain yet; the panel Tileset makes one of its tiles";

@@ -235,8 +235,11 @@ void EditorWindow::drawStatus(float height) {
                                                   : format("{}, {}    ", std::lround(ui_.mouseInScene.x),
                                                            std::lround(ui_.mouseInScene.y));
     const std::string right =
-        format("{}{} of {} selected    {}%    {}", place, document.selection.size(), document.objectCount(),
-               std::lround(workspace_.view.zoom() * 100.0f), workspace_.unsaved() ? "Not saved" : "Saved");
+        document.scenePath.empty()
+            ? std::string{"No scene"}
+            : format("{}{} of {} selected    {}%    {}", place, document.selection.size(),
+                     document.objectCount(), std::lround(workspace_.view.zoom() * 100.0f),
+                     workspace_.unsaved() ? "Not saved" : "Saved");
     ImGui::SameLine(display.x - ImGui::CalcTextSize(right.c_str()).x - ui_.px(10.0f));
     ImGui::TextDisabled("%s", right.c_str());
     widgets_.mark("Status/state", right);

@@ -58,6 +58,15 @@ TEST_F(EmptyStates, aSceneWithoutTilesGetsALayer) {
 TEST_F(EmptyStates, withoutASceneTheMiddleOffersToOpenOne) {
     EXPECT_FALSE(workspace.open("scenes/gone.scene.json").ok());
     hands.rest(2);
+    EXPECT_EQ(window.widgets().find("Inspector/empty")->value, "No scene is open.");
+    EXPECT_EQ(window.widgets().find("Status/state")->value, "No scene") << "nothing is saved or selected";
+    for (const std::string panel : {"Tiles", "Tileset"}) {
+        workspace.settings.layout.show(panel);
+        hands.rest(2);
+        EXPECT_EQ(window.widgets().find(panel + "/empty")->value, "No scene is open.");
+    }
+    workspace.useTool("tool.brush");
+    EXPECT_EQ(workspace.notice, "No scene is open");
     hands.click("Viewport/empty/Open scene...");
     hands.rest(2);
     EXPECT_TRUE(onScreen(std::string{"Open/"} + std::string{kScene}));

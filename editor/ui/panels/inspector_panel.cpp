@@ -28,6 +28,11 @@ public:
 private:
     void drawSelected(Ui& ui) {
         const std::vector<ObjectId>& selected = ui.workspace.document.selection.all();
+        if (ui.workspace.document.scenePath.empty()) {
+            return emptyState(ui, "Inspector", "No scene is open.",
+                              "The components of what is selected in a scene are here.",
+                              {"file.open", "file.new"});
+        }
         if (selected.empty()) {
             return emptyState(ui, "Inspector", "Nothing is selected.",
                               "Click something in the scene or in its tree, and its components are here.",

@@ -25,6 +25,10 @@ class TilesPanel final : public Panel {
 public:
     void draw(Ui& ui) override {
         Workspace& workspace = ui.workspace;
+        if (workspace.document.scenePath.empty()) {
+            return emptyState(ui, "Tiles", "No scene is open.", "Tiles are painted on the layers of a scene.",
+                              {"file.open", "file.new"});
+        }
         const ObjectId layer = activeTileLayer(workspace.document, workspace.tiles);
         if (!workspace.document.world.has<TileLayer>(workspace.document.find(layer))) {
             return emptyState(ui, "Tiles", "This scene has no layer of tiles yet.",

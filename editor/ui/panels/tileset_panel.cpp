@@ -24,6 +24,10 @@ class TilesetPanel final : public Panel {
 public:
     void draw(Ui& ui) override {
         Workspace& workspace = ui.workspace;
+        if (workspace.document.scenePath.empty()) {
+            return emptyState(ui, "Tileset", "No scene is open.",
+                              "The tileset of the layer that is in hand is here.", {"file.open", "file.new"});
+        }
         const ObjectId layer = activeTileLayer(workspace.document, workspace.tiles);
         const Tileset* tileset = tilesetOf(workspace.document, layer);
         if (tileset == nullptr || tileset->count == 0) {
