@@ -8,6 +8,7 @@
 #include "editor/model/bounds.hpp"
 #include "editor/model/commands/change_components.hpp"
 #include "editor/model/entity_state.hpp"
+#include "editor/model/prefab_root.hpp"
 #include "editor/model/sight.hpp"
 #include "editor/model/tools/transform_drag.hpp"
 
@@ -52,7 +53,9 @@ constexpr AlignmentRow kAlignments[] = {
 }  // namespace
 
 std::vector<ObjectId> arrangeable(const Document& document, const std::vector<ObjectId>& objects) {
-    std::vector<ObjectId> ids = outermost(document, objects);
+    std::vector<ObjectId> ids = objects;
+    std::erase(ids, prefabRootOf(document));  // it stays
+    ids = outermost(document, ids);
     std::erase_if(ids, [&](ObjectId id) {
         return !isSomewhere(document.world, document.find(id)) || isLocked(document, id);
     });

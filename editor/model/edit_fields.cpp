@@ -6,6 +6,7 @@
 #include "editor/model/commands/change_components.hpp"
 #include "editor/model/commands/set_field.hpp"
 #include "editor/model/field_number.hpp"
+#include "editor/model/root_place.hpp"
 #include "editor/model/workspace.hpp"
 #include "reflect/compare.hpp"
 
@@ -22,6 +23,17 @@ bool floatsDiffer(const void* a, const void* b, std::size_t at) {
     std::memcpy(&left, static_cast<const std::byte*>(a) + at, sizeof left);
     std::memcpy(&right, static_cast<const std::byte*>(b) + at, sizeof right);
     return left != right && (left == left || right == right);
+}
+
+/// The component with the place that it cannot give: the first entity of a prefab stays where it is.
+ComponentState inPlace(const Document& document, ObjectId id, ComponentState state) {
+    const World& world = document.world;
+    const void* now = world.find(*state.type, document.find(id));
+    for (const FieldInfo& field : state.type->fields) {
+        if (now == nullptr || !isPlaceOfRoot(document, id, *state.type, field.name)) continue;
+        std::memcpy(field.in(static_cast<void*>(state.bytes.data())), field.in(now), field.size);
+    }
+    return state;
 }
 
 }  // namespace
@@ -41,7 +53,8 @@ void editFields(Workspace& workspace, const FieldTarget& target, const ChangeVal
     for (std::size_t i = 0; i < target.objects.size(); ++i) {
         const ObjectId id = target.objects[i];
         const void* component = componentOf(workspace, target, id);
-        if (component == nullptr) continue;
+        if (component == nullptr || isPlaceOfRoot(workspace.document, id, target.type, target.field.name))
+            continue;
         const FieldValue now = readField(workspace.shownNames(), target.field, component);
         FieldValue next = now;
         change(next, i);
@@ -60,7 +73,7 @@ void setComponent(Workspace& workspace, const std::vector<ObjectId>& ids, const 
                   std::string label) {
     if (!workspace.play.running()) {
         std::vector<ChangeComponents::Change> changes;
-        for (const ObjectId id : ids) changes.push_back({id, state});
+        for (const ObjectId id : ids) changes.push_back({id, inPlace(workspace.document, id, state)});
         return workspace.undo.push(
             std::make_unique<ChangeComponents>(std::move(label), *state.type, std::move(changes)));
     }

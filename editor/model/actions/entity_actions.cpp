@@ -4,6 +4,7 @@
 #include "editor/model/commands/insert_entities.hpp"
 #include "editor/model/instance_changes.hpp"
 #include "editor/model/prefab_visit.hpp"
+#include "editor/model/root_place.hpp"
 #include "editor/model/tools/transform_drag.hpp"
 #include "editor/model/tree_edit.hpp"
 #include "scene/components/name.hpp"
@@ -33,13 +34,17 @@ void createParticles(Workspace& w) {
     w.undo.push(std::make_unique<InsertEntities>("create particles", std::move(states)));
     w.undo.endGesture();
 }
+void nudgeOrSay(Workspace& w, Vec2 offset) {
+    nudge(w.tools(), offset);
+    if (onlyRootSelected(w.document)) w.notice = kRootStays;
+}
 template <int X, int Y>
 void nudgeBy(Workspace& w) {
-    nudge(w.tools(), {static_cast<float>(X), static_cast<float>(Y)});
+    nudgeOrSay(w, {static_cast<float>(X), static_cast<float>(Y)});
 }
 template <int X, int Y>
 void nudgeGrid(Workspace& w) {
-    nudge(w.tools(), scaled({static_cast<float>(X), static_cast<float>(Y)}, w.grid.size));
+    nudgeOrSay(w, scaled({static_cast<float>(X), static_cast<float>(Y)}, w.grid.size));
 }
 
 // What is selected, in the tree and in the view.

@@ -6,6 +6,7 @@
 #include "ecs/hierarchy.hpp"
 #include "editor/model/commands/change_components.hpp"
 #include "editor/model/entity_state.hpp"
+#include "editor/model/prefab_root.hpp"
 #include "editor/model/sight.hpp"
 #include "math/angle.hpp"
 
@@ -41,7 +42,12 @@ Vec2 dragOffset(Vec2 grabPoint, Vec2 origin, const Pointer& pointer) {
 void TransformDrag::grab(const ToolContext& context) {
     const Document& document = context.document;
     grabbed_.clear();
-    for (const ObjectId id : outermost(document, context.selection.all())) {
+    // The first entity of a prefab does not move, but what is selected below it does.
+    std::vector<ObjectId> ids = context.selection.all();
+    const bool root = std::erase(ids, prefabRootOf(document)) > 0;
+    ids = outermost(document, ids);
+    if (root) ids.push_back(prefabRootOf(document));
+    for (const ObjectId id : ids) {
         const EntityId entity = document.find(id);
         const Transform* transform = document.world.find<Transform>(entity);
         if (transform == nullptr || isLocked(document, id)) continue;
@@ -89,14 +95,21 @@ void TransformDrag::scale(const ToolContext& context, Vec2 factors) {
 
 void TransformDrag::push(const ToolContext& context, std::string_view verb,
                          std::vector<Transform> targets) const {
-    if (grabbed_.empty()) return;
     const TypeInfo& type = context.document.types().of<Transform>();
+    const ObjectId root = prefabRootOf(context.document);
+    const bool scales = verb == "scale";
+    const bool scalesRoot = scales && !grabbed_.empty() && grabbed_.back().object == root;
     std::vector<ChangeComponents::Change> changes;
     for (std::size_t i = 0; i < grabbed_.size(); ++i) {
+        // All others are below it: they grow with it.
+        const bool isRoot = grabbed_[i].object == root;
+        if (isRoot ? !scales : scalesRoot) continue;
+        if (isRoot) targets[i].position = grabbed_[i].start.position;
         changes.push_back({grabbed_[i].object, ComponentState{&type, FieldValue::of(targets[i]).bytes}});
     }
-    const std::string what = grabbed_.size() == 1 ? context.document.nameOf(grabbed_.front().object)
-                                                  : format("{} entities", grabbed_.size());
+    if (changes.empty()) return;
+    const std::string what = changes.size() == 1 ? context.document.nameOf(changes.front().object)
+                                                 : format("{} entities", changes.size());
     context.undo.push(
         std::make_unique<ChangeComponents>(format("{} {}", verb, what), type, std::move(changes)));
 }

@@ -7,6 +7,7 @@
 #include "editor/model/commands/change_components.hpp"
 #include "editor/model/field_number.hpp"
 #include "editor/model/field_text.hpp"
+#include "editor/model/root_place.hpp"
 #include "editor/model/workspace.hpp"
 #include "editor/ui/icons.hpp"
 #include "editor/ui/ui_compat.hpp"
@@ -47,6 +48,14 @@ FieldValue defaultOf(const FieldInfo& field, const ComponentState& fresh) {
     const auto* from = static_cast<const std::byte*>(field.in(static_cast<const void*>(fresh.bytes.data())));
     value.bytes.assign(from, from + field.size);
     return value;
+}
+
+/// In the place of the numbers.
+void drawPlaceOfRoot(Ui& ui, const std::string& path) {
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextDisabled("each instance has its own");
+    ui.widgets.mark(path, "stays");
+    tooltip(kRootStays);
 }
 
 bool item(Ui& ui, const std::string& path, const char* label, bool possible = true) {
@@ -165,7 +174,9 @@ void ComponentView::drawField(const Shown& shown, const FieldInfo& field) {
     const float start = ImGui::GetCursorPosX();
     const float labelWidth = std::min(ImGui::GetContentRegionAvail().x * 0.38f, ui.px(140.0f));
     const bool differs = overrides.has(type, field.name);
-    const bool asItShould = overrides.isPart ? !differs : shared.isDefault;
+    const bool stays = ids.size() == 1 && !ui.workspace.play.running() &&
+                       isPlaceOfRoot(ui.workspace.document, ids.front(), type, field.name);
+    const bool asItShould = stays || (overrides.isPart ? !differs : shared.isDefault);
     if (differs) drawPrefabBar(ui, ImGui::GetCursorScreenPos(), ImGui::GetFrameHeight());
     ImGui::BeginGroup();
     const float arrow = asItShould ? ui.px(4.0f) : ui.px(20.0f);
@@ -174,6 +185,12 @@ void ComponentView::drawField(const Shown& shown, const FieldInfo& field) {
     ImGui::SameLine(0.0f, 0.0f);
     if (!asItShould) drawReset(row, shown, start + labelWidth);
     ImGui::SetCursorPosX(start + labelWidth);
+    if (stays) {
+        drawPlaceOfRoot(ui, path);
+        ImGui::EndGroup();
+        ImGui::PopID();
+        return;
+    }
     ImGui::BeginGroup();
     fields_.draw(row);
     ImGui::EndGroup();

@@ -8,6 +8,7 @@
 #include "editor/model/actions.hpp"
 #include "editor/model/bounds.hpp"
 #include "editor/model/go_inside.hpp"
+#include "editor/model/root_place.hpp"
 #include "editor/model/scene_boxes.hpp"
 #include "editor/model/sight.hpp"
 #include "editor/ui/overlays/overlay_edge.hpp"
@@ -52,9 +53,9 @@ public:
                                ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonMiddle |
                                    ImGuiButtonFlags_MouseButtonRight);
         ui.widgets.mark("Viewport");
-        from_ = {from.x, from.y};
         if (ImGui::IsItemClicked(ImGuiMouseButton_Right))
             ImGui::SetWindowFocus();  // keys mean the scene again
+        from_ = {from.x, from.y};
         dropIntoScene(ui, from_);
         offerMenu(ui);
         followGame(ui);
@@ -144,6 +145,9 @@ private:
             pointer_.secondary = right;
             workspace.tool().press(context, pointer_);
             pressed_ = true;
+            const std::string_view tool = toolTable()[workspace.toolIndex()].action;
+            const bool scales = tool == "tool.scale" || tool == "tool.shape" || workspace.paintsTiles();
+            onRoot_ = !scales && pointer_.modifiers == Modifiers{} && onlyRootSelected(workspace.document);
             twice_ = io.MouseDoubleClicked[0] && pointer_.modifiers == Modifiers{};
             moved_ = pointer_.position;
         } else if (pressed_ && !io.MouseDown[pointer_.secondary ? 1 : 0]) {
@@ -153,7 +157,9 @@ private:
             if (std::exchange(twice_, false) && !workspace.paintsTiles())
                 goInside(workspace, pointer_.position, pointer_.reach);
         } else if (pressed_ && pointer_.position != moved_) {
+            const std::size_t steps = workspace.undo.size();
             workspace.tool().drag(context, pointer_);
+            if (onRoot_ && workspace.undo.size() == steps) workspace.notice = kRootStays;
             moved_ = pointer_.position;
             twice_ = false;
         }
@@ -414,7 +420,8 @@ private:
     std::uint64_t previewed_ = ~0ull;  ///< the revision of the document that its bodies are of
     bool panning_ = false;
     bool pressed_ = false;
-    bool twice_ = false;  ///< it was the second press of a double click, and nothing was dragged yet
+    bool onRoot_ = false;  ///< it was pressed on the first entity of a prefab, which does not move
+    bool twice_ = false;   ///< it was the second press of a double click, and nothing was dragged yet
     bool playing_ = false;
     Overlay overlay_;
     std::vector<EntityId> selected_;
