@@ -232,12 +232,12 @@ void EditorWindow::drawMenus() {
                 continue;
             }
             actionItem(ui_, action.id, std::string{"Menu/"} + menu);
-        }
             // People look for these here as well.
             if (action.id == "entity.rename") {
                 for (const char* id : {"edit.duplicate", "edit.delete"})
                     actionItem(ui_, id, std::string{"Menu/"} + menu);
             }
+        }
         if (std::string_view{menu} == "View") {
             layoutMenu_.drawItems(ui_);
             drawOverlayMenu();

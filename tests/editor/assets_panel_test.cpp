@@ -64,6 +64,26 @@ TEST_F(AssetsPanelTest, filesAreFoundByTheirNameAndFoldersEntered) {
     EXPECT_EQ(valueOf("Assets/scenes/level.scene.json"), "scene");
 }
 
+TEST_F(AssetsPanelTest, wholeRowsAreSeenAndNamesAreCutOnlyWhereThereIsNoRoom) {
+    for (int i = 0; i < 40; ++i) putFile(format("assets/many/picture{}.png", i), *encodePng(sheet()));
+    putFile("assets/many/a_very_long_name_of_a_picture.png", *encodePng(sheet()));
+    hands.rest(60);
+    hands.click("Assets/folder/assets/many");
+    hands.rest(2);
+    EXPECT_EQ(valueOf("Assets/name/assets/many/picture0.png"), "picture0");
+    EXPECT_NE(valueOf("Assets/name/assets/many/a_very_long_name_of_a_picture.png").find(".."),
+              std::string::npos);
+    // None begins in the panel and ends below it.
+    const float end = window.widgets().find("Status/notice")->box.min.y;
+    int seen = 0;
+    for (const auto& [path, widget] : window.widgets().all()) {
+        if (path.find("Assets/assets/many/") != 0 || widget.box.min.y >= end - 12.0f) continue;
+        ++seen;
+        EXPECT_LE(widget.box.max.y, end) << path;
+    }
+    EXPECT_GT(seen, 10);
+}
+
 TEST_F(AssetsPanelTest, aPictureIsDraggedIntoTheSceneAndStandsWhereItWasDropped) {
     workspace.grid.snap = false;
     const Vec2 target = hands.middleOf("Viewport");
@@ -92,26 +112,6 @@ TEST_F(AssetsPanelTest, aFileIsRenamedByItsMenuAndEverythingThatNamesItFollows) 
     EXPECT_EQ(workspace.undo.size(), 1u);
 }
 
-TEST_F(AssetsPanelTest, deletingAsksAndKeepingKeeps) {
-    hands.click("Assets/assets/hero.png");
-    hands.clickAt(hands.middleOf("Assets/assets/hero.png"), MouseButton::Right);
-    hands.click("Assets/menu/Delete...");
-    hands.rest(2);
-    hands.click("Delete/Keep");
-    hands.rest(2);
-    EXPECT_EQ(workspace.undo.size(), 0u);
-    hands.clickAt(hands.middleOf("Assets/assets/hero.png"), MouseButton::Right);
-    hands.click("Assets/menu/Delete...");
-    hands.rest(2);
-    hands.click("Delete/Delete");
-    hands.rest(2);
-    EXPECT_FALSE(std::filesystem::exists(workspace.project.root / "assets/hero.png"));
-    workspace.undo.undo();
-    EXPECT_TRUE(std::filesystem::exists(workspace.project.root / "assets/hero.png"));
-}
-
-TEST_F(AssetsPanelTest, aMapIsChosenImportedAndItsReportShown) {
-    putFile("maps/cave.tmx",
 TEST_F(AssetsPanelTest, afterTheMenuWasLeftTheKeysMeanTheFile) {
     workspace.document.selection.set({named("crate")});
     hands.clickAt(hands.middleOf("Viewport"), MouseButton::Right);
@@ -142,6 +142,26 @@ TEST_F(AssetsPanelTest, afterTheMenuWasLeftTheKeysMeanTheFile) {
     EXPECT_FALSE(named("crate"));
 }
 
+TEST_F(AssetsPanelTest, deletingAsksAndKeepingKeeps) {
+    hands.click("Assets/assets/hero.png");
+    hands.clickAt(hands.middleOf("Assets/assets/hero.png"), MouseButton::Right);
+    hands.click("Assets/menu/Delete...");
+    hands.rest(2);
+    hands.click("Delete/Keep");
+    hands.rest(2);
+    EXPECT_EQ(workspace.undo.size(), 0u);
+    hands.clickAt(hands.middleOf("Assets/assets/hero.png"), MouseButton::Right);
+    hands.click("Assets/menu/Delete...");
+    hands.rest(2);
+    hands.click("Delete/Delete");
+    hands.rest(2);
+    EXPECT_FALSE(std::filesystem::exists(workspace.project.root / "assets/hero.png"));
+    workspace.undo.undo();
+    EXPECT_TRUE(std::filesystem::exists(workspace.project.root / "assets/hero.png"));
+}
+
+TEST_F(AssetsPanelTest, aMapIsChosenImportedAndItsReportShown) {
+    putFile("maps/cave.tmx",
             R"(<map orientation="orthogonal" width="1" height="1" tilewidth="16" tileheight="16">
         <tileset firstgid="1" name="t" tilewidth="16" tileheight="16"><image source="gone.png" width="16" height="16"/></tileset>
         <layer name="a" width="1" height="1"><data encoding="csv">1</data></layer></map>)");

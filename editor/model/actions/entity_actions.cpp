@@ -76,12 +76,12 @@ void stepInTreeBy(Workspace& w) {
 }
 
 bool onInstance(const Workspace& w) { return withSelection(w) && w.selectsInstance(); }
+bool changedInstance(const Workspace& w) { return onInstance(w) && instancesDiffer(w); }
 bool comesFromPrefab(const Workspace& w) { return onInstance(w) && !prefabInHand(w).empty(); }
 bool canLeavePrefab(const Workspace& w) { return w.canEdit() && !behindPrefab(w).empty(); }
 
 const std::array kRows{
     Action{"entity.create", "Entity", "Create entity", control(Key::N), editable, create},
-bool changedInstance(const Workspace& w) { return onInstance(w) && instancesDiffer(w); }
     Action{"entity.particles", "Entity", "Add particles", {}, editable, createParticles},
     Action{"entity.prefab", "Entity", "Add prefab...", control(Key::N, true), editable,
            ask<WindowRequest::ChoosePrefab>},

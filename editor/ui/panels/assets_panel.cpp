@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <functional>
 
 #include "core/text.hpp"
@@ -10,6 +11,7 @@
 #include "editor/ui/dialogs/import_dialog.hpp"
 #include "editor/ui/panels/panels.hpp"
 #include "editor/ui/ui_compat.hpp"
+#include "editor/ui/widgets/asset_mark.hpp"
 #include "editor/ui/widgets/asset_picture.hpp"
 #include "editor/ui/widgets/empty_state.hpp"
 #include "editor/ui/widgets/text_field.hpp"
@@ -19,6 +21,9 @@ namespace {
 
 constexpr float kTreeWidth = 170.0f;  // px at scale 1
 constexpr float kPictureSide = 76.0f;
+constexpr float kLeastSide = 48.0f;  // of pictures that make room for one row more
+constexpr float kMostSide = 124.0f;
+constexpr float kBetween = 12.0f;   // from picture to picture
 constexpr double kLookAgain = 0.5;  // s
 
 /// The end of a name that fits; what matters is most often at the beginning and the end.
@@ -31,6 +36,27 @@ std::string fitted(std::string_view name, float width) {
         if (ImGui::CalcTextSize(text.c_str()).x <= width) break;
     }
     return text;
+}
+
+/// How large pictures are, and how many stand beside each other.
+struct Rows {
+    float side;  // px
+    int columns;
+};
+
+/// Pictures as large as usual where all of them are seen; else so large that whole rows are.
+/// @param room   px
+/// @param below  px, from a picture to the row after it
+Rows rowsFitting(std::size_t items, ImVec2 room, float below, const Ui& ui) {
+    const auto across = [&](float side) {
+        return std::max(static_cast<int>((room.x + ui.px(kBetween)) / (side + ui.px(kBetween))), 1);
+    };
+    const float usual = ui.px(kPictureSide);
+    const int rows = (static_cast<int>(items) + across(usual) - 1) / across(usual);
+    if (static_cast<float>(rows) * (usual + below) <= room.y) return {usual, across(usual)};
+    const float seen = std::max(std::floor(room.y / (ui.px(kLeastSide) + below)), 1.0f);
+    const float side = std::clamp(std::floor(room.y / seen - below), ui.px(kLeastSide), ui.px(kMostSide));
+    return {side, across(side)};
 }
 
 /// The files of the project: looked through, searched, dragged into the scene, renamed and deleted.
@@ -114,9 +140,9 @@ private:
                                     {"file.import"})
                        : emptyState(ui, "Assets", "No file has this in its name.", "Try fewer letters.");
         }
-        const float side = ui.px(kPictureSide);
-        const float step = side + ui.px(12.0f);
-        const int columns = std::max(static_cast<int>((ImGui::GetContentRegionAvail().x) / step), 1);
+        const float below = nameHeight(ui) + ImGui::GetStyle().ItemSpacing.y;
+        const auto [side, columns] = rowsFitting(items.size(), ImGui::GetContentRegionAvail(), below, ui);
+        const float step = side + ui.px(kBetween);
         for (int i = 0; i < static_cast<int>(items.size()); ++i) {
             if (i % columns != 0) ImGui::SameLine(static_cast<float>(i % columns) * step);
             drawItem(ui, browser, items[static_cast<std::size_t>(i)], side);
@@ -152,11 +178,12 @@ private:
         return false;
     }
 
+    [[nodiscard]] static float nameHeight(const Ui& ui) { return ImGui::GetTextLineHeight() + ui.px(4.0f); }
+
     void drawItem(Ui& ui, AssetBrowser& browser, const AssetItem& item, float side) {
         ImGui::PushID(item.path.c_str());
         const ImVec2 at = ImGui::GetCursorScreenPos();
-        const float line = ImGui::GetTextLineHeight();
-        ImGui::InvisibleButton("item", {side, side + line + ui.px(4.0f)});
+        ImGui::InvisibleButton("item", {side, side + nameHeight(ui)});
         ui.widgets.mark("Assets/" + item.path, nameOfKind(item.kind));
         const bool hovered = ImGui::IsItemHovered();
         if (hovered && ImGui::IsMouseClicked(0)) browser.selected = item.path;
@@ -179,12 +206,15 @@ private:
             drawFolderSign(list, box);
         } else if (ImGui::IsRectVisible(at, to)) {
             drawAsset(ui, list, item.kind, item.path, box, playing);
+            drawAssetMark(ui, list, item.kind, {to.x - ui.px(2.0f), to.y - ui.px(2.0f)});
         }
         if (chosen || hovered)
             outline(list, at, to, chosen ? palette::kAccent : palette::kCardLine, ui.px(4.0f),
                     chosen ? 2.0f : 1.0f);
-        const std::string name = fitted(item.title(), side);
+        // It may reach half way to its neighbors.
+        const std::string name = fitted(item.title(), side + ui.px(kBetween - 2.0f));
         const float width = ImGui::CalcTextSize(name.c_str()).x;
+        ui.widgets.mark(format("Assets/name/{}", item.path), name);
         list.AddText({at.x + (side - width) * 0.5f, to.y + ui.px(2.0f)},
                      chosen ? palette::kText : palette::kTextDim, name.c_str());
         if (hovered) tooltip(format("{}\n{}", item.path, item.folder ? "folder" : browser.describe(item)));
@@ -306,6 +336,8 @@ private:
     std::string hoveredPath_;
     double hoveredSince_ = 0.0;
     std::string hovering_;
+    bool waits_ = false;  ///< for keys
+    int keysSeen_ = 0;    ///< the frame in which the files were drawn last
     std::string rename_;  ///< asked for in this frame
     std::string delete_;
     std::string subject_;
@@ -319,5 +351,3 @@ private:
 std::unique_ptr<Panel> makeAssetsPanel() { return std::make_unique<AssetsPanel>(); }
 
 }  // namespace plumb::editor::ui
-    bool waits_ = false;  ///< for keys
-    int keysSeen_ = 0;    ///< the frame in which the files were drawn last
