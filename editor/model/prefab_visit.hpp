@@ -11,7 +11,7 @@ namespace plumb::editor {
 
 /// Whether a prefab is open.
 bool editsPrefab(const Workspace& workspace);
-/// The prefab of the entity in hand, or of its instance; empty when it comes from none.
+/// The prefab of what is selected, or of its instance; empty when that is none, or several.
 std::string prefabInHand(const Workspace& workspace);
 
 /// Opens a prefab's file for editing. @error  it cannot be read; what was open before is open again
