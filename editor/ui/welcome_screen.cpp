@@ -39,7 +39,8 @@ Path pathFrom(const std::string& text) {
 
 std::string shortened(const std::string& folder) {
     const std::string home = homeFolder().string();
-    if (home.size() > 1 && startsWith(folder, home + "/")) return format("~{}", std::string_view{folder}.substr(home.size()));
+    if (home.size() > 1 && startsWith(folder, home + "/"))
+        return format("~{}", std::string_view{folder}.substr(home.size()));
     return folder;
 }
 
@@ -168,7 +169,8 @@ void WelcomeScreen::drawNew(Ui& ui) {
     ImGui::Dummy({0.0f, ui.px(4.0f)});
     label(ui, "Name");
     if (std::exchange(focus_, false)) ImGui::SetKeyboardFocusHere();
-    bool done = textField("##name", name_, ImGuiInputTextFlags_EnterReturnsTrue, "My Game");
+    bool done = textField(
+        "##name", name_, ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll, "My Game");
     ui.widgets.mark("Welcome/name", name_);
     follow();
     label(ui, "Folder");

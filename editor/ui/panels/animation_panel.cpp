@@ -34,11 +34,13 @@ public:
         drawClips(ui);
         ImGui::EndChild();
         ImGui::SameLine();
-        beginChild("middle", {-ui.px(kPreviewWidth), 0.0f}, false);
-        drawFrames(ui);
-        drawSheet(ui);
-        ImGui::EndChild();
-        ImGui::SameLine();
+        if (!graph_) {  // which takes their room
+            beginChild("middle", {-ui.px(kPreviewWidth), 0.0f}, false);
+            drawFrames(ui);
+            drawSheet(ui);
+            ImGui::EndChild();
+            ImGui::SameLine();
+        }
         beginChild("preview", {0.0f, 0.0f}, false);
         drawPreview(ui);
         ImGui::EndChild();
@@ -66,6 +68,9 @@ private:
         ImGui::TextUnformatted(edit_->path().substr(edit_->path().rfind('/') + 1).c_str());
         ui.widgets.mark("Animation/file", edit_->path());
         tooltip(edit_->path());
+        ImGui::AlignTextToFramePadding();
+        ImGui::TextDisabled("Cell");
+        ImGui::SameLine(ui.px(40.0f));
         std::array cells{set.frameWidth, set.frameHeight};
         ImGui::SetNextItemWidth(-1.0f);
         ImGui::InputInt2("##cells", cells.data());

@@ -17,7 +17,8 @@ constexpr float kNameWidth = 150.0f;  // px at scale 1
 constexpr float kPartWidth = 70.0f;   // px at scale 1
 constexpr float kChipHeight = 22.0f;  // px at scale 1
 constexpr const char* kPress = "Press a key";
-constexpr const char* kAdd = "New action or axis";
+constexpr const char* kAddAction = "New action###add input";
+constexpr const char* kAddAxis = "New axis###add input";
 
 /// "Input/Jump", "Input/Horizontal/negative".
 std::string pathOf(const InputMapEdit::Place& place) {
@@ -72,7 +73,7 @@ private:
                 adding_ = kind;
                 newName_.clear();
                 error_.clear();
-                ImGui::OpenPopup(kAdd);
+                ImGui::OpenPopup(kAddAction);
             }
             ui.widgets.mark(format("Input/{}", label));
             ImGui::SameLine(0.0f, ui.px(4.0f));
@@ -204,7 +205,7 @@ private:
         ImDrawList& list = *ImGui::GetWindowDrawList();
         const ImVec2 to{at.x + width, at.y + height};
         list.AddRectFilled(at, to, palette::kField, ui.px(4.0f));
-        if (!others.empty()) outline(list, at, to, palette::kWarning, ui.px(4.0f));
+        outline(list, at, to, others.empty() ? palette::kBorder : palette::kWarning, ui.px(4.0f));
         const float line = at.y + (height - ImGui::GetTextLineHeight()) * 0.5f;
         list.AddText({at.x + ui.px(8.0f), line}, palette::kText, text.c_str());
         const ImVec2 middle{to.x - cross * 0.5f, at.y + height * 0.5f};
@@ -293,7 +294,9 @@ private:
 
     void drawAdd(Ui& ui) {
         ImGui::SetNextWindowSize({ui.px(360.0f), 0.0f});
-        if (!ImGui::BeginPopupModal(kAdd, nullptr, ImGuiWindowFlags_NoResize)) return;
+        if (!ImGui::BeginPopupModal(adding_ == Kind::Action ? kAddAction : kAddAxis, nullptr,
+                                    ImGuiWindowFlags_NoResize))
+            return;
         ImGui::TextDisabled("%s", adding_ == Kind::Action ? "The name that scenes and code call the action by"
                                                           : "The name that code calls the axis by");
         if (ImGui::IsWindowAppearing() || std::exchange(typeAgain_, false)) ImGui::SetKeyboardFocusHere();

@@ -53,6 +53,7 @@ bool shapeButton(Ui& ui, TileShape shape, bool on) {
     tooltip(kShapeWords[static_cast<std::size_t>(shape)]);
     ImDrawList& list = *ImGui::GetWindowDrawList();
     list.AddRectFilled(at, {at.x + side, at.y + side}, palette::kField, ui.px(3.0f));
+    outline(list, at, {at.x + side, at.y + side}, palette::kBorder, ui.px(3.0f));
     const float inset = ui.px(5.0f);
     const float room = side - 2.0f * inset;
     Tile tile;
@@ -181,14 +182,23 @@ private:
     int grabbed_ = -1;
 };
 
+void labelBefore(const Ui& ui, const char* label) {
+    const float left = ImGui::GetCursorPosX();
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextDisabled("%s", label);
+    ImGui::SameLine();
+    ImGui::SetCursorPosX(left + ui.px(78.0f));
+}
+
 /// A number of all chosen tiles, written when Enter is pressed or the box is left.
 void drawNumber(Ui& ui, const Tileset& tileset, std::span<const int> chosen, const char* label,
                 float Tile::*member, float least, const char* words) {
     const bool mixed = isMixed(tileset, chosen, [&](const Tile& tile) { return tile.*member; });
     float value = firstOf(tileset, chosen).*member;
+    labelBefore(ui, label);
     ImGui::SetNextItemWidth(ui.px(84.0f));
     const char* shown = mixed ? "-" : value < 0.0f ? "as layer" : "%.2f";
-    ImGui::InputFloat(label, &value, 0.0f, 0.0f, shown);
+    ImGui::InputFloat(format("##{}", label).c_str(), &value, 0.0f, 0.0f, shown);
     ui.widgets.mark(std::string{"Tileset/"} + label, mixed ? "-" : format("{}", value));
     tooltip(words);
     if (ImGui::IsItemDeactivatedAfterEdit() && std::isfinite(value))
@@ -210,7 +220,8 @@ public:
         ImGui::SameLine(0.0f, ui.px(10.0f));
         ImGui::BeginGroup();
         bool oneWay = firstOf(tileset, chosen).oneWay;
-        if (ImGui::Checkbox("one-way", &oneWay))
+        labelBefore(ui, "one-way");
+        if (ImGui::Checkbox("##one-way", &oneWay))
             changeTiles(ui, "set one-way", chosen, [&](Tile& tile) { tile.oneWay = oneWay; });
         ui.widgets.mark("Tileset/oneWay", oneWay ? "on" : "off");
         tooltip("Solid only from above, whatever the shape.");

@@ -202,6 +202,7 @@ private:
             if (clicked) runAction(ui.workspace, format("tiles.recall{}", i + 1));
             ImDrawList& list = *ImGui::GetWindowDrawList();
             list.AddRectFilled(at, {at.x + side, at.y + side}, palette::kField, ui.px(3.0f));
+            outline(list, at, {at.x + side, at.y + side}, palette::kBorder, ui.px(3.0f));
             if (tiles.kept[i] && tileset != nullptr) {
                 drawStamp(ui, *tileset, *tiles.kept[i], {at.x, at.y}, side, palette::kLine);
             } else {

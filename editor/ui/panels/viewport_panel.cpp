@@ -29,6 +29,7 @@
 namespace plumb::editor::ui {
 namespace {
 
+constexpr float kTitleRoom = 96.0f;      // px at scale 1
 constexpr float kReach = 3.0f;           // px on screen
 constexpr ImU32 kLeastEdge = 8;          // alpha of an edge that is drawn
 constexpr std::size_t kMostBoxes = 500;  // of selected things: more would hide the scene, and cost
@@ -133,8 +134,9 @@ private:
         pointer_.snap = workspace.grid.snap != io.KeyCtrl;
         pointer_.grid = workspace.grid.step();
         pointer_.angle = workspace.grid.snapAngles ? workspace.grid.angle : 0.0f;
-        pointer_.reach = kReach / workspace.view.zoom();
-        pointer_.pixel = 1.0f / workspace.view.zoom();
+        // Handles are as large as the rest of the interface, and as easy to get.
+        pointer_.reach = ui.px(kReach) / workspace.view.zoom();
+        pointer_.pixel = ui.scale / workspace.view.zoom();
         if (!workspace.canEdit() || workspace.document.scenePath.empty()) {
             if (ImGui::IsItemActivated() && workspace.play.running()) inspectRunning(workspace);
             return;
@@ -303,10 +305,16 @@ private:
                               keys("run.play"))
                      : format("PLAYING - {} stops and asks what to keep of your changes", keys("run.play"));
         const ImVec2 extent = ImGui::CalcTextSize(words.c_str());
-        const ImVec2 corner{from.x + (to.x - from.x - extent.x) * 0.5f - ui.px(10.0f), from.y};
-        list.AddRectFilled(corner, {corner.x + extent.x + ui.px(20.0f), corner.y + extent.y + ui.px(9.0f)},
-                           color, ui.px(5.0f), ImDrawFlags_RoundCornersBottom);
-        list.AddText({corner.x + ui.px(10.0f), corner.y + ui.px(4.0f)}, palette::kOnStatus, words.c_str());
+        // Beside the title of the panel: over the picture it would hide what the game writes at its top.
+        const float middle = from.x + (to.x - from.x - extent.x) * 0.5f;
+        const ImVec2 at{std::floor(std::max(middle, from.x + ui.px(kTitleRoom))),
+                        from.y - extent.y - ui.px(4.0f)};
+        const ImVec2 margin{ui.px(10.0f), ui.px(4.0f)};
+        list.PushClipRect({from.x, at.y - margin.y}, to);
+        list.AddRectFilled({at.x - margin.x, at.y - margin.y}, {at.x + extent.x + margin.x, from.y}, color,
+                           ui.px(5.0f), ImDrawFlags_RoundCornersTop);
+        list.AddText(at, palette::kOnStatus, words.c_str());
+        list.PopClipRect();
     }
 
     void drawSelection(Ui& ui, const World& world) {
@@ -350,18 +358,24 @@ private:
         return {at.x, at.y};
     }
 
+    /// px on screen; of a line that is as thick as the words beside it, at any scale.
+    static float thicknessOf(const Ui& ui, const Overlay::Shape& shape) {
+        return std::max(shape.thickness * ui.scale, std::min(shape.thickness, 1.0f));
+    }
+
     void drawShape(Ui& ui, ImDrawList& list, const Overlay::Shape& shape) const {
         const ImVec2 a = onScreen(ui, shape.from);
         const ImVec2 b = onScreen(ui, shape.to);
         const ImU32 color = toImgui(shape.color);
+        const float thickness = thicknessOf(ui, shape);
         drawHalo(ui, list, shape, a, b);
         switch (shape.kind) {
-            case Overlay::Kind::Line: list.AddLine(a, b, color, shape.thickness); break;
-            case Overlay::Kind::Arrow: drawArrow(list, a, b, color, shape.thickness); break;
-            case Overlay::Kind::Box: outline(list, a, b, color, 0.0f, shape.thickness); break;
+            case Overlay::Kind::Line: list.AddLine(a, b, color, thickness); break;
+            case Overlay::Kind::Arrow: drawArrow(ui, list, a, b, color, thickness); break;
+            case Overlay::Kind::Box: outline(list, a, b, color, 0.0f, thickness); break;
             case Overlay::Kind::FilledBox: list.AddRectFilled(a, b, color); break;
             case Overlay::Kind::Circle:
-                list.AddCircle(a, shape.radius * ui.workspace.view.zoom(), color, 0, shape.thickness);
+                list.AddCircle(a, shape.radius * ui.workspace.view.zoom(), color, 0, thickness);
                 break;
             case Overlay::Kind::Tile:
                 if (const Tileset* tileset = ui.workspace.assets.find(shape.tileset))
@@ -378,7 +392,7 @@ private:
     }
 
     static void drawHalo(const Ui& ui, ImDrawList& list, const Overlay::Shape& shape, ImVec2 a, ImVec2 b) {
-        const float thickness = shape.thickness + 2.0f;
+        const float thickness = thicknessOf(ui, shape) + ui.px(2.0f);
         const ImU32 color = edgeOf(shape.color);
         if (color >> IM_COL32_A_SHIFT < kLeastEdge) return;
         switch (shape.kind) {
@@ -394,13 +408,14 @@ private:
         }
     }
 
-    static void drawArrow(ImDrawList& list, ImVec2 a, ImVec2 b, ImU32 color, float thickness) {
+    static void drawArrow(const Ui& ui, ImDrawList& list, ImVec2 a, ImVec2 b, ImU32 color, float thickness) {
         list.AddLine(a, b, color, thickness);
         const Vec2 along = normalized(Vec2{b.x - a.x, b.y - a.y});
         const Vec2 side = perpendicular(along);
-        const Vec2 back = Vec2{b.x, b.y} - along * 9.0f;
-        list.AddTriangleFilled(b, {back.x + side.x * 4.5f, back.y + side.y * 4.5f},
-                               {back.x - side.x * 4.5f, back.y - side.y * 4.5f}, color);
+        const Vec2 back = Vec2{b.x, b.y} - along * ui.px(9.0f);
+        const Vec2 wing = side * ui.px(4.5f);
+        list.AddTriangleFilled(b, {back.x + wing.x, back.y + wing.y}, {back.x - wing.x, back.y - wing.y},
+                               color);
     }
 
     static void drawHint(Ui& ui, ImVec2 from, ImVec2 size) {

@@ -32,6 +32,7 @@ bool wordButton(const Ui& ui, const std::string& text, float width, bool lines, 
     list.AddRectFilled(
         from, to, ImGui::GetColorU32(ImGui::IsItemHovered() ? ImGuiCol_FrameBgHovered : ImGuiCol_FrameBg),
         style.FrameRounding);
+    if (style.FrameBorderSize > 0.0f) outline(list, from, to, palette::kBorder, style.FrameRounding);
     list.PushClipRect({from.x + ui.px(2.0f), from.y}, {to.x - ui.px(2.0f), to.y}, true);
     list.AddText({from.x + style.FramePadding.x, from.y + style.FramePadding.y},
                  dim ? palette::kTextDim : palette::kText, text.c_str());

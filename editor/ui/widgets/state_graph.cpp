@@ -10,6 +10,7 @@
 namespace plumb::editor::ui {
 namespace {
 
+constexpr float kBeside = 380.0f;  // px at scale 1
 constexpr std::array kComparisons{">", "<", ">=", "<=", "==", "!="};
 
 Vec2 placeOf(int state, int count, Vec2 center, Vec2 radius) {
@@ -18,19 +19,31 @@ Vec2 placeOf(int state, int count, Vec2 center, Vec2 radius) {
     return center + (count < 2 ? Vec2{} : Vec2{std::cos(angle) * radius.x, std::sin(angle) * radius.y});
 }
 
-void drawArrow(ImDrawList& list, Vec2 from, Vec2 to, float shorten, ImU32 color) {
+/// How far the edge of a box lies from its middle, along a way.
+float edgeOf(Vec2 box, Vec2 step) {
+    const float across = box.x * 0.5f / std::max(std::abs(step.x), 1e-4f);
+    const float down = box.y * 0.5f / std::max(std::abs(step.y), 1e-4f);
+    return std::min(across, down);
+}
+
+/// From one box to another. @param leave  the box that it begins at; none: it begins at a point
+void drawArrow(const Ui& ui, ImDrawList& list, Vec2 from, Vec2 to, Vec2 leave, Vec2 reach, ImU32 color) {
     const Vec2 way = to - from;
     const float length = std::sqrt(way.x * way.x + way.y * way.y);
-    if (length < shorten * 2.0f + 1.0f) return;
+    if (length < 1.0f) return;
     const Vec2 step = way / length;
+    const float start = edgeOf(leave, step);
+    const float end = edgeOf(reach, step) + ui.px(2.0f);
+    if (length < start + end + ui.px(4.0f)) return;
     const Vec2 side{-step.y, step.x};
     // Two ways between the same boxes lie beside each other.
-    const Vec2 a = from + step * shorten + side * 4.0f;
-    const Vec2 b = to - step * shorten + side * 4.0f;
-    list.AddLine({a.x, a.y}, {b.x, b.y}, color, 1.5f);
-    const Vec2 back = b - step * 7.0f;
-    list.AddTriangleFilled({b.x, b.y}, {back.x + side.x * 4.0f, back.y + side.y * 4.0f},
-                           {back.x - side.x * 4.0f, back.y - side.y * 4.0f}, color);
+    const Vec2 a = from + step * start + side * ui.px(4.0f);
+    const Vec2 b = to - step * end + side * ui.px(4.0f);
+    list.AddLine({a.x, a.y}, {b.x, b.y}, color, ui.px(1.5f));
+    const Vec2 back = b - step * ui.px(7.0f);
+    const Vec2 wing = side * ui.px(4.0f);
+    list.AddTriangleFilled({b.x, b.y}, {back.x + wing.x, back.y + wing.y}, {back.x - wing.x, back.y - wing.y},
+                           color);
 }
 
 /// "after its end, speed > 1"
@@ -79,8 +92,11 @@ void drawStateGraph(Ui& ui, AnimationEdit& edit, int clip, int& state) {
         return;
     }
     const ImVec2 at = ImGui::GetCursorScreenPos();
-    const ImVec2 room{ImGui::GetContentRegionAvail().x,
-                      std::max(ImGui::GetContentRegionAvail().y * 0.6f, ui.px(90.0f))};
+    // The transitions stand beside the states, or below them where that is too narrow.
+    const ImVec2 all = ImGui::GetContentRegionAvail();
+    const bool wide = all.x >= ui.px(kBeside);
+    const ImVec2 room{wide ? std::floor(all.x * 0.6f) : all.x,
+                      wide ? std::max(all.y, ui.px(90.0f)) : std::max(all.y * 0.6f, ui.px(90.0f))};
     const Vec2 box{ui.px(68.0f), ui.px(22.0f)};
     const Vec2 center{at.x + room.x * 0.5f, at.y + room.y * 0.5f};
     const Vec2 radius{room.x * 0.5f - box.x * 0.55f, room.y * 0.5f - box.y * 0.8f};
@@ -89,7 +105,7 @@ void drawStateGraph(Ui& ui, AnimationEdit& edit, int clip, int& state) {
     for (const AnimationTransition& transition : set.transitions) {
         const Vec2 to = placeOf(transition.to, count, center, radius);
         const Vec2 from = transition.from < 0 ? center : placeOf(transition.from, count, center, radius);
-        drawArrow(list, from, to, transition.from < 0 ? 0.0f : box.y, palette::kTextDim);
+        drawArrow(ui, list, from, to, transition.from < 0 ? Vec2{} : box, box, palette::kTextDim);
     }
     for (int i = 0; i < count; ++i) {
         const std::string& name = set.states[static_cast<std::size_t>(i)].name;
@@ -124,8 +140,11 @@ void drawStateGraph(Ui& ui, AnimationEdit& edit, int clip, int& state) {
                      palette::kText, name.c_str());
         list.PopClipRect();
     }
-    ImGui::SetCursorScreenPos({at.x, at.y + room.y + ui.px(4.0f)});
+    ImGui::SetCursorScreenPos(wide ? ImVec2{at.x + room.x + ui.px(10.0f), at.y}
+                                   : ImVec2{at.x, at.y + room.y + ui.px(4.0f)});
+    beginChild("transitions", {0.0f, wide ? room.y : 0.0f}, false);
     drawTransitions(ui, edit);
+    ImGui::EndChild();
 }
 
 }  // namespace plumb::editor::ui

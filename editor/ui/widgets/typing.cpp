@@ -61,7 +61,9 @@ void Typing::draw(Ui& ui) {
     drawn_ = true;
     if (std::exchange(focus_, false)) ImGui::SetKeyboardFocusHere();
     const bool refused = !problem_.empty();
-    if (refused) ImGui::PushStyleColor(ImGuiCol_FrameBg, IM_COL32(84, 36, 40, 255));
+    ImVec4 red = colorOf(palette::kError);
+    red.w = 0.3f;  // what was typed is read through it
+    if (refused) ImGui::PushStyleColor(ImGuiCol_FrameBg, red);
     const bool entered = input();
     if (refused) ImGui::PopStyleColor();
     ui.widgets.mark(path_, text_);

@@ -40,6 +40,17 @@ TEST_F(Gizmos, anArrowMovesAlongItsAxis) {
     EXPECT_NEAR(place().position.y, 76.0f, 1.5f);
 }
 
+TEST_F(Gizmos, handlesAreAsLargeAsTheRestOfTheInterface) {
+    workspace.grid.snap = false;
+    workspace.settings.scale = 2.0f;
+    hands.rest(3);
+    press("W");
+    const float reach = 1.7f * AxisHandles::kArm / workspace.view.zoom();
+    pull(place().position + Vec2{reach, 0.0f}, {30.0f, 12.0f});
+    EXPECT_NEAR(place().position.x, 230.0f, 1.5f);
+    EXPECT_EQ(place().position.y, 64.0f);
+}
+
 TEST_F(Gizmos, theRingTurnsInStepsOfFifteenDegreesAndControlTurnsFreely) {
     press("E");
     const float ring = RotateTool::kRing / workspace.view.zoom();
