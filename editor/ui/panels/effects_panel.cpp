@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <utility>
 
 #include "core/text.hpp"
 #include "editor/model/effects/effects_view.hpp"
