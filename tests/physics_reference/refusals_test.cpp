@@ -45,6 +45,14 @@ TEST(ReferenceRefusals, whatIsNotModelledIsNamed) {
         ASSERT_TRUE(physics::applyForce(scene.world, ball, {1.0f, 0.0f}).ok());
         expectSays(refusal(scene.world), "force of one step");
     }
+    {
+        Playground scene;
+        const BodyId wall = scene.body(BodyKind::Static, {}), ball = scene.ball({});
+        ASSERT_TRUE(physics::createJoint(scene.world,
+                                         {.kind = JointKind::Motor, .a = wall, .b = ball, .maxForce = 1.0f})
+                        .ok());
+        expectSays(refusal(scene.world), "joint 0 pulls as hard as it may");
+    }
     expectSays(refusal({}, -1.0), "expected a time");
 }
 

@@ -164,6 +164,19 @@ double GroupStep::takeSolution(double h) {
     return change;
 }
 
+/// A spring with a limited force is modelled as long as it does not reach it.
+void GroupStep::checkSprings(double h) {
+    for (std::size_t r = 0; r < lawOfRow_.size() && state_.trouble.empty(); ++r) {
+        const Row& row = system_.rows[r];
+        if (row.give == 0.0) continue;
+        const bool hasTwin = r > 0 && lawOfRow_[r - 1] == lawOfRow_[r];
+        const double force = hasTwin ? std::hypot(row.impulse, system_.rows[r - 1].impulse) : row.impulse;
+        const Law& law = scene_.laws[lawOfRow_[r]];
+        if (std::fabs(force) <= law.most * h * (1.0 + 1.0e-9)) continue;
+        state_.trouble = format("joint {} pulls as hard as it may, which is not modelled", law.joint);
+    }
+}
+
 void GroupStep::tryStep(double h, bool takeAll) {
     const std::size_t count = group_->bodies.size();
     q1_.resize(count);
@@ -187,6 +200,7 @@ void GroupStep::tryStep(double h, bool takeAll) {
 
 /// The step is done.
 void GroupStep::keep(double h, double duration, bool isHit, std::vector<Press>& found) {
+    checkSprings(h);
     putRight(20, kEndless);
     const bool tells = h > 0.01 * duration;
     for (std::size_t i = 0; i < group_->pushed; ++i) {

@@ -52,6 +52,7 @@ private:
     void addContact(Active& active);
     void addLaw(std::uint32_t law, double h);
     double takeSolution(double h);
+    void checkSprings(double h);
     void solve(double scale);
     [[nodiscard]] bool hasClosed() const;
     void keep(double h, double duration, bool isHit, std::vector<Press>& found);

@@ -7,11 +7,6 @@
 
 namespace plumb::reference {
 
-/// The bodies of a group, in its order.
-struct GroupPoses {
-    std::vector<Triple> poses, velocities;
-};
-
 /// Writes the rows of touches and laws for the bodies of a group.
 class RowWriter {
 public:

@@ -1,7 +1,6 @@
 #include "tests/accuracy/reference/scene.hpp"
 
 #include <algorithm>
-#include <numbers>
 
 #include "physics/joints.hpp"
 #include "physics/shapes.hpp"
@@ -222,13 +221,11 @@ Result<Scene> makeScene(const World& world) {
     for (std::uint32_t i = 0; i < world.bodies.size(); ++i) {
         addState(world, i, scene);
         scene.bodies.push_back({});
-        scene.firstOutline.push_back(static_cast<std::uint32_t>(scene.outlines.size()));
         if (world.bodies.info[i].kind != BodyKind::None) {
             if (const auto checked = checkBody(world, i); !checked) return checked.error();
             scene.bodies[i] = bodyOf(world, i);
             if (const auto added = addOutlines(world, i, scene); !added) return added.error();
         }
-        scene.lastOutline.push_back(static_cast<std::uint32_t>(scene.outlines.size()));
     }
     noteApart(world, scene);
     auto laws = lawsOf(world);

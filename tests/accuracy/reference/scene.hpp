@@ -71,13 +71,12 @@ struct Scene {
     std::vector<Body> bodies;  ///< the places are those of World::bodies; dead ones have no id
     std::vector<Outline> outlines;
     std::vector<Law> laws;
-    std::vector<Triple> poses;                             ///< from `origin`
-    std::vector<Triple> velocities;                        ///< m/s, rad/s
-    physics::Place origin;                                 ///< m: far from 0 a double is not exact enough
-    double bounceSpeed = 1.0;                              ///< m/s
-    std::vector<physics::Filter> filters;                  ///< by outline
-    std::vector<std::uint64_t> apart;                      ///< pairs of bodies that joints keep apart, sorted
-    std::vector<std::uint32_t> firstOutline, lastOutline;  ///< by body: its own, in a row
+    std::vector<Triple> poses;             ///< from `origin`
+    std::vector<Triple> velocities;        ///< m/s, rad/s
+    physics::Place origin;                 ///< m: far from 0 a double is not exact enough
+    double bounceSpeed = 1.0;              ///< m/s
+    std::vector<physics::Filter> filters;  ///< by outline
+    std::vector<std::uint64_t> apart;      ///< pairs of bodies that joints keep apart, sorted
 };
 
 /// Takes a world over.
