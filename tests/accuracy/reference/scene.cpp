@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/text.hpp"
 #include "physics/joints.hpp"
 #include "physics/shapes.hpp"
 
