@@ -1,5 +1,4 @@
-
-
+#include "core/text.hpp"
 #include "tests/accuracy/reference/scene.hpp"
 
 namespace plumb::reference {
