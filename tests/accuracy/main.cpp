@@ -128,7 +128,7 @@ bool writeAll(const Options& options, const std::vector<Row>& rows, double secon
 
 int runStabilityMap(const Options& options) {
 #if defined(PLUMB_STABILITY)
-    return runStability(options.stabilityWords);
+    return stability::runStability(options.stabilityWords);
 #else
     static_cast<void>(options);
     std::fprintf(stderr, "the stability map is not part of this program\n");
