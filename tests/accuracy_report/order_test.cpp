@@ -77,6 +77,8 @@ TEST(ParetoFront, hasWhatNothingBeatsInBoth) {
                                       {1.0, 7.0}, {6.0, 1.0}, {0.5, INFINITY}};
     EXPECT_EQ(paretoFront(samples), (std::vector<std::size_t>{3, 2, 0}));
     EXPECT_TRUE(paretoFront({}).empty());
+    const std::vector<Sample> alike{{1.0, 1.0}, {2.0, 0.995}, {3.0, 0.5}};
+    EXPECT_EQ(paretoFront(alike), (std::vector<std::size_t>{0, 2}));
 }
 
 }  // namespace

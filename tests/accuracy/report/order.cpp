@@ -11,6 +11,7 @@ namespace {
 constexpr double kBetter = 0.85;    // of the error before, where a point still counts as falling
 constexpr double kStraight = 1.25;  // how far a point may be off its line, as a factor
 constexpr std::size_t kFewest = 3;  // of a straight part
+constexpr double kNoticed = 0.99;   // of an error: what is better by less is not bought
 
 struct Run {
     std::size_t begin = 0, end = 0;
@@ -105,7 +106,7 @@ std::vector<std::size_t> paretoFront(std::span<const Sample> samples) {
     });
     std::vector<std::size_t> front;
     for (const std::size_t i : byEffort) {
-        if (front.empty() || samples[i].error < samples[front.back()].error) front.push_back(i);
+        if (front.empty() || samples[i].error < kNoticed * samples[front.back()].error) front.push_back(i);
     }
     return front;
 }

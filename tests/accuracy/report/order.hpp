@@ -28,7 +28,8 @@ struct Order {
 /// @param samples  by growing effort
 Order orderOf(std::span<const Sample> samples);
 
-/// Indices of the samples that no other beats in both effort and error, by growing effort.
+/// Indices of the samples that no other beats in both effort and error, by growing effort; one that is better
+/// than the one before by less than 1 % is left out.
 std::vector<std::size_t> paretoFront(std::span<const Sample> samples);
 
 }  // namespace plumb::accuracy
