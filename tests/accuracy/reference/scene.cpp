@@ -2,12 +2,9 @@
 
 #include <algorithm>
 
-#include "physics/joints.hpp"
-#include "physics/shapes.hpp"
+#include "core/text.hpp"
 
 namespace plumb::reference {
-
-Result<std::vector<Law>> lawsOf(const physics::World& world);  // in joint_laws.cpp
 
 namespace {
 
