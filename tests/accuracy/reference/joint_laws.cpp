@@ -1,9 +1,10 @@
+#include <limits>
+#include <tuple>
+
 #include "core/text.hpp"
 #include "tests/accuracy/reference/scene.hpp"
 
 namespace plumb::reference {
-
-Result<std::vector<Law>> lawsOf(const physics::World& world);
 
 namespace {
 

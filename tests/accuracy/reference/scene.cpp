@@ -3,12 +3,8 @@
 #include <algorithm>
 
 #include "core/text.hpp"
-#include "physics/joints.hpp"
-#include "physics/shapes.hpp"
 
 namespace plumb::reference {
-
-Result<std::vector<Law>> lawsOf(const physics::World& world);  // in joint_laws.cpp
 
 namespace {
 

@@ -83,6 +83,9 @@ struct Scene {
 /// @error what the reference solver does not know, by name
 Result<Scene> makeScene(const physics::World& world);
 
+/// What the joints of a world do: joint_laws.cpp.
+Result<std::vector<Law>> lawsOf(const physics::World& world);
+
 /// True when two outlines may touch.
 bool mayMeet(const Scene& scene, std::uint32_t a, std::uint32_t b);
 
