@@ -160,8 +160,10 @@ std::uint64_t hashOf(const World& world) {
     const Bodies& bodies = world.bodies;
     const Sleepers& sleepers = world.sleepers;
     add(hash, world.settings);
-    addAll(hash, bodies.pose, bodies.motion, bodies.mass, bodies.info, bodies.efforts, bodies.drives.rows,
-           bodies.drives.free, bodies.free, bodies.dying);
+    addAll(hash, bodies.pose, bodies.motion, bodies.mass, bodies.info, bodies.drives.rows, bodies.drives.free,
+           bodies.free, bodies.dying);
+    // As with the tolerance itself: an empty list would count as one.
+    if (!bodies.efforts.empty()) add(hash, bodies.efforts);
     add(hash, world.shapes);
     add(hash, world.joints);
     for (const Field& field : world.fields.all) add(hash, field);
