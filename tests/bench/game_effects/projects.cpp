@@ -43,6 +43,7 @@ struct Result {
 /// A program in a process of its own. @param milliseconds  that it took @return resident MB at the most
 double run(const std::vector<std::string>& command, double& milliseconds) {
     const auto start = std::chrono::steady_clock::now();
+    std::fflush(stdout);  // or the child writes it too
     const pid_t child = fork();
     if (child == 0) {
         std::vector<char*> arguments;
