@@ -10,25 +10,6 @@
 namespace plumb::stability {
 namespace {
 
-/// Most energy of a bouncing ball over that at the start, minus 1.
-double gainOfBouncing(double radius, double height, double step) {
-    const Material rubber{.friction = 0.0f, .bounciness = 1.0f};
-    Lab lab{{.step = step}, {.rests = false}};
-    lab.floor(rubber);
-    lab.add(scenes::circle(static_cast<float>(radius)), {0.0f, static_cast<float>(height + radius)}, rubber);
-    lab.run(10.0);
-    return lab.figures().energyGain;
-}
-
-// What was swept and set back to the floor kept the speed of where it would have been below it.
-TEST(StabilityEnergy, whatIsSetBackToTheFloorThatItFellThroughGainsNothing) {
-    EXPECT_LE(gainOfBouncing(0.5, 2.0, 1.0 / 15.0), 0.01);
-    for (const double radius : {0.01, 0.05, 0.1}) {
-        for (const double height : {1.0, 3.0, 10.0})
-            EXPECT_LE(gainOfBouncing(radius, height, 1.0 / 60.0), 0.01) << radius << " m, " << height << " m";
-    }
-}
-
 // A small body on a long arm, thrown about, was spun until its numbers went bad.
 TEST(StabilityEnergy, aSpinHasAnEnd) {
     FairScene scene{4616};

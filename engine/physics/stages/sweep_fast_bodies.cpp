@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <utility>
 
 #include "physics/bounds.hpp"
 #include "physics/broadphase_update.hpp"
@@ -160,23 +159,9 @@ void stopAtFixed(const StepContext& step, std::uint32_t body, Sweep& sweep,
     sweep.end = latest;
 }
 
-/// Takes from a body that flew freely what it gained by falling after the part of the step at which it is
-/// now. Else it would be faster than its height explains: small balls would bounce higher and higher.
-void takeBackGain(StepContext& step, std::uint32_t body, float part) {
-    const Workspace& work = step.work;
-    const auto slot = static_cast<std::size_t>(work.slots[body]);
-    const Float4& flight = work.flight[slot];
-    const bool held = flight.x == 0.0f && flight.y == 0.0f;
-    const bool dragged = !work.keep.empty() && work.keep[slot].x != 1.0f;
-    if (held || dragged) return;
-    const Float4& pull = work.drive[slot];
-    step.world.bodies.motion[body].velocity -= (part * step.dt) * Vec2{pull.x, pull.y};
-}
-
-/// Takes a body back along its way, from a part of it to the end of the sweep.
-void setBack(StepContext& step, std::uint32_t body, const Sweep& sweep, float from) {
+/// Takes a body back to a part of its way.
+void setBack(StepContext& step, std::uint32_t body, const Sweep& sweep) {
     World& world = step.world;
-    takeBackGain(step, body, from - sweep.end);
     world.bodies.pose[body] = sweep.at(sweep.end);
     Shapes& shapes = world.shapes;
     for (std::uint32_t s = world.bodies.info[body].firstShape; s != kNone; s = shapes.info[s].next) {
@@ -218,11 +203,11 @@ void sweepBullet(StepContext& step, std::uint32_t place, const std::vector<std::
         }
     }
     if (latest == sweep.end) return;
-    const float before = std::exchange(sweep.end, latest);
-    setBack(step, bullet, sweep, before);
+    sweep.end = latest;
+    setBack(step, bullet, sweep);
     if (met == kNone || work.sweeps[met].end <= latest) return;
-    const float otherBefore = std::exchange(work.sweeps[met].end, latest);
-    setBack(step, work.fastBodies[met], work.sweeps[met], otherBefore);
+    work.sweeps[met].end = latest;
+    setBack(step, work.fastBodies[met], work.sweeps[met]);
 }
 
 void sweepBullets(StepContext& step) {
@@ -238,7 +223,7 @@ void sweepBullets(StepContext& step) {
 }  // namespace
 
 // Sweeps go from where a body was to where it is; those that meet something are set back to just before. They
-// keep the velocity that they had there: the next step finds the contact, and stops or bounces them.
+// keep their velocity: the next step finds the contact, and stops or bounces them.
 void sweepFastBodies(StepContext& step) {
     World& world = step.world;
     Workspace& work = step.work;
@@ -259,7 +244,7 @@ void sweepFastBodies(StepContext& step) {
         }
     });
     for (std::size_t i = 0; i < count; ++i) {
-        if (work.sweeps[i].end < 1.0f) setBack(step, work.fastBodies[i], work.sweeps[i], 1.0f);
+        if (work.sweeps[i].end < 1.0f) setBack(step, work.fastBodies[i], work.sweeps[i]);
     }
     if (bullets) sweepBullets(step);
 }
