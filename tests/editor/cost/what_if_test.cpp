@@ -44,10 +44,13 @@ TEST_F(WhatIfTest, theTapeSteppedAsTheGameEndsWhereTheGameIs) {
 }
 
 TEST_F(WhatIfTest, aLevelWithAPlayerAndPlatformsEndsWhereTheGameIs) {
-    workspace.makeSession = [](const std::string&, const std::string&) { return platformerSession(); };
+    workspace.makeSession = [](const std::string&, const std::string&) {
+        return platformerSession("scenes/level1.scene.json");
+    };
     play(400, [](int tick) { return runAndJump(tick); });
     measure();
-    ASSERT_NE(whatIf.tape(), nullptr) << whatIf.refusal();
+    ASSERT_NE(whatIf.tape(), nullptr)
+        << whatIf.refusal() << " " << bodiesOf(workspace.play.world()).world.bodies.size();
     EXPECT_EQ(whatIf.tape()->ticks.size(), 300u);
     EXPECT_EQ(whatIf.tape()->leftOut, 0u);
     std::size_t pushed = 0;
