@@ -72,10 +72,15 @@ std::optional<Advice> judgeTooCoarse(const CostFacts& facts) {
 std::optional<Advice> judgeTooFine(const CostFacts& facts) {
     const WhatIfResult& result = facts.result;
     const WhatIfPoint* now = result.present();
-    const WhatIfPoint* enough = enoughQuality(result);
-    if (now == nullptr || enough == nullptr || enough->quality >= now->quality) return {};
+    if (now == nullptr) return {};
     // Half of what is seen: a harder moment of the game shall fit too.
-    if (pixelsOf(enough->error(), result.scale) > kHalf * kSeenPixels) return {};
+    const WhatIfPoint* enough = nullptr;
+    for (int quality = now->quality - 1; quality >= 0; --quality) {
+        const WhatIfPoint* point = plainAt(result, quality);
+        if (point == nullptr || pixelsOf(point->error(), result.scale) > kHalf * kSeenPixels) break;
+        enough = point;
+    }
+    if (enough == nullptr) return {};
     if (enough->microseconds > kSaves * now->microseconds ||
         now->microseconds - enough->microseconds < kLeastSaved)
         return {};

@@ -85,7 +85,8 @@ void WhatIf::begin(Workspace& workspace) {
     makeBodies(world);
     const PhysicsState& state = world.resource<PhysicsState>();
     recorder_.begin(state.world, state.scale);
-    if (recorder_.tape.watched.empty()) return refuse("Nothing in this scene moves by the physics.");
+    if (recorder_.tape.watched.empty())
+        return refuse("No body in this scene is pushed by the physics: its quality changes nothing here.");
     tick_ = first_;
     recording_ = true;
 }
