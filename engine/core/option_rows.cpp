@@ -14,6 +14,7 @@ constexpr const char* kWhere = "command line";
 std::size_t lineLength(std::string_view text, std::size_t room) {
     if (text.size() <= room) return text.size();
     std::size_t end = text.find_last_of(" ,", room);
+    if (end == room && text[end] == ',') end = text.find_last_of(" ,", room - 1);  // it has no room
     if (end == std::string_view::npos || end == 0) end = text.find_first_of(" ,");
     if (end == std::string_view::npos) return text.size();
     return text[end] == ',' ? end + 1 : end;

@@ -60,7 +60,7 @@ std::vector<Number> numbersOf(const TypeInfo& type) {
 /// or the scale along the other axis.
 bool hasAnswer(std::string_view field) {
     constexpr std::string_view kFields[] = {"breakForce", "maxForce", "maxTorque", "friction",
-                                            "bounciness", "rounding", "scale"};
+                                            "bounciness", "rounding", "scale",     "tolerance"};
     return std::find(std::begin(kFields), std::end(kFields), field) != std::end(kFields);
 }
 

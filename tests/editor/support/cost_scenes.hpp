@@ -52,6 +52,7 @@ protected:
         workspace.makeSession = [this](const std::string& path, const std::string& text) {
             Project project;
             project.root = workspace.project.root;
+            project.actions = ActionMap::defaults();
             return makeGameSession(project, path, text);
         };
     }
