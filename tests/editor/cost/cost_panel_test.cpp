@@ -1,5 +1,8 @@
+#include <algorithm>
+
 #include <imgui.h>
 
+#include "editor/model/cost/island_table.hpp"
 #include "editor/ui/overlays/cost_overlays.hpp"
 #include "tests/editor/support/cost_scenes.hpp"
 #include "tests/editor/support/hands.hpp"
