@@ -1,5 +1,7 @@
 #include "editor/model/cost/advice.hpp"
 
+#include <algorithm>
+
 #include "tests/editor/support/cost_scenes.hpp"
 
 namespace plumb::editor {

@@ -43,22 +43,31 @@ TEST_F(WhatIfTest, theTapeSteppedAsTheGameEndsWhereTheGameIs) {
     expectSamePlaces(playedAgain(*whatIf.tape()), bodiesOf(workspace.play.world()).world, *whatIf.tape());
 }
 
-TEST_F(WhatIfTest, cratesThatAPlayerAndAPlatformPushEndWhereTheyAreInTheGame) {
+TEST_F(WhatIfTest, whatTheGameDoesToItsBodiesIsDoneAgain) {
     CostScene scene;
     scene.stack(2, 220.0f).box("on the lift", {430, 240});
-    scene.add("hero", R"("Transform": {"position": [150, 300]}, "RigidBody": {}, "PlayerController": {}, )"
-                      R"("BoxCollider": {"width": 12, "height": 16})");
     scene.add("lift", R"("Transform": {"position": [400, 280]}, "KinematicBody": {"velocity": [15, -5]}, )"
                       R"("BoxCollider": {"width": 96, "height": 16})");
     open(scene);
-    play(400, [](int tick) { return runAndJump(tick); });
+    play(100);
+    const TypeInfo& body = workspace.document.types().of<RigidBody>();
+    const TypeInfo& place = workspace.document.types().of<Transform>();
+    for (int tick = 0; tick < 200; ++tick) {
+        if (tick == 40)
+            workspace.play.edit(named("box 1"), body, *body.find("velocity"),
+                                FieldValue::of(Vec2{150, -200}));
+        if (tick == 90)
+            workspace.play.edit(named("on the lift"), place, *place.find("position"),
+                                FieldValue::of(Vec2{300, 50}));
+        workspace.play.step({});
+    }
     measure();
     ASSERT_NE(whatIf.tape(), nullptr) << whatIf.refusal();
     EXPECT_EQ(whatIf.tape()->ticks.size(), 300u);
     EXPECT_EQ(whatIf.tape()->leftOut, 0u);
-    std::size_t moved = 0;
-    for (const TickInput& input : whatIf.tape()->ticks) moved += input.bodies.size();
-    EXPECT_GT(moved, 50u) << "the player runs and jumps";
+    std::size_t inputs = 0;
+    for (const TickInput& input : whatIf.tape()->ticks) inputs += input.bodies.size();
+    EXPECT_GE(inputs, 2u);
     EXPECT_GT(whatIf.tape()->contacts, 0u);
     expectSamePlaces(playedAgain(*whatIf.tape()), bodiesOf(workspace.play.world()).world, *whatIf.tape());
 }
