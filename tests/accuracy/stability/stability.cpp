@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <string>
 #include <thread>
+#include <unistd.h>
 
 #include "core/text.hpp"
 #include "tests/accuracy/stability/random_run.hpp"
@@ -81,14 +82,16 @@ bool read(std::span<const std::string_view> words, Options& options) {
     return true;
 }
 
-/// A line for each further percent.
+/// How much is done: in one line of a terminal, which each percent writes anew; where a file listens, a line
+/// for each tenth.
 Progress percentages(std::string_view what) {
-    return [what, told = std::size_t{0}](std::size_t done, std::size_t all) mutable {
+    const bool inPlace = isatty(STDERR_FILENO) != 0;
+    return [what, inPlace, told = std::size_t{0}](std::size_t done, std::size_t all) mutable {
         const std::size_t percent = 100 * done / std::max<std::size_t>(all, 1);
-        if (percent == told) return;
+        if (percent == told || (!inPlace && percent < told + 10 && done != all)) return;
         told = percent;
-        std::fprintf(stderr, "\r%s: %zu of %zu (%zu %%)%s", std::string(what).c_str(), done, all, percent,
-                     done == all ? "\n" : "");
+        std::fprintf(stderr, "%s%s: %zu of %zu (%zu %%)%s", inPlace ? "\r\033[K" : "",
+                     std::string(what).c_str(), done, all, percent, !inPlace || done == all ? "\n" : "");
     };
 }
 
