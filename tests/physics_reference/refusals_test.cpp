@@ -76,6 +76,12 @@ TEST(ReferenceRefusals, aChaoticSceneIsSaidToBeOne) {
     EXPECT_LT(soon.error, 1.0e-4);
 }
 
+TEST(ReferenceRefusals, whatWouldTakeTooLongIsGivenUp) {
+    Playground scene;
+    scene.ball({0.0, 10.0});
+    expectSays(refusal(scene.world, 10.0, {.patience = 0.0}), "patience ended after 0 of 2400 steps");
+}
+
 TEST(ReferenceRefusals, aWorldIsComparedWithAnAnswer) {
     Playground scene;
     const BodyId ball = scene.ball({0.0, 10.0});

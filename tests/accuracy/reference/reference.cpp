@@ -1,9 +1,9 @@
 #include "tests/accuracy/reference/reference.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 
+#include "core/clock.hpp"
 #include "core/text.hpp"
 #include "physics/bodies.hpp"
 #include "tests/accuracy/reference/run.hpp"
@@ -11,10 +11,6 @@
 namespace plumb::reference {
 
 namespace {
-
-double now() {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
 
 std::string text(double value) { return shortestText(static_cast<float>(value)); }
 
@@ -72,9 +68,9 @@ public:
     /// @error why there is none that is finer
     Result<Done> add() {
         step_ *= 0.5;
-        const double start = now();
-        RunState finer = runScene(scene_, seconds_, step_);
-        lastTime_ = now() - start;
+        const double start = wallSeconds();
+        RunState finer = runScene(scene_, seconds_, step_, start + options_.patience - spent_);
+        lastTime_ = wallSeconds() - start;
         spent_ += lastTime_;
         if (!finer.trouble.empty()) {
             return Error{"reference", finer.trouble, format("at a step of {} s", text(step_))};

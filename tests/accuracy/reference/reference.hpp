@@ -16,7 +16,8 @@ struct Options {
     int leastRuns = 3;          ///< so many at least: two give an error, three the order of convergence
     int mostRuns = 7;
     double wantedError = 1.0e-4;  ///< m: steps are halved until the answer is as good
-    double patience = 60.0;       ///< s of the clock: no run is begun that would probably take longer in all
+    double patience = 60.0;  ///< s of the clock in all: no run is begun that would probably take longer, and
+                             ///< one that does ends without an answer
 };
 
 /// A body at the end.

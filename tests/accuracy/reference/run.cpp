@@ -1,7 +1,10 @@
 #include "tests/accuracy/reference/run.hpp"
 
 #include <algorithm>
+#include <cmath>
 
+#include "core/clock.hpp"
+#include "core/text.hpp"
 #include "tests/accuracy/reference/group_step.hpp"
 #include "tests/accuracy/reference/groups.hpp"
 
@@ -27,7 +30,7 @@ bool isFinite(const RunState& state) {
 
 }  // namespace
 
-RunState runScene(const Scene& scene, double seconds, double h) {
+RunState runScene(const Scene& scene, double seconds, double h, double deadline) {
     RunState state = startOf(scene);
     GroupStep step{scene, state};
     for (const Group& group : findGroups(scene, state, h)) step.begin(group);
@@ -35,6 +38,10 @@ RunState runScene(const Scene& scene, double seconds, double h) {
     const double length = seconds / static_cast<double>(steps);
     std::vector<Press> found;
     for (long i = 0; i < steps && state.trouble.empty(); ++i) {
+        if (wallSeconds() > deadline) {
+            state.trouble = format("its patience ended after {} of {} steps", i, steps);
+            break;
+        }
         found.clear();
         for (const Group& group : findGroups(scene, state, length))
             step.advance(group, length, state.presses, found);
