@@ -203,7 +203,7 @@ std::vector<LayoutPreset> makePresets() {
     play.at(Dock::Right).tabs = {"Inspector", "Scene"};
     play.at(Dock::Bottom).tabs = {"Console"};
     play.at(Dock::BottomRight).tabs = {"History"};
-    play.sizes_ = {0.18f, 0.26f, 0.2f, 0.34f, 0.6f};
+    play.sizes_ = {0.18f, 0.26f, 0.2f, 0.2f, 0.6f};
 
     return {
         {"Paint", "the tiles below, as wide as they can be; entities and inspector share the left", paint},
