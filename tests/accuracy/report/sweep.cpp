@@ -113,8 +113,8 @@ std::vector<Row> runOne(const Experiment& experiment, const Method& method, cons
         if (experiment.has(kNoExactAnswer) && trial.start()) {
             if (const auto error =
                     referenceError(experiment.name, *trial.start(), trial.world(), trial.time()))
-                rows.insert(rows.begin(),
-                            rowOf(experiment, method, {"place", *error * 1000.0, "mm", kNoTarget}));
+                // Not first, as what is plotted: other engines do not have it.
+                rows.push_back(rowOf(experiment, method, {"place", *error * 1000.0, "mm", kNoTarget}));
         }
     }
     if (!rows.empty()) rows.front().main = true;
