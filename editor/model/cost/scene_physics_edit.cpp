@@ -72,12 +72,13 @@ ScenePhysics presentPhysics(const physics::Settings& settings, PixelScale scale)
     present.integrator = settings.integrator;
     present.iterations = settings.iterations;
     present.automaticQuality = settings.automaticQuality;
+    present.tolerance = settings.tolerance * scale.pixels;
     present.continuous = settings.continuous;
     present.sleeping = settings.sleeping;
     return present;
 }
 
-void takePresent(const Workspace& workspace, physics::Settings& settings) {
+void takePresent(const Workspace& workspace, PixelScale scale, physics::Settings& settings) {
     const ObjectId holder = holderOf(workspace);
     if (!holder) return;
     const auto& present = workspace.shownWorld().get<ScenePhysics>(workspace.shownEntity(holder));
@@ -85,6 +86,7 @@ void takePresent(const Workspace& workspace, physics::Settings& settings) {
     settings.integrator = present.integrator;
     settings.iterations = static_cast<std::uint8_t>(std::clamp(present.iterations, 1, 64));
     settings.automaticQuality = present.automaticQuality;
+    settings.tolerance = std::max(present.tolerance, 0.0f) * scale.metres;
     settings.continuous = present.continuous;
     settings.sleeping = present.sleeping;
 }

@@ -30,7 +30,7 @@ ScenePhysics presentPhysics(const physics::Settings& settings, PixelScale scale)
 void applyRemedy(Workspace& workspace, const CostRemedy& remedy, const ScenePhysics& present);
 
 /// Takes over what the shown scene's ScenePhysics says now, if it has one.
-void takePresent(const Workspace& workspace, physics::Settings& settings);
+void takePresent(const Workspace& workspace, PixelScale scale, physics::Settings& settings);
 
 /// The remedy that sets the quality of the scene, without automatic quality.
 CostRemedy qualityRemedy(int quality);

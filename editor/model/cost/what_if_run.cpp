@@ -29,18 +29,13 @@ double substepsOf(const WhatIfPoint& way) {
     return way.kind == WhatIfKind::Reference ? steps * WhatIfRun::kReferenceParts : steps;
 }
 
-/// Each way has one quality: none that follows from how far off islands may be.
-template <class Settings>
-void withoutTolerance(Settings& settings) {
-    if constexpr (requires { settings.tolerance; }) settings.tolerance = 0.0f;
-}
-
 /// The world of the game as this way wants it. Nobody sleeps, so that what rests is measured too.
 physics::World worldFor(const WhatIfPoint& way, const physics::World& start) {
     physics::World world = start;
     physics::Settings& settings = world.settings;
     settings.sleeping = false;
-    withoutTolerance(settings);
+    settings.tolerance =
+        0.0f;  // each way has one quality, and none that follows from how far off islands are
     settings.quality = static_cast<physics::Quality>(way.quality);
     settings.automaticQuality = way.kind == WhatIfKind::Automatic;
     if (way.kind == WhatIfKind::Verlet) settings.integrator = physics::IntegratorKind::Verlet;

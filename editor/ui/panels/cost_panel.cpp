@@ -60,7 +60,7 @@ private:
     /// What was measured, beside what the scene says now: it may have been changed since.
     [[nodiscard]] WhatIfResult shownResult(const Ui& ui) const {
         WhatIfResult result = whatIf_.result();
-        takePresent(ui.workspace, result.settings);
+        takePresent(ui.workspace, result.scale, result.settings);
         return result;
     }
 
