@@ -30,7 +30,7 @@ struct Sample {
 constexpr Sample kSamples[] = {
     {"platformer", "title"},        {"platformer", "level1"},          {"platformer", "level3"},
     {"physics-playground", "menu"}, {"physics-playground", "pyramid"}, {"physics-playground", "softbodies"},
-    {"hello-code", nullptr},
+    {"physics-lab", "bits"},        {"hello-code", nullptr},
 };
 
 struct Result {
