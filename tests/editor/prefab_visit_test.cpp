@@ -5,6 +5,7 @@
 #include "ecs/hierarchy.hpp"
 #include "editor/model/actions.hpp"
 #include "editor/model/assets/hot_reload.hpp"
+#include "editor/model/assets/place_asset.hpp"
 #include "editor/model/clipboard.hpp"
 #include "editor/model/commands/set_field.hpp"
 #include "editor/model/make_prefab.hpp"
@@ -245,6 +246,22 @@ TEST_F(PrefabVisits, allThatIsMadeOrMovedStaysBelowItsFirstEntity) {
     EXPECT_EQ((*read)->entities.size(), 8u) << "torch, flame, glow, the new one, and a copy of each";
     EXPECT_EQ(fileText(kTorch).find("[30, 0]"), std::string::npos)
         << "where the first one stands is no part of it";
+}
+
+TEST_F(PrefabVisits, particlesAndFilesThatAreDroppedComeBelowItsFirstEntityToo) {
+    ASSERT_TRUE(editPrefab(workspace, kTorch).ok());
+    const std::string before = workspace.text();
+    ASSERT_TRUE(runAction(workspace, "entity.particles"));
+    EXPECT_EQ(parentOf(world(), entity("particles")), entity("torch"));
+    putFile("assets/spark.wav", "no sound, but a file");
+    ASSERT_TRUE(placeAsset(workspace, "assets/spark.wav", {50.0f, 20.0f}).ok());
+    const EntityId dropped = workspace.document.find(workspace.document.selection.all().front());
+    EXPECT_EQ(parentOf(world(), dropped), entity("torch"));
+    const std::string after = workspace.text();
+    workspace.undo.jumpTo(0);
+    EXPECT_EQ(workspace.text(), before);
+    workspace.undo.jumpTo(workspace.undo.total());
+    EXPECT_EQ(workspace.text(), after);
 }
 
 TEST_F(PrefabVisits, parentsAreWrittenBeforeTheirChildrenAlsoWhereTheyArePartsOfAnother) {

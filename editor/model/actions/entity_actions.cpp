@@ -3,6 +3,7 @@
 #include "editor/model/actions/action_rows.hpp"
 #include "editor/model/commands/insert_entities.hpp"
 #include "editor/model/instance_changes.hpp"
+#include "editor/model/prefab_root.hpp"
 #include "editor/model/prefab_visit.hpp"
 #include "editor/model/root_place.hpp"
 #include "editor/model/tools/transform_drag.hpp"
@@ -31,6 +32,7 @@ void createParticles(Workspace& w) {
     add(Transform{snapped(w.view.view().center, w.grid.size)});
     add(ParticleEmitter{});
     std::vector<EntityState> states{std::move(state)};
+    belowPrefabRoot(document, states);
     w.undo.push(std::make_unique<InsertEntities>("create particles", std::move(states)));
     w.undo.endGesture();
 }

@@ -6,6 +6,7 @@
 #include "core/text.hpp"
 #include "editor/model/assets/asset_catalog.hpp"
 #include "editor/model/commands/insert_entities.hpp"
+#include "editor/model/prefab_root.hpp"
 #include "gameplay/components/music.hpp"
 #include "scene/components/animator.hpp"
 #include "scene/components/name.hpp"
@@ -39,6 +40,7 @@ public:
     }
     void insert(UndoStack& undo, std::string label) {
         std::vector<EntityState> states{state_};
+        belowPrefabRoot(document_, states);
         undo.endGesture();
         undo.push(std::make_unique<InsertEntities>(std::move(label), std::move(states)));
         undo.endGesture();
