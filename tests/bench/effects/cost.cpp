@@ -1,10 +1,7 @@
 #include <cstdio>
-#include <cstdlib>
-#include <filesystem>
-#include <fstream>
 #include <string>
-#include <vector>
 
+#include "tests/bench/callgrind.hpp"
 #include "tests/bench/effects/effects_bench.hpp"
 #include "tests/physics/effect_scenes.hpp"
 
@@ -12,8 +9,7 @@ namespace {
 
 constexpr int kWarmUp = 20;  // steps, until everything has its memory
 
-// What callgrind looks at: it zeroes its counters before and writes them down after each call. Named for C,
-// so that the name is known.
+// What callgrind looks at.
 extern "C" __attribute__((noinline)) void plumbCountedSteps(plumb::physics::World* world, int steps) {
     for (int i = 0; i < steps; ++i) plumb::physics::step(*world, plumb::bench::kTick);
 }
@@ -37,34 +33,12 @@ World makeScene(Effect effect, int variant) {
     return world;
 }
 
-/// The counters of one dump of callgrind. @return 0 when there is none
-double instructionsIn(const std::filesystem::path& dump) {
-    std::ifstream file{dump};
-    for (std::string word; file >> word;) {
-        if (word == "totals:" || word == "summary:") {
-            double count = 0.0;
-            file >> count;
-            if (count > 0.0) return count;
-        }
-    }
-    return 0.0;
-}
-
-bool count(const std::string& program, const std::filesystem::path& folder, bool quick) {
-    const std::string command =
-        "valgrind --tool=callgrind --zero-before='plumbCountedSteps'"
-        " --dump-after='plumbCountedSteps' --callgrind-out-file='" +
-        (folder / "count").string() + "' '" + program + "' counted" + (quick ? " --quick" : "") +
-        " > /dev/null 2>&1";
-    return std::system(command.c_str()) == 0;
-}
-
-int printTable(const std::filesystem::path& folder) {
+int printTable(CallgrindCounts& counted) {
     std::printf("%-16s%14s%14s%10s%14s%10s\n", "effect", "left out", "unused", "ratio", "pinned on", "ratio");
-    int failed = 0, dump = 0;
+    int failed = 0;
     for (const Effect effect : physics::test::allEffects()) {
         double counts[kVariants];
-        for (double& count : counts) count = instructionsIn(folder / ("count." + std::to_string(++dump)));
+        for (double& count : counts) count = counted.next();
         const double unused = counts[kUnused] / counts[kAbsent], pinned = counts[kPinnedOn] / counts[kAbsent];
         const bool good = counts[kAbsent] > 0.0 && unused <= 1.01;
         failed += good ? 0 : 1;
@@ -89,20 +63,8 @@ int runCounted(bool quick) {
 }
 
 int measureCost(const char* program, bool quick) {
-    if (std::system("valgrind --version > /dev/null 2>&1") != 0) {
-        std::printf("valgrind is not installed: instructions are not counted\n");
-        return 77;
-    }
-    const std::filesystem::path folder =
-        std::filesystem::temp_directory_path() / ("plumb_effects_" + std::to_string(std::rand()));
-    std::filesystem::remove_all(folder);
-    std::filesystem::create_directories(folder);
     std::printf("\ninstructions of a pile of %d, by callgrind\n", physics::test::kCrates);
-    const bool counted = count(program, folder, quick);
-    if (!counted) std::printf("callgrind did not run\n");
-    const int result = counted ? printTable(folder) : 1;
-    std::filesystem::remove_all(folder);
-    return result;
+    return countInstructions(program, "plumbCountedSteps", quick, printTable);
 }
 
 }  // namespace plumb::bench

@@ -1,20 +1,11 @@
 #include <cstdio>
-#include <string_view>
 
+#include "tests/bench/callgrind.hpp"
 #include "tests/bench/effects/effects_bench.hpp"
 
 int main(int count, char** arguments) {
     using namespace plumb::bench;
-    std::string_view what;
-    bool quick = false;
-    for (int i = 1; i < count; ++i) {
-        const std::string_view argument = arguments[i];
-        if (argument == "--quick") {
-            quick = true;
-        } else {
-            what = argument;
-        }
-    }
+    const auto [what, quick] = CountedWords{count, arguments};
     if (what == "counted") return runCounted(quick);
     if (what == "cost") return measureCost(arguments[0], quick);
     if (what == "contacts") return measureContacts(quick);
