@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "physics/deviations.hpp"
+
 namespace plumb::physics {
 
 namespace {
@@ -71,12 +73,6 @@ double energyOfField(const World& world, const Field& field) {
     return spreads ? energyOfAttractor(world, definition) : 0.0;
 }
 
-float deepestOf(const Contact& contact) {
-    if ((contact.flags & (kTriggered | kDisabled)) != 0 || contact.count == 0) return 0.0f;
-    const float second = contact.count > 1 ? contact.separation1 : 0.0f;
-    return std::max({0.0f, -contact.separation0, -second});
-}
-
 }  // namespace
 
 double energyOf(const World& world) {
@@ -90,10 +86,10 @@ double energyOf(const World& world) {
 
 float deepestOverlapOf(const World& world) {
     float deepest = 0.0f;
-    for (const Contact& contact : world.contacts) deepest = std::max(deepest, deepestOf(contact));
+    for (const Contact& contact : world.contacts) deepest = std::max(deepest, overlapOf(contact));
     for (const SleepingIsland& island : world.sleepers.islands) {
         for (std::uint32_t c = island.firstContact; c != kNone; c = world.sleepers.nextContact[c])
-            deepest = std::max(deepest, deepestOf(world.sleepers.contacts[c]));
+            deepest = std::max(deepest, overlapOf(world.sleepers.contacts[c]));
     }
     return deepest;
 }

@@ -34,21 +34,23 @@ T bytesAs(const void* from) {
     return value;
 }
 
-std::int64_t wholeAt(const void* from, std::size_t size) {
-    switch (size) {
-        case 1: return bytesAs<std::uint8_t>(from);
-        case 2: return bytesAs<std::int16_t>(from);
-        case 4: return bytesAs<std::int32_t>(from);
+std::int64_t wholeAt(const void* from, const FieldInfo& field) {
+    const bool isSigned = field.kind == FieldKind::Int && field.isSigned;
+    switch (field.size) {
+        case 1: return isSigned ? bytesAs<std::int8_t>(from) : bytesAs<std::uint8_t>(from);
+        case 2: return isSigned ? bytesAs<std::int16_t>(from) : bytesAs<std::uint16_t>(from);
+        case 4: return isSigned ? bytesAs<std::int32_t>(from) : bytesAs<std::uint32_t>(from);
         default: return bytesAs<std::int64_t>(from);
     }
 }
 
+/// The same bytes whether they have a sign or not.
 void putWhole(void* to, std::size_t size, std::int64_t value) {
     const auto put = [to](auto narrow) { std::memcpy(to, &narrow, sizeof(narrow)); };
     switch (size) {
         case 1: return put(static_cast<std::uint8_t>(value));
-        case 2: return put(static_cast<std::int16_t>(value));
-        case 4: return put(static_cast<std::int32_t>(value));
+        case 2: return put(static_cast<std::uint16_t>(value));
+        case 4: return put(static_cast<std::uint32_t>(value));
         default: return put(value);
     }
 }
@@ -71,7 +73,7 @@ float NumberField::read(const void* component) const {
         case FieldKind::Bool: return bytesAs<bool>(at) ? 1.0f : 0.0f;
         case FieldKind::Float: return bytesAs<float>(at);
         case FieldKind::Vec2: return part_ == 0 ? bytesAs<Vec2>(at).x : bytesAs<Vec2>(at).y;
-        default: return static_cast<float>(wholeAt(at, field_->size));
+        default: return static_cast<float>(wholeAt(at, *field_));
     }
 }
 

@@ -169,6 +169,21 @@ TEST(NumberFields, areFoundReadAndWrittenByName) {
     for (const char* path : {"gravity", "gravity.z", "quality.x", "nothing", ""})
         EXPECT_FALSE(NumberField::find(types, "ScenePhysics", path)) << path;
     EXPECT_FALSE(NumberField::find(types, "Nobody", "quality"));
+    struct Signs {
+        std::int8_t below = -3;
+        std::uint32_t bits = 0xfffffff0u;
+        static void describe(TypeBuilder<Signs>& type) {
+            type.name("Signs");
+            type.field<&Signs::below>("below");
+            type.field<&Signs::bits>("bits");
+        }
+    };
+    types.add<Signs>();
+    Signs signs;
+    EXPECT_EQ(NumberField::find(types, "Signs", "below")->read(&signs), -3.0f);
+    EXPECT_GT(NumberField::find(types, "Signs", "bits")->read(&signs), 4.0e9f);
+    NumberField::find(types, "Signs", "below")->write(&signs, -7.0f);
+    EXPECT_EQ(signs.below, -7);
 }
 
 TEST(RoughNumbers, haveThreeDigits) {
