@@ -23,27 +23,16 @@ std::int64_t lengthOf(const AnimationFrame& frame) {
     return std::max<std::int64_t>(unitsOf(frame.seconds), 1);
 }
 
-bool holds(const AnimationCondition& condition, std::span<const float> parameters) {
-    const auto index = static_cast<std::size_t>(condition.parameter);
-    const float value = index < parameters.size() ? parameters[index] : 0.0f;
-    switch (condition.is) {
-        case Comparison::Greater: return value > condition.value;
-        case Comparison::Less: return value < condition.value;
-        case Comparison::GreaterOrEqual: return value >= condition.value;
-        case Comparison::LessOrEqual: return value <= condition.value;
-        case Comparison::Equal: return value == condition.value;
-        case Comparison::NotEqual: return value != condition.value;
-    }
-    return false;
-}
-
 bool applies(const AnimationTransition& transition, int state, std::span<const float> parameters,
              bool clipEnded) {
     const bool fromHere = transition.from == state ||
                           (transition.from == AnimationTransition::kAnyState && transition.to != state);
     if (!fromHere || (transition.afterEnd && !clipEnded)) return false;
     return std::all_of(transition.when.begin(), transition.when.end(),
-                       [&](const AnimationCondition& condition) { return holds(condition, parameters); });
+                       [&](const AnimationCondition& condition) {
+                           const auto index = static_cast<std::size_t>(condition.parameter);
+                           return holds(condition, index < parameters.size() ? parameters[index] : 0.0f);
+                       });
 }
 
 }  // namespace
@@ -116,6 +105,18 @@ int ClipAdvance::next() {
     }
     cursor_.timer = secondsOf(timer_);
     return -1;
+}
+
+bool holds(const AnimationCondition& condition, float value) {
+    switch (condition.is) {
+        case Comparison::Greater: return value > condition.value;
+        case Comparison::Less: return value < condition.value;
+        case Comparison::GreaterOrEqual: return value >= condition.value;
+        case Comparison::LessOrEqual: return value <= condition.value;
+        case Comparison::Equal: return value == condition.value;
+        case Comparison::NotEqual: return value != condition.value;
+    }
+    return false;
 }
 
 int advanceStateMachine(const AnimationSet& set, int state, std::span<float> parameters, bool clipEnded) {

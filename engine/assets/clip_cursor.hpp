@@ -51,6 +51,9 @@ void advanceClip(const Animation& clip, LoopMode mode, ClipCursor& cursor, float
     for (int frame = advance.next(); frame >= 0; frame = advance.next()) onFrame(frame);
 }
 
+/// Whether a condition is met by this value of its parameter.
+bool holds(const AnimationCondition& condition, float value);
+
 /// Takes at most one transition: the first in the file's order whose conditions hold. Triggers it used fall
 /// to 0.
 /// @param state       index in the states

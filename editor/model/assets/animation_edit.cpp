@@ -6,7 +6,9 @@
 #include "assets/asset_store.hpp"
 #include "core/text.hpp"
 #include "editor/model/assets/asset_catalog.hpp"
+#include "editor/model/assets/state_machine_edit.hpp"
 #include "editor/model/commands/write_asset.hpp"
+#include "editor/model/key_words.hpp"
 
 namespace plumb::editor {
 namespace {
@@ -18,17 +20,10 @@ bool isIndex(const std::vector<T>& items, int index) {
     return index >= 0 && index < static_cast<int>(items.size());
 }
 
-/// After an item was taken out: what named a later one names it still.
-int withoutIndex(int index, int removed) { return index > removed ? index - 1 : index; }
-
-void takeStateOut(AnimationSet& set, int state) {
-    set.states.erase(set.states.begin() + state);
-    std::erase_if(set.transitions,
-                  [&](const AnimationTransition& t) { return t.from == state || t.to == state; });
-    for (AnimationTransition& transition : set.transitions) {
-        transition.from = withoutIndex(transition.from, state);
-        transition.to = withoutIndex(transition.to, state);
-    }
+std::string freeName(const AnimationSet& set, std::string_view wanted) {
+    std::string name{wanted};
+    for (int number = 2; set.findClip(name) >= 0; ++number) name = format("{} {}", wanted, number);
+    return name;
 }
 
 }  // namespace
@@ -76,15 +71,21 @@ Rect AnimationEdit::cellOf(const AnimationFrame& frame) const {
     return {static_cast<float>(frame.cellX) * width, static_cast<float>(frame.cellY) * height, width, height};
 }
 
-void AnimationEdit::change(std::string label, const std::function<void(AnimationSet&)>& edit) {
-    if (path_.empty() || !workspace_.canEdit()) return;
+bool AnimationEdit::change(std::string label, const std::function<void(AnimationSet&)>& edit) {
+    if (path_.empty()) return false;
     AnimationSet changed = set();
     edit(changed);
-    if (changed == set()) return;
+    if (changed == set()) return false;
+    if (!workspace_.canEdit()) {  // ticks that are played again would come out otherwise
+        workspace_.notice = format("Animations are changed while no game plays: {} stops it",
+                                   keysFor(workspace_, "run.play"));
+        return false;
+    }
     workspace_.undo.endGesture();
     workspace_.undo.push(std::make_unique<WriteAsset>(std::move(label), workspace_.project.root,
                                                       workspace_.assets, path_, writeAnimationSet(changed)));
     workspace_.undo.endGesture();
+    return true;
 }
 
 void AnimationEdit::setCells(CellSize cells) {
@@ -101,18 +102,11 @@ bool AnimationEdit::sliceByItself() {
     return true;
 }
 
-std::string AnimationEdit::freeName(const AnimationSet& set, std::string_view wanted, bool state) const {
-    std::string name{wanted};
-    for (int number = 2; (state ? set.findState(name) : set.findClip(name)) >= 0; ++number)
-        name = format("{} {}", wanted, number);
-    return name;
-}
-
 void AnimationEdit::addClipOfAll() {
     const Image& image = sheet();
     change("add a clip of all cells", [&](AnimationSet& set) {
         Animation clip;
-        clip.name = freeName(set, "all", false);
+        clip.name = freeName(set, "all");
         for (int y = 0; y < rows(); ++y) {
             for (int x = 0; x < columns(); ++x) {
                 const AnimationFrame frame{x, y, kUsualSeconds, ""};
@@ -126,7 +120,7 @@ void AnimationEdit::addClipOfAll() {
 void AnimationEdit::addClip() {
     change("add a clip", [&](AnimationSet& set) {
         Animation clip;
-        clip.name = freeName(set, "clip", false);
+        clip.name = freeName(set, "clip");
         clip.frames.push_back({0, 0, kUsualSeconds, ""});
         set.clips.push_back(std::move(clip));
     });
@@ -139,7 +133,9 @@ void AnimationEdit::removeClip(int clip) {
         for (int state = static_cast<int>(set.states.size()) - 1; state >= 0; --state) {
             if (set.states[static_cast<std::size_t>(state)].clip == clip) takeStateOut(set, state);
         }
-        for (AnimationState& state : set.states) state.clip = withoutIndex(state.clip, clip);
+        for (AnimationState& state : set.states) {
+            if (state.clip > clip) --state.clip;
+        }
     });
 }
 
@@ -189,39 +185,6 @@ void AnimationEdit::setSeconds(int clip, int frame, float seconds) {
 void AnimationEdit::setLoop(int clip, LoopMode loop) {
     change("change how a clip repeats", [&](AnimationSet& set) {
         if (isIndex(set.clips, clip)) set.clips[static_cast<std::size_t>(clip)].loop = loop;
-    });
-}
-
-void AnimationEdit::addState(int clip) {
-    change("add a state", [&](AnimationSet& set) {
-        if (!isIndex(set.clips, clip)) return;
-        const std::string name = freeName(set, set.clips[static_cast<std::size_t>(clip)].name, true);
-        set.states.push_back({name, clip, 1.0f});
-    });
-}
-
-void AnimationEdit::removeState(int state) {
-    change("remove a state", [&](AnimationSet& set) {
-        if (isIndex(set.states, state)) takeStateOut(set, state);
-    });
-}
-
-void AnimationEdit::addTransition(int from, int to) {
-    change("add a transition", [&](AnimationSet& set) {
-        if (!isIndex(set.states, to) ||
-            (from != AnimationTransition::kAnyState && !isIndex(set.states, from)))
-            return;
-        AnimationTransition transition;
-        transition.from = from;
-        transition.to = to;
-        transition.afterEnd = true;  // without a condition it would leave at once
-        set.transitions.push_back(std::move(transition));
-    });
-}
-
-void AnimationEdit::removeTransition(int transition) {
-    change("remove a transition", [&](AnimationSet& set) {
-        if (isIndex(set.transitions, transition)) set.transitions.erase(set.transitions.begin() + transition);
     });
 }
 

@@ -9,8 +9,8 @@
 
 namespace plumb::editor {
 
-/// An animation file that is open for editing: its sheet and cells, its clips, its state machine. Every
-/// change is one step of undo and is written at once, so that the game that runs shows it.
+/// An animation file that is open for editing: its sheet, its cells and its clips; its states are changed by
+/// StateMachineEdit. Every change is one step of undo and is written at once, so that all who show it follow.
 class AnimationEdit {
 public:
     explicit AnimationEdit(Workspace& workspace) : workspace_{workspace} {}
@@ -20,6 +20,8 @@ public:
     std::string open(std::string_view path);
     void close() { path_.clear(); }
     [[nodiscard]] const std::string& path() const { return path_; }
+    [[nodiscard]] AnimationId id() const { return id_; }
+    [[nodiscard]] Workspace& workspace() const { return workspace_; }
     /// The file as it is now, also after undo or another program's change.
     [[nodiscard]] const AnimationSet& set() const;
     /// The sheet's pixels; empty when there are none.
@@ -28,8 +30,10 @@ public:
     [[nodiscard]] int rows();
     [[nodiscard]] Rect cellOf(const AnimationFrame& frame) const;
 
-    /// Any change of the file. @param label  completes "Undo …"
-    void change(std::string label, const std::function<void(AnimationSet&)>& edit);
+    /// Any change of the file; while a game plays it says that it waits for its end.
+    /// @param label  completes "Undo …"
+    /// @return       whether something is other than before
+    bool change(std::string label, const std::function<void(AnimationSet&)>& edit);
 
     void setCells(CellSize cells);
     /// @return whether cells could be told from each other
@@ -45,14 +49,8 @@ public:
     void moveFrame(int clip, int from, int to);
     void setSeconds(int clip, int frame, float seconds);
     void setLoop(int clip, LoopMode loop);
-    void addState(int clip);
-    void removeState(int state);
-    void addTransition(int from, int to);
-    void removeTransition(int transition);
 
 private:
-    [[nodiscard]] std::string freeName(const AnimationSet& set, std::string_view wanted, bool state) const;
-
     Workspace& workspace_;
     std::string path_;
     AnimationId id_;

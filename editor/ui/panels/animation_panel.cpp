@@ -5,11 +5,12 @@
 #include "core/text.hpp"
 #include "editor/model/assets/animation_edit.hpp"
 #include "editor/ui/panels/panels.hpp"
+#include "editor/ui/panels/state_machine_view.hpp"
 #include "editor/ui/scene_picture.hpp"
 #include "editor/ui/ui_compat.hpp"
 #include "editor/ui/widgets/asset_picture.hpp"
 #include "editor/ui/widgets/empty_state.hpp"
-#include "editor/ui/widgets/state_graph.hpp"
+#include "editor/ui/widgets/sheet_cell.hpp"
 #include "editor/ui/widgets/text_field.hpp"
 
 namespace plumb::editor::ui {
@@ -24,13 +25,21 @@ constexpr std::array kLoops{"loop", "once", "back and forth"};
 class AnimationPanel final : public Panel {
 public:
     void draw(Ui& ui) override {
-        if (!edit_) edit_ = std::make_unique<AnimationEdit>(ui.workspace);
+        if (!edit_) {
+            edit_ = std::make_unique<AnimationEdit>(ui.workspace);
+            states_ = std::make_unique<StateMachineView>(*edit_);
+        }
         if (const std::string wanted = std::exchange(ui.workspace.assetToEdit, {}); !wanted.empty())
             take(ui, wanted);
         if (edit_->path().empty()) return drawNothing(ui);
         clip_ = std::clamp(clip_, 0, std::max(static_cast<int>(edit_->set().clips.size()) - 1, 0));
         beginChild("clips", {ui.px(kSideWidth), 0.0f}, false);
-        drawSheetSettings(ui);
+        drawFile(ui);
+        if (graph_) {
+            states_->drawParameters(ui);
+        } else {
+            drawSheetSettings(ui);
+        }
         drawClips(ui);
         ImGui::EndChild();
         ImGui::SameLine();
@@ -52,6 +61,7 @@ private:
         if (!problem.empty()) ui.workspace.notice = problem;
         clip_ = 0;
         graph_ = false;
+        states_->begin();
     }
 
     void drawNothing(Ui& ui) {
@@ -63,11 +73,14 @@ private:
         if (const std::string dropped = acceptAsset(hovering_); !dropped.empty()) take(ui, dropped);
     }
 
-    void drawSheetSettings(Ui& ui) {
-        const AnimationSet& set = edit_->set();
+    void drawFile(Ui& ui) const {
         ImGui::TextUnformatted(edit_->path().substr(edit_->path().rfind('/') + 1).c_str());
         ui.widgets.mark("Animation/file", edit_->path());
         tooltip(edit_->path());
+    }
+
+    void drawSheetSettings(Ui& ui) {
+        const AnimationSet& set = edit_->set();
         ImGui::AlignTextToFramePadding();
         ImGui::TextDisabled("Cell");
         ImGui::SameLine(ui.px(40.0f));
@@ -124,22 +137,6 @@ private:
         return clip_ < static_cast<int>(clips.size()) ? &clips[static_cast<std::size_t>(clip_)] : nullptr;
     }
 
-    /// One cell of the sheet in a box.
-    void drawCell(Ui& ui, const AnimationFrame& frame, const AABB& box) {
-        const AnimationSet& set = edit_->set();
-        if (ui.picture == nullptr || set.texture.empty() || set.frameWidth <= 0 || set.frameHeight <= 0)
-            return;
-        const Vec2 size{static_cast<float>(set.frameWidth), static_cast<float>(set.frameHeight)};
-        const float zoom = std::min(box.size().x / size.x, box.size().y / size.y);
-        const Vec2 half = size * (zoom * 0.5f);
-        const Vec2 at = box.center();
-        const TexturePart part = ui.picture->part(set.texture, edit_->cellOf(frame));
-        const std::array corners{ImVec2{at.x - half.x, at.y - half.y}, ImVec2{at.x + half.x, at.y - half.y},
-                                 ImVec2{at.x + half.x, at.y + half.y}, ImVec2{at.x - half.x, at.y + half.y}};
-        const std::array uv{part.from, Vec2{part.to.x, part.from.y}, part.to, Vec2{part.from.x, part.to.y}};
-        quadOfPixels(*ImGui::GetWindowDrawList(), textureId(part.texture), corners, uv, IM_COL32_WHITE);
-    }
-
     /// The frames of the clip in their order; the one that shows is marked.
     void drawFrames(Ui& ui) {
         const Animation* shown = clip();
@@ -163,7 +160,7 @@ private:
             tooltip("Drag it to another place; a right click takes it out");
             const AABB box{{at.x, at.y}, {at.x + side, at.y + side}};
             ImGui::GetWindowDrawList()->AddRectFilled(at, {box.max.x, box.max.y}, palette::kCanvas);
-            drawCell(ui, frame, box);
+            drawSheetCell(ui, *edit_, frame, box);
             outline(*ImGui::GetWindowDrawList(), at, {box.max.x, box.max.y},
                     i == playing ? palette::kAccent : palette::kCellLine);
             float ms = frame.seconds * 1000.0f;
@@ -241,15 +238,15 @@ private:
         ImGui::SameLine();
         if (ImGui::RadioButton("States", graph_)) graph_ = true;
         ui.widgets.mark("Animation/states");
-        if (graph_) return drawStateGraph(ui, *edit_, clip_, state_);
+        if (graph_) return states_->drawGraph(ui, clip_);
         const Animation* shown = clip();
         if (shown == nullptr || shown->frames.empty()) return;
         const ImVec2 at = ImGui::GetCursorScreenPos();
         const ImVec2 room = ImGui::GetContentRegionAvail();
         const int index = frameAt(*shown, ImGui::GetTime() - since_);
         ImGui::GetWindowDrawList()->AddRectFilled(at, {at.x + room.x, at.y + room.y}, palette::kCanvas);
-        drawCell(ui, shown->frames[static_cast<std::size_t>(index)],
-                 {{at.x, at.y}, {at.x + room.x, at.y + room.y}});
+        drawSheetCell(ui, *edit_, shown->frames[static_cast<std::size_t>(index)],
+                      {{at.x, at.y}, {at.x + room.x, at.y + room.y}});
         ImGui::InvisibleButton("picture", {std::max(room.x, 1.0f), std::max(room.y, 1.0f)});
         ui.widgets.mark("Animation/picture", format("{}", index));
         if (ImGui::IsItemClicked()) since_ = ImGui::GetTime();
@@ -257,8 +254,8 @@ private:
     }
 
     std::unique_ptr<AnimationEdit> edit_;
+    std::unique_ptr<StateMachineView> states_;
     int clip_ = 0;
-    int state_ = -1;
     bool graph_ = false;
     double since_ = 0.0;
     float held_ = 0.0f;  ///< ms that is being dragged

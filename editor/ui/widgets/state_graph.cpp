@@ -4,147 +4,266 @@
 #include <cmath>
 
 #include "core/text.hpp"
+#include "editor/model/assets/state_machine_edit.hpp"
 #include "editor/ui/ui_compat.hpp"
 #include "math/angle.hpp"
 
 namespace plumb::editor::ui {
 namespace {
 
-constexpr float kBeside = 380.0f;  // px at scale 1
-constexpr std::array kComparisons{">", "<", ">=", "<=", "==", "!="};
+using Kind = MachinePart::Kind;
 
-Vec2 placeOf(int state, int count, Vec2 center, Vec2 radius) {
-    const float angle =
-        kTau * static_cast<float>(state) / static_cast<float>(std::max(count, 1)) - kPi * 0.5f;
-    return center + (count < 2 ? Vec2{} : Vec2{std::cos(angle) * radius.x, std::sin(angle) * radius.y});
+constexpr int kAny = AnimationTransition::kAnyState;
+constexpr const char* kPayload = "plumb.state";  // what is dragged: the index of a state, or kAny
+constexpr float kReach = 5.0f;                   // px at scale 1, beside an arrow
+constexpr float kApart = 4.0f;                   // px at scale 1, from the line between two states
+constexpr float kNarrowest = 40.0f;              // px at scale 1, of a state
+constexpr float kWidest = 92.0f;
+
+struct Arrow {
+    Vec2 from;
+    Vec2 to;
+    bool seen = false;
+};
+
+/// Where everything of the graph stands (px on screen).
+class GraphPlan {
+public:
+    GraphPlan(const Ui& ui, const AnimationSet& set, ImVec2 at, ImVec2 room)
+        : set_{set},
+          pixel_{ui.px(1.0f)},
+          box_{ui.px(kNarrowest), ui.px(22.0f)},
+          any_{ui.px(34.0f), ui.px(18.0f)} {
+        for (const AnimationState& state : set.states)
+            box_.x = std::max(box_.x, ImGui::CalcTextSize(state.name.c_str()).x + ui.px(18.0f));
+        box_.x = std::min(box_.x, ui.px(kWidest));
+        center_ = {at.x + room.x * 0.5f, at.y + room.y * 0.5f};
+        radius_ = {room.x * 0.5f - box_.x * 0.5f - ui.px(6.0f), room.y * 0.5f - box_.y * 0.5f - ui.px(6.0f)};
+    }
+
+    [[nodiscard]] Vec2 sizeOf(int state) const { return state == kAny ? any_ : box_; }
+    [[nodiscard]] Vec2 middleOf(int state) const {
+        if (state == kAny) return center_;
+        const float part = static_cast<float>(state) / static_cast<float>(set_.states.size());
+        const float angle = kTau * part - kPi * 0.5f;
+        return center_ + Vec2{std::cos(angle) * radius_.x, std::sin(angle) * radius_.y};
+    }
+    [[nodiscard]] Arrow arrowOf(int transition) const {
+        const AnimationTransition& way = at(transition);
+        const Vec2 from = middleOf(way.from), to = middleOf(way.to);
+        const float length = distance(from, to);
+        if (length < 1.0f) return {};
+        const Vec2 step = (to - from) / length;
+        const float start = edgeOf(sizeOf(way.from), step);
+        const float end = edgeOf(sizeOf(way.to), step) + 2.0f * pixel_;
+        // Ways there and back, and several of one way, lie beside each other.
+        const Vec2 side = Vec2{-step.y, step.x} * (pixel_ * (kApart + 7.0f * laneOf(transition)));
+        return {from + step * start + side, to - step * end + side, length > start + end + 4.0f * pixel_};
+    }
+
+private:
+    [[nodiscard]] const AnimationTransition& at(int transition) const {
+        return set_.transitions[static_cast<std::size_t>(transition)];
+    }
+    [[nodiscard]] float laneOf(int transition) const {
+        float lane = 0.0f;
+        for (int i = 0; i < transition; ++i)
+            lane += at(i).from == at(transition).from && at(i).to == at(transition).to ? 1.0f : 0.0f;
+        return lane;
+    }
+    /// How far the edge of a box lies from its middle, along a way.
+    static float edgeOf(Vec2 box, Vec2 step) {
+        const float across = box.x * 0.5f / std::max(std::abs(step.x), 1e-4f);
+        const float down = box.y * 0.5f / std::max(std::abs(step.y), 1e-4f);
+        return std::min(across, down);
+    }
+
+    const AnimationSet& set_;
+    float pixel_;
+    Vec2 center_;
+    Vec2 radius_;
+    Vec2 box_;
+    Vec2 any_;
+};
+
+float distanceTo(const Arrow& arrow, Vec2 point) {
+    const Vec2 way = arrow.to - arrow.from;
+    const float part = std::clamp(dot(point - arrow.from, way) / lengthSquared(way), 0.0f, 1.0f);
+    return distance(arrow.from + way * part, point);
 }
 
-/// How far the edge of a box lies from its middle, along a way.
-float edgeOf(Vec2 box, Vec2 step) {
-    const float across = box.x * 0.5f / std::max(std::abs(step.x), 1e-4f);
-    const float down = box.y * 0.5f / std::max(std::abs(step.y), 1e-4f);
-    return std::min(across, down);
-}
-
-/// From one box to another. @param leave  the box that it begins at; none: it begins at a point
-void drawArrow(const Ui& ui, ImDrawList& list, Vec2 from, Vec2 to, Vec2 leave, Vec2 reach, ImU32 color) {
-    const Vec2 way = to - from;
-    const float length = std::sqrt(way.x * way.x + way.y * way.y);
+void drawArrow(const Ui& ui, ImDrawList& list, const Arrow& arrow, ImU32 color, float thickness) {
+    const float length = distance(arrow.from, arrow.to);
     if (length < 1.0f) return;
-    const Vec2 step = way / length;
-    const float start = edgeOf(leave, step);
-    const float end = edgeOf(reach, step) + ui.px(2.0f);
-    if (length < start + end + ui.px(4.0f)) return;
-    const Vec2 side{-step.y, step.x};
-    // Two ways between the same boxes lie beside each other.
-    const Vec2 a = from + step * start + side * ui.px(4.0f);
-    const Vec2 b = to - step * end + side * ui.px(4.0f);
-    list.AddLine({a.x, a.y}, {b.x, b.y}, color, ui.px(1.5f));
-    const Vec2 back = b - step * ui.px(7.0f);
-    const Vec2 wing = side * ui.px(4.0f);
-    list.AddTriangleFilled({b.x, b.y}, {back.x + wing.x, back.y + wing.y}, {back.x - wing.x, back.y - wing.y},
-                           color);
+    const Vec2 step = (arrow.to - arrow.from) / length;
+    const Vec2 back = arrow.to - step * ui.px(7.0f);
+    const Vec2 wing = Vec2{-step.y, step.x} * ui.px(4.0f);
+    list.AddLine({arrow.from.x, arrow.from.y}, {back.x, back.y}, color, ui.px(thickness));
+    list.AddTriangleFilled({arrow.to.x, arrow.to.y}, {back.x + wing.x, back.y + wing.y},
+                           {back.x - wing.x, back.y - wing.y}, color);
 }
 
-/// "after its end, speed > 1"
-std::string whenText(const AnimationSet& set, const AnimationTransition& transition) {
-    std::string text = transition.afterEnd ? "after its end" : "";
-    for (const AnimationCondition& condition : transition.when) {
-        if (!text.empty()) text += ", ";
-        text += format("{} {} {}", set.parameters[static_cast<std::size_t>(condition.parameter)].name,
-                       kComparisons[static_cast<std::size_t>(condition.is)], condition.value);
+/// One frame of the graph: what is drawn, and what the mouse does to it.
+class Graph {
+public:
+    Graph(Ui& ui, const AnimationSet& set, MachinePart chosen, int playing, ImVec2 room)
+        : ui_{ui},
+          set_{set},
+          chosen_{chosen},
+          playing_{playing},
+          at_{ImGui::GetCursorScreenPos()},
+          room_{room},
+          plan_{ui, set, at_, room},
+          list_{*ImGui::GetWindowDrawList()} {}
+
+    GraphHands draw() {
+        const ImVec2 end{at_.x + room_.x, at_.y + room_.y};
+        list_.AddRectFilled(at_, end, palette::kCanvas, ui_.px(4.0f));
+        ImGui::PushClipRect(at_, end, true);
+        drawArrows();
+        drawBox(kAny, "any");
+        for (int i = 0; i < static_cast<int>(set_.states.size()); ++i)
+            drawBox(i, set_.states[static_cast<std::size_t>(i)].name);
+        drawDragged();
+        takeArrows();
+        ImGui::PopClipRect();
+        return std::move(hands_);
     }
-    return text.empty() ? "at once" : text;
-}
 
-void drawTransitions(Ui& ui, AnimationEdit& edit) {
-    const AnimationSet set = edit.set();
-    const auto nameOf = [&](int state) {
-        return state == AnimationTransition::kAnyState ? std::string{"any"}
-                                                       : set.states[static_cast<std::size_t>(state)].name;
-    };
-    for (int i = 0; i < static_cast<int>(set.transitions.size()); ++i) {
-        const AnimationTransition& transition = set.transitions[static_cast<std::size_t>(i)];
-        ImGui::PushID(i);
-        ImGui::Selectable(
-            format("{} > {}: {}", nameOf(transition.from), nameOf(transition.to), whenText(set, transition))
-                .c_str());
-        ui.widgets.mark(format("Animation/transition/{}", i));
-        tooltip("A right click takes it out");
-        if (ImGui::IsItemClicked(1)) edit.removeTransition(i);
+private:
+    [[nodiscard]] bool isChosen(Kind kind, int index) const { return chosen_ == MachinePart{kind, index}; }
+
+    void drawArrows() {
+        const int count = static_cast<int>(set_.transitions.size());
+        for (const bool marked : {false, true}) {  // what is marked lies on top
+            for (int i = 0; i < count; ++i) {
+                const AnimationTransition& way = set_.transitions[static_cast<std::size_t>(i)];
+                const bool here = isChosen(Kind::Transition, i);
+                const bool leaves = chosen_.kind == Kind::State && way.from == chosen_.index;
+                if ((here || leaves) != marked) continue;
+                const Arrow arrow = plan_.arrowOf(i);
+                if (!arrow.seen) continue;
+                const bool others = chosen_.kind == Kind::State && way.to != chosen_.index;
+                drawArrow(ui_, list_, arrow,
+                          marked   ? palette::kAccent
+                          : others ? palette::kBorder
+                                   : palette::kTextDim,
+                          here ? 2.5f : 1.5f);
+                const Vec2 spot = lerp(arrow.from, arrow.to, 0.35f);  // beside the crossing in the middle
+                const Vec2 half{ui_.px(3.0f), ui_.px(3.0f)};
+                ui_.widgets.mark(format("Animation/arrow/{}", i), AABB{spot - half, spot + half},
+                                 whenText(set_, way));
+            }
+        }
+    }
+
+    void drawBox(int state, const std::string& name) {
+        const Vec2 size = plan_.sizeOf(state);
+        const Vec2 from = plan_.middleOf(state) - size * 0.5f;
+        const ImVec2 corner{from.x, from.y}, end{from.x + size.x, from.y + size.y};
+        ImGui::PushID(state);
+        ImGui::SetCursorScreenPos(corner);
+        const bool clicked = ImGui::InvisibleButton("state", {size.x, size.y});
+        ui_.widgets.mark(state == kAny ? "Animation/any" : "Animation/state/" + name,
+                         state == playing_ ? "plays" : "");
+        if (clicked && state != kAny) hands_.chosen = MachinePart{Kind::State, state};
+        const bool hovered = ImGui::IsItemHovered();
+        if (hovered && ImGui::IsMouseDoubleClicked(0)) hands_.entered = state;
+        dragBox(state, name);
+        const bool chosen = state != kAny && isChosen(Kind::State, state);
+        if (!chosen) tooltip(helpFor(state));
         ImGui::PopID();
+        const bool plays = state != kAny && state == playing_;
+        list_.AddRectFilled(corner, end,
+                            plays     ? palette::kChromePlaying
+                            : hovered ? palette::kHeaderHovered
+                                      : palette::kHeader,
+                            ui_.px(4.0f));
+        outline(list_, corner, end,
+                chosen  ? palette::kAccent
+                : plays ? palette::kPlay
+                        : palette::kTextDim,
+                ui_.px(4.0f), chosen ? 2.0f : 1.0f);
+        if (state == 0) drawStart(from, size.y);
+        const ImVec2 text = ImGui::CalcTextSize(name.c_str());
+        list_.PushClipRect(corner, end, true);
+        list_.AddText(
+            {from.x + std::max((size.x - text.x) * 0.5f, ui_.px(7.0f)), from.y + (size.y - text.y) * 0.5f},
+            state == kAny ? palette::kTextDim : palette::kText, name.c_str());
+        list_.PopClipRect();
     }
-}
+
+    static std::string helpFor(int state) {
+        if (state == kAny) return "Any state: a drag from here to a state makes a transition from all others";
+        return format("{}A drag to another state makes a transition; a double click plays it",
+                      state == 0 ? "It begins here. " : "");
+    }
+
+    /// The mark of the first state.
+    void drawStart(Vec2 from, float height) {
+        const float x = from.x - ui_.px(5.0f), y = from.y + height * 0.5f, arm = ui_.px(4.5f);
+        list_.AddTriangleFilled({x, y - arm}, {x + arm * 1.6f, y}, {x, y + arm}, palette::kPlay);
+    }
+
+    void dragBox(int state, const std::string& name) {
+        if (ImGui::BeginDragDropSource()) {
+            ImGui::SetDragDropPayload(kPayload, &state, sizeof state);
+            ImGui::TextUnformatted(format("{} to ...", name).c_str());
+            ImGui::EndDragDropSource();
+        }
+        if (state == kAny || !ImGui::BeginDragDropTarget()) return;
+        if (const ImGuiPayload* payload = ImGui::AcceptDragDropPayload(kPayload))
+            hands_.joined = {*static_cast<const int*>(payload->Data), state};
+        ImGui::EndDragDropTarget();
+    }
+
+    /// The transition that would be made.
+    void drawDragged() {
+        const ImGuiPayload* payload = ImGui::GetDragDropPayload();
+        if (payload == nullptr || !payload->IsDataType(kPayload)) return;
+        const int from = *static_cast<const int*>(payload->Data);
+        if (from >= static_cast<int>(set_.states.size())) return;
+        const ImVec2 mouse = ImGui::GetIO().MousePos;
+        drawArrow(ui_, list_, {plan_.middleOf(from), {mouse.x, mouse.y}, true}, palette::kAccent, 2.0f);
+    }
+
+    /// Lies below the states, so it comes after them.
+    void takeArrows() {
+        ImGui::SetCursorScreenPos(at_);
+        const bool clicked = ImGui::InvisibleButton("canvas", room_);
+        ui_.widgets.mark("Animation/graph");
+        if (!ImGui::IsItemHovered()) return;
+        const ImVec2 mouse = ImGui::GetIO().MousePos;
+        int nearest = -1;
+        float closest = ui_.px(kReach);
+        for (int i = 0; i < static_cast<int>(set_.transitions.size()); ++i) {
+            const Arrow arrow = plan_.arrowOf(i);
+            const float away = arrow.seen ? distanceTo(arrow, {mouse.x, mouse.y}) : closest;
+            if (away < closest) closest = away, nearest = i;
+        }
+        if (clicked) hands_.chosen = nearest < 0 ? MachinePart{} : MachinePart{Kind::Transition, nearest};
+        if (nearest < 0) return;
+        const AnimationTransition& way = set_.transitions[static_cast<std::size_t>(nearest)];
+        if (!isChosen(Kind::Transition, nearest))
+            drawArrow(ui_, list_, plan_.arrowOf(nearest), palette::kText, 2.0f);
+        tooltip(format("{}: {}", wayText(set_, way), whenText(set_, way)));
+    }
+
+    Ui& ui_;
+    const AnimationSet& set_;
+    MachinePart chosen_;
+    int playing_;
+    ImVec2 at_;
+    ImVec2 room_;
+    GraphPlan plan_;
+    ImDrawList& list_;
+    GraphHands hands_;
+};
 
 }  // namespace
 
-void drawStateGraph(Ui& ui, AnimationEdit& edit, int clip, int& state) {
-    const AnimationSet set = edit.set();
-    const int count = static_cast<int>(set.states.size());
-    if (ImGui::SmallButton("Add state")) edit.addState(clip);
-    ui.widgets.mark("Animation/addState");
-    tooltip("A state that plays the selected clip");
-    ImGui::SameLine();
-    if (ImGui::SmallButton("Remove") && state >= 0) edit.removeState(std::exchange(state, -1));
-    ui.widgets.mark("Animation/removeState");
-    if (count == 0) {
-        ImGui::TextWrapped("Without states the game chooses clips by hand.");
-        return;
-    }
-    const ImVec2 at = ImGui::GetCursorScreenPos();
-    // The transitions stand beside the states, or below them where that is too narrow.
-    const ImVec2 all = ImGui::GetContentRegionAvail();
-    const bool wide = all.x >= ui.px(kBeside);
-    const ImVec2 room{wide ? std::floor(all.x * 0.6f) : all.x,
-                      wide ? std::max(all.y, ui.px(90.0f)) : std::max(all.y * 0.6f, ui.px(90.0f))};
-    const Vec2 box{ui.px(68.0f), ui.px(22.0f)};
-    const Vec2 center{at.x + room.x * 0.5f, at.y + room.y * 0.5f};
-    const Vec2 radius{room.x * 0.5f - box.x * 0.55f, room.y * 0.5f - box.y * 0.8f};
-    ImDrawList& list = *ImGui::GetWindowDrawList();
-    list.AddRectFilled(at, {at.x + room.x, at.y + room.y}, palette::kCanvas);
-    for (const AnimationTransition& transition : set.transitions) {
-        const Vec2 to = placeOf(transition.to, count, center, radius);
-        const Vec2 from = transition.from < 0 ? center : placeOf(transition.from, count, center, radius);
-        drawArrow(ui, list, from, to, transition.from < 0 ? Vec2{} : box, box, palette::kTextDim);
-    }
-    for (int i = 0; i < count; ++i) {
-        const std::string& name = set.states[static_cast<std::size_t>(i)].name;
-        const Vec2 place = placeOf(i, count, center, radius) - box * 0.5f;
-        ImGui::PushID(i);
-        ImGui::SetCursorScreenPos({place.x, place.y});
-        if (ImGui::InvisibleButton("state", {box.x, box.y})) state = i;
-        ui.widgets.mark("Animation/state/" + name);
-        if (ImGui::BeginDragDropSource()) {
-            ImGui::SetDragDropPayload("state", &i, sizeof i);
-            ImGui::TextUnformatted("To the next state");
-            ImGui::EndDragDropSource();
-        }
-        if (ImGui::BeginDragDropTarget()) {
-            if (const ImGuiPayload* payload = ImGui::AcceptDragDropPayload("state"))
-                edit.addTransition(*static_cast<const int*>(payload->Data), i);
-            ImGui::EndDragDropTarget();
-        }
-        tooltip(i == 0 ? "It begins here. Drag to another state for a transition."
-                       : "Drag to another state for a transition.");
-        ImGui::PopID();
-        list.AddRectFilled({place.x, place.y}, {place.x + box.x, place.y + box.y}, palette::kHeader,
-                           ui.px(4.0f));
-        outline(list, {place.x, place.y}, {place.x + box.x, place.y + box.y},
-                i == state ? palette::kAccent
-                : i == 0   ? palette::kPlay
-                           : palette::kTextDim,
-                ui.px(4.0f));
-        const ImVec2 size = ImGui::CalcTextSize(name.c_str());
-        list.PushClipRect({place.x, place.y}, {place.x + box.x, place.y + box.y}, true);
-        list.AddText({place.x + std::max((box.x - size.x) * 0.5f, 3.0f), place.y + (box.y - size.y) * 0.5f},
-                     palette::kText, name.c_str());
-        list.PopClipRect();
-    }
-    ImGui::SetCursorScreenPos(wide ? ImVec2{at.x + room.x + ui.px(10.0f), at.y}
-                                   : ImVec2{at.x, at.y + room.y + ui.px(4.0f)});
-    beginChild("transitions", {0.0f, wide ? room.y : 0.0f}, false);
-    drawTransitions(ui, edit);
-    ImGui::EndChild();
+GraphHands drawStateGraph(Ui& ui, const AnimationSet& set, MachinePart chosen, int playing, ImVec2 room) {
+    return Graph{ui, set, chosen, playing, room}.draw();
 }
 
 }  // namespace plumb::editor::ui
