@@ -1,8 +1,10 @@
 #include "editor/model/undo_stack.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "core/text.hpp"
+#include "editor/model/file_command.hpp"
 
 namespace plumb::editor {
 namespace {
@@ -25,10 +27,30 @@ public:
         }
     }
 
+    [[nodiscard]] bool writesFilesOnly() const;
+
 private:
     std::string label_;
     std::vector<std::unique_ptr<Command>> commands_;
 };
+
+bool writesFilesOnly(const Command& command) {
+    if (const auto* group = dynamic_cast<const CommandGroup*>(&command)) return group->writesFilesOnly();
+    return dynamic_cast<const FileCommand*>(&command) != nullptr;
+}
+
+bool CommandGroup::writesFilesOnly() const {
+    return std::all_of(commands_.begin(), commands_.end(), [](const std::unique_ptr<Command>& command) {
+        return plumb::editor::writesFilesOnly(*command);
+    });
+}
+
+/// Steps over a command, forth or back. The mark of what is saved goes with it when the scene is the same on
+/// both sides.
+void goOver(const Command& command, std::size_t to, std::size_t& position, std::size_t& saved) {
+    if (saved == position && writesFilesOnly(command)) saved = to;
+    position = to;
+}
 
 }  // namespace
 
@@ -67,24 +89,24 @@ void UndoStack::append(std::unique_ptr<Command> command, std::string subject) {
     subjects_.resize(position_);
     commands_.push_back(std::move(command));
     subjects_.push_back(std::move(subject));
-    ++position_;
+    goOver(*commands_.back(), position_ + 1, position_, saved_);
 }
 
 void UndoStack::endGesture() {
     if (!std::exchange(gesture_, false)) return;
     if (position_ == commands_.size() && commands_.back()->changesNothing(document_)) {
+        goOver(*commands_.back(), position_ - 1, position_, saved_);
         commands_.pop_back();
         subjects_.pop_back();
-        --position_;
     }
 }
 
 void UndoStack::cancelGesture() {
     if (!std::exchange(gesture_, false)) return;
     commands_.back()->revert(document_);
+    goOver(*commands_.back(), position_ - 1, position_, saved_);
     commands_.pop_back();
     subjects_.pop_back();
-    --position_;
     ++document_.sceneRevision;
 }
 
@@ -92,7 +114,8 @@ bool UndoStack::undo() {
     PLUMB_ASSERT(group_ == nullptr, "commit the transaction before undoing");
     endGesture();
     if (position_ == 0) return false;
-    commands_[--position_]->revert(document_);
+    commands_[position_ - 1]->revert(document_);
+    goOver(*commands_[position_ - 1], position_ - 1, position_, saved_);
     ++document_.sceneRevision;
     return true;
 }
@@ -101,7 +124,8 @@ bool UndoStack::redo() {
     PLUMB_ASSERT(group_ == nullptr, "commit the transaction before redoing");
     endGesture();
     if (position_ == commands_.size()) return false;
-    commands_[position_++]->apply(document_);
+    commands_[position_]->apply(document_);
+    goOver(*commands_[position_], position_ + 1, position_, saved_);
     ++document_.sceneRevision;
     return true;
 }

@@ -2,6 +2,7 @@
 
 #include "app/project.hpp"
 #include "ecs/world.hpp"
+#include "editor/model/actions.hpp"
 #include "editor/model/input_map_edit.hpp"
 #include "gameplay/components/toggle_key.hpp"
 #include "input/input.hpp"
@@ -89,6 +90,33 @@ TEST_F(InputMapTest, aKeyIsAddedAndTakenAwayWithOneStepEachAndTheRestOfTheFileSt
     EXPECT_EQ(project->actions.actions[static_cast<std::size_t>(project->actions.find(plumb::Action{"Dash"}))]
                   .bindings.size(),
               3u);
+}
+
+TEST_F(InputMapTest, isAFileOfItsOwnSoThatTheSceneIsAsSavedAsItWas) {
+    ASSERT_TRUE(edit.bind(dash, *bindingFromText("Q")).ok());
+    EXPECT_FALSE(workspace.unsaved()) << "the scene has not changed";
+    EXPECT_EQ(workspace.undo.savedPosition(), 1u) << "the history says so too";
+    ASSERT_TRUE(edit.rename(Kind::Action, "Dash", "Rush").ok());
+    EXPECT_FALSE(workspace.unsaved());
+    runAction(workspace, "entity.create");
+    EXPECT_TRUE(workspace.unsaved());
+    ASSERT_TRUE(edit.bind({Kind::Action, "Rush", ""}, *bindingFromText("K")).ok());
+    EXPECT_TRUE(workspace.unsaved()) << "nor is what is changed saved by it";
+
+    for (const std::size_t back : {3u, 2u, 1u, 0u}) {
+        workspace.undo.undo();
+        EXPECT_EQ(workspace.undo.size(), back);
+        EXPECT_EQ(workspace.unsaved(), back > 2) << back;
+    }
+    workspace.undo.jumpTo(2);
+    EXPECT_FALSE(workspace.unsaved());
+    workspace.undo.jumpTo(4);
+    EXPECT_TRUE(workspace.unsaved());
+    ASSERT_TRUE(workspace.save().ok());
+    workspace.undo.undo();
+    EXPECT_FALSE(workspace.unsaved());
+    workspace.undo.undo();
+    EXPECT_TRUE(workspace.unsaved());
 }
 
 TEST_F(InputMapTest, theFilesOfOurProjectsAreWrittenAsTheyAre) {

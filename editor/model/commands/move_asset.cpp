@@ -22,7 +22,7 @@ std::string movedPath(const std::string& path, const std::string& from, const st
 }
 
 /// Takes a file away; it lies in memory until it is put back.
-class DeleteAsset final : public Command {
+class DeleteAsset final : public FileCommand {
 public:
     DeleteAsset(Path root, std::string path) : root_{std::move(root)}, path_{std::move(path)} {}
 

@@ -6,14 +6,14 @@
 
 #include "assets/asset_store.hpp"
 #include "core/file.hpp"
-#include "editor/model/command.hpp"
+#include "editor/model/file_command.hpp"
 #include "editor/model/prefab_edit.hpp"
 
 namespace plumb::editor {
 
 /// Gives a file or a folder of the project another path, in all files that name it and in the open scene.
 /// Either everything is written or nothing: what goes wrong is put back and told in the log.
-class MoveAsset final : public Command {
+class MoveAsset final : public FileCommand {
 public:
     /// @param edit  its parts outlive the command
     MoveAsset(const PrefabEdit& edit, AssetStore& assets, std::string from, std::string to,

@@ -6,15 +6,15 @@
 #include <vector>
 
 #include "assets/asset_store.hpp"
-#include "editor/model/command.hpp"
 #include "editor/model/commands/set_field.hpp"
+#include "editor/model/file_command.hpp"
 #include "editor/model/prefab_edit.hpp"
 
 namespace plumb::editor {
 
 /// Gives an action or an axis of the project another name: in project.json, in all scenes and prefabs that
 /// name it, and in the open document. Either everything is written or nothing: what goes wrong is put back.
-class RenameAction final : public Command {
+class RenameAction final : public FileCommand {
 public:
     /// @param list     of project.json: "actions" or "axes"
     /// @param field    by which components name it: "action" or "axis"

@@ -4,14 +4,14 @@
 
 #include "assets/asset_store.hpp"
 #include "core/file.hpp"
-#include "editor/model/command.hpp"
+#include "editor/model/file_command.hpp"
 #include "editor/model/undo_stack.hpp"
 
 namespace plumb::editor {
 
 /// Exchanges the text of a file of the project, at once and as a whole; what shows it follows. Undo gives the
 /// very bytes back.
-class WriteAsset final : public Command {
+class WriteAsset final : public FileCommand {
 public:
     /// @param root, assets  outlive the command
     WriteAsset(std::string label, const Path& root, AssetStore& assets, std::string path, std::string text)

@@ -3,13 +3,13 @@
 #include <string>
 
 #include "assets/asset_store.hpp"
-#include "editor/model/command.hpp"
+#include "editor/model/file_command.hpp"
 
 namespace plumb::editor {
 
 /// Exchanges the text of a tileset's file; whoever shows the tileset follows. The file is written as a whole
 /// or not at all; what goes wrong is in the log.
-class WriteTileset final : public Command {
+class WriteTileset final : public FileCommand {
 public:
     /// @param assets  outlives the command
     WriteTileset(std::string label, AssetStore& assets, TilesetId tileset, std::string text)
