@@ -93,7 +93,8 @@ CellPlace squareCorner(CellPlace from, CellPlace to) {
     return {from.x + (to.x < from.x ? -side : side), from.y + (to.y < from.y ? -side : side)};
 }
 
-std::vector<CellPlace> connectedCells(const TileGrid& grid, const TileGrid* terrain, CellPlace from) {
+std::vector<CellPlace> connectedCells(const TileGrid& grid, const TileGrid* terrain, CellPlace from,
+                                      std::size_t most) {
     std::vector<CellPlace> filled;
     if (!grid.has(from.x, from.y)) return filled;
     const CellKeys keys{grid, terrain};
@@ -103,7 +104,7 @@ std::vector<CellPlace> connectedCells(const TileGrid& grid, const TileGrid* terr
         if (grid.has(x, y) && keys.at(x, y) == wanted && seen.mark(x, y)) filled.push_back({x, y});
     };
     visit(from.x, from.y);
-    for (std::size_t i = 0; i < filled.size() && filled.size() < kMostFilled; ++i) {
+    for (std::size_t i = 0; i < filled.size() && filled.size() < most; ++i) {
         const CellPlace at = filled[i];
         visit(at.x - 1, at.y);
         visit(at.x + 1, at.y);
@@ -129,6 +130,16 @@ std::vector<CellPlace> equalCells(const TileGrid& grid, const TileGrid* terrain,
         }
     }
     return equal;
+}
+
+std::vector<CellPlace> equalCellsNear(const TileGrid& grid, const TileGrid* terrain, CellPlace to,
+                                      int columns, int rows) {
+    if (!grid.has(to.x, to.y)) return {};
+    const CellKeys keys{grid, terrain};
+    std::vector<CellPlace> cells =
+        boxOfCells(grid, {to.x - columns, to.y - rows}, {to.x + columns, to.y + rows});
+    std::erase_if(cells, [&](CellPlace place) { return keys.at(place.x, place.y) != keys.at(to.x, to.y); });
+    return cells;
 }
 
 }  // namespace plumb::editor

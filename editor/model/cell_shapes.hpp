@@ -22,8 +22,13 @@ inline constexpr std::size_t kMostFilled = std::size_t{1} << 22;
 
 /// The cells that a bucket fills: those connected to `from` through equal neighbours beside them.
 /// @param terrain  where it has one, cells of equal terrain are equal; null: only tiles count
-std::vector<CellPlace> connectedCells(const TileGrid& grid, const TileGrid* terrain, CellPlace from);
+/// @param most     it ends with about so many, the nearest ones
+std::vector<CellPlace> connectedCells(const TileGrid& grid, const TileGrid* terrain, CellPlace from,
+                                      std::size_t most = kMostFilled);
 /// All cells of the grid that are equal to that one, in the same sense.
 std::vector<CellPlace> equalCells(const TileGrid& grid, const TileGrid* terrain, CellPlace to);
+/// Those of them that are at most so many columns and rows away.
+std::vector<CellPlace> equalCellsNear(const TileGrid& grid, const TileGrid* terrain, CellPlace to,
+                                      int columns, int rows);
 
 }  // namespace plumb::editor

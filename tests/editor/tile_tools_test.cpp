@@ -79,6 +79,64 @@ TEST_F(TileTools, fillingWithShiftReachesAllEqualCells) {
     EXPECT_EQ(row(1), "60060006");
 }
 
+TEST_F(TileTools, whatTheBucketWouldFillIsShown) {
+    for (const int x : {0, 3, 7}) put({x, 1}, 5);
+    for (int x = 0; x < 8; ++x) put({x, 2}, 4);
+    workspace.tiles.stamp.cells = {6};
+    EXPECT_TRUE(press(Key::G));
+    const auto shown = [&](Modifiers modifiers) {
+        Overlay overlay;
+        workspace.tool().draw(workspace.tools(), {.position = middleOf(1, 0), .modifiers = modifiers},
+                              overlay);
+        std::set<std::pair<int, int>> tiles;
+        for (const Overlay::Shape& shape : overlay.shapes()) {
+            if (shape.kind != Overlay::Kind::Tile) continue;
+            EXPECT_EQ(shape.cell, 6u);
+            tiles.insert({static_cast<int>(shape.from.x) / 16, static_cast<int>(shape.from.y) / 16});
+        }
+        return tiles;
+    };
+    const auto changed = [&] {
+        std::set<std::pair<int, int>> tiles;
+        for (int y = 0; y < 4; ++y) {
+            for (int x = 0; x < 8; ++x) {
+                if (gridOf(workspace.document, layer())->at(x, y) == 6) tiles.insert({x, y});
+            }
+        }
+        return tiles;
+    };
+    for (const Modifiers modifiers : {Modifiers{}, Modifiers{.shift = true}}) {
+        const auto before = shown(modifiers);
+        EXPECT_EQ(before.size(), modifiers.shift ? 21u : 13u) << "the row below the others is cut off";
+        stroke({1, 0}, {1, 0}, {.modifiers = modifiers});
+        EXPECT_EQ(changed(), before);
+        workspace.undo.undo();
+    }
+    workspace.tiles.selected.set({{1, 0}, {2, 2}});
+    EXPECT_EQ(shown({}), (std::set<std::pair<int, int>>{{1, 0}, {2, 2}}));
+}
+
+TEST_F(TileTools, ofAHugeAreaOnlyTheFillNearTheMouseIsLookedFor) {
+    World& world = workspace.document.world;
+    world.get<TileLayer>(workspace.document.find(layer())).cells = world.tiles().add(TileGrid{16384, 16384});
+    workspace.tiles.stamp.cells = {6};
+    EXPECT_TRUE(press(Key::G));
+    for (const Modifiers modifiers : {Modifiers{}, Modifiers{.shift = true}}) {
+        Overlay overlay;
+        workspace.tool().draw(workspace.tools(), {.position = middleOf(8000, 8000), .modifiers = modifiers},
+                              overlay);
+        std::size_t tiles = 0;
+        std::string words;
+        for (const Overlay::Shape& shape : overlay.shapes()) {
+            tiles += shape.kind == Overlay::Kind::Tile ? 1 : 0;
+            words += shape.text;
+        }
+        EXPECT_GT(tiles, 4000u);
+        EXPECT_LT(tiles, 4200u);
+        EXPECT_EQ(words, modifiers.shift ? "all equal cells" : "more than 4096 cells");
+    }
+}
+
 TEST_F(TileTools, theRightButtonErasesWhereOnePrefersThat) {
     put({2, 2}, 5);
     put({3, 2}, 5);

@@ -12,24 +12,29 @@ constexpr std::size_t kMostRuns = 4000;  // of selected cells that are drawn one
 }  // namespace
 
 void drawSelection(const ToolContext& context, ObjectId layer, Overlay& overlay) {
-    const std::vector<CellPlace>& cells = context.tiles.selected.all();
+    drawCells(context.document, layer, context.tiles.selected, kSelectedFill, kSelected, overlay);
+}
+
+void drawCells(const Document& document, ObjectId layer, const CellSelection& selected, Color fill,
+               Color line, Overlay& overlay) {
+    const std::vector<CellPlace>& cells = selected.all();
     std::size_t runs = 0;
     for (std::size_t first = 0; first < cells.size() && runs < kMostRuns; ++runs) {
         std::size_t last = first;
         while (last + 1 < cells.size() && cells[last + 1] == CellPlace{cells[last].x + 1, cells[last].y})
             ++last;
-        const AABB box = boxOfCells(context.document, layer, cells[first], cells[last]);
-        overlay.filledBox(box, kSelectedFill);
+        const AABB box = boxOfCells(document, layer, cells[first], cells[last]);
+        overlay.filledBox(box, fill);
         const bool alone = runs == 0 && last + 1 == cells.size();
-        if (alone) overlay.box(box, kSelected, 1.5f);
+        if (alone) overlay.box(box, line, 1.5f);
         first = last + 1;
     }
     const auto edge = [&](CellPlace cell, int dx, int dy) {
-        if (context.tiles.selected.has({cell.x + dx, cell.y + dy})) return;
-        const AABB box = boxOfCell(context.document, layer, cell);
+        if (selected.has({cell.x + dx, cell.y + dy})) return;
+        const AABB box = boxOfCell(document, layer, cell);
         const Vec2 from = dx > 0 ? Vec2{box.max.x, box.min.y} : dy > 0 ? Vec2{box.min.x, box.max.y} : box.min;
         const Vec2 to = dx < 0 ? Vec2{box.min.x, box.max.y} : dy < 0 ? Vec2{box.max.x, box.min.y} : box.max;
-        overlay.line(from, to, kSelected, 1.5f);
+        overlay.line(from, to, line, 1.5f);
     };
     for (std::size_t i = 0; i < cells.size() && i < kMostRuns; ++i) {
         edge(cells[i], -1, 0), edge(cells[i], 1, 0), edge(cells[i], 0, -1), edge(cells[i], 0, 1);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "editor/model/cell_selection.hpp"
 #include "editor/model/tile_layers.hpp"
 #include "editor/model/tools/tool.hpp"
 
@@ -8,6 +9,7 @@ namespace plumb::editor::marks {
 // What tile tools draw over the scene.
 
 inline constexpr Color kCursor{77, 163, 255, 255};
+inline constexpr Color kWords{255, 255, 255, 255};  ///< over tiles of any color
 inline constexpr Color kCursorFill{77, 163, 255, 50};
 inline constexpr Color kErase{240, 104, 104, 255};
 inline constexpr Color kEraseFill{240, 104, 104, 50};
@@ -21,6 +23,9 @@ inline constexpr Color kSelectedFill{120, 230, 160, 45};
 /// The border of the layer, its selected cells, and what keeps one from painting on it.
 void drawLayer(const ToolContext& context, ObjectId layer, Overlay& overlay);
 void drawSelection(const ToolContext& context, ObjectId layer, Overlay& overlay);
+/// Cells, filled, and a line around each group of them; of very many only the first ones.
+void drawCells(const Document& document, ObjectId layer, const CellSelection& cells, Color fill, Color line,
+               Overlay& overlay);
 /// "12 x 5" beside a box.
 void drawSize(const AABB& box, CellPlace from, CellPlace to, Overlay& overlay);
 /// Half a cell around the upper left corner of a cell.

@@ -12,10 +12,36 @@ namespace plumb::editor {
 namespace {
 
 constexpr std::size_t kMostGhosts = 4096;  // tiles; more are shown as a box
+constexpr int kFillColumns = 45;           // to each side of the mouse: a box of about as many cells
+constexpr int kFillRows = 22;
 
 bool isShape(TileTool::Mode mode) {
     using Mode = TileTool::Mode;
     return mode == Mode::Line || mode == Mode::Rectangle || mode == Mode::Ellipse;
+}
+
+/// What the bucket would fill, as far as it is looked for, and how much that is.
+struct FillArea {
+    std::vector<CellPlace> places;
+    std::string words;
+};
+
+/// @param equal  all cells that are equal to the one under the mouse, not only those beside each other
+FillArea fillArea(const TileBrush& brush, const CellSelection& selected, CellPlace at, bool equal) {
+    const TileGrid& grid = brush.grid();
+    if (selected.has(at)) {
+        std::vector<CellPlace> near = boxOfCells(grid, {at.x - kFillColumns, at.y - kFillRows},
+                                                 {at.x + kFillColumns, at.y + kFillRows});
+        std::erase_if(near, [&](CellPlace place) { return !selected.has(place); });
+        return {std::move(near), "the selection"};
+    }
+    if (equal)
+        return {equalCellsNear(grid, brush.equalTerrain(), at, kFillColumns, kFillRows), "all equal cells"};
+    std::vector<CellPlace> connected = connectedCells(grid, brush.equalTerrain(), at, kMostGhosts);
+    const std::size_t count = connected.size();
+    return {std::move(connected), count >= kMostGhosts ? format("more than {} cells", kMostGhosts)
+                                  : count == 1         ? std::string{"1 cell"}
+                                                       : format("{} cells", count)};
 }
 
 }  // namespace
@@ -172,14 +198,10 @@ void TileTool::pick(const ToolContext& context) const {
 
 /// What would be painted there, as it would look.
 void TileTool::drawGhost(const ToolContext& context, const TileBrush& brush,
-                         const std::vector<CellPlace>& places, Overlay& overlay) const {
+                         const std::vector<CellPlace>& places, CellPlace origin, Overlay& overlay) const {
     const Document& document = context.document;
     const ObjectId layer = activeTileLayer(document, context.tiles);
     const TileLayer& tiles = document.world.get<TileLayer>(document.find(layer));
-    const CellPlace origin = doing_ == Doing::Nothing ? places.front()
-                             : doing_ == Doing::Shaping && shape_ != Mode::Line
-                                 ? CellPlace{std::min(start_.x, last_.x), std::min(start_.y, last_.y)}
-                                 : start_;
     for (const PaintTiles::Cell& cell : brush.change(places, origin).cells) {
         const AABB box = boxOfCell(document, layer, {cell.x, cell.y});
         if (cell.cell == 0) {
@@ -188,6 +210,20 @@ void TileTool::drawGhost(const ToolContext& context, const TileBrush& brush,
             overlay.tile(box, tiles.tileset, cell.cell, marks::kGhost);
         }
     }
+}
+
+/// The cells that a click would fill. Of a very large area only what is near the mouse, which the words say.
+void TileTool::drawFill(const ToolContext& context, const Pointer& pointer, Overlay& overlay) const {
+    const ObjectId layer = activeTileLayer(context.document, context.tiles);
+    const TileBrush now = brush(context);
+    const CellPlace at = cellAt(context.document, layer, pointer.position);
+    if (!now.ready() || !now.grid().has(at.x, at.y)) return;
+    FillArea area = fillArea(now, context.tiles.selected, at, pointer.modifiers.shift);
+    CellSelection once;
+    once.set(std::move(area.places));
+    drawGhost(context, now, once.all(), at, overlay);
+    marks::drawCells(context.document, layer, once, marks::kCursorFill, marks::kCursor, overlay);
+    overlay.text(boxOfCell(context.document, layer, at).min, area.words, marks::kWords);
 }
 
 void TileTool::drawCursor(const ToolContext& context, const Pointer& pointer, CellPlace at,
@@ -211,7 +247,11 @@ void TileTool::drawCursor(const ToolContext& context, const Pointer& pointer, Ce
     if (mode_ != Mode::Fill && mode_ != Mode::Same && places.size() <= kMostGhosts) {
         CellSelection once;
         once.set(std::move(places));
-        drawGhost(context, now, once.all(), overlay);
+        const CellPlace origin = doing_ == Doing::Nothing ? once.all().front()
+                                 : doing_ == Doing::Shaping && shape_ != Mode::Line
+                                     ? CellPlace{std::min(start_.x, last_.x), std::min(start_.y, last_.y)}
+                                     : start_;
+        drawGhost(context, now, once.all(), origin, overlay);
     } else {
         overlay.filledBox(box, marks::kCursorFill);
     }
@@ -235,6 +275,8 @@ void TileTool::draw(const ToolContext& context, const Pointer& pointer, Overlay&
         if (picking) marks::drawSize(box, start_, last_, overlay);
         return;
     }
+    // While the button is down the area is filled already.
+    if (mode_ == Mode::Fill && doing_ == Doing::Nothing) return drawFill(context, pointer, overlay);
     drawCursor(context, pointer, at, overlay);
 }
 

@@ -35,7 +35,8 @@ private:
     void paint(const ToolContext& context, const TileBrush& brush, std::vector<CellPlace> places) const;
     void pick(const ToolContext& context) const;
     void drawGhost(const ToolContext& context, const TileBrush& brush, const std::vector<CellPlace>& places,
-                   Overlay& overlay) const;
+                   CellPlace origin, Overlay& overlay) const;
+    void drawFill(const ToolContext& context, const Pointer& pointer, Overlay& overlay) const;
     void drawCursor(const ToolContext& context, const Pointer& pointer, CellPlace at, Overlay& overlay) const;
 
     Mode mode_;
