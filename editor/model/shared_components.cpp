@@ -1,7 +1,10 @@
 #include "editor/model/shared_components.hpp"
 
 #include <algorithm>
+#include <cctype>
+#include <cstring>
 
+#include "core/text.hpp"
 #include "ecs/hierarchy.hpp"
 #include "editor/model/workspace.hpp"
 #include "scene/components/name.hpp"
@@ -18,6 +21,17 @@ bool anyHas(const World& world, const TypeInfo& type) {
     bool found = false;
     world.eachOf(type, [&found](EntityId, const void*) { found = true; });
     return found;
+}
+
+/// "previousPosition" beside "position": what the field was one tick ago. The engine keeps it, to draw what
+/// is between two ticks; nobody sets it.
+bool isOfLastTick(const TypeInfo& type, const FieldInfo& field) {
+    constexpr std::string_view kBefore = "previous";
+    if (!field.transient || !startsWith(field.name, kBefore) || field.name.size() == kBefore.size())
+        return false;
+    std::string name{field.name.substr(kBefore.size())};
+    name.front() = static_cast<char>(std::tolower(static_cast<unsigned char>(name.front())));
+    return type.find(name) != nullptr;
 }
 
 }  // namespace
@@ -58,6 +72,7 @@ std::vector<ComponentHolders> componentHolders(const Workspace& workspace, std::
 }
 
 bool isShown(const Workspace& workspace, const FieldTarget& target) {
+    if (isOfLastTick(target.type, target.field)) return false;
     const FieldInfo* other = target.field.shownIf.empty() ? nullptr : target.type.find(target.field.shownIf);
     if (other == nullptr) return true;
     for (const ObjectId id : target.objects) {

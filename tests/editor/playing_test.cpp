@@ -236,5 +236,15 @@ TEST_F(Playing, aWordTypedIntoTheRunningGameIsKeptToo) {
     EXPECT_NE(workspace.text().find("a word that only the game knows"), std::string::npos);
 }
 
+TEST_F(Playing, whatTheEngineKeepsOfTheLastTickIsNotShown) {
+    workspace.document.selection.set({named("player")});
+    play(3);
+    ASSERT_NE(widget("Inspector/Transform/position.x"), nullptr);
+    EXPECT_EQ(widget("Inspector/Transform/previousPosition.x"), nullptr);
+    EXPECT_EQ(widget("Inspector/Transform/previousRotation"), nullptr);
+    EXPECT_EQ(widget("Inspector/Transform/previousScale.x"), nullptr);
+    EXPECT_NE(widget("Inspector/RigidBody/grounded"), nullptr) << "what the game itself makes of it is";
+}
+
 }  // namespace
 }  // namespace plumb::editor::ui
