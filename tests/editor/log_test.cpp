@@ -177,5 +177,25 @@ TEST_F(ConsoleTest, theStatusBarCountsAndLeadsThere) {
     EXPECT_NE(valueOf("Console/last"), "(none)");
 }
 
+TEST_F(ConsoleTest, allButtonsAreSeenInANarrowPane) {
+    logNote("Game", "a line");
+    for (const float part : {0.5f, 0.3f, 0.16f}) {
+        workspace.settings.layout.move("Console", Dock::Right);
+        workspace.settings.layout.resize(Edge::Right, part);
+        hands.rest(3);
+        const float left = window.widgets().find("Viewport")->box.max.x;
+        for (const char* button : {"errors", "warnings", "notes", "channels", "channels/list", "search",
+                                   "once", "follow", "copy", "clear"}) {
+            const auto* widget = window.widgets().find(std::string{"Console/"} + button);
+            ASSERT_NE(widget, nullptr) << button;
+            EXPECT_GE(widget->box.min.x, left) << button << " at " << part;
+            EXPECT_LE(widget->box.max.x, 1280.0f) << button << " at " << part;
+        }
+    }
+    hands.click("Console/clear");
+    hands.rest(2);
+    EXPECT_TRUE(log.lines().empty());
+}
+
 }  // namespace
 }  // namespace plumb::editor

@@ -15,6 +15,8 @@ namespace {
 constexpr float kTimeWidth = 66.0f;     // px at scale 1
 constexpr float kChannelWidth = 66.0f;  // px at scale 1
 constexpr float kLinkWidth = 120.0f;    // px at scale 1
+constexpr float kSearchWidth = 60.0f;   // px at scale 1, at least
+constexpr float kGap = 4.0f;            // px at scale 1, between buttons
 
 ImU32 colorOfLevel(LogLevel level) {
     switch (level) {
@@ -64,35 +66,58 @@ private:
             bool& shown = view_.levels[static_cast<std::size_t>(level)];
             // Red is for what is there: no errors are nothing to look at.
             const std::size_t count = view_.count(level);
-            if (toggle(ui, counted(count, name), format("Console/{}s", name), shown,
+            const std::string label = counted(count, name);
+            if (level != LogLevel::Error) nextTo(ui, buttonWidth(label));
+            if (toggle(ui, label, format("Console/{}s", name), shown,
                        count > 0 ? colorOfLevel(level) : palette::kTextDim))
                 shown = !shown;
             tooltip(format("{} lines of this kind", shown ? "Hides" : "Shows"));
-            ImGui::SameLine(0.0f, ui.px(4.0f));
         }
+        nextTo(ui, channelsWidth(ui));
         drawChannels(ui);
-        ImGui::SameLine(0.0f, ui.px(4.0f));
-        const float buttons = ui.px(218.0f);
-        ImGui::SetNextItemWidth(std::max(ImGui::GetContentRegionAvail().x - buttons, ui.px(60.0f)));
+        drawSearch(ui);
+        drawButtons(ui);
+        view_.update(ui.log);
+    }
+
+    [[nodiscard]] static float buttonWidth(const std::string& label) {
+        return ImGui::CalcTextSize(label.c_str()).x + ImGui::GetStyle().FramePadding.x * 2.0f;
+    }
+    /// Goes on beside the last item, or in the next line where there is no room for so much (px).
+    static void nextTo(const Ui& ui, float width) {
+        ImGui::SameLine(0.0f, ui.px(kGap));
+        if (ImGui::GetContentRegionAvail().x < width) ImGui::NewLine();
+    }
+
+    /// As wide as the buttons behind it leave room, or as its line does.
+    void drawSearch(Ui& ui) {
+        float buttons = 0.0f;
+        for (const char* label : {"Once", "Follow", "Copy", "Clear"})
+            buttons += buttonWidth(label) + ui.px(kGap);
+        nextTo(ui, ui.px(kSearchWidth));
+        const float room = ImGui::GetContentRegionAvail().x;
+        ImGui::SetNextItemWidth(room - buttons < ui.px(kSearchWidth) ? -1.0f : room - buttons);
         textField("##search", view_.search, 0, "Search");
         ui.widgets.mark("Console/search", view_.search);
-        ImGui::SameLine(0.0f, ui.px(4.0f));
+    }
+
+    void drawButtons(Ui& ui) {
+        nextTo(ui, buttonWidth("Once"));
         if (toggle(ui, "Once", "Console/once", view_.once)) view_.once = !view_.once;
         tooltip("Equal lines are one, with how often they were said");
-        ImGui::SameLine(0.0f, ui.px(4.0f));
+        nextTo(ui, buttonWidth("Follow"));
         if (toggle(ui, "Follow", "Console/follow", follows_)) follows_ = !follows_;
         tooltip("Goes with what is said last; scrolling up stops that");
-        ImGui::SameLine(0.0f, ui.px(4.0f));
+        nextTo(ui, buttonWidth("Copy"));
         if (ImGui::Button("Copy")) {
             ui.workspace.clipboard = view_.text(ui.log);
             ui.workspace.notice = format("Copied {}", counted(view_.rows().size(), "line"));
         }
         ui.widgets.mark("Console/copy");
         tooltip("Copies all lines that are shown");
-        ImGui::SameLine(0.0f, ui.px(4.0f));
+        nextTo(ui, buttonWidth("Clear"));
         if (ImGui::Button("Clear")) ui.log.clear();
         ui.widgets.mark("Console/clear");
-        view_.update(ui.log);
     }
 
     static bool toggle(Ui& ui, const std::string& label, const std::string& path, bool on,
@@ -105,10 +130,18 @@ private:
         return pressed;
     }
 
-    void drawChannels(Ui& ui) {
+    [[nodiscard]] std::string channelsLabel() const {
         const std::size_t hidden = view_.hiddenChannels.size();
-        const std::string label = hidden == 0 ? "All channels" : format("{} hidden", hidden);
-        const bool pressed = toggle(ui, label, "Console/channels", hidden > 0);
+        return hidden == 0 ? "All channels" : format("{} hidden", hidden);
+    }
+    /// With the arrow beside it.
+    [[nodiscard]] float channelsWidth(const Ui& ui) const {
+        return buttonWidth(channelsLabel()) + ui.px(20.0f);
+    }
+
+    void drawChannels(Ui& ui) {
+        const std::string label = channelsLabel();
+        const bool pressed = toggle(ui, label, "Console/channels", !view_.hiddenChannels.empty());
         ImGui::SameLine(0.0f, 0.0f);
         if (listArrow(ui, "Console/channels/list", ImGui::GetFrameHeight()) || pressed)
             ImGui::OpenPopup("channels");
