@@ -8,6 +8,7 @@
 #include "editor/model/make_prefab.hpp"
 #include "editor/model/prefab_root.hpp"
 #include "editor/model/prefab_visit.hpp"
+#include "editor/model/tools/shape_spots.hpp"
 #include "editor/model/tools/transform_drag.hpp"
 #include "tests/editor/support/editor_fixture.hpp"
 #include "tests/editor/support/hands.hpp"
@@ -104,6 +105,26 @@ TEST_F(RootPlace, isNotWrittenByResettingPastingOrArranging) {
     EXPECT_EQ(placeOf(root()).position, Vec2{});
     EXPECT_EQ(placeOf(named("lamp")).position, (Vec2{1.0f, 2.0f}));
     EXPECT_EQ(arrangeable(workspace.document, {root(), named("lamp")}), std::vector{named("lamp")});
+}
+
+TEST_F(RootPlace, hasNoPivotForTheShapeTool) {
+    // What is below it has one.
+    for (const ObjectId id : {named("lamp"), root()})
+        workspace.document.world.add<Sprite>(workspace.document.find(id), Sprite{});
+    workspace.document.world.remove<BoxCollider>(workspace.document.find(root()));
+    const auto pivots = [&](ObjectId id) {
+        const std::vector<ShapeSpot> spots = spotsOf(workspace.document, id);
+        return std::count_if(spots.begin(), spots.end(),
+                             [](const ShapeSpot& spot) { return spot.kind == SpotKind::Pivot; });
+    };
+    EXPECT_EQ(pivots(named("lamp")), 1);
+    EXPECT_EQ(pivots(root()), 0);
+    hands.key(Key::C);
+    workspace.document.selection.set({root()});
+    hands.drag(onScreen({0.0f, 0.0f}), onScreen({40.0f, 30.0f}));
+    EXPECT_EQ(placeOf(root()).position, Vec2{});
+    EXPECT_EQ(workspace.undo.size(), 0u);
+    EXPECT_EQ(workspace.notice, kRootStays);
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "ecs/hierarchy.hpp"
+#include "editor/model/prefab_root.hpp"
 #include "math/angle.hpp"
 #include "scene/components/box_collider.hpp"
 #include "scene/components/capsule_collider.hpp"
@@ -350,7 +351,8 @@ std::vector<ShapeSpot> spotsOf(const Document& document, ObjectId id) {
         const ComponentState state = readComponent(document, type, entity);
         row != nullptr ? row->spots(frame, state, spots) : addAnchors(document, id, state, spots);
     }
-    if (world.has<Sprite>(entity))
+    // The pivot is where the entity stands, and the first one of a prefab stays.
+    if (world.has<Sprite>(entity) && id != prefabRootOf(document))
         spots.push_back({frame.pose.position, &document.types().of<Sprite>(), 0, SpotKind::Pivot});
     return spots;
 }

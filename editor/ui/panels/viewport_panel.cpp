@@ -148,7 +148,7 @@ private:
             workspace.tool().press(context, pointer_);
             pressed_ = true;
             const std::string_view tool = toolTable()[workspace.toolIndex()].action;
-            const bool scales = tool == "tool.scale" || tool == "tool.shape" || workspace.paintsTiles();
+            const bool scales = tool == "tool.scale" || workspace.paintsTiles();
             onRoot_ = !scales && pointer_.modifiers == Modifiers{} && onlyRootSelected(workspace.document);
             twice_ = io.MouseDoubleClicked[0] && pointer_.modifiers == Modifiers{};
             moved_ = pointer_.position;
@@ -161,7 +161,8 @@ private:
         } else if (pressed_ && pointer_.position != moved_) {
             const std::size_t steps = workspace.undo.size();
             workspace.tool().drag(context, pointer_);
-            if (onRoot_ && workspace.undo.size() == steps) workspace.notice = kRootStays;
+            const bool changed = workspace.undo.size() != steps || workspace.undo.inGesture();
+            if (onRoot_ && !changed) workspace.notice = kRootStays;
             moved_ = pointer_.position;
             twice_ = false;
         }
