@@ -11,4 +11,7 @@ class Workspace;
 /// sentences: "{} takes it back".
 std::string keysFor(const Workspace& workspace, std::string_view action);
 
+/// A sentence of a table with the keys of the person in it: "{edit.delete} takes it out".
+std::string withKeys(const Workspace& workspace, std::string_view sentence);
+
 }  // namespace plumb::editor

@@ -189,7 +189,7 @@ void Workspace::useTool(std::size_t index) {
     tool().cancel(tools());
     tool_ = std::min(index, tools_.size() - 1);
     const ToolRow& row = toolTable()[tool_];
-    notice = format("{}: {}", row.name, row.hint);
+    notice = format("{}: {}", row.name, withKeys(*this, row.hint));
     if (!row.forTiles) return;
     tiles.layer = activeTileLayer(document, tiles);
     if (row.hand != Hand::Keeps) tiles.terrainInHand = row.hand == Hand::Terrain;

@@ -54,7 +54,7 @@ void tellStep(Workspace& workspace) {
     const std::string label = made ? undo.label(undo.size() - 1) : std::string{};
     // How a tile tool is used is worth more than that it was.
     const ToolRow& tool = toolTable()[workspace.toolIndex()];
-    const bool hint = tool.forTiles && notice == format("{}: {}", tool.name, tool.hint);
+    const bool hint = tool.forTiles && notice == format("{}: {}", tool.name, withKeys(workspace, tool.hint));
     if (made && silent && !hint && idOf(label) != kept("step")) {
         const std::string& whom = undo.subject(undo.size() - 1);
         const bool named = whom.empty() || label.find(whom) != std::string::npos || endsWith(whom, " more");
@@ -224,8 +224,9 @@ void EditorWindow::drawStatus(float height) {
              chromeOf(workspace_.play));
     tellStep(workspace_);
     const Document& document = workspace_.document;
-    const std::string_view hint = toolTable()[workspace_.toolIndex()].hint;
-    std::string left = workspace_.notice.empty() ? std::string{hint} : workspace_.notice;
+    std::string left = workspace_.notice.empty()
+                           ? withKeys(workspace_, toolTable()[workspace_.toolIndex()].hint)
+                           : workspace_.notice;
     if (workspace_.play.running()) {
         left =
             format("{} - tick {}", workspace_.play.paused() ? "Paused" : "Playing", workspace_.play.ticks());

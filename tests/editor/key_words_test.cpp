@@ -3,6 +3,7 @@
 #include "editor/model/key_words.hpp"
 
 #include "editor/model/actions.hpp"
+#include "editor/model/cost/scene_physics_edit.hpp"
 #include "editor/model/input_map_edit.hpp"
 #include "platform/image_file.hpp"
 #include "tests/editor/support/editor_fixture.hpp"
@@ -73,6 +74,25 @@ TEST_F(KeyWords, aFileIsPutBackByThemAndAnotherSceneWaitsForThoseOfSaving) {
     hands.click("Assets/scenes/other.scene.json");
     hands.clickAt(hands.middleOf("Assets/scenes/other.scene.json"));
     EXPECT_EQ(workspace.notice, "Save the open scene first (F12), then open scenes/other.scene.json");
+}
+
+TEST_F(KeyWords, whatAToolSaysOfItselfHasThem) {
+    workspace.settings.keys.bind(*findAction("edit.delete"), {Key::Q, true});
+    hands.key(Key::C);
+    EXPECT_NE(workspace.notice.find("takes new corners; Ctrl+Q removes."), std::string::npos)
+        << workspace.notice;
+    workspace.notice.clear();
+    hands.rest(2);
+    EXPECT_NE(window.widgets().find("Status/notice")->value.find("Ctrl+Q removes."), std::string::npos);
+    for (const ToolRow& row : toolTable()) {
+        EXPECT_EQ(withKeys(workspace, row.hint).find('{'), std::string::npos) << row.name;
+        EXPECT_EQ(row.hint.find("Del"), std::string_view::npos) << row.name;
+    }
+}
+
+TEST_F(KeyWords, aBetterQualityIsTakenBackByThem) {
+    applyRemedy(workspace, qualityRemedy(3), ScenePhysics{});
+    EXPECT_EQ(workspace.notice, "Use quality 3; Ctrl+U takes it back");
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include "core/text.hpp"
 #include "editor/model/commands/change_components.hpp"
 #include "editor/model/edit_fields.hpp"
+#include "editor/model/key_words.hpp"
 #include "editor/model/workspace.hpp"
 #include "scene/components/camera.hpp"
 #include "scene/components/scene_entity.hpp"
@@ -111,7 +112,7 @@ void applyRemedy(Workspace& workspace, const CostRemedy& remedy, const ScenePhys
     workspace.undo.endGesture();
     workspace.notice = workspace.play.running()
                            ? format("{}: in the game that plays; when it stops you may keep it", remedy.label)
-                           : format("{}; Ctrl+Z takes it back", remedy.label);
+                           : format("{}; {} takes it back", remedy.label, keysFor(workspace, "edit.undo"));
 }
 
 }  // namespace plumb::editor

@@ -20,6 +20,7 @@ std::unique_ptr<Tool> makeTileTool() {
 
 }  // namespace
 
+// Keys that may be others stand in hints as their action, for withKeys: {edit.delete}.
 const std::vector<ToolRow>& toolTable() {
     using Mode = TileTool::Mode;
     static const std::vector<ToolRow> rows{
@@ -36,7 +37,8 @@ const std::vector<ToolRow>& toolTable() {
          "Drag a box to scale along it, the square to scale both. Ctrl inverts snapping.", false, Hand::Keeps,
          &make<ScaleTool>},
         {"Shape", "tool.shape",
-         "Drag sides and corners of colliders, anchors, the pivot. An outline takes new corners; Del "
+         "Drag sides and corners of colliders, anchors, the pivot. An outline takes new corners; "
+         "{edit.delete} "
          "removes.",
          false, Hand::Keeps, &make<ShapeTool>},
         {"Brush", "tool.brush",
