@@ -112,7 +112,7 @@ Terrain& addTerrain(Tileset& tileset, TerrainMode mode) {
 }
 
 std::span<const std::string_view> terrainLayoutNames() {
-    static constexpr std::array<std::string_view, 3> kNames{"in order of masks", "4 x 4", "3 x 3"};
+    static constexpr std::array<std::string_view, 3> kNames{"one after the other", "4 x 4", "3 x 3"};
     return kNames;
 }
 

@@ -85,7 +85,8 @@ void drawLayouts(Ui& ui, const Terrain& terrain, std::span<const int> chosen) {
         const std::string label{terrainLayoutNames()[i]};
         const bool clicked = ImGui::Button(label.c_str());
         ui.widgets.mark("Tileset/layout/" + label);
-        tooltip(i == 0   ? "Tile after tile by rising masks, as most generators write them."
+        tooltip(i == 0 ? "In the order in which most programs write them: first the tile that stands alone, "
+                         "last the one with the terrain on all sides."
                 : i == 1 ? "A 3 x 3 block, beside it a column one tile wide, below a row one tile high."
                          : "A 3 x 3 block: corners, sides and the inside.");
         if (!clicked || tiles.empty()) continue;
