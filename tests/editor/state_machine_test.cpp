@@ -374,6 +374,27 @@ TEST_F(StateMachinePage, aGameThatPlaysIsLookedAtAndTheFileStaysAsItIs) {
     EXPECT_EQ(fileText(kFile), kHero);
 }
 
+TEST_F(StateMachinePage, allOfItIsReachedInANarrowPane) {
+    workspace.settings.layout.move("Animation", Dock::Right);
+    hands.rest(3);
+    hands.click("Animation/preview");
+    hands.rest(2);
+    hands.click("Animation/states");
+    hands.rest(2);
+    hands.click("Animation/arrow/0");
+    hands.rest(2);
+    for (const char* part : {"Animation/addState", "Animation/graph", "Animation/remove",
+                             "Animation/when/0/remove", "Animation/addParameter"}) {
+        const auto* widget = window.widgets().find(part);
+        ASSERT_NE(widget, nullptr) << part;
+        EXPECT_LE(widget->box.max.x, 1280.0f) << part;
+        EXPECT_LE(widget->box.max.y, 720.0f) << part;
+    }
+    hands.click("Animation/when/0/remove");
+    hands.rest(2);
+    EXPECT_TRUE(transition(0).when.empty());
+}
+
 TEST_F(StateMachinePage, whatIsGoneAfterUndoIsNotChosen) {
     choose("Animation/addParameter", "Number");
     hands.key(Key::Z, {.control = true});

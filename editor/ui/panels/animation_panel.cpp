@@ -17,6 +17,7 @@ namespace plumb::editor::ui {
 namespace {
 
 constexpr float kSideWidth = 200.0f;  // px at scale 1
+constexpr float kNarrow = 480.0f;
 constexpr float kPreviewWidth = 190.0f;
 constexpr float kFrameSide = 46.0f;
 constexpr std::array kLoops{"loop", "once", "back and forth"};
@@ -33,7 +34,10 @@ public:
             take(ui, wanted);
         if (edit_->path().empty()) return drawNothing(ui);
         clip_ = std::clamp(clip_, 0, std::max(static_cast<int>(edit_->set().clips.size()) - 1, 0));
-        beginChild("clips", {ui.px(kSideWidth), 0.0f}, false);
+        // In a narrow pane the parts stand below each other.
+        const ImVec2 room = ImGui::GetContentRegionAvail();
+        const bool narrow = room.x < ui.px(kNarrow);
+        beginChild("clips", narrow ? ImVec2{0.0f, room.y * 0.35f} : ImVec2{ui.px(kSideWidth), 0.0f}, false);
         drawFile(ui);
         if (graph_) {
             states_->drawParameters(ui);
@@ -42,13 +46,14 @@ public:
         }
         drawClips(ui);
         ImGui::EndChild();
-        ImGui::SameLine();
+        if (!narrow) ImGui::SameLine();
         if (!graph_) {  // which takes their room
-            beginChild("middle", {-ui.px(kPreviewWidth), 0.0f}, false);
+            beginChild("middle", narrow ? ImVec2{0.0f, room.y * 0.35f} : ImVec2{-ui.px(kPreviewWidth), 0.0f},
+                       false);
             drawFrames(ui);
             drawSheet(ui);
             ImGui::EndChild();
-            ImGui::SameLine();
+            if (!narrow) ImGui::SameLine();
         }
         beginChild("preview", {0.0f, 0.0f}, false);
         drawPreview(ui);
