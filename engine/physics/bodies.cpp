@@ -129,6 +129,7 @@ Result<BodyId> createBody(World& world, const BodyDefinition& definition) {
     bodies.pose[index] = {definition.position, rotFromAngle(definition.angle), {}};
     bodies.motion[index] = {definition.velocity, definition.angularVelocity, 0.0f};
     if (index < bodies.efforts.size()) bodies.efforts[index] = {};
+    if (index < bodies.energies.size()) bodies.energies[index] = {};
     const BodyDrive drive = driveOf(definition);
     if (!(drive == BodyDrive{})) bodies.ownDriveOf(index) = drive;
     if (definition.kind == BodyKind::Static) bodies.motion[index] = {};

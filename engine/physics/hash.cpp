@@ -24,6 +24,7 @@ static_assert(isDense(&BodyInfo::generation, &BodyInfo::kind, &BodyInfo::flags, 
                       &BodyInfo::core, &BodyInfo::user));
 static_assert(isDense(&Effort::quality, &Effort::before, &Effort::phase, &Effort::patience, &Effort::wait,
                       &Effort::error, &Effort::first));
+static_assert(isDense(&EnergyShare::credit, &EnergyShare::peak));
 static_assert(isDense(&Geometry::kind, &Geometry::count, &Geometry::reserved, &Geometry::first,
                       &Geometry::radius, &Geometry::a, &Geometry::b, &Geometry::turn, &Geometry::after));
 static_assert(isDense(&Corner::point, &Corner::normal));
@@ -164,6 +165,7 @@ std::uint64_t hashOf(const World& world) {
            bodies.free, bodies.dying);
     // As with the tolerance itself: an empty list would count as one.
     if (!bodies.efforts.empty()) add(hash, bodies.efforts);
+    if (!bodies.energies.empty()) add(hash, bodies.energies);
     add(hash, world.shapes);
     add(hash, world.joints);
     for (const Field& field : world.fields.all) add(hash, field);

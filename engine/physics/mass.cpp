@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "physics/shapes/shape_types.hpp"
+#include "physics/workspace.hpp"
 
 namespace plumb::physics {
 
@@ -74,6 +75,8 @@ void updateMass(World& world, std::uint32_t body) {
         pose.localCentre = sum.centre;
         motion.velocity += cross(motion.angularVelocity, way);
     }
+    if (info.firstJoint != kNone)
+        world.work.get().joints.trees.stale = true;  // its leverage may have changed
     updateExtent(world, body);
 }
 

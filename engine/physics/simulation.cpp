@@ -55,6 +55,7 @@ constexpr Stage kStages[] = {
     {"prepare constraints", any(Effect::Contacts, Effect::Joints), prepareConstraints, hasBlocks},
     {"solve", 0, solve},
     {"integrators", kSmooth, integrateFlyers},
+    {"keep energy", any(Effect::Joints), keepEnergy},
     {"finish bodies", 0, finishBodies},
     {"continuous", any(Effect::Continuous), sweepFastBodies},
     {"events", any(Effect::ContactEvents, Effect::Triggers), publishEvents, hasSeams},

@@ -74,6 +74,8 @@ void prepareConstraints(StepContext& step);
 void solve(StepContext& step);
 /// Reads: fields, work.smooth. Writes: work.velocity, work.shift of bodies that only fields act on.
 void integrateFlyers(StepContext& step);
+/// Reads: joints, contacts, islands, work.shift. Writes: work.velocity, shares in energy.
+void keepEnergy(StepContext& step);
 /// Reads: work.velocity, work.shift. Writes: poses, motions, bounds, moved.
 void finishBodies(StepContext& step);
 /// Reads: contacts, flags of bodies that moved fast. Writes: their poses.

@@ -18,8 +18,8 @@ std::size_t stateBytes(const World& world) {
     const Sleepers& sleepers = world.sleepers;
     std::size_t bytes =
         sizeof(World) +
-        bytesOf(bodies.pose, bodies.motion, bodies.mass, bodies.info, bodies.drives.rows, bodies.drives.free,
-                bodies.free, bodies.dying) +
+        bytesOf(bodies.pose, bodies.motion, bodies.mass, bodies.info, bodies.efforts, bodies.energies,
+                bodies.drives.rows, bodies.drives.free, bodies.free, bodies.dying) +
         bytesOf(shapes.geometry, shapes.bounds, shapes.filter, shapes.motion, shapes.info, shapes.extras.rows,
                 shapes.extras.free, shapes.free, shapes.dying, shapes.corners) +
         bytesOf(joints.hot, joints.definition, joints.awake, joints.free) +

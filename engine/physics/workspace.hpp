@@ -37,6 +37,7 @@ struct ColourBlocks {
 struct SolveGroup {
     Quality quality = 0;
     std::int32_t substeps = 1;
+    std::int32_t iterations = 1;  ///< at least, of each substep
     std::int32_t bodies = 0;
     std::int32_t begin = 0;  ///< slots, in multiples of eight
     std::int32_t end = 0;
@@ -104,10 +105,26 @@ struct IslandHardness {
 
 /// An island while it is judged by its errors.
 struct IslandCase {
-    Effort effort;        ///< the highest of its bodies
-    Quality least = 0;    ///< what its bodies and joints ask for
-    bool isNew = false;   ///< some of its bodies were never judged
-    float error = 0.0f;   ///< m: the largest overlap or opening
+    Effort effort;       ///< the highest of its bodies
+    Quality least = 0;   ///< what its bodies and joints ask for
+    bool isNew = false;  ///< some of its bodies were never judged
+    float error = 0.0f;  ///< m: the largest overlap or opening
+};
+
+/// What an island with joints has and got in this step: stages/keep_energy.cpp.
+struct EnergyAccount {
+    bool isOpen = false;
+    bool isDriven = false;  ///< a motor or what its owner moves does work
+    bool isRooted = false;  ///< tied to what cannot be pushed, or touches it
+    float energy = 0.0f;    ///< J, of motion
+    bool isWild = false;    ///< what came out makes no sense
+    float gain = 0.0f;      ///< J, that no force explains
+    float credit = 0.0f;    ///< J, as EnergyShare
+    float peak = 0.0f;      ///< J
+    float mass = 0.0f;      ///< kg
+    float keep = 1.0f;      ///< of all speeds about `middle`
+    Vec2 momentum;          ///< kg m/s
+    Vec2 middle;            ///< m/s
 };
 
 /// Memory that a step needs and the next one reuses. Everything in it follows from the world.
@@ -149,9 +166,11 @@ struct Workspace {
     std::vector<FixedContactBlock> fixedBlocks;
     std::vector<PlainFixedBlock> plainFixedBlocks;
     std::vector<BlockLanes> fixedLanes;
-    std::vector<BounceBlock> bounces;  ///< beside contactBlocks, where something bounces
-    std::vector<ImpactPlace> impacts;  ///< of a group, that may run on
-    std::vector<std::uint8_t> hits;    ///< by slot: of so many impacts a body is part
+    std::vector<BounceBlock> bounces;     ///< beside contactBlocks, where something bounces
+    std::vector<ImpactPlace> impacts;     ///< of a group, that may run on
+    std::vector<std::uint8_t> hits;       ///< by slot: of so many impacts a body is part
+    std::vector<HitBody> hitBodies;       ///< of `impacts`, before they run on
+    std::vector<HitImpulse> hitImpulses;  ///< by place in `impacts`
     std::vector<BounceBlock> fixedBounces;
     std::vector<RollingBlock> rollings;  ///< beside contactBlocks, where something resists rolling
     std::vector<RollingBlock> fixedRollings;
@@ -176,7 +195,9 @@ struct Workspace {
     std::array<std::uint64_t, kMaxStages> stageRuns{};  ///< by stage: see runsOf()
     std::uint32_t effectsRun = 0;                       ///< bits of those whose code ran in this step
     std::array<std::uint64_t, kEffects> effectRuns{};   ///< by effect: steps in which its code ran
+    std::vector<std::uint8_t> leverageOf;               ///< by root of an island, where hasLeverage()
     std::vector<IslandHardness> hardness;               ///< by root of an island: see sortByQuality()
+    std::vector<EnergyAccount> accounts;                ///< the same, where there are joints
     std::vector<IslandCase> cases;                      ///< the same, where there is a tolerance
 };
 

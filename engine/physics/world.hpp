@@ -107,16 +107,23 @@ struct Effort {
     float first = 0.0f;         ///< m: the error for which it rose
 };
 
+/// A body's part of the account that its island has where there are joints (stages/keep_energy.cpp).
+struct EnergyShare {
+    float credit = 0.0f;  ///< J: lost lately, and may come back; below 0: gained
+    float peak = 0.0f;    ///< J: the most that it moved with lately
+};
+
 /// The bodies, as one array per group of properties that are used together, indexed by BodyId::index.
 struct Bodies {
     std::vector<BodyPose> pose;
     std::vector<BodyMotion> motion;
     std::vector<BodyMass> mass;
     std::vector<BodyInfo> info;
-    std::vector<Effort> efforts;       ///< empty without Settings::tolerance
-    SideTable<BodyDrive> drives;       ///< by BodyInfo::drive
-    std::vector<std::uint32_t> free;   ///< places, last freed last
-    std::vector<std::uint32_t> dying;  ///< free once the next step has ended their contacts
+    std::vector<Effort> efforts;        ///< empty without Settings::tolerance
+    std::vector<EnergyShare> energies;  ///< empty without joints
+    SideTable<BodyDrive> drives;        ///< by BodyInfo::drive
+    std::vector<std::uint32_t> free;    ///< places, last freed last
+    std::vector<std::uint32_t> dying;   ///< free once the next step has ended their contacts
 
     [[nodiscard]] std::size_t size() const { return info.size(); }
     [[nodiscard]] const BodyDrive& driveOf(std::uint32_t body) const { return drives[info[body].drive]; }

@@ -104,6 +104,8 @@ std::vector<Change> everyField() {
         PLUMB_CHANGE(Effort, bodies.efforts, wait),
         PLUMB_CHANGE(Effort, bodies.efforts, error),
         PLUMB_CHANGE(Effort, bodies.efforts, first),
+        PLUMB_CHANGE(EnergyShare, bodies.energies, credit),
+        PLUMB_CHANGE(EnergyShare, bodies.energies, peak),
         PLUMB_CHANGE(Geometry, shapes.geometry, kind),
         PLUMB_CHANGE(Geometry, shapes.geometry, count),
         PLUMB_CHANGE(Geometry, shapes.geometry, first),

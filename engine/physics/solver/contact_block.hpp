@@ -132,6 +132,19 @@ struct ImpactPlace {
     std::uint32_t block = 0;
 };
 
+/// A body of some impact, as the substeps left it.
+struct HitBody {
+    std::size_t slot = 0;
+    Float4 velocity;
+    Float4 shift;
+};
+
+/// What the substeps left of an impact.
+struct HitImpulse {
+    float impulse = 0.0f;   ///< N s
+    float approach = 0.0f;  ///< m/s, at the start of the step
+};
+
 /// What resists rolling in a block, beside it, only where something in the scene does.
 struct RollingBlock {
     float resistance[kLanes];  ///< m: torque for each newton that presses them together

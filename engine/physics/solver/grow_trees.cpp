@@ -4,6 +4,7 @@
 #include <optional>
 #include <span>
 
+#include "physics/solver/leverage.hpp"
 #include "physics/solver/solve_trees.hpp"
 #include "physics/solver/tree_rows.hpp"
 
@@ -228,6 +229,7 @@ void growTrees(World& world, Workspace& work) {
     trees.links.clear();
     trees.holds.clear();
     trees.isDirect.assign(world.joints.size(), 0);
+    findLeverages(world, work);
     if (wanted) Grower{world, trees}.run();
     for (const std::uint32_t joint : world.joints.awake) {
         if (trees.isDirect[joint] == kNotDirect) world.joints.hot[joint].flags |= kStretched;

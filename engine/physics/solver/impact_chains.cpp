@@ -13,7 +13,11 @@ constexpr float kMostLoad = 0.1f;  // of the impulse: who pressed with more befo
 constexpr float kLively = 0.5f;    // bounciness: duller things soak a blow up, and crowds of them would sink
 constexpr float kNoApproach = 1e-3f;  // m/s
 constexpr float kNoOverlap = 1e-5f;   // m
+constexpr std::uint8_t kNoted = 3;    // in Workspace::hits
 constexpr int kMostRounds = 64;
+/// Of their energy. What gains more was held by others as well when it was taken back; a cradle's balls gain
+/// up to a tenth of it, from the strings.
+constexpr float kMostGain = 1e-2f;
 
 /// Calls act(block, bounce, lane) with the contact of an impact.
 template <class Act>
@@ -63,6 +67,57 @@ void keepChains(Workspace& work) {
         forHits(impact, [&](const std::uint8_t& hits) { shares = shares || hits == 2; });
         return !shares;
     });
+}
+
+/// The bodies of all impacts, as they are now.
+void noteBodies(Workspace& work) {
+    work.hitBodies.clear();
+    work.hitImpulses.clear();
+    for (const ImpactPlace& impact : work.impacts) {
+        visit(work, impact, [&](const auto& block, const BounceBlock& bounce, int lane) {
+            work.hitImpulses.push_back({block.points[0].impulse[lane], bounce.approach[0][lane]});
+            forSlots(block, lane, [&](std::int32_t slot) {
+                const auto s = static_cast<std::size_t>(slot);
+                if (work.hits[s] == kNoted || work.velocity[s].w == 0.0f) return;
+                work.hits[s] = kNoted;
+                work.hitBodies.push_back({s, work.velocity[s], work.shift[s]});
+            });
+        });
+    }
+}
+
+float energyOf(const BodyMass& mass, float x, float y, float spin) {
+    return 0.5f * (mass.mass * (x * x + y * y) + mass.inertia * spin * spin);
+}
+
+/// Whether they have more energy than at the start of the step, and than forces gave them since.
+bool gainsEnergy(const World& world, const Workspace& work) {
+    float before = 0.0f, given = 0.0f, now = 0.0f;
+    for (const HitBody& body : work.hitBodies) {
+        const std::uint32_t index = work.bodyOf[body.slot];
+        const BodyMass& mass = world.bodies.mass[index];
+        const BodyMotion& motion = world.bodies.motion[index];
+        const Float4 &velocity = work.velocity[body.slot], &shift = work.shift[body.slot];
+        const Float4& drive = work.drive[body.slot];
+        before += energyOf(mass, motion.velocity.x, motion.velocity.y, motion.angularVelocity);
+        given += mass.mass * (drive.x * shift.x + drive.y * shift.y) + mass.inertia * drive.z * shift.z;
+        now += energyOf(mass, velocity.x, velocity.y, velocity.z);
+    }
+    return !(now <= (1.0f + kMostGain) * before + given);
+}
+
+/// As if impacts did not run on.
+void forget(Workspace& work) {
+    for (const HitBody& body : work.hitBodies) {
+        work.velocity[body.slot] = body.velocity;
+        work.shift[body.slot] = body.shift;
+    }
+    for (std::size_t i = 0; i < work.impacts.size(); ++i) {
+        visit(work, work.impacts[i], [&](auto& block, BounceBlock& bounce, int lane) {
+            block.points[0].impulse[lane] = work.hitImpulses[i].impulse;
+            bounce.approach[0][lane] = work.hitImpulses[i].approach;
+        });
+    }
 }
 
 bool anyHits(Workspace& work, float slowest) {
@@ -140,8 +195,9 @@ bool partInTurn(Workspace& work, float dt) {
     bool overlapped = false;
     for (const ImpactPlace& impact : work.impacts) {
         visit(work, impact, [&](const auto& block, const BounceBlock&, int lane) {
-            const float depth =
-                -(block.points[0].separation[lane] + approachIn(work, block, 0, lane, dt).way);
+            // What was deep before is pushed out as ever: lifted at once, it would gain height.
+            const float start = std::max(block.points[0].separation[lane], 0.0f);
+            const float depth = -(start + approachIn(work, block, 0, lane, dt).way);
             if (depth <= kNoOverlap) return;
             overlapped = true;
             part(work, block, lane, depth);
@@ -172,13 +228,14 @@ void runImpactsOn(StepContext& step, const SolveGroup& group) {
     keepChains(work);
     const float slowest = step.world.settings.bounceSpeed;
     if (!anyHits(work, slowest)) return;
+    noteBodies(work);
     takeBack(work);
     endAtImpact(work, slowest, step.dt);
     for (int i = 0; i < kMostRounds && collideInTurn(work, slowest); ++i) {
     }
     for (int i = 0; i < kMostRounds && partInTurn(work, step.dt); ++i) {
     }
-    markBlows(work);
+    gainsEnergy(step.world, work) ? forget(work) : markBlows(work);
 }
 
 }  // namespace plumb::physics

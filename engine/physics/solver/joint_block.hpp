@@ -135,6 +135,7 @@ struct JointLanes {
 struct JointPass {
     Grip rigid;                ///< of what is as stiff as substeps allow
     float substepRate = 0.0f;  ///< 1/s
+    float pushSpeed = 0.0f;    ///< m/s or rad/s: no faster is closed what is open
     bool first = true;         ///< of the passes of this substep
 };
 

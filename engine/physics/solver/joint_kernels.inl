@@ -97,6 +97,12 @@ inline Grip8 gripOf(const GripLanes& lanes) {
 
 inline constexpr Grip kRelaxed{1.0f, 0.0f, 0.0f};
 
+/// How fast joints close what is open, times `take`. What springs pulls as hard as it likes.
+inline Float8 mostPull(const JointPass& pass, const GripLanes& lanes, const Grip8& grip) {
+    return select(load(lanes.springs) > all(0.5f), all(1.0e30f), grip.take * all(pass.pushSpeed));
+}
+inline Float8 mostPull(const JointPass& pass, const Grip8& grip) { return grip.take * all(pass.pushSpeed); }
+
 // A point of A that is a point of B: a constraint of two rows, solved at once.
 
 /// What an impulse of 1 does to the velocity between the anchors; and its inverse.
@@ -110,10 +116,25 @@ inline Two8 solvePoint(const Couple8& couple, const Anchors8& at, Two8 wanted) {
     return {inverse * (yy * wanted.x - xy * wanted.y), inverse * (xx * wanted.y - xy * wanted.x)};
 }
 
+/// `grip.pull` times what is open, but no more than `most`: mostPull().
+inline Two8 closing(const Grip8& grip, Two8 apart, Float8 most) {
+    const Two8 pull = grip.pull * apart;
+    const Float8 square = dot8(pull, pull);
+    const Mask8 fast = square > most * most;
+    if (bits(fast) == 0) return pull;
+    const Float8 ratio = most / sqrt(select(fast, square, all(1.0f)));
+    return select(fast, ratio, all(1.0f)) * pull;
+}
+inline Float8 closing(const Grip8& grip, Float8 apart, Float8 most) {
+    return clamp(grip.pull * apart, -most, most);
+}
+
 /// The impulse that a grip answers with.
-inline Two8 answerPoint(const Couple8& couple, const Anchors8& at, const Grip8& grip, Two8 impulse) {
+/// @param pull  what is to be closed: closing()
+inline Two8 answerPoint(const Couple8& couple, const Anchors8& at, const Grip8& grip, Two8 pull,
+                        Two8 impulse) {
     const Two8 speed = couple.velocityBetween(at.armA, at.armB);
-    const Two8 wanted = grip.take * speed + grip.pull * at.apart;
+    const Two8 wanted = grip.take * speed + pull;
     return Two8{all(0.0f), all(0.0f)} - (solvePoint(couple, at, wanted) + grip.give * impulse);
 }
 
@@ -159,7 +180,8 @@ void pushPoints(const SolverBodies& bodies, const JointPass& pass, const JointLa
         const Anchors8 at = anchorsAt(block.anchors, couple);
         if (pass.first) makeUp(couple, block);
         const Two8 before = load2(block.impulseX, block.impulseY);
-        const Two8 change = answerPoint(couple, at, grip, before), after = before + change;
+        const Two8 pull = closing(grip, at.apart, mostPull(pass, grip));
+        const Two8 change = answerPoint(couple, at, grip, pull, before), after = before + change;
         givePoint(couple, at, change);
         store2(block.impulseX, block.impulseY, after);
         noteTurns(block, at, after);
@@ -177,7 +199,7 @@ void relaxPoints(const SolverBodies& bodies, const JointPass& pass, const JointL
         const Anchors8 at = anchorsAt(block.anchors, couple);
         const Two8 before = load2(block.impulseX, block.impulseY);
         if (pass.first) noteLack(block, at, before);
-        const Two8 change = answerPoint(couple, at, grip, before);
+        const Two8 change = answerPoint(couple, at, grip, {all(0.0f), all(0.0f)}, before);
         givePoint(couple, at, change);
         store2(block.impulseX, block.impulseY, before + change);
         write<kOneSided>(bodies, block.bodies, couple, lanes[n].count);
@@ -195,10 +217,11 @@ inline void warmStartRows(const RowLanes& rows, Line line) {
 }
 
 template <bool kPush, class Line>
-inline void hold(RowLanes& rows, Float8 value, Float8 mass, Line line) {
+inline void hold(RowLanes& rows, const JointPass& pass, Float8 value, Float8 mass, Line line) {
     const Grip8 grip = gripOf<kPush>(rows.grip);
     const Float8 before = load(rows.holdImpulse), most = load(rows.grip.most);
-    const Float8 wanted = grip.take * line.speed() + grip.pull * (value - load(rows.rest));
+    const Float8 pull = closing(grip, value - load(rows.rest), mostPull(pass, rows.grip, grip));
+    const Float8 wanted = grip.take * line.speed() + pull;
     const Float8 after = clamp(before - (mass * wanted + grip.give * before), -most, most);
     store(rows.holdImpulse, after);
     line.push(after - before);
@@ -209,7 +232,7 @@ inline void hold(RowLanes& rows, Float8 value, Float8 mass, Line line) {
 template <bool kPush>
 inline Float8 speedTo(const JointPass& pass, Float8 gap) {
     const float back = kPush ? pass.rigid.pull / pass.rigid.take : 0.0f;
-    return gap * select(gap > all(0.0f), all(pass.substepRate), all(back));
+    return max(gap * select(gap > all(0.0f), all(pass.substepRate), all(back)), all(-pass.pushSpeed));
 }
 
 /// Motors stop at limits, whatever their strength. Against each other both would grow until the limit, which
@@ -237,8 +260,8 @@ inline Float8 limited(const JointPass& pass, Float8 speed, Float8 gap, Float8 ma
     const Mask8 apart = gap > all(0.0f);
     const Grip grip = kPush ? pass.rigid : kRelaxed;
     const Float8 before = load(total);
-    const Float8 wanted =
-        select(apart, speed + gap * all(pass.substepRate), all(grip.take) * speed + all(grip.pull) * gap);
+    const Float8 back = max(all(grip.pull) * gap, all(-grip.take * pass.pushSpeed));
+    const Float8 wanted = select(apart, speed + gap * all(pass.substepRate), all(grip.take) * speed + back);
     const Float8 give = select(apart, all(0.0f), all(grip.give));
     const Float8 after = max(before - (mass * wanted + give * before), all(0.0f));
     store(total, after);
@@ -247,7 +270,7 @@ inline Float8 limited(const JointPass& pass, Float8 speed, Float8 gap, Float8 ma
 
 template <bool kPush, class Line>
 inline void answerRows(RowLanes& rows, const JointPass& pass, Float8 value, Float8 mass, Line line) {
-    if ((rows.uses & kHolds) != 0) hold<kPush>(rows, value, mass, line);
+    if ((rows.uses & kHolds) != 0) hold<kPush>(rows, pass, value, mass, line);
     if ((rows.uses & kLimits) != 0) {
         line.push(limited<kPush>(pass, line.speed(), value - load(rows.lower), mass, rows.lowerImpulse));
         line.push(-limited<kPush>(pass, -line.speed(), load(rows.upper) - value, mass, rows.upperImpulse));
@@ -332,7 +355,9 @@ void answerHinges(const SolverBodies& bodies, const JointPass& pass, const Joint
         }
         answerRows<kPush>(block.turning, pass, load(block.turning.value), angleMass(couple),
                           AngleLine8{couple});
-        const Two8 change = answerPoint(couple, at, gripOf<kPush>(block.grip), before);
+        const Grip8 grip = gripOf<kPush>(block.grip);
+        const Two8 pull = closing(grip, at.apart, mostPull(pass, block.grip, grip));
+        const Two8 change = answerPoint(couple, at, grip, pull, before);
         const Two8 after = shortened(before + change, load(block.grip.most));
         givePoint(couple, at, after - before);
         store2(point.impulseX, point.impulseY, after);

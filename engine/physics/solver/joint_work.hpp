@@ -33,8 +33,10 @@ struct JointWork {
     JointStore<SliderBlock> sliders;
     std::vector<Tie> ties;
     JointTrees trees;
-    std::vector<std::int32_t> counts;  ///< by group, colour and kind
-    std::vector<std::int32_t> keys;    ///< by place in Joints::awake
+    std::vector<std::uint8_t> leverages;  ///< by joint: leverageOf()
+    bool someLeverage = false;            ///< some are above 0
+    std::vector<std::int32_t> counts;     ///< by group, colour and kind
+    std::vector<std::int32_t> keys;       ///< by place in Joints::awake
     std::vector<BreakableJoint> breakables;
 };
 

@@ -6,15 +6,20 @@
 #include "physics/sleeping.hpp"
 #include "physics/solver/hardness.hpp"
 #include "physics/solver/hold_tolerance.hpp"
+#include "physics/solver/leverage.hpp"
 
 namespace plumb::physics {
 
 namespace {
 
-void addGroup(Workspace& work, int quality, int bodies) {
+/// Islands that are solved alike: by quality and, where joints have long arms, by leverage.
+constexpr std::size_t kKinds = (kMaxQuality + 1) * (kMostLeverage + 1);
+
+void addGroup(Workspace& work, std::size_t kind, int bodies) {
     SolveGroup& group = work.groups.emplace_back();
-    group.quality = static_cast<Quality>(quality);
+    group.quality = static_cast<Quality>(kind % (kMaxQuality + 1));
     group.substeps = substepsOf(group.quality);
+    group.iterations = 1 << kind / (kMaxQuality + 1);
     group.bodies = bodies;
 }
 
@@ -42,28 +47,35 @@ void judgeIslands(World& world, Workspace& work) {
     for (const std::uint32_t body : world.awake) qualities[body] = qualities[rootOf(world, body)];
 }
 
+void addLeverages(World& world, Workspace& work) {
+    judgeLeverages(world, work);
+    for (const std::uint32_t body : world.awake)
+        work.bodyScratch[body] += work.leverageOf[rootOf(world, body)] * (kMaxQuality + 1u);
+}
+
 void sortByIsland(World& world, Workspace& work) {
     if (world.islandsStale) rebuildIslands(world);
     world.settings.tolerance > 0.0f ? holdTolerance(world, work) : judgeIslands(world, work);
-    const std::vector<std::uint32_t>& qualities = work.bodyScratch;
-    // A counting sort: how many of each quality, where each begins, then everyone to their place.
-    std::array<int, kMaxQuality + 1> counts{}, begins{};
-    std::array<std::uint8_t, kMaxQuality + 1> groups{};
-    for (const std::uint32_t body : world.awake) ++counts[qualities[body]];
+    if (hasLeverage(world, work)) addLeverages(world, work);
+    const std::vector<std::uint32_t>& kinds = work.bodyScratch;
+    // A counting sort: how many of each kind, where each begins, then everyone to their place.
+    std::array<int, kKinds> counts{}, begins{};
+    std::array<std::uint8_t, kKinds> groups{};
+    for (const std::uint32_t body : world.awake) ++counts[kinds[body]];
     int total = 0;
-    for (std::size_t q = 0; q < counts.size(); ++q) {
-        begins[q] = total;
-        total += counts[q];
-        groups[q] = static_cast<std::uint8_t>(work.groups.size());
-        if (counts[q] > 0) addGroup(work, static_cast<int>(q), counts[q]);
+    for (std::size_t kind = 0; kind < kKinds; ++kind) {
+        begins[kind] = total;
+        total += counts[kind];
+        groups[kind] = static_cast<std::uint8_t>(work.groups.size());
+        if (counts[kind] > 0) addGroup(work, kind, counts[kind]);
     }
     if (work.groups.size() == 1) return;
     work.solveOrder.resize(world.awake.size());
     work.groupOf.resize(world.bodies.size());
     for (const std::uint32_t body : world.awake) {
-        const std::size_t quality = qualities[body];
-        work.groupOf[body] = groups[quality];
-        work.solveOrder[static_cast<std::size_t>(begins[quality]++)] = body;
+        const std::size_t kind = kinds[body];
+        work.groupOf[body] = groups[kind];
+        work.solveOrder[static_cast<std::size_t>(begins[kind]++)] = body;
     }
 }
 
@@ -74,7 +86,8 @@ void sortByQuality(World& world, Workspace& work) {
     work.solveOrder.clear();
     const bool holds = world.settings.tolerance > 0.0f;
     if (!holds && !world.bodies.efforts.empty()) world.bodies.efforts.clear();
-    if (world.qualityCallers == 0 && !world.settings.automaticQuality && !holds) {
+    const bool alike = world.qualityCallers == 0 && !world.settings.automaticQuality && !holds;
+    if (alike && !hasLeverage(world, work)) {
         addGroup(work, world.settings.quality, static_cast<int>(world.awake.size()));
     } else {
         sortByIsland(world, work);

@@ -10,6 +10,10 @@ namespace plumb::physics {
 
 namespace {
 
+/// How often the two points of a contact are asked by turns: each turns the body under the other, and what
+/// lands on a corner would leave faster than it came.
+constexpr int kTurns = 6;
+
 template <class Block>
 void prepareBlocks(StepContext& step, const std::vector<Block>& blocks, const std::vector<BlockLanes>& lanes,
                    std::vector<BounceBlock>& bounces) {
@@ -43,24 +47,28 @@ void noteBlocks(const std::vector<Block>& blocks, std::vector<BounceBlock>& boun
     }
 }
 
+/// One of the two points where a contact touches.
+template <class Block>
+void bouncePoint(StepContext& step, Block& block, const BounceBlock& bounce, int p, int i) {
+    const float slowest = step.world.settings.bounceSpeed;
+    if (bounce.approach[p][i] > -slowest || bounce.largest[p][i] == 0.0f) return;
+    auto& point = block.points[p];
+    const float speed = approachOf(step.work, block, p, i), before = point.impulse[i];
+    const float met = speedOfImpact(bounce.approach[p][i], approachIn(step.work, block, p, i, step.dt));
+    point.impulse[i] = std::max(before - point.mass[i] * (speed + bounce.bounciness[i] * met), 0.0f);
+    pushApart(step.work, block, p, i, point.impulse[i] - before);
+}
+
 template <class Block>
 void bounceBlocks(StepContext& step, std::vector<Block>& blocks, const std::vector<BlockLanes>& lanes,
                   const std::vector<BounceBlock>& bounces, int begin, int end) {
-    const float slowest = step.world.settings.bounceSpeed;
     for (auto n = static_cast<std::size_t>(begin); n < static_cast<std::size_t>(end); ++n) {
         const BounceBlock& bounce = bounces[n];
         for (int i = 0; i < lanes[n].count; ++i) {
             if (bounce.bounciness[i] == 0.0f) continue;
-            for (int p = 0; p < 2; ++p) {
-                if (bounce.approach[p][i] > -slowest || bounce.largest[p][i] == 0.0f) continue;
-                auto& point = blocks[n].points[p];
-                const float speed = approachOf(step.work, blocks[n], p, i);
-                const float before = point.impulse[i];
-                const float met =
-                    speedOfImpact(bounce.approach[p][i], approachIn(step.work, blocks[n], p, i, step.dt));
-                point.impulse[i] =
-                    std::max(before - point.mass[i] * (speed + bounce.bounciness[i] * met), 0.0f);
-                pushApart(step.work, blocks[n], p, i, point.impulse[i] - before);
+            const bool both = bounce.largest[0][i] > 0.0f && bounce.largest[1][i] > 0.0f;
+            for (int turn = both ? kTurns : 1; turn > 0; --turn) {
+                for (int p = 0; p < 2; ++p) bouncePoint(step, blocks[n], bounce, p, i);
             }
         }
     }

@@ -142,7 +142,8 @@ inline void spin(SliderBlock& block, Couple8& couple) {
 }
 
 /// Across the axis, and the angle where it is held: two rows at once.
-inline void keepOnWay(SliderBlock& block, Couple8& couple, const Slider8& slider, const Grip& grip) {
+inline void keepOnWay(SliderBlock& block, Couple8& couple, const Slider8& slider, const JointPass& pass,
+                      const Grip& grip) {
     const SlideLine8& across = slider.across;
     const Mask8 held = load(block.holdsAngle) > all(0.5f);
     const Float8 zero = all(0.0f), turnA = couple.a.inverseInertia, turnB = couple.b.inverseInertia;
@@ -151,8 +152,10 @@ inline void keepOnWay(SliderBlock& block, Couple8& couple, const Slider8& slider
     const Mask8 turns = held & (turnA + turnB > zero);
     const Float8 aa = select(turns, turnA + turnB, all(1.0f));
     const Float8 offAngle = load(block.angle) + turnBetween(couple);
-    const Float8 way = all(grip.take) * across.speed() + all(grip.pull) * slider.offWay;
-    const Float8 angle = select(turns, all(grip.take) * couple.spin() + all(grip.pull) * offAngle, zero);
+    const Grip8 soft = gripOf(grip);
+    const Float8 way = soft.take * across.speed() + closing(soft, slider.offWay, mostPull(pass, soft));
+    const Float8 turning = soft.take * couple.spin() + closing(soft, offAngle, mostPull(pass, soft));
+    const Float8 angle = select(turns, turning, zero);
     const Float8 inverse = inverseOrZero(ww * aa - wa * wa);
     const Float8 wayBefore = load(block.acrossImpulse), angleBefore = load(block.angleImpulse);
     const Float8 wayChange = -(inverse * (aa * way - wa * angle) + all(grip.give) * wayBefore);
@@ -179,7 +182,7 @@ void answerSliders(const SolverBodies& bodies, const JointPass& pass, const Join
         answerRows<kPush>(block.along, pass, load(block.along.value),
                           inverseOrZero(slider.along.inverseMass()), slider.along);
         if (block.spins != 0) spin(block, couple);
-        keepOnWay(block, couple, slider, kPush ? pass.rigid : kRelaxed);
+        keepOnWay(block, couple, slider, pass, kPush ? pass.rigid : kRelaxed);
         if constexpr (kPush) note(block.carry, carryOf(slider, block));
         write<kOneSided>(bodies, block.bodies, couple, lanes[n].count);
     }

@@ -137,7 +137,7 @@ void solve(StepContext& step) {
                       contacts,
                       jointPass(settings, h),
                       h,
-                      std::clamp<int>(settings.iterations, 1, kMostIterations),
+                      std::clamp<int>(settings.iterations, group.iterations, kMostIterations),
                       solvesTrees(step.world, work)};
         solveGroup(solver);
     }

@@ -160,23 +160,29 @@ void stopAtFixed(const StepContext& step, std::uint32_t body, Sweep& sweep,
     sweep.end = latest;
 }
 
-/// Takes from a body that flew freely what it gained by falling after the part of the step at which it is
-/// now. Else it would be faster than its height explains: small balls would bounce higher and higher.
-void takeBackGain(StepContext& step, std::uint32_t body, float part) {
+/// Takes from a body what it gained by falling over the part of its way that it is set back by. Else it would
+/// be faster than its height explains: small balls would bounce higher and higher.
+/// @param part  of the way of this step
+void takeBackGain(StepContext& step, std::uint32_t body, Vec2 way, float part) {
     const Workspace& work = step.work;
     const auto slot = static_cast<std::size_t>(work.slots[body]);
     const Float4& flight = work.flight[slot];
     const bool held = flight.x == 0.0f && flight.y == 0.0f;
-    const bool dragged = !work.keep.empty() && work.keep[slot].x != 1.0f;
-    if (held || dragged) return;
-    const Float4& pull = work.drive[slot];
-    step.world.bodies.motion[body].velocity -= (part * step.dt) * Vec2{pull.x, pull.y};
+    const Vec2 pull{work.drive[slot].x, work.drive[slot].y};
+    Vec2& velocity = step.world.bodies.motion[body].velocity;
+    if (held) {
+        // What else pulls at it is not known: as much energy goes as the way back gives.
+        const float gain = 2.0f * part * dot(pull, way), before = lengthSquared(velocity);
+        if (gain > 0.0f) velocity *= std::sqrt(std::max(before - gain, 0.0f) / std::max(before, gain));
+    } else if (const bool dragged = !work.keep.empty() && work.keep[slot].x != 1.0f; !dragged) {
+        velocity -= (part * step.dt) * pull;
+    }
 }
 
 /// Takes a body back along its way, from a part of it to the end of the sweep.
 void setBack(StepContext& step, std::uint32_t body, const Sweep& sweep, float from) {
     World& world = step.world;
-    takeBackGain(step, body, from - sweep.end);
+    takeBackGain(step, body, sweep.way, from - sweep.end);
     world.bodies.pose[body] = sweep.at(sweep.end);
     Shapes& shapes = world.shapes;
     for (std::uint32_t s = world.bodies.info[body].firstShape; s != kNone; s = shapes.info[s].next) {

@@ -1,0 +1,66 @@
+#include "physics/solver/leverage.hpp"
+
+#include <algorithm>
+
+#include "physics/joints/joint_types.hpp"
+#include "physics/solver/hardness.hpp"
+#include "physics/workspace.hpp"
+
+namespace plumb::physics {
+
+namespace {
+
+/// Square of an arm in radii of gyration.
+float squareOf(const World& world, std::uint32_t body, Vec2 anchor) {
+    const BodyMass& mass = world.bodies.mass[body];
+    return lengthSquared(anchor - world.bodies.pose[body].localCentre) * mass.mass * mass.inverseInertia;
+}
+
+/// One that lanes solve in this step.
+bool isInLanes(const Workspace& work, std::uint32_t joint) {
+    return work.joints.trees.isDirect[joint] != kWhollyDirect;
+}
+
+}  // namespace
+
+std::uint8_t leverageOf(const World& world, std::uint32_t index) {
+    const Joint& joint = world.joints.hot[index];
+    if (jointType(joint.kind).tie != nullptr) return 0;
+    const JointDefinition& definition = world.joints.definition[index];
+    const float b = squareOf(world, joint.bodyB, definition.anchorB);
+    const float a = joint.kind == JointKind::Mouse ? 0.0f : squareOf(world, joint.bodyA, definition.anchorA);
+    std::uint8_t leverage = 0;
+    for (float limit = 64.0f; leverage < kMostLeverage && std::max(a, b) >= limit; limit *= 4.0f) ++leverage;
+    return leverage;
+}
+
+void findLeverages(const World& world, Workspace& work) {
+    std::vector<std::uint8_t>& leverages = work.joints.leverages;
+    leverages.assign(world.joints.size(), 0);
+    work.joints.someLeverage = false;
+    for (const std::uint32_t joint : world.joints.awake) {
+        leverages[joint] = leverageOf(world, joint);
+        work.joints.someLeverage |= leverages[joint] > 0;
+    }
+}
+
+bool hasLeverage(const World& world, const Workspace& work) {
+    if (!work.joints.someLeverage || !world.manifest.runs(Effect::Joints)) return false;
+    return std::any_of(world.joints.awake.begin(), world.joints.awake.end(), [&](std::uint32_t joint) {
+        return work.joints.leverages[joint] > 0 && isInLanes(work, joint);
+    });
+}
+
+void judgeLeverages(World& world, Workspace& work) {
+    work.leverageOf.assign(world.bodies.size(), 0);
+    for (const std::uint32_t j : world.joints.awake) {
+        if (!isInLanes(work, j)) continue;
+        const Joint& joint = world.joints.hot[j];
+        for (const std::uint32_t body : {joint.bodyA, joint.bodyB}) {
+            std::uint8_t& most = work.leverageOf[rootOf(world, body)];
+            most = std::max(most, work.joints.leverages[j]);
+        }
+    }
+}
+
+}  // namespace plumb::physics

@@ -1,0 +1,150 @@
+#include <gtest/gtest.h>
+
+#include "joint_world.hpp"
+#include "physics/solver/leverage.hpp"
+#include "physics/workspace.hpp"
+
+namespace plumb::physics {
+namespace {
+
+/// Two discs of 1 m that turn about a point in the middle between them, `apart` m from each other.
+struct Pair {
+    JointWorld& scene;
+    BodyId a, b;
+    JointId joint;
+
+    Pair(JointWorld& world, Place middle, float apart) : scene{world} {
+        a = scene.disc(middle + Vec2{-0.5f * apart, 0.0f});
+        b = scene.disc(middle + Vec2{0.5f * apart, 0.0f});
+        joint = scene.join(scene.define(JointKind::Revolute, a, b, middle));
+    }
+};
+
+float fastestOf(const JointWorld& scene, BodyId body) {
+    const float reach = scene.world.bodies.info[body.index].reach;
+    return length(velocityOf(scene.world, body)) + reach * std::fabs(angularVelocityOf(scene.world, body));
+}
+
+TEST(JointLanes, closeWhatIsTornOpenNoFasterThanTheyMay) {
+    for (const JointKind kind : {JointKind::Revolute, JointKind::Weld}) {
+        SCOPED_TRACE(static_cast<int>(kind));
+        JointWorld scene;
+        scene.world.settings.gravity = {};
+        scene.world.settings.directJoints = false;
+        scene.world.settings.quality = 4;
+        const BodyId a = scene.disc({0.0, 0.0}), b = scene.disc({3.0, 2.0});
+        JointDefinition definition = scene.define(kind, a, b, {1.0, 0.0});
+        definition.anchorB = {-1.0f, 0.0f};
+        const JointId joint = scene.join(definition);
+        const float most = 2.0f * scene.world.settings.pushSpeed;
+        const float open = length(scene.gapOf(joint));
+        EXPECT_GT(open, 1.0f);
+        for (int i = 0; i < 120; ++i) {
+            const Vec2 before = scene.place(b) - scene.place(a);
+            scene.run(JointWorld::kDt);
+            const Vec2 way = (scene.place(b) - scene.place(a)) - before;
+            ASSERT_LT(length(way) / JointWorld::kDt, 1.5f * most) << i;
+            ASSERT_LT(fastestOf(scene, a), most) << i;  // and hardly any speed is left of it
+        }
+        EXPECT_LT(length(scene.gapOf(joint)), 0.01f * open);
+    }
+}
+
+TEST(Leverage, isTheLongestArmInRadiiOfGyration) {
+    JointWorld scene;  // discs of 0.354 m of gyration
+    const auto of = [&](float apart) { return leverageOf(scene.world, Pair{scene, {}, apart}.joint.index); };
+    EXPECT_EQ(of(5.6f), 0);  // 7.9
+    EXPECT_EQ(of(5.8f), 1);  // 8.2
+    EXPECT_EQ(of(11.2f), 1);
+    EXPECT_EQ(of(11.4f), 2);
+    EXPECT_EQ(of(1000.0f), kMostLeverage);
+    const BodyId stiff = scene.disc({});
+    setFixedRotation(scene.world, stiff, true);
+    JointDefinition definition = scene.define(JointKind::Revolute, scene.ground, stiff, {100.0, 0.0});
+    EXPECT_EQ(leverageOf(scene.world, scene.join(definition).index), 0) << "what does not turn";
+}
+
+TEST(Leverage, isIteratedForAndNobodyElseIs) {
+    const auto play = [](bool lever) {
+        JointWorld scene;
+        scene.world.settings.directJoints = false;
+        const Pair plain{scene, {0.0, 0.0}, 2.0f};
+        if (lever) static_cast<void>(Pair{scene, {0.0, 50.0}, 12.0f});
+        EXPECT_TRUE(setVelocity(scene.world, plain.a, {3.0f, 1.0f}).ok());
+        scene.run(1.0f);
+        std::vector<int> iterations;
+        for (const SolveGroup& group : scene.world.work.get().groups) iterations.push_back(group.iterations);
+        return std::pair{iterations, scene.world.bodies.motion[plain.b.index].velocity};
+    };
+    const auto [once, alone] = play(false);
+    const auto [twice, beside] = play(true);
+    EXPECT_EQ(once, (std::vector{1}));
+    EXPECT_EQ(twice, (std::vector{1, 4}));
+    EXPECT_EQ(alone, beside);
+}
+
+TEST(Leverage, followsTheShapesOfABody) {
+    JointWorld scene;
+    scene.world.settings.directJoints = false;
+    const Pair pair{scene, {}, 12.0f};
+    scene.run(0.2f);
+    EXPECT_EQ(scene.world.work.get().groups.back().iterations, 4);
+    for (const BodyId body : {pair.a, pair.b})
+        ASSERT_TRUE(createShape(scene.world, body, circle(4.0f), {.mask = 0}).ok());
+    World copy = scene.world;  // works out everything anew
+    scene.run(0.5f);
+    EXPECT_EQ(scene.world.work.get().groups.back().iterations, 1);
+    for (int i = 0; i < 30; ++i) step(copy, JointWorld::kDt);
+    EXPECT_EQ(hashOf(copy), hashOf(scene.world));
+}
+
+TEST(KeepEnergy, hasAccountsOnlyWhereThereAreJoints) {
+    JointWorld scene;
+    const BodyId loose = scene.disc({5.0, 0.0});
+    scene.run(0.5f);
+    EXPECT_TRUE(scene.world.bodies.energies.empty());
+    const Pair pair{scene, {0.0, 0.0}, 2.0f};
+    scene.run(0.5f);
+    EXPECT_EQ(scene.world.bodies.energies[loose.index].peak, 0.0f);
+    // Both fall at 5 m/s, of 1 kg each.
+    EXPECT_NEAR(scene.world.bodies.energies[pair.a.index].peak, 12.5f, 0.2f);
+    EXPECT_EQ(scene.world.bodies.energies[pair.a.index].peak, scene.world.bodies.energies[pair.b.index].peak);
+}
+
+TEST(KeepEnergy, lentByALossComesBackForAWhile) {
+    JointWorld scene;
+    scene.world.settings.gravity = {};
+    const Pair pair{scene, {0.0, 0.0}, 2.0f};
+    for (const BodyId body : {pair.a, pair.b}) {
+        ASSERT_TRUE(setDrag(scene.world, body, 1.0f, 0.0f).ok());
+        ASSERT_TRUE(setVelocity(scene.world, body, {10.0f, 0.0f}).ok());
+    }
+    scene.run(1.0f);
+    const float lost = scene.world.bodies.energies[pair.a.index].credit;
+    EXPECT_GT(lost, 10.0f);  // J, of 50
+    EXPECT_LT(lost, 50.0f);
+    scene.run(10.0f);
+    EXPECT_LT(scene.world.bodies.energies[pair.a.index].credit, 1.0f);
+}
+
+TEST(KeepEnergy, letsThroughWhatForcesAndMotorsAndTheirOwnersGive) {
+    JointWorld scene;
+    scene.world.settings.gravity = {};
+    const Pair pushed{scene, {0.0, 0.0}, 2.0f};
+    for (int i = 0; i < 60; ++i) {
+        for (const BodyId body : {pushed.a, pushed.b})
+            ASSERT_TRUE(applyForce(scene.world, body, {7.0f, 0.0f}).ok());
+        scene.run(JointWorld::kDt);
+    }
+    EXPECT_NEAR(velocityOf(scene.world, pushed.b).x, 7.0f, 0.01f);
+
+    const BodyId wheel = scene.disc({0.0, 20.0});
+    JointDefinition motor = scene.define(JointKind::Revolute, scene.ground, wheel, {0.0, 20.0});
+    motor.motor = {.on = true, .speed = 30.0f, .maxForce = 1000.0f};
+    scene.join(motor);
+    scene.run(0.5f);
+    EXPECT_NEAR(angularVelocityOf(scene.world, wheel), 30.0f, 0.1f);
+}
+
+}  // namespace
+}  // namespace plumb::physics
