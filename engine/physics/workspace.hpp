@@ -197,6 +197,7 @@ struct Workspace {
     std::array<std::uint64_t, kEffects> effectRuns{};   ///< by effect: steps in which its code ran
     std::vector<std::uint8_t> leverageOf;               ///< by root of an island, where hasLeverage()
     std::vector<IslandHardness> hardness;               ///< by root of an island: see sortByQuality()
+    std::vector<std::uint32_t> roots;                   ///< of islands, by place in World::awake
     std::vector<EnergyAccount> accounts;                ///< the same, where there are joints
     std::vector<IslandCase> cases;                      ///< the same, where there is a tolerance
 };

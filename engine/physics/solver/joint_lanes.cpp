@@ -16,10 +16,6 @@ namespace {
 
 constexpr int kGrain = 24;                              // blocks
 constexpr std::int32_t kInTree = kJointBlockKinds + 1;  // BreakableJoint::kind of what no block has
-/// Ratio to Settings::pushSpeed: how fast joints close what is open. Without a limit a joint that something
-/// tore open (a sweep that stops one of its bodies at a wall) hurls both together: with long arms, at many
-/// times the speed that they had. Slower than 1, heavily loaded bridges stay open.
-constexpr float kJointPushing = 2.0f;
 constexpr std::size_t kKeysOfGroup = (kColours + 1) * kJointBlockKinds;
 
 template <class Act>

@@ -4,6 +4,7 @@
 #include "physics/joints/joint_types.hpp"
 #include "physics/sleeping.hpp"
 #include "physics/solver/hardness.hpp"
+#include "physics/solver/joint_lanes.hpp"
 #include "physics/stages.hpp"
 
 namespace plumb::physics {
@@ -20,9 +21,10 @@ constexpr float kMostGain = 0.005f;
 /// Ratio to Settings::pushSpeed: who is no faster is let be. What hangs too low, in joints that gave way, is
 /// lifted at such speeds.
 constexpr float kCreeping = 0.1f;
-/// Who has so many times the energy that it had, or that pushing out could give it, is not slowed down but
-/// stopped: its places are wrong as well.
+/// Who has so many times the energy that it had, or that it has at ten times the speed at which joints close,
+/// is not slowed down but stopped: its places are wrong as well.
 constexpr float kWild = 100.0f;
+constexpr float kWildPush = kWild * kJointPushing * kJointPushing;
 
 bool isPushed(const World& world, std::uint32_t body) {
     return world.bodies.info[body].kind == BodyKind::Dynamic;
@@ -43,15 +45,30 @@ EnergyAccount& accountOf(World& world, Workspace& work, std::uint32_t a, std::ui
     return work.accounts[rootOf(world, isPushed(world, b) ? b : a)];
 }
 
-/// Islands with joints have one; nobody else.
+/// The roots of all awake bodies that can be pushed, and an account for each island with joints.
 void openAccounts(World& world, Workspace& work) {
     work.accounts.resize(world.bodies.size());
-    for (const std::uint32_t body : world.awake) work.accounts[body].isOpen = false;
+    work.roots.resize(world.awake.size());
+    for (std::size_t i = 0; i < world.awake.size(); ++i) {
+        const std::uint32_t body = world.awake[i];
+        work.roots[i] = isPushed(world, body) ? islandOf(world, body) : kNone;
+        work.accounts[body].isOpen = false;
+    }
+    for (std::size_t i = 0; i < world.awake.size(); ++i) {
+        if (work.roots[i] == kNone || world.bodies.info[world.awake[i]].firstJoint == kNone) continue;
+        EnergyAccount& account = work.accounts[work.roots[i]];
+        if (!account.isOpen) account = {.isOpen = true};
+    }
+}
+
+/// Few joints are powered or hold to what cannot be pushed: only for these is the island looked up.
+void noteJoints(World& world, Workspace& work) {
     for (const std::uint32_t j : world.joints.awake) {
         const Joint& joint = world.joints.hot[j];
+        const bool powered = isPowered(joint), between = joint.colour < kFirstFixedColour;
+        if (!powered && between) continue;
         EnergyAccount& account = accountOf(world, work, joint.bodyA, joint.bodyB);
-        if (!account.isOpen) account = {.isOpen = true};
-        account.isDriven |= isPowered(joint) || moves(world, joint.bodyA) || moves(world, joint.bodyB);
+        account.isDriven |= powered || moves(world, joint.bodyA) || moves(world, joint.bodyB);
         account.isRooted |= !isPushed(world, joint.bodyA) || !isPushed(world, joint.bodyB);
     }
 }
@@ -98,7 +115,7 @@ void book(const World& world, const Workspace& work, std::uint32_t body, EnergyA
 /// @return whether the island has gone wild
 bool settle(EnergyAccount& account, float pushSpeed, float dt) {
     const float pushed = 0.5f * account.mass * pushSpeed * pushSpeed;
-    account.isWild = !account.isDriven && !(account.energy <= kWild * (account.peak + pushed));
+    account.isWild = !account.isDriven && !(account.energy <= kWild * account.peak + kWildPush * pushed);
     if (account.isWild) return true;
     account.peak = std::max(account.energy, account.peak * std::max(0.0f, 1.0f - dt / kPeakMemory));
     account.credit -= account.gain;
@@ -152,16 +169,10 @@ void forgetImpulses(World& world, Workspace& work) {
 }
 
 /// Everybody has a share of the island's account by mass, as islands fall apart and others come together.
-void share(World& world, Workspace& work, std::uint32_t body) {
-    const EnergyAccount& account = work.accounts[rootOf(world, body)];
-    EnergyShare& own = world.bodies.energies[body];
-    if (!account.isOpen) {
-        own = {};
-        return;
-    }
+void share(World& world, Workspace& work, std::uint32_t body, const EnergyAccount& account) {
     if (account.isWild) return hold(world, work, body);
     const float part = world.bodies.mass[body].mass / account.mass;
-    own = {account.credit * part, account.peak * part};
+    world.bodies.energies[body] = {account.credit * part, account.peak * part};
     if (account.keep < 1.0f) slowDown(work.velocity[static_cast<std::size_t>(work.slots[body])], account);
 }
 
@@ -179,20 +190,26 @@ void keepEnergy(StepContext& step) {
     if (world.islandsStale) rebuildIslands(world);
     world.bodies.energies.resize(world.bodies.size());
     openAccounts(world, work);
+    noteJoints(world, work);
     noteHolders(step);
-    for (const std::uint32_t body : world.awake) {
-        if (!isPushed(world, body)) continue;
-        EnergyAccount& account = work.accounts[rootOf(world, body)];
+    const auto forBodies = [&](auto&& act) {
+        for (std::size_t i = 0; i < world.awake.size(); ++i) {
+            if (work.roots[i] != kNone) act(world.awake[i], work.accounts[work.roots[i]]);
+        }
+    };
+    forBodies([&](std::uint32_t body, EnergyAccount& account) {
         if (account.isOpen) book(world, work, body, account);
-    }
+    });
     bool wild = false;
-    for (const std::uint32_t body : world.awake) {
-        EnergyAccount& account = work.accounts[body];
-        if (account.isOpen) wild |= settle(account, world.settings.pushSpeed, step.dt);
+    for (std::size_t i = 0; i < world.awake.size(); ++i) {
+        EnergyAccount& account = work.accounts[world.awake[i]];
+        if (work.roots[i] == world.awake[i] && account.isOpen)
+            wild |= settle(account, world.settings.pushSpeed, step.dt);
     }
-    for (const std::uint32_t body : world.awake) {
-        if (isPushed(world, body)) share(world, work, body);
-    }
+    forBodies([&](std::uint32_t body, const EnergyAccount& account) {
+        if (account.isOpen) return share(world, work, body, account);
+        world.bodies.energies[body] = {};
+    });
     if (wild) forgetImpulses(world, work);
 }
 
