@@ -1,6 +1,7 @@
 #include "physics/solver/leverage.hpp"
 
 #include <algorithm>
+#include <bit>
 
 #include "physics/joints/joint_types.hpp"
 #include "physics/solver/hardness.hpp"
@@ -16,9 +17,19 @@ float squareOf(const World& world, std::uint32_t body, Vec2 anchor) {
     return lengthSquared(anchor - world.bodies.pose[body].localCentre) * mass.mass * mass.inverseInertia;
 }
 
-/// One that lanes solve in this step.
-bool isInLanes(const Workspace& work, std::uint32_t joint) {
-    return work.joints.trees.isDirect[joint] != kWhollyDirect;
+/// Whether something else than this joint acts on the body.
+bool meetsOthers(const Workspace& work, std::uint32_t body) {
+    return !std::has_single_bit(work.colourMasks[body]) && work.colourMasks[body] != 0;
+}
+
+/// Of a joint that lanes solve in this step, by turns with something else; 0 for all others.
+std::uint8_t leverageNow(const World& world, const Workspace& work, std::uint32_t index) {
+    const std::uint8_t leverage = work.joints.leverages[index];
+    if (leverage == 0 || work.joints.trees.isDirect[index] == kWhollyDirect) return 0;
+    const Joint& joint = world.joints.hot[index];
+    // A tree that was left to the lanes touched something, and is about to do so again.
+    const bool leftByTree = world.settings.directJoints;
+    return leftByTree || meetsOthers(work, joint.bodyA) || meetsOthers(work, joint.bodyB) ? leverage : 0;
 }
 
 }  // namespace
@@ -46,19 +57,19 @@ void findLeverages(const World& world, Workspace& work) {
 
 bool hasLeverage(const World& world, const Workspace& work) {
     if (!work.joints.someLeverage || !world.manifest.runs(Effect::Joints)) return false;
-    return std::any_of(world.joints.awake.begin(), world.joints.awake.end(), [&](std::uint32_t joint) {
-        return work.joints.leverages[joint] > 0 && isInLanes(work, joint);
-    });
+    return std::any_of(world.joints.awake.begin(), world.joints.awake.end(),
+                       [&](std::uint32_t joint) { return leverageNow(world, work, joint) > 0; });
 }
 
 void judgeLeverages(World& world, Workspace& work) {
     work.leverageOf.assign(world.bodies.size(), 0);
     for (const std::uint32_t j : world.joints.awake) {
-        if (!isInLanes(work, j)) continue;
+        const std::uint8_t leverage = leverageNow(world, work, j);
+        if (leverage == 0) continue;
         const Joint& joint = world.joints.hot[j];
         for (const std::uint32_t body : {joint.bodyA, joint.bodyB}) {
             std::uint8_t& most = work.leverageOf[rootOf(world, body)];
-            most = std::max(most, work.joints.leverages[j]);
+            most = std::max(most, leverage);
         }
     }
 }

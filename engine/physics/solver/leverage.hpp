@@ -22,7 +22,7 @@ std::uint8_t leverageOf(const World& world, std::uint32_t joint);
 /// Notes the leverage of all awake joints. When joints or masses have changed.
 void findLeverages(const World& world, Workspace& work);
 
-/// True when lanes solve a joint of some leverage in this step.
+/// True when lanes solve a joint of some leverage in this step, by turns with something else.
 bool hasLeverage(const World& world, const Workspace& work);
 
 /// The highest leverage of each island: by root in Workspace::leverageOf.
