@@ -90,6 +90,21 @@ TEST(StabilityMap, noCellIsWorseThanItWas) {
     EXPECT_EQ(rows, floors.size()) << "a floor belongs to no row";
 }
 
+// All 1,140 cells, not the quick ones alone: wrong they may be, wild never.
+TEST(StabilityMap, noCellBlowsUp) {
+    std::size_t cells = 0;
+    for (const PlayedMap& map : play({.threads = 2})) {
+        for (std::size_t row = 0; row < map.rows.size(); ++row) {
+            for (std::size_t column = 0; column < map.width(); ++column, ++cells) {
+                EXPECT_NE(scoreOf(map.at(row, column)), Score::BlowsUp)
+                    << map.map->name << ", " << map.rowLabel(row) << ", " << map.columnLabel(column) << ": "
+                    << reasonOf(map.at(row, column));
+            }
+        }
+    }
+    EXPECT_GT(cells, 1000u);
+}
+
 TEST(StabilityMap, mapsHaveNamesOfTheirOwnAndAnEasiestColumn) {
     std::set<std::string_view> names;
     for (const Map& map : allMaps()) {
