@@ -1,7 +1,6 @@
 // States, transitions, conditions and parameters of an animation: the model, and the page "States".
 
 #include <algorithm>
-#include <regex>
 #include <set>
 
 #include "core/text.hpp"
@@ -161,9 +160,12 @@ TEST(GameParameters, areThoseThatSystemsOfTheEngineSet) {
          std::filesystem::recursive_directory_iterator{test::sourceFolder() / "engine/gameplay"}) {
         if (entry.path().extension() != ".cpp") continue;
         const std::string text = *readFile(entry.path());
-        const std::regex call{R"re(setParameter\(world, \w+, "(\w+)")re"};
-        for (std::sregex_iterator found{text.begin(), text.end(), call}, end; found != end; ++found)
-            set.insert((*found)[1]);
+        constexpr std::string_view kCall = "setParameter(world, ";
+        for (std::size_t at = text.find(kCall); at != std::string::npos; at = text.find(kCall, at + 1)) {
+            const std::size_t comma = text.find(',', at + kCall.size());
+            if (text.compare(comma, 3, ", \"") != 0) continue;
+            set.insert(text.substr(comma + 3, text.find('"', comma + 3) - comma - 3));
+        }
     }
     std::set<std::string> known;
     for (const GameParameter& parameter : gameParameters()) known.insert(std::string{parameter.name});
