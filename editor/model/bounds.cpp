@@ -165,12 +165,11 @@ std::vector<ObjectId> pickAll(const Document& document, Vec2 point, float reach)
     std::vector<Hit> hits;
     const std::vector<ObjectId>& all = document.objects();
     const SceneBoxes& boxes = document.boxes();
-    for (std::size_t i = 0; i < all.size(); ++i) {
-        if (!contains(grown(boxes.at(i), reach), point) || isOutOfHand(document, all[i])) continue;
+    boxes.eachTouching(grown({point, point}, reach), [&](std::size_t i) {
         const EntityId entity = document.find(all[i]);
-        if (isHole(document, all[i], entity, point)) continue;
+        if (isOutOfHand(document, all[i]) || isHole(document, all[i], entity, point)) return;
         hits.push_back({isGround(document.world, entity), layerOf(document.world, entity), i, all[i]});
-    }
+    });
     std::sort(hits.begin(), hits.end(), [](const Hit& a, const Hit& b) {
         if (a.ground != b.ground) return b.ground;
         return a.layer != b.layer ? a.layer > b.layer : a.place > b.place;
@@ -192,12 +191,12 @@ std::vector<ObjectId> pickInside(const Document& document, const AABB& box) {
     std::set<std::uint64_t> taken;  // an instance is met once for each of its parts
     const std::vector<ObjectId>& all = document.objects();
     const SceneBoxes& boxes = document.boxes();
-    for (std::size_t i = 0; i < all.size(); ++i) {
-        if (!intersects(boxes.at(i), box) || isOutOfHand(document, all[i])) continue;
-        if (isGround(document.world, document.find(all[i]))) continue;
+    boxes.eachTouching(box, [&](std::size_t i) {
+        if (!intersects(boxes.at(i), box)) return;
+        if (isOutOfHand(document, all[i]) || isGround(document.world, document.find(all[i]))) return;
         const ObjectId meant = meantBy(document, all[i]);
         if (taken.insert(meant.value).second) ids.push_back(meant);
-    }
+    });
     return ids;
 }
 

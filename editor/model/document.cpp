@@ -28,8 +28,8 @@ const SceneBoxes& Document::boxes() const {
 }
 
 EntityId Document::find(ObjectId id) const {
-    const auto found = entities_.find(id.value);
-    return found == entities_.end() ? EntityId{} : found->second;
+    const EntityId* found = entities_.find(id.value);
+    return found == nullptr ? EntityId{} : *found;
 }
 
 ObjectId Document::idOf(EntityId entity) const {
@@ -87,7 +87,11 @@ void Document::reindex() {
     reordered();
     std::vector<EntityId> strangers;
     world.each<SceneEntity>([&](EntityId entity, SceneEntity& part) {
-        if (part.id == 0 || !entities_.emplace(part.id, entity).second) strangers.push_back(entity);
+        if (part.id == 0 || entities_.find(part.id) != nullptr) {
+            strangers.push_back(entity);
+        } else {
+            entities_.set(part.id, entity);
+        }
     });
     for (const EntityId entity : strangers) {
         const ObjectId id = newId();

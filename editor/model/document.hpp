@@ -2,12 +2,12 @@
 
 #include <memory>
 #include <string>
-#include <unordered_map>
 #include <vector>
 
 #include "core/random.hpp"
 #include "ecs/world.hpp"
 #include "editor/model/entity_view.hpp"
+#include "editor/model/id_table.hpp"
 #include "editor/model/object_id.hpp"
 #include "editor/model/selection.hpp"
 #include "reflect/field_types.hpp"
@@ -53,7 +53,7 @@ public:
 
     [[nodiscard]] ObjectId newId();
     [[nodiscard]] std::int32_t nextOrder() const;
-    void remember(ObjectId id, EntityId entity) { entities_[id.value] = entity, reordered(); }
+    void remember(ObjectId id, EntityId entity) { entities_.set(id.value, entity), reordered(); }
     void forget(ObjectId id);
     /// After places in the file were changed.
     void reordered() { sorted_ = false, ++treeRevision; }
@@ -63,8 +63,8 @@ public:
     void seedIds(std::uint64_t seed) { random_ = Random::seeded(seed); }
 
 private:
-    std::unordered_map<std::uint64_t, EntityId> entities_;  // only looked up, never iterated for a result
-    mutable std::vector<ObjectId> objects_;                 // as they were when `sorted_` was set
+    IdTable<EntityId> entities_;
+    mutable std::vector<ObjectId> objects_;  // as they were when `sorted_` was set
     mutable bool sorted_ = false;
     mutable std::unique_ptr<SceneBoxes> boxes_;
     Random random_;

@@ -8,21 +8,12 @@
 #include "editor/model/field_number.hpp"
 #include "editor/model/root_place.hpp"
 #include "editor/model/workspace.hpp"
-#include "reflect/compare.hpp"
 
 namespace plumb::editor {
 namespace {
 
 const void* componentOf(const Workspace& workspace, const FieldTarget& target, ObjectId id) {
     return workspace.shownWorld().find(target.type, workspace.shownEntity(id));
-}
-
-bool floatsDiffer(const void* a, const void* b, std::size_t at) {
-    float left = 0.0f;
-    float right = 0.0f;
-    std::memcpy(&left, static_cast<const std::byte*>(a) + at, sizeof left);
-    std::memcpy(&right, static_cast<const std::byte*>(b) + at, sizeof right);
-    return left != right && (left == left || right == right);
 }
 
 /// The component with the place that it cannot give: the first entity of a prefab stays where it is.
@@ -105,90 +96,6 @@ Result<Done> typeNumber(Workspace& workspace, const FieldTarget& target, std::si
     editFields(workspace, target,
                [&](FieldValue& value, std::size_t i) { setNumberAt(target.field, value, results[i], at); });
     return Done{};
-}
-
-void MixedBytes::compare(const FieldInfo& field, const void* a, const void* b) {
-    const auto mark = [this](std::size_t at, std::size_t size) {
-        std::fill_n(bytes_.begin() + static_cast<std::ptrdiff_t>(at), size, std::byte{0xff});
-        any_ = true;
-    };
-    switch (field.kind) {
-        case FieldKind::Float:
-        case FieldKind::Vec2:
-        case FieldKind::Rect:
-            for (std::size_t at = 0; at < field.size; at += sizeof(float)) {
-                if (floatsDiffer(a, b, at)) mark(at, sizeof(float));
-            }
-            return;
-        case FieldKind::List: {
-            // Lists of another length have no places in common.
-            if (*field.listCount(const_cast<void*>(a)) != *field.listCount(const_cast<void*>(b))) {
-                lengths_ = true;
-                return mark(0, field.size);
-            }
-            if (!hasNumbers(field)) break;
-            const std::size_t bytes = *field.listCount(const_cast<void*>(a)) * field.elementSize;
-            for (std::size_t at = 0; at < bytes; at += sizeof(float)) {
-                if (floatsDiffer(a, b, at)) mark(at, sizeof(float));
-            }
-            return;
-        }
-        case FieldKind::Int:
-            if (!field.layerBits) break;
-            for (std::size_t at = 0; at < field.size; ++at) {
-                const std::byte differ =
-                    static_cast<const std::byte*>(a)[at] ^ static_cast<const std::byte*>(b)[at];
-                bytes_[at] |= differ;
-                any_ |= differ != std::byte{};
-            }
-            return;
-        case FieldKind::Color:
-            for (std::size_t at = 0; at < field.size; ++at) {
-                if (static_cast<const std::byte*>(a)[at] != static_cast<const std::byte*>(b)[at]) mark(at, 1);
-            }
-            return;
-        case FieldKind::Bool:
-        case FieldKind::Text:
-        case FieldKind::Enum:
-        case FieldKind::Entity:
-        case FieldKind::Asset:
-        case FieldKind::Tiles: break;
-    }
-    if (!valuesEqual(field, a, b)) mark(0, field.size);
-}
-
-bool MixedBytes::any(std::size_t at, std::size_t size) const {
-    if (!any_) return false;
-    return std::any_of(bytes_.begin() + static_cast<std::ptrdiff_t>(at),
-                       bytes_.begin() + static_cast<std::ptrdiff_t>(at + size),
-                       [](std::byte byte) { return byte != std::byte{}; });
-}
-
-bool MixedBytes::bit(unsigned bit) const {
-    const std::byte byte = bytes_[bit / 8];
-    return (byte >> (bit % 8) & std::byte{1}) != std::byte{};
-}
-
-SharedField sharedField(const Workspace& workspace, const FieldTarget& target, const ComponentState& fresh) {
-    const FieldInfo& field = target.field;
-    SharedField shared;
-    shared.mixed = MixedBytes{field};
-    const void* normal = field.in(static_cast<const void*>(fresh.bytes.data()));
-    const void* last = nullptr;
-    for (auto id = target.objects.rbegin(); id != target.objects.rend(); ++id) {
-        const void* component = componentOf(workspace, target, *id);
-        if (component == nullptr) continue;
-        ++shared.holders;
-        const void* value = field.in(component);
-        if (shared.isDefault) shared.isDefault = valuesEqual(field, value, normal);
-        if (last == nullptr) {
-            last = value;
-            shared.value = readField(workspace.shownNames(), field, component);
-        } else {
-            shared.mixed.compare(field, last, value);
-        }
-    }
-    return shared;
 }
 
 }  // namespace plumb::editor

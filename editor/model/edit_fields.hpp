@@ -43,37 +43,4 @@ std::vector<FieldValue> readFields(const Workspace& workspace, const FieldTarget
 Result<Done> typeNumber(Workspace& workspace, const FieldTarget& target, std::size_t at,
                         std::string_view text);
 
-/// Which bytes of the value are not the same in all of them: none is zero where they differ. Numbers that are
-/// equal count as the same.
-class MixedBytes {
-public:
-    MixedBytes() = default;
-    explicit MixedBytes(const FieldInfo& field) : bytes_(field.size) {}
-
-    /// Marks where two values at addresses differ.
-    void compare(const FieldInfo& field, const void* a, const void* b);
-    [[nodiscard]] bool any() const { return any_; }
-    [[nodiscard]] bool any(std::size_t at, std::size_t size) const;
-    [[nodiscard]] bool bit(unsigned bit) const;
-    /// Whether they are lists that are not all as long.
-    [[nodiscard]] bool lengths() const { return lengths_; }
-
-private:
-    std::vector<std::byte> bytes_;
-    bool any_ = false;
-    bool lengths_ = false;
-};
-
-/// One field of what is selected, as the inspector shows it.
-struct SharedField {
-    FieldValue value;         ///< of the one selected last
-    MixedBytes mixed;         ///< against the others
-    bool isDefault = true;    ///< of all of them
-    std::size_t holders = 0;  ///< how many have the component
-};
-
-/// @param fresh  a default component of the type
-/// @pre   the last of the target has the component
-SharedField sharedField(const Workspace& workspace, const FieldTarget& target, const ComponentState& fresh);
-
 }  // namespace plumb::editor

@@ -36,15 +36,16 @@ void PlayMode::stop() {
 EntityId PlayMode::find(ObjectId id) const {
     if (!running()) return {};
     const World& played = world();
-    const auto known = entities_.find(id.value);
-    if (known != entities_.end() && indexed_ >= 0 && idOf(known->second) == id) return known->second;
+    const EntityId* known = entities_.find(id.value);
+    if (known != nullptr && indexed_ >= 0 && idOf(*known) == id) return *known;
     if (indexed_ == ticks_) return {};
     indexed_ = ticks_;
     entities_.clear();
-    played.each<const SceneEntity>(
-        [&](EntityId entity, const SceneEntity& part) { entities_[part.id] = entity; });
-    const auto found = entities_.find(id.value);
-    return found == entities_.end() ? EntityId{} : found->second;
+    played.each<const SceneEntity>([&](EntityId entity, const SceneEntity& part) {
+        if (part.id != 0) entities_.set(part.id, entity);
+    });
+    const EntityId* found = entities_.find(id.value);
+    return found == nullptr ? EntityId{} : *found;
 }
 
 ObjectId PlayMode::idOf(EntityId entity) const {

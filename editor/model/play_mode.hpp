@@ -2,9 +2,9 @@
 
 #include <memory>
 #include <string>
-#include <unordered_map>
 
 #include "core/result.hpp"
+#include "editor/model/id_table.hpp"
 #include "editor/model/object_id.hpp"
 #include "editor/model/play_edits.hpp"
 #include "editor/model/play_recording.hpp"
@@ -108,9 +108,9 @@ private:
     bool watching_ = false;
     int speed_ = 0;
     std::int64_t ticks_ = 0;
-    double rest_ = 0.0;                                             // s that no tick has used yet
-    mutable std::unordered_map<std::uint64_t, EntityId> entities_;  // as they were at `indexed_`
-    mutable std::int64_t indexed_ = -1;                             // tick
+    double rest_ = 0.0;                   // s that no tick has used yet
+    mutable IdTable<EntityId> entities_;  // as they were at `indexed_`
+    mutable std::int64_t indexed_ = -1;   // tick
 };
 
 }  // namespace plumb::editor

@@ -37,6 +37,7 @@ void SceneBoxes::follow(const Document& document) {
         members_ = members;
         makeAll(document);
     } else {
+        ++look_;
         world.eachChangedSince<Transform>(mark_, [&](EntityId entity) { updateMoved(document, entity); });
         eachSeen([&]<class... T>() {
             (world.eachChangedSince<T>(mark_, [&](EntityId entity) { update(document, entity); }), ...);
@@ -51,6 +52,7 @@ void SceneBoxes::makeAll(const Document& document) {
     const World& world = document.world;
     const std::vector<ObjectId>& all = document.objects();
     boxes_.assign(all.size(), kNoBox);
+    lookOf_.assign(all.size(), look_);
     entities_.clear();
     placeOf_.clear();
     restless_.clear();
@@ -72,6 +74,9 @@ void SceneBoxes::update(const Document& document, EntityId entity) {
 }
 
 void SceneBoxes::updateMoved(const Document& document, EntityId entity) {
+    if (entity.index < placeOf_.size() && placeOf_[entity.index] != kNowhere &&
+        std::exchange(lookOf_[placeOf_[entity.index]], look_) == look_)
+        return;
     update(document, entity);
     const World& world = document.world;
     const Children* family = world.find<Children>(entity);

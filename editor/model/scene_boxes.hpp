@@ -18,6 +18,20 @@ public:
     /// Of the entity at this place of `Document::objects()`. One without a place has a box that contains
     /// nothing.
     [[nodiscard]] const AABB& at(std::size_t place) const { return boxes_[place]; }
+    /// @pre the entity is one of the document
+    [[nodiscard]] const AABB& of(EntityId entity) const { return boxes_[placeOf_[entity.index]]; }
+
+    /// Calls visit(place) for all whose box touches `area`, if only with its left or upper edge, in order.
+    template <class Visit>
+    void eachTouching(const AABB& area, Visit&& visit) const {
+        for (std::size_t i = 0; i < boxes_.size(); ++i) {
+            const AABB& box = boxes_[i];
+            // All four at once: a guess at each of them would be wrong too often.
+            const bool across = (box.min.x <= area.max.x) & (area.min.x < box.max.x);
+            const bool down = (box.min.y <= area.max.y) & (area.min.y < box.max.y);
+            if (across & down) visit(i);
+        }
+    }
 
     /// Makes anew what may have changed since.
     void follow(const Document& document);
@@ -27,13 +41,15 @@ private:
 
     void makeAll(const Document& document);
     void update(const Document& document, EntityId entity);
-    /// With all below it.
+    /// With all below it, unless that was done in this look already.
     void updateMoved(const Document& document, EntityId entity);
 
     std::vector<AABB> boxes_;
     std::vector<EntityId> entities_;      // of each place
     std::vector<std::uint32_t> placeOf_;  // by index of the entity
-    std::vector<EntityId> restless_;      // what changes without a component being written
+    std::vector<std::uint32_t> lookOf_;   // at each place, the last one that moved its box
+    std::uint32_t look_ = 0;
+    std::vector<EntityId> restless_;  // what changes without a component being written
     std::uint64_t tree_ = ~0ull;
     std::uint64_t members_ = 0;
     std::uint64_t mark_ = 0;

@@ -1,9 +1,9 @@
 #pragma once
 
 #include <algorithm>
-#include <unordered_set>
 #include <vector>
 
+#include "editor/model/id_table.hpp"
 #include "editor/model/object_id.hpp"
 
 namespace plumb::editor {
@@ -14,7 +14,7 @@ public:
     [[nodiscard]] const std::vector<ObjectId>& all() const { return ids_; }
     [[nodiscard]] bool empty() const { return ids_.empty(); }
     [[nodiscard]] std::size_t size() const { return ids_.size(); }
-    [[nodiscard]] bool has(ObjectId id) const { return known_.count(id.value) > 0; }
+    [[nodiscard]] bool has(ObjectId id) const { return known_.find(id.value) != nullptr; }
     [[nodiscard]] std::uint64_t revision() const { return revision_; }
 
     void clear() { set({}); }
@@ -31,13 +31,14 @@ public:
         if (!ids.empty()) takeInHand(ids.back());
     }
     void remove(ObjectId id) {
-        if (known_.erase(id.value) > 0) std::erase(ids_, id), ++revision_;
+        if (known_.erase(id.value)) std::erase(ids_, id), ++revision_;
     }
     void toggle(ObjectId id) { has(id) ? remove(id) : add(id); }
 
 private:
     bool append(ObjectId id) {
-        if (!known_.insert(id.value).second) return false;
+        if (!id || has(id)) return false;
+        known_.set(id.value, {});
         ids_.push_back(id);
         return true;
     }
@@ -47,7 +48,8 @@ private:
     }
 
     std::vector<ObjectId> ids_;
-    std::unordered_set<std::uint64_t> known_;  // the same, only looked up
+    struct Nothing {};
+    IdTable<Nothing> known_;  // the same ones
     std::uint64_t revision_ = 0;
 };
 

@@ -38,8 +38,7 @@ void listEffects(SceneGame& game, const PlayerOptions& options) {
     Profile profile;
     std::printf("%-22sentities\n", "components");
     for (const TypeInfo& type : game.types.all()) {
-        std::size_t count = 0;
-        game.world.eachOf(type, [&count](EntityId, const void*) { ++count; });
+        const std::size_t count = game.world.count(type);
         if (count > 0)
             std::printf("  %-20.*s%zu\n", static_cast<int>(type.name.size()), type.name.data(), count);
     }

@@ -101,6 +101,11 @@ bool World::has(const TypeInfo& type, EntityId id) const {
     return pool != nullptr && pool->has(id);
 }
 
+std::size_t World::count(const TypeInfo& type) const {
+    const Pool* const pool = storage_.findPool(type.key);
+    return pool == nullptr ? 0 : pool->size();
+}
+
 void* World::add(const TypeInfo& type, EntityId id) {
     Pool& pool = storage_.pool(type);
     if (!storage_.alive(id)) {

@@ -90,6 +90,7 @@ public:
     /// is gone.
     void* add(const TypeInfo& type, EntityId id);
     void remove(const TypeInfo& type, EntityId id);
+    [[nodiscard]] std::size_t count(const TypeInfo& type) const;
     /// Calls `f(EntityId, const void* component)` for everything that has one.
     template <class F>
     void eachOf(const TypeInfo& type, F&& f) const;
@@ -137,8 +138,8 @@ public:
     /// Whether any T may have been written since the mark.
     template <class T>
     [[nodiscard]] bool changedSince(std::uint64_t mark) const;
-    /// Calls `f(EntityId)` for every T that may have been written since the mark, paused ones too. `f` neither
-    /// adds nor removes a T.
+    /// Calls `f(EntityId)` for every T that may have been written since the mark, paused ones too. `f`
+    /// neither adds nor removes a T.
     template <class T, class F>
     void eachChangedSince(std::uint64_t mark, F&& f) const;
     /// Grows whenever an entity gets or loses one of these components.

@@ -54,6 +54,8 @@ public:
     virtual void circle(Vec2 centre, float radius, DebugInk ink) = 0;
     virtual void polygon(std::span<const Vec2> corners, DebugInk ink) = 0;
     virtual void arrow(Vec2 from, Vec2 to, DebugInk ink) = 0;
+    /// An upright box: a polygon, unless a canvas has something faster.
+    virtual void box(const AABB& box, DebugInk ink);
 };
 
 /// What to draw; bits.

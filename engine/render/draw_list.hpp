@@ -1,12 +1,15 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
 #include <limits>
 #include <span>
+#include <utility>
 #include <vector>
 
+#include "math/angle.hpp"
 #include "math/color.hpp"
 #include "math/rect.hpp"
 #include "render/draw_order.hpp"
@@ -35,7 +38,9 @@ struct SpriteQuad {
 
 /// The center of a quad whose top left corner, before turning, lies at `origin - pivot * size`, turned about
 /// `origin`.
-Vec2 quadCenter(Vec2 origin, Vec2 pivot, Vec2 size, float rotation);
+inline Vec2 quadCenter(Vec2 origin, Vec2 pivot, Vec2 size, float rotation) {
+    return origin + rotated(scaled(Vec2{0.5f, 0.5f} - pivot, size), rotation);
+}
 
 /// Sprites that stay in the device's memory, e.g. one chunk of a tile layer.
 struct RetainedSprites {
@@ -69,7 +74,7 @@ public:
     /// Forgets everything and looks through `view` from now on.
     void begin(const View& view, TextureGrouping grouping = TextureGrouping::Keep);
 
-    void sprite(const SpriteQuad& quad);
+    [[gnu::always_inline]] void sprite(const SpriteQuad& quad);
     void retained(const RetainedSprites& sprites);
     /// A quad that is in the device's form already; its slot holds flags only.
     void instance(const SpriteInstance& instance, TextureHandle texture, int layer);
@@ -123,9 +128,13 @@ public:
 
 private:
     static constexpr std::uint32_t kKindShift = 30;
+    static constexpr std::uint32_t kYSteps = 65535;
 
     [[nodiscard]] bool sees(Vec2 center, Vec2 half, float rotation) const;
     [[nodiscard]] std::uint32_t yKey(float y) const;
+    [[nodiscard]] std::uint32_t groupOf(TextureHandle texture) const {
+        return (texture.index / static_cast<std::uint32_t>(kTextureSlots)) & groupMask_;
+    }
     void add(Kind kind, std::size_t index, std::uint32_t key) {
         items_.push_back(
             {key, static_cast<std::uint32_t>(kind) << kKindShift | static_cast<std::uint32_t>(index)});
@@ -153,6 +162,33 @@ inline bool DrawList::sees(Vec2 center, Vec2 half, float rotation) const {
     // Written so that NaN is not seen.
     return center.x + reach.x > visible_.min.x && center.x - reach.x < visible_.max.x &&
            center.y + reach.y > visible_.min.y && center.y - reach.y < visible_.max.y;
+}
+
+inline std::uint32_t DrawList::yKey(float y) const {
+    if (y == kNoSortY) return 0;
+    const float steps = (y - yStart_) * yScale_;
+    return steps > 1.0f ? static_cast<std::uint32_t>(std::min(steps, static_cast<float>(kYSteps))) : 1u;
+}
+
+/// Left, top, right, bottom; a flip is an exchange of two ends.
+inline std::array<std::uint16_t, 4> sourceCorners(const SpriteQuad& quad) {
+    std::array<std::uint16_t, 4> uv{uvFromTexels(quad.source.x), uvFromTexels(quad.source.y),
+                                    uvFromTexels(quad.source.x + quad.source.width),
+                                    uvFromTexels(quad.source.y + quad.source.height)};
+    if (quad.flipX) std::swap(uv[0], uv[2]);
+    if (quad.flipY) std::swap(uv[1], uv[3]);
+    return uv;
+}
+
+// Here, so that who makes a quad and what becomes of it are one piece of code: worlds have 100,000 of them.
+inline void DrawList::sprite(const SpriteQuad& quad) {
+    if (!sees(quad.center, quad.half, quad.rotation)) {
+        ++culled_;
+        return;
+    }
+    add(Kind::Sprite, instances_.size(), drawKey(quad.layer, yKey(quad.sortY), groupOf(quad.texture)));
+    instances_.push_back({quad.center, quad.half, quad.rotation, sourceCorners(quad), quad.tint,
+                          quad.texture.index << kTextureShift | (quad.additive ? kSpriteAdditive : 0u)});
 }
 
 }  // namespace plumb

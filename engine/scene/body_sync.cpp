@@ -89,7 +89,7 @@ public:
                 tryAgain_ = true;
             }
         });
-        for (const std::uint32_t body : state_.carried) followPose(idAt(body));
+        if (!state_.carried.empty()) followCarried();
         world_.eachChangedSince<RigidBody>(mark, [this](EntityId entity) {
             if (const BodyId body = bodyOf(state_, entity)) followRigid(body);
         });
@@ -106,6 +106,35 @@ private:
         return {body, bodies_.bodies.info[body].generation};
     }
     [[nodiscard]] BodyLink& linkOf(BodyId body) { return state_.links[body.index]; }
+
+    /// What is below somebody who was put elsewhere goes with him.
+    void stirBelow(EntityId entity) {
+        const Children* family = reader_.find<Children>(entity);
+        EntityId child = family == nullptr ? EntityId{} : family->first;
+        for (const Parent* link = nullptr; child; child = link->next) {
+            if (const BodyId body = bodyOf(state_, child)) state_.stirred.push_back(body.index);
+            stirBelow(child);
+            link = reader_.find<Parent>(child);
+        }
+    }
+    /// Those who have a parent, in the order of the bodies; only where somebody above them, or they
+    /// themselves, are elsewhere since the last look, be it that the physics moved them.
+    void followCarried() {
+        constexpr std::size_t kFew = 8;  // fewer than one in so many are worth sorting
+        state_.stirred.clear();
+        world_.eachChangedSince<Transform>(state_.carriedMark, [this](EntityId entity) {
+            const BodyId body = bodyOf(state_, entity);
+            if (body && linkOf(body).hasParent) state_.stirred.push_back(body.index);
+            stirBelow(entity);
+        });
+        if (state_.stirred.size() * kFew < state_.carried.size()) {
+            std::sort(state_.stirred.begin(), state_.stirred.end());
+            for (const std::uint32_t body : state_.stirred) followPose(idAt(body));
+        } else if (!state_.stirred.empty()) {
+            for (const std::uint32_t body : state_.carried) followPose(idAt(body));
+        }
+        state_.stirred.clear();
+    }
 
     void follow(EntityId entity) {
         const BodyKind kind = kindOf(reader_, entity);
@@ -386,6 +415,7 @@ void followComponents(World& world, PhysicsState& state, const physics::Settings
     BodySync sync{world, state};
     state.mark = world.markChanges();
     all ? sync.followAll() : sync.followChanged(mark);
+    state.carriedMark = state.mark;
     followTiles(world, state, all);
     followJoints(world, state, all, mark);
     followFields(world, state, all);

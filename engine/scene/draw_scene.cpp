@@ -34,7 +34,7 @@ Rect sourceOf(const Sprite& sprite) {
 }
 
 /// The sprite as a quad at a pose. A negative scale mirrors.
-SpriteQuad quadOf(const Sprite& sprite, const Pose& pose, const TextureRegion& picture) {
+[[gnu::always_inline]] inline SpriteQuad quadOf(const Sprite& sprite, const Pose& pose, const TextureRegion& picture) {
     const Vec2 size{static_cast<float>(sprite.width) * pose.scale.x,
                     static_cast<float>(sprite.height) * pose.scale.y};
     SpriteQuad quad;
@@ -123,9 +123,8 @@ class FamilyPoses {
 public:
     explicit FamilyPoses(const World& world) : world_{world} {}
 
-    Pose of(EntityId entity, EntityId parent, float alpha) {
-        const auto* transform = world_.find<Transform>(entity);
-        const Pose own = transform != nullptr ? interpolated(*transform, alpha) : Pose{};
+    /// @param own  in the parent
+    Pose of(const Pose& own, EntityId parent, float alpha) {
         if (!parent) return own;
         if (parent != parent_ || alpha != alpha_) {
             pose_ = worldPose(world_, parent, alpha);
@@ -289,14 +288,26 @@ const SceneLayer* SceneRenderer::layerOf(int order) const {
     return nullptr;
 }
 
-void SceneRenderer::add(SpriteQuad quad, float y, const SceneView& how, DrawList& list) const {
-    if (const SceneLayer* look = layerOf(quad.layer)) {
-        if (!look->visible) return;
-        quad.tint = quad.tint * look->tint;
-        quad.center += parallaxOf(*look, how);
-        if (look->ySort) quad.sortY = y;
-    }
-    list.sprite(quad);
+template <class... T, class Draw>
+void SceneRenderer::forSeen(const Query<const T...>& query, const World& world, const SceneView& how,
+                            const Draw& draw) const {
+    // Who they are is asked only where it decides something.
+    if (how.place == kEveryScene && how.hidden.empty() && !anyPaused_)
+        return query.each([&](const T&... parts) { draw(how.alpha, parts...); });
+    query.each([&](Entity entity, const T&... parts) {
+        if (isSeen(world, entity, how)) draw(alphaOf(world, entity, how), parts...);
+    });
+}
+
+void SceneRenderer::add(const SpriteQuad& quad, float y, const SceneView& how, DrawList& list) const {
+    const SceneLayer* look = layerOf(quad.layer);
+    if (look == nullptr) return list.sprite(quad);
+    if (!look->visible) return;
+    SpriteQuad drawn = quad;
+    drawn.tint = quad.tint * look->tint;
+    drawn.center += parallaxOf(*look, how);
+    if (look->ySort) drawn.sortY = y;
+    list.sprite(drawn);
 }
 
 void SceneRenderer::collectSprites(World& world, const SceneView& how, DrawList& list) {
@@ -309,16 +320,20 @@ void SceneRenderer::collectSprites(World& world, const SceneView& how, DrawList&
         if (sight.mayShow(sprite, pose)) add(quadOf(sprite, pose, picture), pose.position.y, how, list);
     };
     // Most sprites have no parent; they skip the walk up.
-    for (auto [entity, sprite, transform] :
-         world.query<const Sprite, const Transform>(without<Hidden, ParallaxLayer, Parent>, withPaused)) {
-        if (isSeen(world, entity, how)) collect(sprite, interpolated(transform, alphaOf(world, entity, how)));
-    }
+    forSeen(world.query<const Sprite, const Transform>(without<Hidden, ParallaxLayer, Parent>, withPaused),
+            world, how, [&](float alpha, const Sprite& sprite, const Transform& transform) {
+                collect(sprite, interpolated(transform, alpha));
+            });
     FamilyPoses poses{world};
-    for (auto [entity, sprite, parent] :
-         world.query<const Sprite, const Parent>(without<Hidden, ParallaxLayer>, withPaused)) {
-        if (isSeen(world, entity, how))
-            collect(sprite, poses.of(entity.id(), parent.entity, alphaOf(world, entity, how)));
-    }
+    forSeen(
+        world.query<const Sprite, const Transform, const Parent>(without<Hidden, ParallaxLayer>, withPaused),
+        world, how, [&](float alpha, const Sprite& sprite, const Transform& transform, const Parent& parent) {
+            collect(sprite, poses.of(interpolated(transform, alpha), parent.entity, alpha));
+        });
+    forSeen(world.query<const Sprite, const Parent>(without<Hidden, ParallaxLayer, Transform>, withPaused),
+            world, how, [&](float alpha, const Sprite& sprite, const Parent& parent) {
+                collect(sprite, poses.of({}, parent.entity, alpha));
+            });
 }
 
 void SceneRenderer::collectBackdrops(World& world, const SceneView& how, DrawList& list) {

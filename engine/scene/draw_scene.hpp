@@ -73,11 +73,15 @@ private:
     void readLayers(const World& world, const SceneView& how);
     /// What is paused stands where its last tick left it.
     [[nodiscard]] float alphaOf(const World& world, EntityId entity, const SceneView& how) const;
+    /// Calls draw(alpha, components...) for those of a query that are not left out.
+    template <class... T, class Draw>
+    void forSeen(const Query<const T...>& query, const World& world, const SceneView& how,
+                 const Draw& draw) const;
     void collectBackground(const World& world, const SceneView& how, DrawList& list);
     /// What its scene says of a layer number; null draws it plainly.
     [[nodiscard]] const SceneLayer* layerOf(int order) const;
     /// Adds a sprite as its layer wants it. @param y  px, world: where it stands, for layers sorted by y
-    void add(SpriteQuad quad, float y, const SceneView& how, DrawList& list) const;
+    void add(const SpriteQuad& quad, float y, const SceneView& how, DrawList& list) const;
     void collectSprites(World& world, const SceneView& how, DrawList& list);
     void collectBackdrops(World& world, const SceneView& how, DrawList& list);
     void collectTiles(World& world, const SceneView& how, DrawList& list);

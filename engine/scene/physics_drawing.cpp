@@ -55,6 +55,13 @@ constexpr Look lookOf(DebugRole role) {
     return {};
 }
 
+constexpr auto kLooks = [] {
+    std::array<Look, static_cast<std::size_t>(DebugRole::Count)> looks{};
+    for (std::size_t i = 0; i < looks.size(); ++i) looks[i] = lookOf(static_cast<DebugRole>(i));
+    return looks;
+}();
+const Look& lookFor(DebugInk ink) { return kLooks[static_cast<std::size_t>(ink.role)]; }
+
 constexpr Color kIslandColors[] = {{230, 85, 75, 255},   {245, 160, 55, 255}, {225, 215, 70, 255},
                                    {110, 200, 80, 255},  {60, 200, 190, 255}, {80, 140, 245, 255},
                                    {150, 105, 235, 255}, {235, 110, 190, 255}};
@@ -98,15 +105,20 @@ constexpr std::array kColors{
 
 /// Neighbouring numbers get colours that are easy to tell apart.
 Color colorOf(DebugInk ink) {
-    if (ink.role != DebugRole::Island) return lookOf(ink.role).color;
+    if (ink.role != DebugRole::Island) return lookFor(ink).color;
     return kIslandColors[(ink.island * 3u + ink.island / 8u) % std::size(kIslandColors)];
 }
 
 /// Strokes in metres from the middle of a view, as shapes of its list.
 class ListCanvas final : public physics::DebugCanvas {
 public:
-    ListCanvas(DrawList& list, PixelScale scale, float pixel, std::vector<Vec2>& corners)
-        : list_{list}, scale_{scale}, pixel_{pixel}, corners_{corners} {}
+    ListCanvas(DrawList& list, PixelScale scale, float pixel, std::vector<Vec2>& corners,
+               std::vector<SpriteInstance>& dots)
+        : list_{list}, scale_{scale}, pixel_{pixel}, corners_{corners}, dots_{dots} {
+        dots_.clear();
+        dot_.uv = {uvFromTexels(0.0f), uvFromTexels(0.0f), uvFromTexels(1.0f), uvFromTexels(1.0f)};
+        dotSize_ = kDot * onePixel() / scale.pixels;
+    }
 
     void line(Vec2 from, Vec2 to, DebugInk ink) override {
         stroke(ink, [&](const ShapeStyle& style) { list_.line(px(from), px(to), style); });
@@ -118,7 +130,7 @@ public:
         });
     }
     void circle(Vec2 centre, float radius, DebugInk ink) override {
-        const Look look = lookOf(ink.role);
+        const Look& look = lookFor(ink);
         if (look.dot > 0.0f) return dot(px(centre), look.dot * onePixel(), look.color);
         const float wide = radius * scale_.pixels;
         fill(ink, [&](Color color) { list_.filledCircle(px(centre), wide, color, kAreas); });
@@ -126,12 +138,22 @@ public:
     }
     void polygon(std::span<const Vec2> corners, DebugInk ink) override {
         if (corners.empty()) return;
-        if (const AABB box = boxOf(corners); isDot(box.size() * scale_.pixels))
-            return list_.filledRect({px(box.min), px(box.max)}, colorOf(ink), kStrokes);
+        if (const AABB box = boxOf(corners); isDot(box)) return dot(box, ink);
         corners_.clear();
         for (const Vec2 corner : corners) corners_.push_back(px(corner));
         fill(ink, [&](Color color) { list_.filledPolygon(corners_, color, kAreas); });
         stroke(ink, [&](const ShapeStyle& style) { list_.polygon(corners_, style); });
+    }
+    void box(const AABB& box, DebugInk ink) override {
+        isDot(box) ? dot(box, ink) : DebugCanvas::box(box, ink);
+    }
+
+    /// Gives the dots to the list, all at once.
+    void finish() {
+        const std::span<SpriteInstance> room = list_.beginRun(dots_.size());
+        std::copy(dots_.begin(), dots_.end(), room.begin());
+        list_.endRun(dots_.size(), {}, kStrokes);
+        dots_.clear();
     }
 
 private:
@@ -140,10 +162,17 @@ private:
         for (const Vec2 corner : corners) box = {min(box.min, corner), max(box.max, corner)};
         return box;
     }
-    /// Of what is smaller than its lines are wide one sees a dot anyway. @param size  px of the world
-    [[nodiscard]] bool isDot(Vec2 size) const {
-        const float least = kDot * onePixel();
-        return size.x < least && size.y < least;
+    /// Of what is smaller than its lines are wide one sees a dot anyway.
+    [[nodiscard]] bool isDot(const AABB& box) const {
+        const Vec2 size = box.size();
+        return size.x < dotSize_ && size.y < dotSize_;
+    }
+    /// There are tens of thousands of them where all of a level is looked at.
+    void dot(const AABB& box, DebugInk ink) {
+        dot_.center = px(box.center());
+        dot_.half = toPixels(box.size() * 0.5f, scale_);
+        dot_.tint = colorOf(ink);
+        dots_.push_back(dot_);
     }
     [[nodiscard]] Vec2 px(Vec2 metres) const { return list_.view().center + toPixels(metres, scale_); }
     /// px of the world that one of the screen is.
@@ -151,7 +180,7 @@ private:
 
     template <class Draw>
     void stroke(DebugInk ink, Draw&& draw) {
-        const Look look = lookOf(ink.role);
+        const Look& look = lookFor(ink);
         if (look.thickness == 0.0f) return;
         const Color color = colorOf(ink);
         // What is faint on purpose stays so.
@@ -161,7 +190,7 @@ private:
     template <class Draw>
     void fill(DebugInk ink, Draw&& draw) const {
         Color color = colorOf(ink);
-        color.a = lookOf(ink.role).fill;
+        color.a = lookFor(ink).fill;
         if (color.a > 0) draw(color);
     }
     void dot(Vec2 place, float radius, Color color) {
@@ -176,6 +205,9 @@ private:
     PixelScale scale_;
     float pixel_;
     std::vector<Vec2>& corners_;
+    std::vector<SpriteInstance>& dots_;
+    SpriteInstance dot_;    // all that the next one has in common with the last
+    float dotSize_ = 0.0f;  // m
 };
 
 }  // namespace
@@ -212,7 +244,7 @@ void PhysicsDrawing::draw(World& world, const PhysicsShown& shown, float behind,
     auto* running = world.findResource<PhysicsState>();
     const PhysicsState* state = lowestPhysics(world);
     if (state == nullptr || shown.any() == 0) return;
-    ListCanvas canvas{list, state->scale, pixel, corners_};
+    ListCanvas canvas{list, state->scale, pixel, corners_, dots_};
     physics::DebugChoice choice;
     choice.origin = placeInMetres(list.view().center, state->scale);
     choice.behind = behind;
@@ -227,13 +259,15 @@ void PhysicsDrawing::draw(World& world, const PhysicsShown& shown, float behind,
     choice.parts = shown.layers & physics::kDrawAll;
     debugDraw(state->world, canvas, choice);
     choice.parts = shown.ofSelected & physics::kDrawAll;
-    if (choice.parts == 0 || shown.selected.empty()) return;
-    choose(*state, shown.selected);
-    choice.chosenOnly = true;
-    choice.bodies = chosenBodies_;
-    choice.fields = chosenFields_;
-    choice.softBodies = chosenSoft_;
-    debugDraw(state->world, canvas, choice);
+    if (choice.parts != 0 && !shown.selected.empty()) {
+        choose(*state, shown.selected);
+        choice.chosenOnly = true;
+        choice.bodies = chosenBodies_;
+        choice.fields = chosenFields_;
+        choice.softBodies = chosenSoft_;
+        debugDraw(state->world, canvas, choice);
+    }
+    canvas.finish();
 }
 
 void previewPhysics(World& world) {

@@ -28,6 +28,7 @@ private:
     void choose(const PhysicsState& state, std::span<const EntityId> selected);
 
     std::vector<Vec2> corners_;
+    std::vector<SpriteInstance> dots_;        ///< of what is too small to have an outline
     std::vector<std::uint64_t> users_;        ///< of the selected ones, rising
     std::vector<std::uint8_t> chosenBodies_;  ///< by body
     std::vector<std::uint8_t> chosenFields_;  ///< by field

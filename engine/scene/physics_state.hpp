@@ -101,6 +101,7 @@ struct PhysicsState {
     std::vector<BodyLink> links;         ///< by body index; nobody for what is no entity's own
     std::vector<std::uint32_t> bodyOf;   ///< by entity index: body index + 1, 0 for none
     std::vector<std::uint32_t> carried;  ///< bodies of entities that have a parent
+    std::vector<std::uint32_t> stirred;  ///< of these, those above whom something was put elsewhere
     std::vector<std::uint32_t> driven;   ///< kinematic bodies
     std::vector<std::uint32_t> stepped;  ///< bodies that were awake before the step
     std::vector<std::uint8_t> grounded;  ///< by body, in the last step
@@ -117,6 +118,7 @@ struct PhysicsState {
     std::uint64_t syncs = 0;         ///< full ones
     std::uint64_t members = 0;       ///< who has what, when it was last looked at
     std::uint64_t mark = 0;          ///< what was written before it is known
+    std::uint64_t carriedMark = 0;   ///< the same for what is above somebody: with what the step moved
 
     void addTo(Hasher& hasher) const { physics::addTo(hasher, world); }
 };

@@ -4,7 +4,6 @@
 
 #include "ecs/hierarchy.hpp"
 #include "ecs/paused.hpp"
-#include "math/angle.hpp"
 #include "scene/components/camera.hpp"
 
 namespace plumb {
@@ -14,8 +13,7 @@ Vec2 divided(Vec2 a, Vec2 b) { return {b.x != 0.0f ? a.x / b.x : 0.0f, b.y != 0.
 
 }  // namespace
 
-Pose interpolated(const Transform& transform, float alpha) {
-    if (alpha >= 1.0f) return {transform.position, transform.rotation, transform.scale};
+Pose blended(const Transform& transform, float alpha) {
     Pose pose;
     pose.position = lerp(transform.previousPosition, transform.position, alpha);
     pose.rotation = transform.rotation == transform.previousRotation
@@ -23,11 +21,6 @@ Pose interpolated(const Transform& transform, float alpha) {
                         : lerpAngle(transform.previousRotation, transform.rotation, alpha);
     pose.scale = lerp(transform.previousScale, transform.scale, alpha);
     return pose;
-}
-
-Pose composed(const Pose& parent, const Pose& child) {
-    return {parent.position + rotated(scaled(child.position, parent.scale), parent.rotation),
-            parent.rotation + child.rotation, scaled(parent.scale, child.scale)};
 }
 
 Pose relativeTo(const Pose& parent, const Pose& child) {

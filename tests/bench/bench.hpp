@@ -70,6 +70,7 @@ int runParticles(const Options& options);
 int runPhysics(const Options& options);
 int runQuality(const Options& options);
 int runRender(const Options& options);
+int runRewind(const Options& options);
 int runScene(const Options& options);
 int runTiles(const Options& options);
 

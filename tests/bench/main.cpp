@@ -21,7 +21,8 @@ constexpr std::array kPrograms {
         Program{"quality", &plumb::bench::runQuality}, Program{"render", &plumb::bench::runRender},
         Program{"scene", &plumb::bench::runScene},
 #if PLUMB_WITH_EDITOR
-        Program{"editor", &plumb::bench::runEditor}, Program{"tiles", &plumb::bench::runTiles},
+        Program{"editor", &plumb::bench::runEditor}, Program{"rewind", &plumb::bench::runRewind},
+        Program{"tiles", &plumb::bench::runTiles},
 #endif
 };
 

@@ -5,6 +5,8 @@
 #include "core/log.hpp"
 #include "core/random.hpp"
 #include "ecs/hierarchy.hpp"
+#include "physics/bodies.hpp"
+#include "scene/body_sync.hpp"
 #include "scene/components/box_collider.hpp"
 #include "scene/components/circle_collider.hpp"
 #include "scene/components/kinematic_body.hpp"
@@ -16,7 +18,9 @@
 #include "scene/contact_events.hpp"
 #include "scene/physics_queries.hpp"
 #include "scene/physics_state.hpp"
+#include "scene/physics_units.hpp"
 #include "scene/systems/physics_system.hpp"
+#include "scene/world_transform.hpp"
 
 namespace plumb {
 namespace {
@@ -215,6 +219,69 @@ TEST(PhysicsBridge, childrenCollideWhereTheyAreInTheWorld) {
     const Entity ball = falling(world, {0, 0});
     run(world, 120);
     EXPECT_NEAR(ball.get<Transform>().position.y, 110.0f, 0.1f);
+}
+
+/// Where the entity's body is, px.
+Vec2 bodyPlace(World& world, Entity entity) {
+    const auto& state = world.resource<PhysicsState>();
+    return placeInPixels(physics::positionOf(state.world, bodyOf(state, entity.id())), state.scale);
+}
+
+void expectWhereItIs(World& world, Entity entity) {
+    const Vec2 place = worldPose(world, entity.id()).position;
+    EXPECT_NEAR(bodyPlace(world, entity).x, place.x, 0.01f);
+    EXPECT_NEAR(bodyPlace(world, entity).y, place.y, 0.01f);
+}
+
+// Of a thousand that have a parent, those below whoever moves are found, however deep; and all, when it is
+// above all of them.
+TEST(PhysicsBridge, bodiesGoWithWhoeverIsAboveThem) {
+    World world;
+    world.addSystem<PhysicsSystem>();
+    const auto place = [&](Entity parent, Vec2 at) {
+        Entity made = world.createEntity();
+        made.addComponent<Transform>(at);
+        if (parent) setParent(world, made, parent);
+        return made;
+    };
+    Entity whole = place({}, {10, 10});
+    std::vector<Entity> arms;
+    std::vector<Entity> hands;
+    for (int i = 0; i < 1000; ++i) {
+        arms.push_back(place(whole, {static_cast<float>(i) * 50.0f, 0.0f}));
+        const Entity elbow = place(arms.back(), {0.0f, 20.0f});
+        hands.push_back(ground(world, {0, 20}, 10, 10));
+        setParent(world, hands.back(), elbow);
+    }
+    run(world, 2);
+    for (const std::size_t i : {3u, 600u, 999u}) {
+        arms[i].get<Transform>().position.y = 500.0f;
+        run(world, 1);
+        expectWhereItIs(world, hands[i]);
+        EXPECT_NEAR(bodyPlace(world, hands[i]).y, 550.0f, 0.01f);
+    }
+    expectWhereItIs(world, hands[4]);
+    whole.get<Transform>().position.x = 7.0f;
+    run(world, 1);
+    for (const Entity hand : hands) expectWhereItIs(world, hand);
+}
+
+TEST(PhysicsBridge, bodiesGoWithABodyThatFalls) {
+    World world;
+    world.addSystem<PhysicsSystem>();
+    const Entity body = falling(world, {0, 0});
+    Entity sign = world.createEntity();
+    sign.addComponent<Transform>(100.0f, 0.0f);
+    sign.addComponent<BoxCollider>(10.0f, 10.0f);
+    setParent(world, sign, body);
+    for (int i = 0; i < 30; ++i) {
+        const Vec2 before = worldPose(world, sign.id()).position;
+        run(world, 1);
+        if (i > 0) {
+            EXPECT_NEAR(bodyPlace(world, sign).y, before.y, 0.01f) << "where it was drawn last";
+        }
+    }
+    EXPECT_GT(bodyPlace(world, sign).y, 50.0f);
 }
 
 TEST(PhysicsBridge, tileLayersAreSolidAndFollowChanges) {

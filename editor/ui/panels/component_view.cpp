@@ -71,9 +71,11 @@ void drawPrefabBar(const Ui& ui, ImVec2 from, float height) {
                                               {from.x - ui.px(1.0f), from.y + height}, palette::kAccent);
 }
 
-void ComponentView::draw(Ui& ui, const TypeInfo& type, const std::vector<ObjectId>& ids,
-                         const PrefabOverrides& overrides) {
-    const Shown shown{ui, type, ids, overrides, defaultComponent(type)};
+void ComponentView::draw(Ui& ui, const TypeInfo& type, const Selected& selected) {
+    const auto& [ids, entities, overrides] = selected;
+    const Shown shown{ui, type, ids, overrides, entities, defaultComponent(type)};
+    held_ = {};
+    if (ui.workspace.play.running()) found_.clear();  // a paused game may be written to within one tick
     const std::string name{type.name};
     ImGui::PushID(name.c_str());
     ImGui::PushStyleColor(ImGuiCol_Header, palette::kHeader);
@@ -111,7 +113,7 @@ void ComponentView::draw(Ui& ui, const TypeInfo& type, const std::vector<ObjectI
 }
 
 void ComponentView::drawMenu(const Shown& shown, bool differs) {
-    auto& [ui, type, ids, overrides, fresh] = shown;
+    auto& [ui, type, ids, overrides, entities, fresh] = shown;
     if (!ImGui::BeginPopupContextItem("component")) return;
     const std::string path = format("Inspector/{}", type.name);
     Workspace& workspace = ui.workspace;
@@ -152,17 +154,20 @@ void ComponentView::prefabItems(Ui& ui, const std::string& path, const PrefabSco
 const ComponentView::Found& ComponentView::find(const Shown& shown, const FieldInfo& field) {
     const Workspace& workspace = shown.ui.workspace;
     const SelectedState now = selectedState(workspace);
-    // A paused game may be written to within one tick.
-    if (std::exchange(looked_, now) != now || workspace.play.running()) found_.clear();
+    if (std::exchange(looked_, now) != now) {
+        found_.clear();
+        held_ = {};
+    }
     if (const auto known = found_.find(&field); known != found_.end()) return known->second;
-    const FieldTarget target{shown.type, field, shown.ids};
-    Found found{sharedField(workspace, target, shown.fresh), isShown(workspace, target)};
-    found.visible = found.visible && found.shared.holders > 0;
+    if (held_.inHand == nullptr) held_ = heldComponents(workspace.shownWorld(), shown.type, shown.entities);
+    Found found;
+    if (held_.inHand != nullptr && isShown(field, held_))
+        found = {sharedField(workspace.shownNames(), field, held_, shown.fresh), true};
     return found_.emplace(&field, std::move(found)).first->second;
 }
 
 void ComponentView::drawField(const Shown& shown, const FieldInfo& field) {
-    auto& [ui, type, ids, overrides, fresh] = shown;
+    auto& [ui, type, ids, overrides, entities, fresh] = shown;
     const FieldTarget target{type, field, ids};
     // A copy: what is done in this row may make all of them be found out anew.
     const auto [shared, visible] = find(shown, field);

@@ -14,10 +14,15 @@ namespace plumb::editor::ui {
 /// One component of what is selected: its title with its menu, and a row for each field.
 class ComponentView {
 public:
-    /// @param ids        all of them have the component
-    /// @param overrides  how the one selected last differs from its prefab
-    void draw(Ui& ui, const TypeInfo& type, const std::vector<ObjectId>& ids,
-              const PrefabOverrides& overrides);
+    /// What is selected; each in the world that is shown as well.
+    struct Selected {
+        const std::vector<ObjectId>& ids;
+        const std::vector<EntityId>& entities;
+        const PrefabOverrides& overrides;  ///< how the one selected last differs from its prefab
+    };
+
+    /// @pre all of them have the component
+    void draw(Ui& ui, const TypeInfo& type, const Selected& selected);
     /// After all were drawn: does what was asked for. Only now, as components that are being drawn must not
     /// come, go or move in memory.
     void endFrame(Ui& ui);
@@ -30,12 +35,13 @@ private:
         const TypeInfo& type;
         const std::vector<ObjectId>& ids;
         const PrefabOverrides& overrides;
+        const std::vector<EntityId>& entities;
         ComponentState fresh;  ///< with its defaults
     };
 
     struct Found {
         SharedField shared;
-        bool visible = true;
+        bool visible = false;
     };
 
     /// What the widget shows. Found out once for each change of the scene, as thousands may be selected.
@@ -50,6 +56,7 @@ private:
 
     FieldEdit fields_;
     std::map<const FieldInfo*, Found> found_;  // as it was at `looked_`
+    HeldComponents held_;                      // of the one being drawn, once one of its fields is looked at
     SelectedState looked_;
     std::function<void(Workspace& workspace)> asked_;
 };

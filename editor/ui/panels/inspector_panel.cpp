@@ -50,7 +50,8 @@ private:
         ImGui::Spacing();
         const PrefabOverrides& overrides = group_.overrides;
         for (const ComponentHolders& held : held_) {
-            if (held.count == selected.size()) components_.draw(ui, *held.type, selected, overrides);
+            if (held.count == selected.size())
+                components_.draw(ui, *held.type, {selected, entities_, overrides});
         }
         drawPartlyHeld(ui, selected);
         for (const PrefabOverrides::Component& component : overrides.components) {
@@ -80,7 +81,10 @@ private:
     void lookAtComponents(const Workspace& workspace) {
         const SelectedState now = selectedState(workspace);
         if (std::exchange(looked_, now) == now) return;
-        held_ = componentHolders(workspace, workspace.document.selection.all());
+        entities_.clear();
+        for (const ObjectId id : workspace.document.selection.all())
+            entities_.push_back(workspace.shownEntity(id));
+        held_ = componentHolders(workspace.document.types(), workspace.shownWorld(), entities_);
     }
 
     static void drawTitleIcon(const Ui& ui, Icon icon) {
@@ -249,7 +253,8 @@ private:
     AddComponent add_;
     PrefabGroup group_;  // of what is selected, as it was at `compared_`
     Compared compared_;
-    std::vector<ComponentHolders> held_;  // by all or some, as it was at `looked_`
+    std::vector<EntityId> entities_;      // the selected ones, as at `looked_`
+    std::vector<ComponentHolders> held_;  // by all or some of them
     SelectedState looked_;
 };
 

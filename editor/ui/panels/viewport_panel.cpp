@@ -346,9 +346,9 @@ private:
         const Revisions now{document.selection.revision(), document.sceneRevision};
         if (std::exchange(wholeAt_, now) != now) {
             whole_.reset();
-            for (std::size_t i = 0; i < all.size(); ++i) {
-                if (!isFinite(boxes.at(i).min) || !document.selection.has(all[i])) continue;
-                whole_ = whole_ ? merged(*whole_, boxes.at(i)) : boxes.at(i);
+            for (const ObjectId id : document.selection.all()) {
+                const AABB& box = boxes.of(document.find(id));
+                if (isFinite(box.min)) whole_ = whole_ ? merged(*whole_, box) : box;
             }
         }
         if (whole_) overlay_.box(*whole_, kSelected, 2.0f);

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "editor/model/edit_fields.hpp"
+#include "editor/model/shared_components.hpp"
 #include "editor/ui/ui.hpp"
 
 namespace plumb::editor::ui {

@@ -30,7 +30,7 @@ void drawRegion(const Picture& picture, const FieldDefinition& field) {
     const Vec2 middle = picture.seen(field.place);
     switch (field.region) {
         case RegionKind::Box:
-            drawBox(picture.canvas, {middle - field.half, middle + field.half}, DebugRole::Field);
+            picture.canvas.box({middle - field.half, middle + field.half}, DebugRole::Field);
             break;
         case RegionKind::Circle: picture.canvas.circle(middle, field.radius, DebugRole::Field); break;
         case RegionKind::Everywhere:

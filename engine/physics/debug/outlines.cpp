@@ -57,10 +57,10 @@ void drawOutline(DebugCanvas& canvas, const Convex& convex, const Frame& frame, 
     canvas.polygon({points.data(), corners.size()}, ink);
 }
 
-void drawBox(DebugCanvas& canvas, const AABB& box, DebugInk ink) {
+void DebugCanvas::box(const AABB& box, DebugInk ink) {
     const std::array<Vec2, 4> corners{box.min, Vec2{box.max.x, box.min.y}, box.max,
                                       Vec2{box.min.x, box.max.y}};
-    canvas.polygon(corners, ink);
+    polygon(corners, ink);
 }
 
 void drawArc(DebugCanvas& canvas, Vec2 centre, float radius, Rot from, float angle, DebugInk ink) {

@@ -59,19 +59,17 @@ struct Picture {
         const auto& box = world.shapes.bounds[shape];
         return {seen(box.min), seen(box.max)};
     }
-    /// Whether a shape, as large as the broad phase takes it for, reaches into what is looked at.
-    [[nodiscard]] bool isInSight(std::uint32_t shape, std::uint32_t body) const {
+    /// Whether a shape of the body reaches into what is looked at. @param box  of the shape
+    [[nodiscard]] bool isInSight(const AABB& box, std::uint32_t body) const {
         if (choice.sight == nullptr) return true;
         const float way = choice.behind == 0.0f || !moves(body)
                               ? 0.0f
                               : std::abs(choice.behind) * length(world.bodies.motion[body].velocity);
-        const AABB around = box(shape);
-        const Vec2 more{way + kAround, way + kAround};
-        return intersects({around.min - more, around.max + more}, *choice.sight);
+        return intersects(grown(box, way + kAround), *choice.sight);
     }
     /// Whether a shape is so small on the canvas that its outline is not told from its box.
-    [[nodiscard]] bool isDot(std::uint32_t shape) const {
-        const Vec2 size = box(shape).size();
+    [[nodiscard]] bool isDot(const AABB& box) const {
+        const Vec2 size = box.size();
         return size.x < choice.least && size.y < choice.least;
     }
     [[nodiscard]] bool shows(std::uint32_t body) const { return isAmong(choice.bodies, body); }
@@ -90,15 +88,16 @@ struct Picture {
     /// Calls draw(shape, body) for all that are shown.
     template <class Draw>
     void forShapes(Draw&& draw) const {
-        forShapesThat([](std::uint32_t) { return true; }, draw);
+        forShapesThat([](std::uint32_t) { return true; },
+                      [&](std::uint32_t s, std::uint32_t body, const AABB&) { draw(s, body); });
     }
-    /// The same for those of which wanted(shape) holds.
+    /// Calls draw(shape, body, box) for those of which wanted(shape) holds.
     template <class Wanted, class Draw>
     void forShapesThat(Wanted&& wanted, Draw&& draw) const {
         for (std::uint32_t s = 0; s < world.shapes.size(); ++s) {
             const std::uint32_t body = world.shapes.info[s].body;
-            if (world.shapes.motion[s] != ProxyMotion::Gone && wanted(s) && shows(body) && isInSight(s, body))
-                draw(s, body);
+            if (world.shapes.motion[s] == ProxyMotion::Gone || !wanted(s) || !shows(body)) continue;
+            if (const AABB around = box(s); isInSight(around, body)) draw(s, body, around);
         }
     }
     /// Calls draw(contact) for all that touch and are shown, awake ones first: those with a trigger, or those
@@ -122,7 +121,6 @@ struct Picture {
 
 /// An outline as one polygon, a circle with a spoke, or a line.
 void drawOutline(DebugCanvas& canvas, const Convex& convex, const Frame& frame, DebugInk ink);
-void drawBox(DebugCanvas& canvas, const AABB& box, DebugInk ink);
 /// Part of a circle, from one direction to another less than half a turn away, as lines.
 void drawArc(DebugCanvas& canvas, Vec2 centre, float radius, Rot from, float angle, DebugInk ink);
 

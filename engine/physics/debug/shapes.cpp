@@ -75,7 +75,7 @@ class RegionDrawing final : public RegionVisitor {
 public:
     explicit RegionDrawing(const Picture& picture) : picture_{picture} {}
     void region(const AABB& bounds) override {
-        drawBox(picture_.canvas, {picture_.seen(bounds.min), picture_.seen(bounds.max)}, DebugRole::Region);
+        picture_.canvas.box({picture_.seen(bounds.min), picture_.seen(bounds.max)}, DebugRole::Region);
     }
 
 private:
@@ -87,9 +87,9 @@ private:
 void drawShapes(const Picture& picture) {
     const Shapes& shapes = picture.world.shapes;
     const auto stops = [&](std::uint32_t s) { return !isTrigger(picture.world, s); };
-    picture.forShapesThat(stops, [&](std::uint32_t s, std::uint32_t body) {
+    picture.forShapesThat(stops, [&](std::uint32_t s, std::uint32_t body, const AABB& box) {
         const DebugRole role = roleOf(shapes.motion[s]);
-        if (picture.isDot(s)) return drawBox(picture.canvas, picture.box(s), role);
+        if (picture.isDot(box)) return picture.canvas.box(box, role);
         const Frame frame = picture.frame(body);
         const Convex outline = picture.outline(s);
         drawOutline(picture.canvas, outline, frame, role);
@@ -103,8 +103,8 @@ void drawShapes(const Picture& picture) {
 
 void drawTriggers(const Picture& picture) {
     const auto triggers = [&](std::uint32_t s) { return isTrigger(picture.world, s); };
-    picture.forShapesThat(triggers, [&](std::uint32_t s, std::uint32_t body) {
-        if (picture.isDot(s)) return drawBox(picture.canvas, picture.box(s), DebugRole::Trigger);
+    picture.forShapesThat(triggers, [&](std::uint32_t s, std::uint32_t body, const AABB& box) {
+        if (picture.isDot(box)) return picture.canvas.box(box, DebugRole::Trigger);
         drawOutline(picture.canvas, picture.outline(s), picture.frame(body), DebugRole::Trigger);
     });
     const auto middle = [&](std::uint32_t shape, std::uint32_t body) {
@@ -119,8 +119,8 @@ void drawTriggers(const Picture& picture) {
 void drawBounds(const Picture& picture) {
     const Shapes& shapes = picture.world.shapes;
     picture.forShapes([&](std::uint32_t s, std::uint32_t body) {
-        drawBox(picture.canvas, boundsOf(shapes.geometry[s], shapes.corners, picture.frame(body)),
-                DebugRole::Bounds);
+        picture.canvas.box(boundsOf(shapes.geometry[s], shapes.corners, picture.frame(body)),
+                           DebugRole::Bounds);
     });
 }
 
@@ -130,9 +130,8 @@ void drawBroadPhase(const Picture& picture) {
         RegionDrawing regions{picture};
         visitRegions(*work->broadPhase, work->broadPhaseKind, regions);
     }
-    picture.forShapes([&](std::uint32_t s, std::uint32_t) {
-        drawBox(picture.canvas, picture.box(s), DebugRole::BroadPhase);
-    });
+    picture.forShapes(
+        [&](std::uint32_t s, std::uint32_t) { picture.canvas.box(picture.box(s), DebugRole::BroadPhase); });
 }
 
 void drawIslands(const Picture& picture) {

@@ -1,14 +1,13 @@
 #pragma once
 
-#include <cmath>
 #include <string>
 
 #include <gtest/gtest.h>
 
 #include "core/file.hpp"
-#include "core/text.hpp"
 #include "editor/model/game_session.hpp"
 #include "tests/app/platformer.hpp"
+#include "tests/editor/support/played_input.hpp"
 #include "tests/support/places.hpp"
 
 namespace plumb::editor {
@@ -19,31 +18,6 @@ inline std::unique_ptr<PlaySession> platformerSession(const std::string& scene =
     const Result<std::string> text = readFile(project.root / scene);
     EXPECT_TRUE(text.ok());
     return makeGameSession(project, scene, *text);
-}
-
-/// What a player's hands do there: runs to and fro, jumps, waits, aims with the mouse.
-inline InputFrame runAndJump(std::int64_t tick) {
-    InputFrame frame;
-    frame.set(Key::Right, tick / 90 % 3 != 1);
-    frame.set(Key::Left, tick / 90 % 3 == 1);
-    frame.set(Key::Space, tick % 47 < 14);
-    frame.setMouse({static_cast<float>(tick % 320), 90.0f});
-    return frame;
-}
-
-/// Heaps of boxes on the ground.
-inline std::string heapScene(int boxes) {
-    std::string text = R"({"format": 1, "entities": [
-  {"id": "0000000000000001", "name": "ground", "components": {"Transform": {"position": [-400, 700]},
-   "BoxCollider": {"width": 4000, "height": 40}}})";
-    for (int i = 0; i < boxes; ++i) {
-        text += format(R"(,
-  {"id": "{}", "name": "box {}", "components": {"Transform": {"position": [{}, {}]},
-   "RigidBody": { }, "BoxCollider": {"width": 20, "height": 20}}})",
-                       hexText(std::uint64_t{0x1000} + static_cast<std::uint64_t>(i)), i,
-                       i % 25 * 60 + i / 25 % 2 * 7, 660 - i / 25 * 26);
-    }
-    return text + "]}";
 }
 
 inline Project playgroundProject() {
