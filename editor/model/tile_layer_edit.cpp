@@ -14,6 +14,7 @@
 #include "editor/model/tile_layers.hpp"
 #include "editor/model/workspace.hpp"
 #include "scene/components/parallax_layer.hpp"
+#include "scene/components/tile_collider.hpp"
 #include "scene/components/tile_layer.hpp"
 #include "scene/components/transform.hpp"
 
@@ -103,6 +104,19 @@ void setLayerParallax(Workspace& workspace, ObjectId layer, Vec2 factor) {
         "set parallax", type, std::vector<ChangeComponents::Change>{{layer, std::move(state)}}));
 }
 
+bool isSolidLayer(const Workspace& workspace, ObjectId layer) {
+    return workspace.document.world.has<TileCollider>(workspace.document.find(layer));
+}
+
+void setLayerSolid(Workspace& workspace, ObjectId layer, bool solid) {
+    Document& document = workspace.document;
+    if (!workspace.canEdit() || isSolidLayer(workspace, layer) == solid) return;
+    const TypeInfo& type = document.types().of<TileCollider>();
+    workspace.undo.push(solid ? addComponent(document, {layer}, type)
+                              : removeComponent(document, {layer}, type));
+    workspace.undo.endGesture();
+}
+
 void addTileLayer(Workspace& workspace) {
     Document& document = workspace.document;
     const ObjectId active = activeTileLayer(document, workspace.tiles);
@@ -117,6 +131,7 @@ void addTileLayer(Workspace& workspace) {
         grid != nullptr ? TileGrid{grid->width(), grid->height()}
                         : TileGrid{static_cast<int>(kNewLayer.x), static_cast<int>(kNewLayer.y)});
     const auto* place = document.world.find<Transform>(document.find(active));
+    const bool solid = like == nullptr || isSolidLayer(workspace, active);
     Transaction change{workspace.undo, "add tile layer"};
     workspace.undo.push(createEntity(document, "tiles", place == nullptr ? Vec2{} : place->position));
     const ObjectId entity = document.selection.all().back();
@@ -124,6 +139,7 @@ void addTileLayer(Workspace& workspace) {
     workspace.undo.push(std::make_unique<ChangeComponents>(
         "add TileLayer", type,
         std::vector<ChangeComponents::Change>{{entity, ComponentState{&type, FieldValue::of(made).bytes}}}));
+    if (solid) workspace.undo.push(addComponent(document, {entity}, document.types().of<TileCollider>()));
     change.commit();
     workspace.tiles.layer = entity;
 }

@@ -20,7 +20,11 @@ void setLayerParallax(Workspace& workspace, ObjectId layer, Vec2 factor);
 void setLayerTint(Workspace& workspace, ObjectId layer, Color tint);
 /// As it is seen now: from its ParallaxLayer, or 1.
 Vec2 layerParallax(const Workspace& workspace, ObjectId layer);
-/// An empty layer before the others, as large and with the tileset of the one in hand. It comes to hand.
+/// Whether bodies stand on those of its tiles that have a solid shape: by its TileCollider.
+bool isSolidLayer(const Workspace& workspace, ObjectId layer);
+void setLayerSolid(Workspace& workspace, ObjectId layer, bool solid);
+/// An empty layer before the others, as large, with the tileset and as solid as the one in hand; the first
+/// one is solid. It comes to hand.
 void addTileLayer(Workspace& workspace);
 /// Chooses the tiles of the layer's terrain anew.
 void retileLayer(Workspace& workspace);

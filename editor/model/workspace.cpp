@@ -197,7 +197,7 @@ void Workspace::useTool(std::size_t index) {
     if (document.scenePath.empty()) {
         notice = "No scene is open";
     } else if (!tiles.layer) {
-        notice = "This scene has no tile layer; add the component TileLayer to an entity";
+        notice = "This scene has no tile layer; add one in the panel Tiles, or drag a tileset into the scene";
     } else if (row.hand == Hand::Terrain && (tileset == nullptr || tileset->terrains.empty())) {
         notice = "This tileset has no terrain yet; the panel Tileset makes one of its tiles";
     }

@@ -368,7 +368,7 @@ void EditorWindow::drawNewScene() {
     ImGui::TextDisabled("Its name in the folder scenes/");
     if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
     ImGui::SetNextItemWidth(-1.0f);
-    bool done = ImGui::InputTextWithHint("##name", "level1", newScene_.data(), newScene_.size(),
+    bool done = ImGui::InputTextWithHint("##name", "for example cave", newScene_.data(), newScene_.size(),
                                          ImGuiInputTextFlags_EnterReturnsTrue);
     widgets_.mark("New/name", newScene_.data());
     ImGui::PushStyleColor(ImGuiCol_Text, palette::kWarning);

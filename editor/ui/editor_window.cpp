@@ -68,7 +68,7 @@ void selectionMenu(Ui& ui, const std::string& path) {
     if (workspace.selectsInstance())
         items({"entity.editPrefab", "entity.overrides", "entity.revert", "entity.apply"});
     ImGui::Separator();
-    items({"entity.create", "entity.particles", "entity.prefab"});
+    items({"entity.create", "entity.camera", "entity.particles", "entity.prefab"});
 }
 
 EditorWindow::EditorWindow(Workspace& workspace, LogBook& log, ScenePicture* picture, Path fonts, float scale)

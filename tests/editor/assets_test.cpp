@@ -1,3 +1,5 @@
+#include <cmath>
+
 #include "core/clock.hpp"
 #include "editor/model/actions.hpp"
 #include "editor/model/assets/asset_browser.hpp"
@@ -7,6 +9,7 @@
 #include "editor/model/commands/move_asset.hpp"
 #include "platform/image_file.hpp"
 #include "scene/components/animator.hpp"
+#include "scene/components/tile_collider.hpp"
 #include "tests/editor/support/editor_fixture.hpp"
 
 namespace plumb::editor {
@@ -179,6 +182,21 @@ TEST_F(AssetsTest, filesDroppedIntoTheSceneBecomeWhatTheyAreGoodFor) {
     EXPECT_NE(workspace.text().find("\"assets/ground.tileset.json\""), std::string::npos);
     workspace.undo.jumpTo(0);
     EXPECT_EQ(workspace.text(), before);
+}
+
+TEST_F(AssetsTest, oneCanStandOnALayerOfATilesetWithSolidTiles) {
+    const World& world = workspace.document.world;
+    ASSERT_TRUE(placeAsset(workspace, "assets/ground.tileset.json", {}).ok());
+    EXPECT_EQ(world.count<TileCollider>(), 0u) << "none of its tiles is solid";
+    std::string solid{kTileset};
+    solid.insert(solid.rfind('}'), R"(, "tiles": [{"id": 1, "collision": "full"}])");
+    putFile("assets/rock.tileset.json", solid);
+    ASSERT_TRUE(placeAsset(workspace, "assets/rock.tileset.json", {-0.3f, 20.6f}).ok());
+    EXPECT_EQ(world.count<TileCollider>(), 1u);
+    EXPECT_EQ(only<Transform>().position, (Vec2{0.0f, 21.0f})) << "on whole px";
+    EXPECT_FALSE(std::signbit(only<Transform>().position.x));
+    workspace.undo.jumpTo(0);
+    EXPECT_EQ(world.count<TileCollider>(), 0u);
 }
 
 /// Time passes for the files: their stamp must change.

@@ -3,6 +3,7 @@
 #include "editor/model/particle_preview.hpp"
 #include "editor/ui/widgets/curve_edit.hpp"
 #include "editor/ui/widgets/field_row.hpp"
+#include "scene/components/camera.hpp"
 #include "scene/components/particle_emitter.hpp"
 #include "tests/editor/support/inspector_fixture.hpp"
 
@@ -206,6 +207,14 @@ TEST_F(ParticlesInTheEditor, oneIsAddedFromTheMenuAndComesBackFromItsFileByteFor
     const std::string text = fileText();
     ASSERT_TRUE(workspace.open(kScene).ok());
     EXPECT_EQ(workspace.text(), text);
+}
+
+TEST_F(ParticlesInTheEditor, aCameraIsAddedFromTheMenuToo) {
+    ASSERT_TRUE(runAction(workspace, "entity.camera"));
+    hands.rest(2);
+    const ObjectId made = named("camera");
+    ASSERT_TRUE(made);
+    EXPECT_TRUE(workspace.document.world.get<Camera>(workspace.document.find(made)).enabled);
 }
 
 }  // namespace

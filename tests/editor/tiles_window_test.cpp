@@ -2,6 +2,7 @@
 
 #include "editor/model/actions.hpp"
 #include "editor/model/tile_layers.hpp"
+#include "scene/components/tile_collider.hpp"
 #include "tests/editor/support/hands.hpp"
 #include "tests/editor/support/tile_scene.hpp"
 #include "tests/support/places.hpp"
@@ -72,6 +73,29 @@ TEST_F(TilesWindow, theLayerListChoosesHidesLocksAndShowsAlone) {
     hands.click("Tiles/layers/ground/solo");
     EXPECT_EQ(workspace.document.view.solo(), layer());
     EXPECT_EQ(workspace.undo.size(), 1u) << "ways of looking are no edits";
+}
+
+TEST_F(TilesWindow, aLayerIsMadeSolidAndNewOnesAreAsSolidAsTheOneInHand) {
+    const auto isSolid = [&](ObjectId id) {
+        return workspace.document.world.has<TileCollider>(workspace.document.find(id));
+    };
+    const bool before = isSolid(layer());
+    EXPECT_EQ(valueOf("Tiles/layer/solid"), before ? "on" : "off");
+    hands.click("Tiles/layer/solid");
+    EXPECT_NE(isSolid(layer()), before);
+    EXPECT_EQ(workspace.undo.size(), 1u);
+    runAction(workspace, "layer.add");
+    hands.rest(2);
+    ASSERT_NE(workspace.tiles.layer, layer());
+    EXPECT_EQ(isSolid(workspace.tiles.layer), isSolid(layer()));
+    workspace.undo.jumpTo(0);
+    EXPECT_EQ(isSolid(layer()), before);
+}
+
+TEST_F(TilesWindow, theButtonsAboveTheLayersAreInSight) {
+    const float right = window.widgets().find("Viewport")->box.max.x;
+    for (const char* widget : {"Tiles/layer.add", "Tiles/layer.raise", "Tiles/layer.lower"})
+        EXPECT_LE(window.widgets().find(widget)->box.max.x, right) << widget;
 }
 
 TEST_F(TilesWindow, opacityIsOneStepForOneDrag) {

@@ -1,5 +1,6 @@
 #include <array>
 
+#include "core/text.hpp"
 #include "editor/model/actions/action_rows.hpp"
 #include "editor/model/commands/insert_entities.hpp"
 #include "editor/model/instance_changes.hpp"
@@ -8,6 +9,7 @@
 #include "editor/model/root_place.hpp"
 #include "editor/model/tools/transform_drag.hpp"
 #include "editor/model/tree_edit.hpp"
+#include "scene/components/camera.hpp"
 #include "scene/components/name.hpp"
 #include "scene/components/particle_emitter.hpp"
 #include "scene/components/scene_entity.hpp"
@@ -21,21 +23,25 @@ void create(Workspace& w) {
     w.undo.push(createEntity(w.document, "new entity", at));
     w.undo.endGesture();
 }
-void createParticles(Workspace& w) {
+/// An entity with one component in the middle of what is seen.
+template <class T>
+void createWith(Workspace& w, std::string_view name, const T& component) {
     Document& document = w.document;
     EntityState state{document.newId(), {}, {}};
-    const auto add = [&]<class T>(const T& component) {
-        state.components.push_back(componentState(document, document.types().of<T>(), &component));
+    const auto add = [&]<class Part>(const Part& part) {
+        state.components.push_back(componentState(document, document.types().of<Part>(), &part));
     };
     add(SceneEntity{state.id.value, document.nextOrder(), document.scene});
-    add(Name{document.world.texts().add("particles")});
+    add(Name{document.world.texts().add(name)});
     add(Transform{snapped(w.view.view().center, w.grid.size)});
-    add(ParticleEmitter{});
+    add(component);
     std::vector<EntityState> states{std::move(state)};
     belowPrefabRoot(document, states);
-    w.undo.push(std::make_unique<InsertEntities>("create particles", std::move(states)));
+    w.undo.push(std::make_unique<InsertEntities>(format("create {}", name), std::move(states)));
     w.undo.endGesture();
 }
+void createParticles(Workspace& w) { createWith(w, "particles", ParticleEmitter{}); }
+void createCamera(Workspace& w) { createWith(w, "camera", Camera{}); }
 void nudgeOrSay(Workspace& w, Vec2 offset) {
     nudge(w.tools(), offset);
     if (onlyRootSelected(w.document)) w.notice = kRootStays;
@@ -84,6 +90,7 @@ bool canLeavePrefab(const Workspace& w) { return w.canEdit() && !behindPrefab(w)
 
 const std::array kRows{
     Action{"entity.create", "Entity", "Create entity", control(Key::N), editable, create},
+    Action{"entity.camera", "Entity", "Add camera", {}, editable, createCamera},
     Action{"entity.particles", "Entity", "Add particles", {}, editable, createParticles},
     Action{"entity.prefab", "Entity", "Add prefab...", control(Key::N, true), editable,
            ask<WindowRequest::ChoosePrefab>},

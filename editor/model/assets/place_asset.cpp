@@ -1,6 +1,7 @@
 #include "editor/model/assets/place_asset.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "assets/asset_store.hpp"
 #include "core/text.hpp"
@@ -12,6 +13,7 @@
 #include "scene/components/name.hpp"
 #include "scene/components/scene_entity.hpp"
 #include "scene/components/sprite.hpp"
+#include "scene/components/tile_collider.hpp"
 #include "scene/components/tile_layer.hpp"
 #include "scene/components/transform.hpp"
 
@@ -88,6 +90,9 @@ void placeTileset(Workspace& workspace, std::string_view path, NewEntity& entity
     const int width = std::max(cells(picture.x, set.tileWidth), kNewLayerCells);
     layer.cells = workspace.document.world.tiles().add(TileGrid{width, cells(picture.y, set.tileHeight)});
     entity.add(layer);
+    // One expects to stand on ground that was painted with tiles that are solid.
+    const auto isSolid = [](const Tile& tile) { return tile.shape != TileShape::None || tile.oneWay; };
+    if (std::any_of(set.tiles.begin(), set.tiles.end(), isSolid)) entity.add(TileCollider{});
 }
 
 }  // namespace
@@ -108,6 +113,8 @@ Result<Done> placeAsset(Workspace& workspace, std::string_view path, Vec2 at) {
                      "drop a picture, a prefab, a tileset, an animation or a sound"};
     }
     const std::string name = nameFrom(path);
+    // Tiles between pixels would be blurred, or have seams.
+    if (kind == AssetKind::Tileset) at = {std::round(at.x) + 0.0f, std::round(at.y) + 0.0f};
     NewEntity entity{workspace.document, name, at};
     if (kind == AssetKind::Texture) entity.add(spriteOf(workspace, path));
     if (kind == AssetKind::Animation) placeAnimation(workspace, path, entity);

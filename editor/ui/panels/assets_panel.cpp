@@ -215,8 +215,12 @@ private:
         const std::string name = fitted(item.title(), side + ui.px(kBetween - 2.0f));
         const float width = ImGui::CalcTextSize(name.c_str()).x;
         ui.widgets.mark(format("Assets/name/{}", item.path), name);
+        const ImVec2 low = list.GetClipRectMin();
+        const ImVec2 high = list.GetClipRectMax();
+        list.PushClipRect({low.x - ui.px(kBetween * 0.5f), low.y}, {high.x + ui.px(kBetween * 0.5f), high.y});
         list.AddText({at.x + (side - width) * 0.5f, to.y + ui.px(2.0f)},
                      chosen ? palette::kText : palette::kTextDim, name.c_str());
+        list.PopClipRect();
         if (hovered) tooltip(format("{}\n{}", item.path, item.folder ? "folder" : browser.describe(item)));
         ImGui::PopID();
     }

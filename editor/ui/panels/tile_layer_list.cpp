@@ -99,6 +99,17 @@ bool editPair(Ui& ui, const char* label, Vec2& value, float speed, const char* s
     return changed;
 }
 
+void drawSolid(Ui& ui, ObjectId layer) {
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextDisabled("Solid");
+    ImGui::SameLine(ui.px(62.0f));
+    bool solid = isSolidLayer(ui.workspace, layer);
+    if (ImGui::Checkbox("##solid", &solid)) setLayerSolid(ui.workspace, layer, solid);
+    ui.widgets.mark("Tiles/layer/solid", solid ? "on" : "off");
+    tooltip(
+        "Bodies stand on those of its tiles that have a shape (K shows them): the layer has a TileCollider.");
+}
+
 void drawLook(Ui& ui, ObjectId layer) {
     Workspace& workspace = ui.workspace;
     const World& world = workspace.document.world;
@@ -123,6 +134,7 @@ void drawLook(Ui& ui, ObjectId layer) {
     tooltip("Tint: multiplies the colors of the tiles.");
     if (ImGui::IsItemDeactivated()) workspace.undo.endGesture();
 
+    drawSolid(ui, layer);
     Vec2 parallax = layerParallax(workspace, layer);
     if (editPair(ui, "Parallax", parallax, 0.01f, "%.2f", "Tiles/layer/parallax"))
         setLayerParallax(workspace, layer, parallax);
@@ -143,7 +155,10 @@ void drawTileLayerList(Ui& ui) {
     Workspace& workspace = ui.workspace;
     const ObjectId active = activeTileLayer(workspace.document, workspace.tiles);
     ImGui::TextDisabled("Layers");
-    ImGui::SameLine(ImGui::GetContentRegionAvail().x - ui.px(104.0f));
+    float width = ui.px(6.0f);
+    for (const char* label : {" + ", "up", "down"})
+        width += ImGui::CalcTextSize(label).x + ImGui::GetStyle().FramePadding.x * 2.0f;
+    ImGui::SameLine(ImGui::GetContentRegionMax().x - width);
     orderButton(ui, " + ", "layer.add");
     ImGui::SameLine(0.0f, ui.px(3.0f));
     orderButton(ui, "up", "layer.raise");

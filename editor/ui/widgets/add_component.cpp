@@ -13,7 +13,18 @@
 namespace plumb::editor::ui {
 namespace {
 
-/// The name, and below it what it is for, cut where the room ends.
+/// What fits of a text, and dots where it is cut between two words.
+std::string fittedWords(std::string_view text, float width) {
+    const auto wide = [](const std::string& words) { return ImGui::CalcTextSize(words.c_str()).x; };
+    std::string words{text};
+    for (std::size_t end = text.size(); wide(words) > width; words = format("{} ...", text.substr(0, end))) {
+        end = text.rfind(' ', end - 1);
+        if (end == std::string_view::npos || end == 0) break;
+    }
+    return words;
+}
+
+/// The name, and below it what it is for, as far as there is room.
 bool componentRow(const Ui& ui, const TypeInfo& type, std::size_t have, std::size_t of) {
     const float line = ImGui::GetTextLineHeight();
     const ImVec2 at = ImGui::GetCursorScreenPos();
@@ -30,8 +41,8 @@ bool componentRow(const Ui& ui, const TypeInfo& type, std::size_t have, std::siz
         list.AddText({at.x + width - ImGui::CalcTextSize(count.c_str()).x, at.y}, palette::kTextDim,
                      count.c_str());
     }
-    list.AddText({at.x + ui.px(2.0f), at.y + line + ui.px(1.0f)}, palette::kTextDim, type.doc.data(),
-                 type.doc.data() + type.doc.size());
+    const std::string doc = fittedWords(type.doc, width - ui.px(4.0f));
+    list.AddText({at.x + ui.px(2.0f), at.y + line + ui.px(1.0f)}, palette::kTextDim, doc.c_str());
     list.PopClipRect();
     return chosen;
 }
