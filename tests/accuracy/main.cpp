@@ -133,8 +133,8 @@ int main(int argc, char** argv) {
         return 2;
     }
     const Options& options = *read;
-    if (options.help) {
-        std::printf("%s", helpText().c_str());
+    if (options.help || options.list) {
+        std::printf("%s", (options.help ? helpText() : sceneList()).c_str());
         return 0;
     }
     if (options.stability) return stability::runStability(options.stabilityWords);

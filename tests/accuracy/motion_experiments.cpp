@@ -74,8 +74,8 @@ void rockingPlank(Trial& trial) {
     trial.run(10.0, [&](double time) {
         if (time > 8.0) tilt = std::max(tilt, std::fabs(trial.angle(plank)));
     });
-    trial.report("gained", std::max(tilt / kTilt - 1.0, 0.0) * 100.0, "%", 0.5);
     trial.report("lost", std::max(1.0 - tilt / kTilt, 0.0) * 100.0, "%", 20.0);
+    trial.report("gained", std::max(tilt / kTilt - 1.0, 0.0) * 100.0, "%", 0.5);
 }
 
 void elasticPairs(Trial& trial) {

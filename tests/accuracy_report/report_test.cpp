@@ -197,6 +197,50 @@ TEST(Report, aPlotShowsEveryPointTheDefaultTheGoalAndTheFront) {
     EXPECT_EQ(svg.find("nan"), std::string::npos);
 }
 
+// A tower that fell overlaps with nothing: it shall not look like the best buy.
+TEST(Report, aRunThatMissesAnotherGoalIsACrossAndNoBestBuy) {
+    std::vector<Row> rows = rowsOf(nastyRows(), "stack20");
+    const std::string whole = svgOf(chartOf("Stack", rows));
+    EXPECT_EQ(whole.find("crosses miss"), std::string::npos);
+    const auto bandOf = [](const std::string& svg) {
+        const std::size_t end = svg.find("class=\"c-front\" fill=\"none\"");
+        return end == std::string::npos ? std::string{} : svg.substr(svg.rfind("points=", end), end);
+    };
+    rows.front().fails = true;
+    const std::string svg = svgOf(chartOf("Stack", rows));
+    EXPECT_TRUE(isWellFormed(svg));
+    EXPECT_NE(svg.find("crosses miss another goal"), std::string::npos);
+    EXPECT_NE(svg.find("l8 8m0 -8l-8 8"), std::string::npos);
+    EXPECT_NE(bandOf(svg), bandOf(whole)) << "its first point is left out";
+    for (Row& row : rows) row.fails = true;
+    EXPECT_EQ(svgOf(chartOf("Stack", rows)).find("best buys"), std::string::npos);
+}
+
+TEST(Report, labelsOfPointsInOnePlaceDoNotLieOnEachOther) {
+    std::vector<Row> rows;
+    for (int quality = 0; quality <= 3; ++quality) rows.push_back(rowOf("stack20", quality, 1.0, 5.0));
+    const std::string svg = svgOf(chartOf("Stack", rows));
+    std::set<std::string> places;
+    for (const std::string_view words : {">1<", ">2<", ">4: default<", ">8<"}) {
+        const std::size_t end = svg.find(words);
+        ASSERT_NE(end, std::string::npos) << words;
+        const std::size_t begin = svg.rfind("<text", end);
+        places.insert(svg.substr(begin, svg.find(" class", begin) - begin));
+    }
+    EXPECT_EQ(places.size(), 4u);
+}
+
+TEST(Report, theListOfScenesNamesAllAndNothingElse) {
+    const std::string_view words[] = {"--list"};
+    const auto options = readOptions(words);
+    ASSERT_TRUE(options.ok());
+    EXPECT_TRUE(options->list);
+    EXPECT_FALSE(options->help);
+    const std::string list = sceneList();
+    EXPECT_EQ(static_cast<std::size_t>(std::count(list.begin(), list.end(), '\n')), allExperiments().size());
+    EXPECT_TRUE(list.find("stack20 ") != std::string::npos);
+}
+
 TEST(Report, aPlotOfNothingButFailuresIsStillAPlot) {
     std::vector<Row> rows{rowOf("x", 0, INFINITY, 1.0), rowOf("x", 1, INFINITY, 2.0)};
     const std::string svg = svgOf(chartOf("x", rows));

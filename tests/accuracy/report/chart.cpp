@@ -22,19 +22,22 @@ constexpr std::string_view kStyle = R"(.c-back{fill:#fff}.c-ink{fill:#1c2330}.c-
 .c-grid{stroke:#e3e7ee}.c-axis{stroke:#aab3c0}.c-front{stroke:#f3cf6b}.c-goal{fill:#d9f0e3}.c-goalink{fill:#1d7a4c}
 .c-goalline{stroke:#58a97f}.c-peer{fill:#1c2330}.c-s0{stroke:#2463c8}.c-f0{fill:#2463c8}.c-s1{stroke:#d8611c}
 .c-f1{fill:#d8611c}.c-s2{stroke:#12876a}.c-f2{fill:#12876a}.c-s3{stroke:#8a4fc9}.c-f3{fill:#8a4fc9}
-.c-s4{stroke:#a8871a}.c-f4{fill:#a8871a}.c-halo{stroke:#fff}
+.c-s4{stroke:#a8871a}.c-f4{fill:#a8871a}.c-halo{stroke:#fff;stroke-width:3px;paint-order:stroke}
+.c-peerline{stroke:#1c2330}
 @media (prefers-color-scheme:dark){.c-back{fill:#171b22}.c-ink{fill:#e6eaf1}.c-soft{fill:#9aa5b5}
 .c-grid{stroke:#2a313c}.c-axis{stroke:#596577}.c-front{stroke:#6f5c22}.c-goal{fill:#16352a}.c-goalink{fill:#7fd3a6}
 .c-goalline{stroke:#3d8562}.c-peer{fill:#e6eaf1}.c-s0{stroke:#6ea8ff}.c-f0{fill:#6ea8ff}.c-s1{stroke:#f79256}
 .c-f1{fill:#f79256}.c-s2{stroke:#43c99f}.c-f2{fill:#43c99f}.c-s3{stroke:#c195f5}.c-f3{fill:#c195f5}
-.c-s4{stroke:#dcb945}.c-f4{fill:#dcb945}.c-halo{stroke:#171b22}}
+.c-s4{stroke:#dcb945}.c-f4{fill:#dcb945}.c-halo{stroke:#171b22}.c-peerline{stroke:#e6eaf1}}
 )";
 
 std::string px(double value) { return fixedText(value, 1); }
 
 std::string text(double x, double y, std::string_view content, std::string_view look,
                  std::string_view anchor = "start", int size = 12) {
-    const std::string_view fill = look == "c-ink" ? "#1c2330" : look == "c-goalink" ? "#1d7a4c" : "#5c6675";
+    const std::string_view fill = startsWith(look, "c-ink")       ? "#1c2330"
+                                  : startsWith(look, "c-goalink") ? "#1d7a4c"
+                                                                  : "#5c6675";
     return format(
         "<text x=\"{}\" y=\"{}\" class=\"{}\" fill=\"{}\" text-anchor=\"{}\" font-size=\"{}\">{}</text>\n",
         px(x), px(y), look, fill, anchor, size, escaped(content));
@@ -123,6 +126,10 @@ std::string grid(const Chart& chart, const Frame& frame) {
     }
     svg += line(kLeft, kBottom, kRight, kBottom, "c-axis", "#aab3c0", 1.0);
     svg += text(kRight, kBottom + 38.0, "time of a step (µs), less to the left", "c-soft", "end");
+    const std::vector<Row> rows = allRows(chart);
+    if (std::any_of(rows.begin(), rows.end(), [](const Row& row) { return row.fails; }) ||
+        std::any_of(chart.peers.begin(), chart.peers.end(), [](const Row& row) { return row.fails; }))
+        svg += text(kLeft - 8.0, kBottom + 38.0, "crosses miss another goal of the scene", "c-soft");
     svg += text(kLeft - 8.0, kTop - 12.0, format("error ({})", chart.unit), "c-soft", "start");
     return svg;
 }
@@ -140,16 +147,18 @@ std::string goal(const Chart& chart, const Frame& frame) {
         chart.usTarget > 0.0
             ? format("goal: {} {} in {} µs", figureText(chart.target), chart.unit, figureText(chart.usTarget))
             : format("goal: {} {}", figureText(chart.target), chart.unit);
-    return svg + text(kLeft + 8.0, kBottom - 8.0, words, "c-goalink", "start", 11);
+    return svg + text(kLeft + 8.0, kBottom - 8.0, words, "c-goalink c-halo", "start", 11);
 }
 
 std::string front(const Chart& chart, const Frame& frame) {
-    const std::vector<Row> rows = allRows(chart);
+    std::vector<Row> rows = allRows(chart);
     std::vector<Sample> samples;
+    std::erase_if(rows, [&](const Row& row) { return row.fails || frame.above(row); });
     for (const Row& row : rows) samples.push_back({row.metrics.microsPerStep, row.error});
     std::string points;
-    for (const std::size_t i : paretoFront(samples))
-        points += format("{},{} ", px(frame.px(rows[i])), px(frame.py(rows[i])));
+    const std::vector<std::size_t> best = paretoFront(samples);
+    for (const std::size_t i : best) points += format("{},{} ", px(frame.px(rows[i])), px(frame.py(rows[i])));
+    if (best.size() < 2) return {};  // a choice of one is none
     return format(
         "<polyline points=\"{}\" class=\"c-front\" fill=\"none\" stroke=\"#f3cf6b\" stroke-width=\"9\" "
         "stroke-linejoin=\"round\" stroke-linecap=\"round\"/>\n",
@@ -171,6 +180,12 @@ std::string dot(const Frame& frame, const Row& row, int colour, double radius, b
     if (frame.above(row)) {  // too large to draw: an arrow at the edge
         return format("<path d=\"M{} {}l5 8h-10z\" class=\"c-f{}\" fill=\"{}\">{}</path>\n", px(x),
                       px(y - 4.0), colour, fill, hint(row));
+    }
+    if (row.fails) {
+        return format(
+            "<path d=\"M{} {}l8 8m0 -8l-8 8\" class=\"c-s{}\" fill=\"none\" stroke=\"{}\" "
+            "stroke-width=\"2\">{}</path>\n",
+            px(x - 4.0), px(y - 4.0), colour, fill, hint(row));
     }
     if (hollow) {
         return format(
@@ -194,41 +209,84 @@ std::string path(const Frame& frame, const ChartLine& part) {
     return svg;
 }
 
-/// The number of substeps beside each point of the first line.
-std::string numbers(const Frame& frame, const ChartLine& part) {
-    std::string svg;
-    for (const Row& row : part.rows) {
-        const double x = frame.px(row), y = frame.py(row);
-        if (isDefault(row.method)) {
-            svg += format(
-                "<circle cx=\"{}\" cy=\"{}\" r=\"8\" class=\"c-s0\" fill=\"none\" stroke=\"#2463c8\" "
-                "stroke-width=\"2\"/>\n",
-                px(x), px(y));
+/// Words beside points, each where no other one is: right of its point, or left, above or below it.
+class Labels {
+public:
+    /// @param wide  px from the point
+    std::string beside(double x, double y, std::string_view words, double wide = 9.0) {
+        const double length = kLetter * static_cast<double>(words.size());
+        for (const auto& [right, lower] : kPlaces) {
+            const Box box{right ? x + wide : x - wide - length, y + lower - kLine, length};
+            if (box.left < kLeft || box.left + length > kWide || !isFree(box)) continue;
+            taken_.push_back(box);
+            return text(right ? x + wide : x - wide, y + lower, words, "c-ink c-halo",
+                        right ? "start" : "end", 11);
         }
-        const std::string words =
-            isDefault(row.method) ? format("{}: default", row.substeps) : format("{}", row.substeps);
-        svg += text(x + 9.0, y - 7.0, words, "c-ink", "start", 11);
+        taken_.push_back({x + wide, y - 7.0 - kLine, length});
+        return text(x + wide, y - 7.0, words, "c-ink c-halo", "start", 11);
+    }
+
+private:
+    struct Box {
+        double left, top, wide;  // px
+    };
+    struct Place {
+        bool right;
+        double lower;  // px from the point to the foot of the letters
+    };
+    static constexpr double kLetter = 6.0, kLine = 11.0;  // px of a font of 11
+    static constexpr Place kPlaces[] = {{true, -7.0},  {false, 15.0}, {true, 15.0}, {false, -7.0},
+                                        {true, -19.0}, {false, 27.0}, {true, 27.0}, {false, -19.0}};
+
+    [[nodiscard]] bool isFree(const Box& box) const {
+        return std::none_of(taken_.begin(), taken_.end(), [&](const Box& other) {
+            return box.left < other.left + other.wide && other.left < box.left + box.wide &&
+                   std::fabs(box.top - other.top) < kLine;
+        });
+    }
+    std::vector<Box> taken_;
+};
+
+/// The number of substeps beside each point of the first line, the default's first.
+std::string numbers(const Frame& frame, const ChartLine& part, Labels& labels) {
+    std::string svg;
+    for (const bool isDefaults : {true, false}) {
+        for (const Row& row : part.rows) {
+            if (isDefault(row.method) != isDefaults) continue;
+            const double x = frame.px(row), y = frame.py(row);
+            if (isDefaults) {
+                svg += format(
+                    "<circle cx=\"{}\" cy=\"{}\" r=\"8\" class=\"c-s0\" fill=\"none\" stroke=\"#2463c8\" "
+                    "stroke-width=\"2\"/>\n",
+                    px(x), px(y));
+            }
+            const std::string count = format("{}", row.substeps);
+            svg += labels.beside(x, y, isDefaults ? count + ": default" : count);
+        }
     }
     return svg;
 }
 
-std::string peerMarks(const Chart& chart, const Frame& frame) {
+std::string peerMarks(const Chart& chart, const Frame& frame, Labels& labels) {
     std::string svg;
-    double lower = 14.0;  // px: names of those that fail are hung below each other
     for (const Row& row : chart.peers) {
         const double x = frame.px(row), y = frame.py(row);
-        svg += format("<path d=\"M{} {}l6 6l-6 6l-6 -6z\" class=\"c-peer\" fill=\"#1c2330\">{}</path>\n",
-                      px(x), px(y - 6.0), hint(row));
-        const bool left = x > kRight - 140.0, fails = frame.above(row);
-        const std::string words = fails ? format("{} fails", peerTitle(row.solver)) : peerTitle(row.solver);
-        svg += text(left ? x - 10.0 : x + 10.0, y + (fails ? lower : 4.0), words, "c-ink",
-                    left ? "end" : "start", 11);
-        if (fails) lower += 14.0;
+        svg +=
+            row.fails && !frame.above(row)
+                ? format(
+                      "<path d=\"M{} {}l10 10m0 -10l-10 10\" class=\"c-peerline\" fill=\"none\" "
+                      "stroke=\"#1c2330\" stroke-width=\"2.5\">{}</path>\n",
+                      px(x - 5.0), px(y - 5.0), hint(row))
+                : format("<path d=\"M{} {}l6 6l-6 6l-6 -6z\" class=\"c-peer\" fill=\"#1c2330\">{}</path>\n",
+                         px(x), px(y - 6.0), hint(row));
+        const std::string words =
+            frame.above(row) ? format("{} fails", peerTitle(row.solver)) : peerTitle(row.solver);
+        svg += labels.beside(x, y, words, 10.0);
     }
     return svg;
 }
 
-std::string legend(const Chart& chart) {
+std::string legend(const Chart& chart, bool hasFront) {
     double x = kLeft - 8.0;
     std::string svg;
     for (const ChartLine& part : chart.lines) {
@@ -236,8 +294,10 @@ std::string legend(const Chart& chart) {
         svg += text(x + 24.0, 37.0, part.name, "c-soft");
         x += 46.0 + 6.3 * static_cast<double>(part.name.size());
     }
-    svg += line(x, 33.0, x + 18.0, 33.0, "c-front", "#f3cf6b", 8.0, " stroke-linecap=\"round\"");
-    svg += text(x + 28.0, 37.0, "best buys", "c-soft");
+    if (hasFront) {
+        svg += line(x, 33.0, x + 18.0, 33.0, "c-front", "#f3cf6b", 8.0, " stroke-linecap=\"round\"");
+        svg += text(x + 28.0, 37.0, "best buys", "c-soft");
+    }
     return svg;
 }
 
@@ -302,10 +362,12 @@ std::string svgOf(const Chart& chart) {
     svg += format("<rect width=\"{}\" height=\"{}\" class=\"c-back\" fill=\"#ffffff\"/>\n",
                   static_cast<int>(kWide), static_cast<int>(kHigh));
     svg += text(kLeft - 8.0, 18.0, chart.title, "c-ink", "start", 14);
-    svg += legend(chart) + goal(chart, frame) + grid(chart, frame) + front(chart, frame);
+    const std::string band = front(chart, frame);
+    svg += legend(chart, !band.empty()) + goal(chart, frame) + grid(chart, frame) + band;
     for (auto part = chart.lines.rbegin(); part != chart.lines.rend(); ++part) svg += path(frame, *part);
-    if (!chart.lines.empty()) svg += numbers(frame, chart.lines.front());
-    return svg + peerMarks(chart, frame) + "</svg>\n";
+    Labels labels;
+    if (!chart.lines.empty()) svg += numbers(frame, chart.lines.front(), labels);
+    return svg + peerMarks(chart, frame, labels) + "</svg>\n";
 }
 
 std::string_view chartStyle() { return kStyle; }

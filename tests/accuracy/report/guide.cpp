@@ -27,22 +27,38 @@ Every simulation is wrong by some amount. Plumb shows by how much, and what less
 figures here come from `./plumb accuracy --docs docs`, which also writes `accuracy.html` with every scene, and tables to
 calculate with. `./plumb accuracy --quick` takes less than a minute; `--scene NAME` runs one.
 
-## What to choose
+)";
 
-1. **Leave it at the default** (quality 2: four small steps in each step of 1/60 s) until something looks wrong. It is the ringed point
-   in the plots.
-2. **Something sags, stretches or sinks in?** Raise the *quality* of that body or joint, not of the whole world: each step up
-   doubles the substeps, makes such errors three to four times smaller and costs that island 1.3 to 2 times the time.
-3. **Chains, ropes, bridges, pendulums:** leave *direct joints* on. They hold whatever hangs on them, also at quality 0.
-4. **Springs and orbits** are moved by the *integrator*. Runge-Kutta 4 is the most exact wherever a swing has 24 substeps or more (5 Hz
-   at quality 1, 10 Hz at quality 2). With fewer it eats energy; Verlet keeps it. Explicit Euler is for teaching.
-5. **More iterations** hardly ever pay: most of what is left of an error is softness, which only substeps make smaller.
+constexpr auto kAdvice = std::to_array<Advice>({
+    {"Leave it at the default",
+     "(quality 2: four small steps in each step of 1/60 s) until something looks wrong. It is the ringed "
+     "point in the "
+     "plots."},
+    {"Something sags, stretches or sinks in?",
+     "Raise the quality of that body or joint, not of the whole world: each step up doubles the substeps, "
+     "makes such "
+     "errors three to four times smaller and costs that island 1.3 to 2 times the time."},
+    {"Chains, ropes, bridges, pendulums:",
+     "leave direct joints on. They hold whatever hangs on them, also at quality 0."},
+    {"Springs and orbits",
+     "are moved by the integrator. Runge-Kutta 4 is the most exact wherever a swing has 24 substeps or more "
+     "(5 Hz at "
+     "quality 1, 10 Hz at quality 2). With fewer it eats energy; Verlet keeps it. Explicit Euler is for "
+     "teaching."},
+    {"More iterations",
+     "hardly ever pay: most of what is left of an error is softness, which only substeps make smaller. The "
+     "solver's "
+     "contacts and joints are stiff springs, damped so that they cannot ring (a soft step): the shorter the "
+     "substep, "
+     "the stiffer."},
+});
 
-## How to read the plots
+constexpr std::string_view kReading = R"(## How to read the plots
 
-To the left is faster, further down is more exact; each grid line is ten times the one before. A line is one way to simulate the scene, its
-points are 1, 2, 4 … 64 substeps, hollow ones have more iterations instead. The yellow band joins the best buys: no other point is both faster
-and more exact. Green is the goal; a dark diamond is another engine with its own defaults.
+To the left is faster, further down is more exact; equal ways are equal ratios. A line is one way to simulate the scene, its points are the
+substeps that stand beside them, hollow ones have more iterations instead. The yellow band joins the best buys: no other point is both faster
+and more exact. Green is the goal; a dark diamond is another engine with its own defaults. A cross is a run that misses another goal of the
+scene, as a tower that fell: what it is exact in counts for nothing.
 
 )";
 
@@ -58,7 +74,9 @@ const Row* fewestThatMeet(const std::vector<Row>& rows, std::string_view scene) 
     for (const Row& row : rows) {
         Method method = row.method;
         method.quality = Method{}.quality;
-        if (row.scene != scene || !row.main || !row.met() || row.automatic() || !isDefault(method)) continue;
+        if (row.scene != scene || !row.main || !row.met() || row.fails || row.automatic() ||
+            !isDefault(method))
+            continue;
         if (best == nullptr || row.substeps < best->substeps) best = &row;
     }
     return best;
@@ -77,25 +95,22 @@ std::string ratioTo(const Row* own, const Row* peer) {
     return format("{} / {}", figureText(own->error / peer->error), time);
 }
 
-std::string marksOf(const std::vector<Row>& rows) {
-    std::string text =
-        "## Marks to reach\n\nThe error and the time of a step of the whole world. The last column is the "
-        "default's error and time over "
-        "those of Box2D 2.4.1\nin the same run, with its usual 8 velocity and 3 position iterations: below 1 "
-        "is better.\n\n"
-        "| scene | goal | default | the fewest substeps that are exact enough | Box2D 2.4.1 | default over "
-        "Box2D: "
-        "error / time |\n"
-        "|---|---|---|---|---|---|\n";
-    for (const std::string_view scene : kMarks) {
-        const Row* const own = defaultRow(rows, scene);
-        if (own == nullptr) continue;
-        const Row* const peer = peerRow(rows, scene, "box2d-2.4");
-        text += format("| {} | ≤ {} {}{} | {} | {} | {} | {} |\n", textOf(scene).title,
-                       figureText(own->target), own->unit,
-                       own->usTarget > 0.0 ? format(" @ ≤ {} µs", figureText(own->usTarget)) : std::string{},
-                       cellOf(own), howMet(fewestThatMeet(rows, scene)), cellOf(peer), ratioTo(own, peer));
-    }
+std::string choicesText() {
+    std::string text = "## What to choose\n\n";
+    for (std::size_t i = 0; i < kAdvice.size(); ++i)
+        text += format("{}. **{}** {}\n", i + 1, kAdvice[i].lead, kAdvice[i].text);
+    return text + "\n";
+}
+
+std::string marksText(const std::vector<Row>& rows) {
+    std::string text = format(
+        "## Marks to reach\n\n{}\n\n| scene | goal | default | the fewest substeps that are exact enough | "
+        "Box2D "
+        "2.4.1 | default over Box2D: error / time |\n|---|---|---|---|---|---|\n",
+        marksWords());
+    for (const Mark& mark : marksOf(rows))
+        text += format("| {} | {} | {} | {} | {} | {} |\n", mark.title, mark.goal, mark.own, mark.fewest,
+                       mark.peer, mark.ratio);
     return text + "\n";
 }
 
@@ -164,9 +179,34 @@ std::string howItRan(const Options& options, const std::vector<Row>& rows, doubl
 
 std::span<const std::string_view> guideScenes() { return kPlots; }
 
+std::span<const Advice> allAdvice() { return kAdvice; }
+
+std::string_view marksWords() {
+    return "The error and the time of a step of the whole world. The last column is the default's error and "
+           "time over "
+           "those of Box2D 2.4.1 in the same run, with its usual 8 velocity and 3 position iterations: below "
+           "1 is "
+           "better.";
+}
+
+std::vector<Mark> marksOf(const std::vector<Row>& rows) {
+    std::vector<Mark> marks;
+    for (const std::string_view scene : kMarks) {
+        const Row* const own = defaultRow(rows, scene);
+        if (own == nullptr) continue;
+        const Row* const peer = peerRow(rows, scene, "box2d-2.4");
+        const std::string within =
+            own->usTarget > 0.0 ? format(" @ ≤ {} µs", figureText(own->usTarget)) : std::string{};
+        marks.push_back({scene, textOf(scene).title,
+                         format("≤ {} {}{}", figureText(own->target), own->unit, within), cellOf(own),
+                         howMet(fewestThatMeet(rows, scene)), cellOf(peer), ratioTo(own, peer)});
+    }
+    return marks;
+}
+
 std::string guideOf(const std::vector<Row>& rows, std::string_view how) {
-    return format("{}{}{}{}{}## This run\n\n{}\n", kStart, marksOf(rows), plotsOf(rows), energiesOf(rows),
-                  orderTable(rows), how);
+    return format("{}{}{}{}{}{}{}## This run\n\n{}\n", kStart, choicesText(), kReading, marksText(rows),
+                  plotsOf(rows), energiesOf(rows), orderTable(rows), how);
 }
 
 }  // namespace plumb::accuracy

@@ -17,6 +17,27 @@ std::string howItRan(const Options& options, const std::vector<Row>& rows, doubl
 /// The scenes whose plots stand in docs/accuracy.md, as accuracy/NAME.svg.
 std::span<const std::string_view> guideScenes();
 
+/// What to choose, in words: what stands out, and the rest of it.
+struct Advice {
+    std::string_view lead;
+    std::string_view text;
+};
+std::span<const Advice> allAdvice();
+
+/// One of the figures that were to be reached, in words.
+struct Mark {
+    std::string_view scene;
+    std::string_view title;
+    std::string goal;
+    std::string own;     ///< of the default
+    std::string fewest;  ///< the fewest substeps that are exact enough
+    std::string peer;    ///< of Box2D 2.4.1
+    std::string ratio;   ///< default over Box2D: error / time
+};
+std::vector<Mark> marksOf(const std::vector<Row>& rows);
+/// What the columns mean.
+std::string_view marksWords();
+
 /// docs/accuracy.md.
 std::string guideOf(const std::vector<Row>& rows, std::string_view how);
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/text.hpp"
+#include "tests/accuracy/report/scene_texts.hpp"
 
 namespace plumb::accuracy {
 
@@ -110,10 +111,20 @@ Result<Options> readOptions(std::span<const std::string_view> words) {
             options.stabilityWords.assign(words.begin() + static_cast<std::ptrdiff_t>(i) + 1, words.end());
             return options;
         } else {
-            options.help = true;  // --help and --list: the help has the list
+            (word == "--list" ? options.list : options.help) = true;
         }
     }
     return options;
+}
+
+std::string sceneList() {
+    std::string text;
+    for (const Experiment& experiment : allExperiments())
+        text += format(
+            "{}{}{}\n", experiment.name,
+            std::string(std::max<std::size_t>(14, experiment.name.size() + 1) - experiment.name.size(), ' '),
+            textOf(experiment.name).title);
+    return text;
 }
 
 }  // namespace plumb::accuracy

@@ -18,6 +18,7 @@ struct Options {
     Path docs;          ///< where accuracy.md and accuracy/ go; empty for nowhere
     bool peers = true;  ///< other engines too
     bool help = false;
+    bool list = false;       ///< only the names of the scenes
     bool stability = false;  ///< the stability map instead, which reads the other words
     std::vector<std::string_view> stabilityWords;
 };
@@ -26,5 +27,7 @@ struct Options {
 Result<Options> readOptions(std::span<const std::string_view> words);
 
 std::string helpText();
+/// The scenes, one in a line.
+std::string sceneList();
 
 }  // namespace plumb::accuracy

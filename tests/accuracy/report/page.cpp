@@ -5,6 +5,7 @@
 
 #include "core/text.hpp"
 #include "tests/accuracy/report/chart.hpp"
+#include "tests/accuracy/report/guide.hpp"
 #include "tests/accuracy/report/orders.hpp"
 #include "tests/accuracy/report/scene_texts.hpp"
 
@@ -20,9 +21,9 @@ constexpr std::string_view kStyle =
 *{box-sizing:border-box}body{margin:0;background:var(--back);color:var(--ink);
 font:16px/1.55 system-ui,-apple-system,"Segoe UI",Helvetica,Arial,sans-serif}
 main{max-width:860px;margin:0 auto;padding:32px 20px 80px}h1{font-size:30px;line-height:1.2;margin:0 0 8px}
-h2{font-size:21px;margin:44px 0 12px}h3{font-size:18px;margin:0 0 4px}p{margin:8px 0}a{color:var(--link)}
+h2{font-size:21px;margin:0 0 12px}h3{font-size:18px;margin:0 0 4px}p{margin:8px 0}a{color:var(--link)}
 .soft{color:var(--soft)}.card{background:var(--card);border:1px solid var(--line);border-radius:10px;
-padding:20px 22px;margin:18px 0}.card svg{width:100%;height:auto;display:block;margin:10px 0}
+padding:20px 22px;margin:18px 0;overflow-x:auto}.card svg{width:100%;min-width:600px;height:auto;display:block;margin:10px 0}
 nav{columns:4 170px;font-size:14px;line-height:1.75}nav a{text-decoration:none;display:block}
 nav a:hover{text-decoration:underline}table{border-collapse:collapse;font-size:14px;width:100%}
 th,td{padding:4px 10px 4px 0;text-align:left;border-bottom:1px solid var(--line);vertical-align:top}
@@ -94,10 +95,35 @@ std::string sectionOf(const std::vector<Row>& rows, const std::vector<OrderRow>&
     html +=
         format("<p class=\"soft\">{} <code>--scene {}</code></p>\n", escaped(text.answer), escaped(scene));
     html += svgOf(chartOf(title, own));
-    html += format("<p>{} {}</p>\n", escaped(text.shows), escaped(text.choose));
+    html += format("<p>{} <strong>{}</strong></p>\n", escaped(text.shows), escaped(text.choose));
     html += orderSentence(orders, scene);
     if (!text.why.empty()) html += format("<p class=\"soft\">{}</p>\n", escaped(text.why));
     return html + tableOf(own) + "</section>\n";
+}
+
+std::string choices() {
+    std::string html = "<section class=\"card\"><h2>What to choose</h2>\n<ol>\n";
+    for (const Advice& advice : allAdvice())
+        html += format("<li><strong>{}</strong> {}</li>\n", escaped(advice.lead), escaped(advice.text));
+    return html + "</ol></section>\n";
+}
+
+std::string marks(const std::vector<Row>& rows) {
+    const std::vector<Mark> all = marksOf(rows);
+    if (all.empty()) return {};
+    std::string html = format(
+        "<section class=\"card\"><h2>Marks to reach</h2>\n<p class=\"soft\">{}</p>\n<div "
+        "class=\"wide\"><table>"
+        "<tr><th>scene</th><th>goal</th><th>default</th><th>fewest substeps that are exact enough</th>"
+        "<th>Box2D 2.4.1</th><th>default over Box2D: error / time</th></tr>\n",
+        escaped(marksWords()));
+    for (const Mark& mark : all) {
+        html += "<tr>" + cell(linkTo(mark.scene));
+        for (const std::string& words : {mark.goal, mark.own, mark.fewest, mark.peer, mark.ratio})
+            html += cell(escaped(words));
+        html += "</tr>\n";
+    }
+    return html + "</table></div></section>\n";
 }
 
 std::vector<std::string> scenesIn(const std::vector<Row>& rows) {
@@ -122,15 +148,16 @@ std::string pageOf(const std::vector<Row>& rows, std::string_view how) {
     html += format("<p class=\"soft\">{}</p>\n", escaped(how));
     html +=
         "<p>Each plot is one scene whose outcome is known. To the left is faster, further down is more "
-        "exact, and each "
-        "grid line is ten times the one before. A line is one way to simulate the scene; its points are 1, "
-        "2, 4 … 64 "
-        "substeps. Hollow points have more iterations instead. The yellow band joins the best buys: no other "
-        "point is "
-        "both faster and more exact. The ring marks what you get without asking, green is the goal, and a "
-        "dark diamond "
-        "is another engine with its own defaults. A triangle at the upper edge is too bad to "
-        "draw.</p>\n<nav>\n";
+        "exact; "
+        "equal ways are equal ratios. A line is one way to simulate the scene; its points are the substeps "
+        "that "
+        "stand beside them. Hollow points have more iterations instead. The yellow band joins the best buys: "
+        "no "
+        "other point is both faster and more exact. The ring marks what you get without asking, green is the "
+        "goal, and a dark diamond is another engine with its own defaults. A cross misses another goal of "
+        "the "
+        "scene, as a tower that fell; a triangle at the upper edge is too bad to draw.</p>\n";
+    html += choices() + marks(rows) + "<nav>\n";
     for (const std::string& scene : scenes) html += linkTo(scene) + "\n";
     html += "</nav>\n";
     for (const std::string& scene : scenes) html += sectionOf(rows, orders, scene);

@@ -22,6 +22,7 @@ struct Row {
     double target = 0.0;    ///< infinite where there is none
     double usTarget = 0.0;  ///< µs a step; 0 where there is none
     Metrics metrics;
+    bool fails = false;  ///< another figure of the same run misses its goal
 
     [[nodiscard]] bool automatic() const {
         return method.peer == nullptr && method.quality == physics::kQualityOfWorld;

@@ -117,7 +117,11 @@ std::vector<Row> runOne(const Experiment& experiment, const Method& method, cons
                 rows.push_back(rowOf(experiment, method, {"place", *error * 1000.0, "mm", kNoTarget}));
         }
     }
-    if (!rows.empty()) rows.front().main = true;
+    if (!rows.empty()) {
+        rows.front().main = true;
+        rows.front().fails =
+            std::any_of(rows.begin() + 1, rows.end(), [](const Row& row) { return !row.met(); });
+    }
     for (Row& row : rows) row.metrics = metrics;
     return rows;
 }

@@ -12,9 +12,9 @@ constexpr auto kHard = std::to_array<SceneText>({
     {.name = "rocking",
      .title = "Plank that rocks on a cylinder",
      .answer = "It rocks on for ever, as high as it began.",
-     .shows = "It never gains, which is what matters; it loses a quarter in 10 s at the "
-              "default and a tenth at 16 substeps.",
-     .choose = "Quality 3 where things should rock for long."},
+     .shows = "How much of its swing it loses in 10 s: a quarter at the default, a tenth at 16 substeps, "
+              "where others lose a twentieth. It never gains.",
+     .choose = "Quality 4 where things should rock for long."},
     {.name = "ballandchain",
      .title = "Chain of 40 that swings a ball of 500 links",
      .answer = "The links stay together; the mean gap of their hinges in the second half of 20 "

@@ -6,7 +6,10 @@ namespace plumb::stability {
 namespace {
 
 constexpr std::string_view kStyle = R"(
-:root { color-scheme: light; --ink: #1f2933; --soft: #52606d; --line: #d9e0e6; --paper: #f4f6f8; }
+:root { color-scheme: light dark; --ink: #1f2933; --soft: #52606d; --line: #d9e0e6; --paper: #f4f6f8; --card: #fff;
+        --link: #1d5f91; }
+@media (prefers-color-scheme: dark) { :root { --ink: #e6eaf1; --soft: #9aa5b5; --line: #2a313c; --paper: #0f1217;
+        --card: #171b22; --link: #6ea8ff; } }
 * { box-sizing: border-box; }
 body { margin: 0; background: var(--paper); color: var(--ink); line-height: 1.5;
        font: 15px/1.5 system-ui, "DejaVu Sans", sans-serif; }
@@ -14,18 +17,20 @@ main { max-width: 1040px; margin: 0 auto; padding: 32px 20px 80px; }
 h1 { font-size: 28px; margin: 0 0 6px; }
 h2 { font-size: 20px; margin: 0 0 4px; }
 p { margin: 0 0 12px; max-width: 76ch; }
-.card { background: #fff; border: 1px solid var(--line); border-radius: 8px; padding: 18px 20px; margin: 0 0 18px;
+.card { background: var(--card); border: 1px solid var(--line); border-radius: 8px; padding: 18px 20px; margin: 0 0 18px;
         overflow-x: auto; }
 .card p { color: var(--soft); }
 table { border-collapse: collapse; width: 100%; }
 td, th { text-align: left; padding: 5px 10px 5px 0; border-bottom: 1px solid var(--line); vertical-align: middle; }
 th { color: var(--soft); font-weight: 600; font-size: 13px; }
 td.n { text-align: right; font-variant-numeric: tabular-nums; }
-a { color: #1d5f91; text-decoration: none; } a:hover { text-decoration: underline; }
+a { color: var(--link); text-decoration: none; } a:hover { text-decoration: underline; }
 .sign { display: inline-block; width: 26px; height: 26px; border-radius: 3px; text-align: center; font-weight: 700;
         line-height: 26px; }
 .verdict { font-weight: 700; }
 svg { display: block; }
+svg text[fill="#1f2933"] { fill: var(--ink); } svg text[fill="#52606d"] { fill: var(--soft); }
+svg rect[fill="#ffffff"] { fill: var(--card); }
 )";
 
 std::string signOf(const ScoreInfo& info) {
