@@ -2,8 +2,10 @@
 // `tmxrasterizer` makes of them.
 
 #include <algorithm>
+#include <cstdio>
 #include <cstdlib>
-#include <regex>
+#include <optional>
+#include <string>
 
 #include <gtest/gtest.h>
 
@@ -65,30 +67,51 @@ Image cropped(const Image& whole, int left, int top, int width, int height) {
     return piece;
 }
 
-/// Cuts the part of a picture out that a tile of a tileset names, into a picture of its own.
-/// @param tile  what stood in the file: number of the tile, left, top, width, height, picture
-/// @return  what shall stand there
-std::string cutPicture(const std::smatch& tile, const Path& folder) {
-    const auto number = [&](std::size_t group) { return std::stoi(tile[group].str()); };
-    const std::string picture = format("part-{}.png", tile[1].str());
-    const Image whole = *decodeImage(*readFile(folder / tile[6].str()), "");
-    const Image piece = cropped(whole, number(2), number(3), number(4), number(5));
+/// A tile of a tileset that is a part of a picture, as it stands in the file.
+struct PartTile {
+    std::size_t begin = 0;  // of its letters
+    std::size_t end = 0;
+    int id = 0, left = 0, top = 0, width = 0, height = 0;  // px
+    std::string picture;
+};
+
+std::optional<PartTile> nextPart(const std::string& text, std::size_t from) {
+    for (std::size_t at = text.find("<tile id=", from); at != std::string::npos;
+         at = text.find("<tile id=", at + 1)) {
+        PartTile tile{.begin = at};
+        int length = 0;
+        if (std::sscanf(text.c_str() + at,
+                        "<tile id=\"%d\" x=\"%d\" y=\"%d\" width=\"%d\" height=\"%d\"> <image %n", &tile.id,
+                        &tile.left, &tile.top, &tile.width, &tile.height, &length) != 5 ||
+            length == 0)
+            continue;
+        tile.end = text.find("/>", at + static_cast<std::size_t>(length)) + 2;
+        constexpr std::string_view kSource = "source=\"";
+        const std::size_t name = text.find(kSource, at) + kSource.size();
+        tile.picture = text.substr(name, text.find('"', name) - name);
+        return tile;
+    }
+    return std::nullopt;
+}
+
+/// Cuts it out into a picture of its own. @return  what shall stand there
+std::string cutPicture(const PartTile& tile, const Path& folder) {
+    const std::string picture = format("part-{}.png", tile.id);
+    const Image whole = *decodeImage(*readFile(folder / tile.picture), "");
+    const Image piece = cropped(whole, tile.left, tile.top, tile.width, tile.height);
     EXPECT_TRUE(writeFile(folder / picture, *encodePng(piece)).ok());
-    return format("<tile id=\"{}\"><image width=\"{}\" height=\"{}\" source=\"{}\"/>", number(1), piece.width,
+    return format("<tile id=\"{}\"><image width=\"{}\" height=\"{}\" source=\"{}\"/>", tile.id, piece.width,
                   piece.height, picture);
 }
 
 /// Parts of pictures as tiles came with Tiled 1.9; an older rasterizer draws the whole picture for each. So
 /// every part becomes a picture of its own.
 void cutPictures(const Path& folder) {
-    const std::regex part(
-        "<tile id=\"(\\d+)\" x=\"(\\d+)\" y=\"(\\d+)\" width=\"(\\d+)\" height=\"(\\d+)\">\\s*"
-        "<image [^>]*source=\"([^\"]+)\"/>");
     for (const std::string& name : filesBelow(folder, ".tsx")) {
         const Path file = folder / name;
         std::string text = *readFile(file);
-        for (std::smatch found; std::regex_search(text, found, part);)
-            text = found.prefix().str() + cutPicture(found, file.parent_path()) + found.suffix().str();
+        for (auto tile = nextPart(text, 0); tile; tile = nextPart(text, tile->begin + 1))
+            text.replace(tile->begin, tile->end - tile->begin, cutPicture(*tile, file.parent_path()));
         EXPECT_TRUE(writeFile(file, text).ok());
     }
 }
