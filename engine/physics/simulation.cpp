@@ -55,7 +55,7 @@ constexpr Stage kStages[] = {
     {"prepare constraints", any(Effect::Contacts, Effect::Joints), prepareConstraints, hasBlocks},
     {"solve", 0, solve},
     {"integrators", kSmooth, integrateFlyers},
-    {"keep energy", any(Effect::Joints), keepEnergy},
+    {"keep energy", any(Effect::Joints, Effect::Contacts), keepEnergy},
     {"finish bodies", 0, finishBodies},
     {"continuous", any(Effect::Continuous), sweepFastBodies},
     {"events", any(Effect::ContactEvents, Effect::Triggers), publishEvents, hasSeams},

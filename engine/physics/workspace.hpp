@@ -111,18 +111,26 @@ struct IslandCase {
     float error = 0.0f;  ///< m: the largest overlap or opening
 };
 
-/// What an island with joints has and got in this step: stages/keep_energy.cpp.
+/// What an island has and got in this step: stages/keep_energy.cpp.
 struct EnergyAccount {
     bool isOpen = false;
+    bool isJointed = false;
+    bool isLively = false;  ///< somebody turns or bounces
     bool isDriven = false;  ///< a motor or what its owner moves does work
     bool isRooted = false;  ///< tied to what cannot be pushed, or touches it
     float energy = 0.0f;    ///< J, of motion
     bool isWild = false;    ///< what came out makes no sense
+    float work = 0.0f;      ///< J, that forces did
     float gain = 0.0f;      ///< J, that no force explains
     float credit = 0.0f;    ///< J, as EnergyShare
     float peak = 0.0f;      ///< J
     float mass = 0.0f;      ///< kg
+    float excess = 0.0f;    ///< J, that it has to give up
+    float own = 0.0f;       ///< J, about `middle`
+    float least = 0.0f;     ///< J, of `own`: what it may keep in any case
+    float way = 0.0f;       ///< kg m2: half of masses times their ways squared
     float keep = 1.0f;      ///< of all speeds about `middle`
+    float part = 1.0f;      ///< of all ways, the same
     Vec2 momentum;          ///< kg m/s
     Vec2 middle;            ///< m/s
 };
@@ -198,7 +206,9 @@ struct Workspace {
     std::vector<std::uint8_t> leverageOf;               ///< by root of an island, where hasLeverage()
     std::vector<IslandHardness> hardness;               ///< by root of an island: see sortByQuality()
     std::vector<std::uint32_t> roots;                   ///< of islands, by place in World::awake
-    std::vector<EnergyAccount> accounts;                ///< the same, where there are joints
+    std::vector<EnergyAccount> accounts;                ///< by root, where islands are looked at for energy
+    std::vector<std::uint32_t> openAccounts;            ///< which of them are in use
+    std::vector<std::uint32_t> gainers;                 ///< bodies that contacts gave energy in this step
     std::vector<IslandCase> cases;                      ///< the same, where there is a tolerance
 };
 

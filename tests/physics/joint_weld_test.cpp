@@ -44,6 +44,28 @@ TEST(WeldJoint, withAStiffnessOfItsOwnSwingsWithThatFrequency) {
     EXPECT_NEAR(scene.periodOf(0.0f, 10.0f, [&] { return scene.angle(piece); }), 0.5f, 0.003f);
 }
 
+// The angle between them is what it is, however little that is off: no torque can mend it.
+TEST(WeldJoint, pushesNobodyWhereNeitherEndCanBeTurned) {
+    JointWorld scene;
+    scene.world.settings.gravity = {};
+    const BodyId light = scene.disc({-2.0, 0.0}, 0.0003f), heavy = scene.disc({2.0, 0.0}, 3.0f);
+    for (const BodyId body : {light, heavy}) setFixedRotation(scene.world, body, true);
+    JointDefinition definition = scene.define(JointKind::Weld, light, heavy, {0.0, 0.0});
+    definition.referenceAngle = 1.0e-6f;
+    definition.breakTorque = 1.0f;
+    const JointId joint = scene.join(definition);
+    ASSERT_TRUE(setVelocity(scene.world, heavy, {1.0f, 0.5f}).ok());
+
+    scene.run(1.0f);
+
+    ASSERT_TRUE(alive(scene.world, joint));
+    for (const BodyId body : {light, heavy}) {
+        EXPECT_NEAR(velocityOf(scene.world, body).x, 3.0f / 3.0003f, 1.0e-5f);
+        EXPECT_NEAR(velocityOf(scene.world, body).y, 1.5f / 3.0003f, 1.0e-5f);
+    }
+    EXPECT_NEAR(jointTorque(scene.world, joint), 0.0f, 1.0e-3f);
+}
+
 TEST(WeldJoint, breaksByTorque) {
     for (const float strength : {0.98f, 2.0f}) {
         SCOPED_TRACE(strength);

@@ -1,3 +1,7 @@
+#include <algorithm>
+#include <utility>
+#include <vector>
+
 #include <gtest/gtest.h>
 
 #include "joint_world.hpp"
@@ -115,6 +119,66 @@ TEST(KeepEnergy, hasAccountsOnlyWhereThereAreJoints) {
     // Both fall at 5 m/s, of 1 kg each.
     EXPECT_NEAR(scene.world.bodies.energies[pair.a.index].peak, 12.5f, 0.2f);
     EXPECT_EQ(scene.world.bodies.energies[pair.a.index].peak, scene.world.bodies.energies[pair.b.index].peak);
+}
+
+/// Most energy of planks thrown at a wall over that at the start, minus 1; nothing pulls at them.
+double mostGainOfThrown(std::uint64_t seed, int& met) {
+    Random random = Random::seeded(seed);
+    World world;
+    world.settings.gravity = {};
+    world.settings.sleeping = false;
+    world.settings.quality = static_cast<Quality>(random.below(4));
+    const auto wall = *createBody(world, {.kind = BodyKind::Static});
+    (void)*createShape(world, wall, box({0.5f, 50.0f}), {.friction = random.unit(), .bounciness = 1.0f});
+    const float thin = 0.02f + 0.2f * random.unit();
+    const auto plank =
+        *createBody(world, {.position = {2.0, 0.0},
+                            .angle = 6.0f * random.unit(),
+                            .velocity = {-5.0f - 50.0f * random.unit(), 40.0f * random.unit() - 20.0f},
+                            .angularVelocity = 200.0f * random.unit() - 100.0f});
+    (void)*createShape(world, plank, box({0.4f, thin}),
+                       {.friction = random.unit(), .bounciness = random.unit()});
+    const auto energy = [&] {
+        const BodyMass& mass = world.bodies.mass[plank.index];
+        const BodyMotion& motion = world.bodies.motion[plank.index];
+        return static_cast<double>(mass.mass * lengthSquared(motion.velocity) +
+                                   mass.inertia * motion.angularVelocity * motion.angularVelocity);
+    };
+    const double start = energy();
+    double most = start;
+    for (int i = 0; i < 30; ++i) {
+        step(world, JointWorld::kDt);
+        most = std::max(most, energy());
+    }
+    met += energy() != start ? 1 : 0;
+    return most / start - 1.0;
+}
+
+TEST(KeepEnergy, contactsGiveNone) {
+    int met = 0;
+    for (std::uint64_t seed = 0; seed < 2000; ++seed) EXPECT_LE(mostGainOfThrown(seed, met), 0.002) << seed;
+    EXPECT_GT(met, 1500);
+}
+
+TEST(KeepEnergy, isLookedAtWhereNobodyHasJointsAfterABlowAlone) {
+    JointWorld scene;
+    const auto floor = *createBody(scene.world, {.kind = BodyKind::Static, .position = {0.0, -1.0}});
+    (void)*createShape(scene.world, floor, box({50.0f, 1.0f}), {});
+    const auto crate = *createBody(scene.world, {.position = {0.0, 0.5}});
+    (void)*createShape(scene.world, crate, box({0.5f, 0.5f}), {});
+    for (int i = 0; i < 60; ++i) {
+        scene.run(JointWorld::kDt);
+        EXPECT_TRUE(scene.world.work.get().gainers.empty()) << i;
+    }
+    const auto other = *createBody(scene.world, {.position = {-2.0, 0.5}, .velocity = {20.0f, 0.0f}});
+    (void)*createShape(scene.world, other, box({0.5f, 0.5f}), {});
+    bool gained = false;
+    for (int i = 0; i < 20; ++i) {
+        scene.run(JointWorld::kDt);
+        for (const std::uint32_t body : scene.world.work.get().gainers) gained |= body == crate.index;
+    }
+    EXPECT_TRUE(gained) << "from the other";
+    EXPECT_GT(velocityOf(scene.world, crate).x, 5.0f) << "and keeps it";
 }
 
 TEST(KeepEnergy, lentByALossComesBackForAWhile) {

@@ -62,6 +62,16 @@ TEST(StabilityEnergy, doesNotComeFromNowhereInScenesWhereItDid) {
         {1414, "the same of a plank that flew into a wall"},
         {673, "a blow ran on through bodies that pressed each other"},
         {5253, "the same, of a heavy one onto a light one on the ground"},
+        {39041, "a body was struck while another pressed it to the ground"},
+        {84379, "a ball with two points at a wall left it spinning"},
+        {258929, "a rod that spun faster than its contact follows stuck in the floor at full speed"},
+        {9049, "what went wrong once counted as what a group had"},
+        {66164, "a light body whipped about a heavy one that crept"},
+        {77111, "a sweep stopped one of several joined bodies that a joint had hurled"},
+        {103041, "a long arm levered a heavy body up from a light one jammed in the floor"},
+        {103327, "a weld between two that cannot be turned pushed them both"},
+        {103823, "a light body on a long arm was hurled across the pit"},
+        {182496, "joints that closed hurled bodies up and down"},
     };
     for (const auto& [seed, reason] : kScenes) {
         FairScene scene{static_cast<std::uint64_t>(seed)};

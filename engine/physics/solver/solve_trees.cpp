@@ -17,6 +17,8 @@ constexpr int kGrain = 8;  // trees
 /// A joint gives way by this part of what its bodies would, so that joints that cannot all hold share the
 /// load.
 constexpr double kSoftness = 1.0e-6;
+/// How far a row gives way that nobody can answer: no force comes of it, whatever is wrong.
+constexpr double kNoAnswer = 1.0e30;
 /// A tensioned limb turns to and fro faster than substeps can follow if it is light: its inertia counts as at
 /// least this part of straining * h2. Below 1/4 it would be shaken ever more (the Stoermer-Verlet bound).
 constexpr double kCalm = 0.5;
@@ -67,15 +69,17 @@ TreePose parentPose(const Link& link, const Limb* parent, double elapsed) {
 // The system.
 
 double offered(const Limb& limb, const Triple& row) {
-    return (row.x * row.x + row.y * row.y) / limb.mass + row.turn * row.turn / limb.inertia;
+    const double turned = limb.turns ? row.turn * row.turn / limb.inertia : 0.0;
+    return (row.x * row.x + row.y * row.y) / limb.mass + turned;
 }
 
 /// About the same in all substeps.
 void soften(const Limb& limb, Link& link, const Limb* parent) {
     const auto softness = [&](int r, Triple onLimb, Triple onParent) {
-        // Rows that a joint does not have answer nothing.
+        // Rows that a joint does not have answer nothing; nor do those between two that cannot be turned.
         if (r >= rowsOf(link.kind)) return 1.0;
-        return kSoftness * (offered(limb, onLimb) + (parent != nullptr ? offered(*parent, onParent) : 0.0));
+        const double all = offered(limb, onLimb) + (parent != nullptr ? offered(*parent, onParent) : 0.0);
+        return all > 0.0 ? kSoftness * all : kNoAnswer;
     };
     if (link.byArms) {
         link.softness = {softness(0, {1.0, 0.0, link.limbY}, {1.0, 0.0, link.parentY}),
@@ -135,7 +139,7 @@ void setTree(const Trees& trees, const JointTree& tree) {
 /// From the twigs to the root.
 void factorLimb(const Trees& trees, const JointTree& tree, std::int32_t i) {
     Limb& limb = trees.limb(i);
-    limb.own = inverse(limb.own);
+    limb.own = limb.turns ? inverse(limb.own) : inverseUnturned(limb.own);
     if (hasLink(tree, i)) stiffen(limb, trees.link(i), trees.parentOf(trees.link(i)));
 }
 
@@ -203,7 +207,6 @@ void giveTree(const Trees& trees, JointTree& tree) {
             limb.impulse = limb.own * limb.impulse;
         }
         // What trees give is not given again in the next substep: they find it anew, along the arms of then.
-        if (!limb.turns) limb.impulse.turn = 0.0;
         addChange(trees.work.velocity[static_cast<std::size_t>(limb.slot)], limb.impulse);
         addChange(trees.work.undisturbed[static_cast<std::size_t>(limb.slot)], limb.impulse);
         tree.gain += gainOf(limb, limb.impulse);
@@ -346,9 +349,8 @@ void prepareLimb(const World& world, const Workspace& work, Limb& limb) {
     const BodyMass& mass = world.bodies.mass[limb.body];
     limb.slot = work.slots[limb.body];
     limb.mass = 1.0 / std::max(static_cast<double>(mass.inverseMass), 1.0e-30);
-    // What cannot be turned is very hard to, and what is left of it is dropped.
     limb.turns = mass.inverseInertia > 0.0f;
-    limb.inertia = limb.turns ? 1.0 / static_cast<double>(mass.inverseInertia) : 1.0e10 * limb.mass;
+    limb.inertia = limb.turns ? 1.0 / static_cast<double>(mass.inverseInertia) : 0.0;
 }
 
 }  // namespace

@@ -50,4 +50,10 @@ inline Symmetric inverse(const Symmetric& m) {
     return w;
 }
 
+/// The same of what pushes move and never turn.
+inline Symmetric inverseUnturned(const Symmetric& m) {
+    const double scale = 1.0 / (m.xx * m.yy - m.xy * m.xy);
+    return {m.yy * scale, -m.xy * scale, m.xx * scale, 0.0, 0.0, 0.0};
+}
+
 }  // namespace plumb::physics

@@ -18,9 +18,16 @@ constexpr float kMemory = 2.0f;
 constexpr float kPeakMemory = 4.0f;
 /// Of that peak, joints may add this part in all.
 constexpr float kMostGain = 0.005f;
-/// Ratio to Settings::pushSpeed: who is no faster is let be. What hangs too low, in joints that gave way, is
-/// lifted at such speeds.
-constexpr float kCreeping = 0.1f;
+/// Of what an island without joints has, contacts may seem to add this part in a step.
+constexpr float kContactGain = 1e-3f;
+/// Ratios to Settings::pushSpeed: who is no faster is let be, among contacts and among joints. At such speeds
+/// things that overlap part, and what hangs too low in joints that gave way is lifted.
+constexpr float kParting = 0.1f;
+constexpr float kCreeping = 0.006f;
+/// Who keeps less than this part of its speed has not got where it should be either.
+constexpr float kWhipped = 0.5f;
+/// Nor has who went further than speeds of so many times its energy explain, or joints that close.
+constexpr float kWhippedWay = 4.0f;
 /// Who has so many times the energy that it had, or that it has at ten times the speed at which joints close,
 /// is not slowed down but stopped: its places are wrong as well.
 constexpr float kWild = 100.0f;
@@ -45,20 +52,84 @@ EnergyAccount& accountOf(World& world, Workspace& work, std::uint32_t a, std::ui
     return work.accounts[rootOf(world, isPushed(world, b) ? b : a)];
 }
 
-/// The roots of all awake bodies that can be pushed, and an account for each island with joints.
+float energyOf(const BodyMass& mass, Vec2 velocity, float spin) {
+    return 0.5f * (mass.mass * lengthSquared(velocity) + mass.inertia * spin * spin);
+}
+
+/// J: what forces did to a body in this step.
+float workOn(const BodyMass& mass, const Workspace& work, std::size_t slot) {
+    const Float4 &shift = work.shift[slot], &drive = work.drive[slot];
+    return mass.mass * (drive.x * shift.x + drive.y * shift.y) + mass.inertia * drive.z * shift.z;
+}
+
+/// J: what a body had before this step.
+float energyBefore(const World& world, std::uint32_t body) {
+    const BodyMotion& before = world.bodies.motion[body];
+    return energyOf(world.bodies.mass[body], before.velocity, before.angularVelocity);
+}
+
+/// About: of spins as if all bodies were of 1 m.
+bool isSlow(const Float4& velocity, float most) {
+    const float square = velocity.x * velocity.x + velocity.y * velocity.y + velocity.z * velocity.z;
+    return square <= most * most;
+}
+
+/// For all bodies, so that a blow allocates nothing.
+void makeRoom(const World& world, Workspace& work) {
+    if (work.gainers.capacity() >= world.bodies.size()) return;
+    const std::size_t room = world.bodies.info.capacity();
+    work.gainers.reserve(room);
+    work.accounts.reserve(room);
+    work.openAccounts.reserve(room);
+    work.roots.reserve(room);
+}
+
+/// Bodies that came out of their contacts with more than they had: from others, or from nowhere.
+void findGainers(StepContext& step) {
+    const World& world = step.world;
+    Workspace& work = step.work;
+    work.gainers.clear();
+    if (!step.runs(Effect::Contacts) || step.isPlain()) return;
+    makeRoom(world, work);
+    const float slow = kParting * world.settings.pushSpeed;
+    const bool bounces = step.runs(Effect::Restitution);
+    const Float4* const velocities = work.velocity.data();
+    for (std::size_t slot = 0, end = work.bodyOf.size(); slot < end; ++slot) {
+        const Float4& velocity = velocities[slot];
+        if (isSlow(velocity, slow)) continue;  // as idle ones are
+        const std::uint32_t body = work.bodyOf[slot];
+        const BodyMass& mass = world.bodies.mass[body];
+        if (work.colourMasks[body] == 0 || (mass.inverseInertia == 0.0f && !bounces)) continue;
+        const float energy = energyOf(mass, {velocity.x, velocity.y}, velocity.z);
+        const float gain = energy - energyBefore(world, body) - workOn(mass, work, slot);
+        if (gain > std::max(kContactGain * energy, 0.5f * mass.mass * slow * slow))
+            work.gainers.push_back(body);
+    }
+}
+
+void open(Workspace& work, std::uint32_t root, bool isJointed) {
+    EnergyAccount& account = work.accounts[root];
+    if (account.isOpen) return;
+    account = {.isOpen = true, .isJointed = isJointed, .isLively = isJointed};
+    work.openAccounts.push_back(root);
+}
+
+/// The roots of all awake bodies that can be pushed, and an account for each island with joints or gainers.
 void openAccounts(World& world, Workspace& work) {
     work.accounts.resize(world.bodies.size());
     work.roots.resize(world.awake.size());
-    for (std::size_t i = 0; i < world.awake.size(); ++i) {
+    for (std::size_t i = 0, end = world.awake.size(); i < end; ++i) {
         const std::uint32_t body = world.awake[i];
         work.roots[i] = isPushed(world, body) ? islandOf(world, body) : kNone;
-        work.accounts[body].isOpen = false;
+        const bool isJointed = world.bodies.info[body].firstJoint != kNone;
+        if (isJointed && work.roots[i] != kNone) open(work, work.roots[i], true);
     }
-    for (std::size_t i = 0; i < world.awake.size(); ++i) {
-        if (work.roots[i] == kNone || world.bodies.info[world.awake[i]].firstJoint == kNone) continue;
-        EnergyAccount& account = work.accounts[work.roots[i]];
-        if (!account.isOpen) account = {.isOpen = true};
-    }
+    for (const std::uint32_t body : work.gainers) open(work, islandOf(world, body), false);
+}
+
+void closeAccounts(Workspace& work) {
+    for (const std::uint32_t root : work.openAccounts) work.accounts[root].isOpen = false;
+    work.openAccounts.clear();
 }
 
 /// Few joints are powered or hold to what cannot be pushed: only for these is the island looked up.
@@ -89,57 +160,112 @@ void noteHolders(StepContext& step) {
     }
 }
 
-float energyOf(const BodyMass& mass, Vec2 velocity, float spin) {
-    return 0.5f * (mass.mass * lengthSquared(velocity) + mass.inertia * spin * spin);
+/// Where nobody turns and nothing bounces there is nothing that could give energy; and who is solved as if
+/// there were nothing of the kind (solvePlain) has no account either.
+void noteBounces(StepContext& step) {
+    if (!step.runs(Effect::Restitution)) return;
+    for (std::size_t i = 0; i < step.work.contactKeys.size(); ++i) {
+        const Contact& contact = step.world.contacts[i];
+        if ((step.work.contactKeys[i] & kKeyColour) == kKeyIdle || contact.bounciness == 0.0f) continue;
+        accountOf(step.world, step.work, contact.bodyA, contact.bodyB).isLively = true;
+    }
 }
 
-/// What moved the bodies did so much work; the rest of what they gained came from joints and contacts.
 void book(const World& world, const Workspace& work, std::uint32_t body, EnergyAccount& account) {
     const auto slot = static_cast<std::size_t>(work.slots[body]);
+    const Float4 &velocity = work.velocity[slot], &shift = work.shift[slot];
     const BodyMass& mass = world.bodies.mass[body];
-    const BodyMotion& before = world.bodies.motion[body];
-    const Float4 &after = work.velocity[slot], &shift = work.shift[slot], &drive = work.drive[slot];
-    const float now = energyOf(mass, {after.x, after.y}, after.z);
-    const float work1 =
-        mass.mass * (drive.x * shift.x + drive.y * shift.y) + mass.inertia * drive.z * shift.z;
-    account.energy += now;
-    account.gain += now - energyOf(mass, before.velocity, before.angularVelocity) - work1;
-    account.momentum += mass.mass * Vec2{after.x, after.y};
+    const float energy = energyOf(mass, {velocity.x, velocity.y}, velocity.z);
+    const float done = workOn(mass, work, slot);
+    account.energy += energy;
+    account.work += done;
+    account.gain += energy - energyBefore(world, body) - done;
+    account.momentum += mass.mass * Vec2{velocity.x, velocity.y};
     account.mass += mass.mass;
+    account.isLively |= mass.inverseInertia > 0.0f;
+    if (!account.isJointed) return;
+    account.way += 0.5f * mass.mass * (shift.x * shift.x + shift.y * shift.y);
     const EnergyShare& share = world.bodies.energies[body];
     account.credit += share.credit;
     account.peak += share.peak;
 }
 
-/// What is left of an island's speeds, so that it has no more energy than it had or was given.
-/// @return whether the island has gone wild
-bool settle(EnergyAccount& account, float pushSpeed, float dt) {
+/// What is left after a step of something that is forgotten in `memory` seconds.
+float fade(float dt, float memory) { return std::max(0.0f, 1.0f - dt / memory); }
+
+/// Contacts give nothing back, as they are no springs: there is no credit.
+void settleContacts(EnergyAccount& account) {
+    if (account.gain > kContactGain * account.energy) account.excess = account.gain;
+}
+
+/// Joints do: for a while an island may get back what it lost.
+void settleJoints(EnergyAccount& account, float pushSpeed, float dt) {
     const float pushed = 0.5f * account.mass * pushSpeed * pushSpeed;
     account.isWild = !account.isDriven && !(account.energy <= kWild * account.peak + kWildPush * pushed);
-    if (account.isWild) return true;
-    account.peak = std::max(account.energy, account.peak * std::max(0.0f, 1.0f - dt / kPeakMemory));
+    if (account.isWild) return;
+    const float due = account.energy - account.gain + std::max(account.credit, 0.0f);
+    account.peak = std::max(std::min(account.energy, due), account.peak * fade(dt, kPeakMemory));
     account.credit -= account.gain;
-    account.keep = 1.0f;
-    const float excess = -kMostGain * account.peak - account.credit;
+    const float most = kMostGain * account.peak, excess = -most - account.credit;
     if (account.isDriven) {
         account.credit = 0.0f;
     } else if (excess > 0.0f) {
-        account.middle = account.isRooted ? Vec2{} : (1.0f / account.mass) * account.momentum;
-        const float own = account.energy - 0.5f * account.mass * lengthSquared(account.middle);
-        const float least = std::min(own, kCreeping * kCreeping * pushed);
-        account.keep = own > least ? std::sqrt(std::max(own - excess, least) / own) : 1.0f;
-        account.credit = -kMostGain * account.peak;
+        account.excess = excess;
+        account.credit = -most;
     }
+    const float farthest = (kWhippedWay * account.peak + pushed) * dt * dt;
+    if (!account.isDriven && account.way > farthest) account.part = std::sqrt(farthest / account.way);
     // What a swing takes for half its time and gives back is not forgotten.
-    const float kept = kMostGain * account.peak, fading = account.credit - kept;
-    if (fading > 0.0f) account.credit = kept + fading * std::max(0.0f, 1.0f - dt / kMemory);
-    return false;
+    const float fading = account.credit - most;
+    if (fading > 0.0f) account.credit = most + fading * fade(dt, kMemory);
+}
+
+/// What of a body's energy can be taken, and what it may keep in any case.
+void bookOwn(const World& world, const Workspace& work, std::uint32_t body, EnergyAccount& account) {
+    const Float4& velocity = work.velocity[static_cast<std::size_t>(work.slots[body])];
+    const BodyMass& mass = world.bodies.mass[body];
+    const float own = energyOf(mass, Vec2{velocity.x, velocity.y} - account.middle, velocity.z);
+    const float creeping = (account.isJointed ? kCreeping : kParting) * world.settings.pushSpeed;
+    account.own += own;
+    account.least += std::min(own, 0.5f * mass.mass * creeping * creeping);
+}
+
+/// Which part of all speeds leaves an island no more energy than it had or was given.
+float keptOf(const EnergyAccount& account) {
+    if (!(account.own > account.least)) return 1.0f;
+    return std::sqrt(std::max(account.own - account.excess, account.least) / account.own);
+}
+
+/// The same of ways, of what whips: heights are not reached that speeds cannot pay for.
+float partOf(const EnergyAccount& account) {
+    const float kept = account.keep * account.keep * account.own;
+    const float unpaid = account.excess - (account.own - kept), raised = -account.work;
+    if (!(unpaid > 0.0f && raised > 0.0f)) return account.part;
+    return std::min(account.part, std::max(account.keep * account.keep, 1.0f - unpaid / raised));
+}
+
+void findParts(EnergyAccount& account) {
+    if (account.excess > 0.0f) account.keep = keptOf(account);
+    if (account.isJointed && account.keep < kWhipped) account.part = partOf(account);
+    if (account.part == 1.0f) return;
+    // Who does not fall as far gets less from it.
+    account.excess += (1.0f - account.part) * std::max(account.work, 0.0f);
+    account.keep = keptOf(account);
 }
 
 void slowDown(Float4& velocity, const EnergyAccount& account) {
     velocity.x = account.middle.x + account.keep * (velocity.x - account.middle.x);
     velocity.y = account.middle.y + account.keep * (velocity.y - account.middle.y);
     velocity.z *= account.keep;
+}
+
+/// The same of a way: of what whips, or heights would be reached that nothing paid for.
+void shorten(Float4& shift, const EnergyAccount& account, float dt) {
+    const Vec2 middle = dt * account.middle;
+    shift.x = middle.x + account.part * (shift.x - middle.x);
+    shift.y = middle.y + account.part * (shift.y - middle.y);
+    shift.z *= account.part;
+    shift.w *= account.part;
 }
 
 /// A body of an island that went wild waits for a better step, at the speed that it had.
@@ -169,48 +295,103 @@ void forgetImpulses(World& world, Workspace& work) {
 }
 
 /// Everybody has a share of the island's account by mass, as islands fall apart and others come together.
-void share(World& world, Workspace& work, std::uint32_t body, const EnergyAccount& account) {
+void share(StepContext& step, std::uint32_t body, const EnergyAccount& account) {
+    World& world = step.world;
+    Workspace& work = step.work;
     if (account.isWild) return hold(world, work, body);
     const float part = world.bodies.mass[body].mass / account.mass;
-    world.bodies.energies[body] = {account.credit * part, account.peak * part};
-    if (account.keep < 1.0f) slowDown(work.velocity[static_cast<std::size_t>(work.slots[body])], account);
+    if (account.isJointed) world.bodies.energies[body] = {account.credit * part, account.peak * part};
+    const auto slot = static_cast<std::size_t>(work.slots[body]);
+    if (account.keep < 1.0f) slowDown(work.velocity[slot], account);
+    if (account.part < 1.0f) shorten(work.shift[slot], account, step.dt);
+}
+
+/// Calls act(body, account) with all bodies of islands that have one.
+template <class Act>
+void forBooked(World& world, Workspace& work, Act&& act) {
+    for (std::size_t i = 0; i < world.awake.size(); ++i) {
+        if (work.roots[i] == kNone) continue;
+        EnergyAccount& account = work.accounts[work.roots[i]];
+        if (account.isOpen) act(world.awake[i], account);
+    }
+}
+
+/// The same with the accounts.
+template <class Act>
+void forAccounts(Workspace& work, Act&& act) {
+    for (const std::uint32_t root : work.openAccounts) act(work.accounts[root]);
+}
+
+void settle(StepContext& step, EnergyAccount& account) {
+    if (!account.isJointed) return settleContacts(account);
+    settleJoints(account, step.world.settings.pushSpeed, step.dt);
+}
+
+bool exceeds(const EnergyAccount& account) { return account.excess > 0.0f || account.part < 1.0f; }
+
+/// Finds what each island keeps of its speeds, where it has to give some up.
+void limit(World& world, Workspace& work) {
+    forAccounts(work, [](EnergyAccount& account) {
+        if (account.isDriven || !account.isLively) account.excess = 0.0f;
+        if (!account.isRooted) account.middle = (1.0f / account.mass) * account.momentum;
+    });
+    forBooked(world, work, [&](std::uint32_t body, EnergyAccount& account) {
+        if (exceeds(account)) bookOwn(world, work, body, account);
+    });
+    forAccounts(work, [](EnergyAccount& account) {
+        if (exceeds(account)) findParts(account);
+    });
+}
+
+/// Who has no joints any more has no account.
+void forgetShares(World& world, const Workspace& work) {
+    world.bodies.energies.resize(world.bodies.size());
+    for (std::size_t i = 0; i < world.awake.size(); ++i) {
+        if (work.roots[i] == kNone) continue;
+        const EnergyAccount& account = work.accounts[work.roots[i]];
+        if (!account.isOpen || !account.isJointed) world.bodies.energies[world.awake[i]] = {};
+    }
 }
 
 }  // namespace
 
 // Joints do no work, and contacts only take energy. Solved by turns, in substeps that may be too long for
 // what whips or is squeezed, they seem to do some. So each island with joints has an account: what it gained
-// that nobody gave it is taken back, all speeds alike, but for what it lost a moment before. Source: the
-// "energy tanks" of passive control, e.g. B. Hannaford and J.-H. Ryu, "Time-Domain Passivity Control of
-// Haptic Interfaces", IEEE Transactions on Robotics and Automation 18, 2002.
+// that nobody gave it is taken back, all speeds alike, but for what it lost a moment before. One without has
+// it for the step in which a body of it gained something. Source: the "energy tanks" of passive control, e.g.
+// B. Hannaford and J.-H. Ryu, "Time-Domain Passivity Control of Haptic Interfaces", IEEE Transactions on
+// Robotics and Automation 18, 2002.
 void keepEnergy(StepContext& step) {
     World& world = step.world;
     Workspace& work = step.work;
-    if (world.joints.awake.empty()) return;
+    const bool hasJoints = !world.joints.awake.empty();
+    findGainers(step);
+    if (!hasJoints && work.gainers.empty()) return;
     if (world.islandsStale) rebuildIslands(world);
-    world.bodies.energies.resize(world.bodies.size());
     openAccounts(world, work);
-    noteJoints(world, work);
-    noteHolders(step);
-    const auto forBodies = [&](auto&& act) {
-        for (std::size_t i = 0; i < world.awake.size(); ++i) {
-            if (work.roots[i] != kNone) act(world.awake[i], work.accounts[work.roots[i]]);
-        }
-    };
-    forBodies([&](std::uint32_t body, EnergyAccount& account) {
-        if (account.isOpen) book(world, work, body, account);
-    });
-    bool wild = false;
-    for (std::size_t i = 0; i < world.awake.size(); ++i) {
-        EnergyAccount& account = work.accounts[world.awake[i]];
-        if (work.roots[i] == world.awake[i] && account.isOpen)
-            wild |= settle(account, world.settings.pushSpeed, step.dt);
+    if (hasJoints) {
+        forgetShares(world, work);
+        noteJoints(world, work);
+        noteHolders(step);
     }
-    forBodies([&](std::uint32_t body, const EnergyAccount& account) {
-        if (account.isOpen) return share(world, work, body, account);
-        world.bodies.energies[body] = {};
+    forBooked(world, work,
+              [&](std::uint32_t body, EnergyAccount& account) { book(world, work, body, account); });
+    bool wild = false, tooMuch = false;
+    forAccounts(work, [&](EnergyAccount& account) {
+        settle(step, account);
+        wild |= account.isWild;
+        tooMuch |= exceeds(account);
     });
+    if (tooMuch) {
+        if (!hasJoints) noteHolders(step);  // who only gained from others never asks
+        noteBounces(step);
+        limit(world, work);
+    }
+    if (hasJoints || tooMuch)
+        forBooked(world, work,
+                  [&](std::uint32_t body, const EnergyAccount& account) { share(step, body, account); });
     if (wild) forgetImpulses(world, work);
+    closeAccounts(work);
 }
 
 }  // namespace plumb::physics

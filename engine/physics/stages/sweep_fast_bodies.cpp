@@ -25,6 +25,12 @@ constexpr float kGap = 0.1f;
 /// already, spinning or pressed, ever smaller cores are held back.
 constexpr float kCores[] = {0.5f, 0.25f, 0.1f, 0.02f};
 
+/// Who gets no further than this part of its way is wedged: it reaches into something already, and turns
+/// under it faster than its contact can follow. Else it would stay there at full speed.
+constexpr float kWedged = 0.02f;
+/// Of its speeds.
+constexpr float kKeptWhenWedged = 0.5f;
+
 class Core {
 public:
     Core(const Geometry& geometry, std::span<const Corner> pool, float part)
@@ -167,7 +173,8 @@ void takeBackGain(StepContext& step, std::uint32_t body, Vec2 way, float part) {
     const Workspace& work = step.work;
     const auto slot = static_cast<std::size_t>(work.slots[body]);
     const Float4& flight = work.flight[slot];
-    const bool held = flight.x == 0.0f && flight.y == 0.0f;
+    const bool tied = step.world.bodies.info[body].firstJoint != kNone;
+    const bool held = tied || (flight.x == 0.0f && flight.y == 0.0f);
     const Vec2 pull{work.drive[slot].x, work.drive[slot].y};
     Vec2& velocity = step.world.bodies.motion[body].velocity;
     if (held) {
@@ -183,6 +190,10 @@ void takeBackGain(StepContext& step, std::uint32_t body, Vec2 way, float part) {
 void setBack(StepContext& step, std::uint32_t body, const Sweep& sweep, float from) {
     World& world = step.world;
     takeBackGain(step, body, sweep.way, from - sweep.end);
+    if (sweep.end < kWedged) {
+        world.bodies.motion[body].velocity *= kKeptWhenWedged;
+        world.bodies.motion[body].angularVelocity *= kKeptWhenWedged;
+    }
     world.bodies.pose[body] = sweep.at(sweep.end);
     Shapes& shapes = world.shapes;
     for (std::uint32_t s = world.bodies.info[body].firstShape; s != kNone; s = shapes.info[s].next) {
