@@ -44,6 +44,11 @@ std::uint32_t leaderOf(const SoftMeetings& meetings, std::uint32_t body) {
     return body;
 }
 
+void join(SoftMeetings& meetings, std::uint32_t a, std::uint32_t b) {
+    const std::uint32_t first = leaderOf(meetings, a), second = leaderOf(meetings, b);
+    meetings.leaders[std::max(first, second)] = std::min(first, second);
+}
+
 /// One body's particles against another's edges.
 class Finder {
 public:
@@ -179,7 +184,8 @@ bool aim(const SoftMeeting& which, Meeting& meeting) {
 
 }  // namespace
 
-void groupSoftBodies(const World& world, float dt, SoftMeetings& meetings) {
+void groupSoftBodies(const World& world, float dt, std::span<const SoftNeighbour> neighbours,
+                     SoftMeetings& meetings) {
     const std::vector<SoftBody>& all = world.softBodies.all;
     meetings.order.clear();
     for (std::uint32_t i = 0; i < all.size(); ++i) {
@@ -195,10 +201,13 @@ void groupSoftBodies(const World& world, float dt, SoftMeetings& meetings) {
     for (const std::uint32_t b : meetings.order) {
         for (const std::uint32_t a : meetings.order) {
             if (a == b) break;
-            if (!overlap(meetings.boxes[a], meetings.boxes[b]) || !mayMeet(all[a], all[b])) continue;
-            const std::uint32_t first = leaderOf(meetings, a), second = leaderOf(meetings, b);
-            meetings.leaders[std::max(first, second)] = std::min(first, second);
+            if (overlap(meetings.boxes[a], meetings.boxes[b]) && mayMeet(all[a], all[b]))
+                join(meetings, a, b);
         }
+    }
+    for (std::size_t i = 1; i < neighbours.size(); ++i) {
+        if (neighbours[i].body == neighbours[i - 1].body)
+            join(meetings, neighbours[i].soft, neighbours[i - 1].soft);
     }
     for (const std::uint32_t body : meetings.order) meetings.leaders[body] = leaderOf(meetings, body);
     std::sort(meetings.order.begin(), meetings.order.end(), [&](std::uint32_t a, std::uint32_t b) {

@@ -3,6 +3,7 @@
 #include <span>
 #include <vector>
 
+#include "physics/soft_obstacles.hpp"
 #include "physics/world.hpp"
 
 namespace plumb::physics {
@@ -42,8 +43,9 @@ struct SoftMeetings {
     std::vector<SoftMeeting> all;      ///< of one group
 };
 
-/// Puts those that may meet within a step of dt seconds beside each other in `order`.
-void groupSoftBodies(const World& world, float dt, SoftMeetings& meetings);
+/// Puts those that may meet within a step of dt seconds, or push one body, beside each other in `order`.
+void groupSoftBodies(const World& world, float dt, std::span<const SoftNeighbour> neighbours,
+                     SoftMeetings& meetings);
 /// Finds all meetings within a group of `order`.
 void findMeetings(const World& world, float dt, std::span<const std::uint32_t> group, SoftMeetings& meetings);
 /// Pushes those apart who are too near at the end of a substep of h seconds. Keeps momentum.

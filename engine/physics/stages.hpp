@@ -62,9 +62,11 @@ void colourJoints(StepContext& step);
 void explode(StepContext& step);
 /// Reads: fields, rest times. Writes: fields of bodies that are gone; who is woken by a spring.
 void prepareFields(StepContext& step);
-/// Reads: geometry, poses, work.broadPhase. Writes: soft bodies; motions of bodies that they push.
+/// Reads: geometry, poses, contacts, work.broadPhase. Writes: soft bodies; motions of bodies that they push,
+/// and work.softSurroundings (with what they push all step long).
 void moveSoftBodies(StepContext& step);
-/// Reads: drives, masses, settings. Writes: work.slots, work.groups, work.velocity and its kin.
+/// Reads: drives, masses, settings, pushes of soft bodies. Writes: work.slots, work.groups, work.velocity and
+/// its kin.
 void gatherBodies(StepContext& step);
 /// Reads: fields, poses, motions, work.slots. Writes: work.drive, work.smooth (who is integrated freely).
 void applyFields(StepContext& step);

@@ -12,6 +12,7 @@
 #include "physics/narrowphase/sweep.hpp"
 #include "physics/pair_set.hpp"
 #include "physics/soft_meetings.hpp"
+#include "physics/soft_obstacles.hpp"
 #include "physics/solver/colours.hpp"
 #include "physics/solver/contact_block.hpp"
 #include "physics/solver/joint_work.hpp"
@@ -184,8 +185,7 @@ struct Workspace {
     std::vector<RollingBlock> fixedRollings;
     std::vector<AxisLock> locks;
     JointWork joints;
-    std::vector<std::uint32_t> softShapes;     ///< near soft bodies, one after the other
-    std::vector<std::uint32_t> softShapeEnds;  ///< by soft body of a group: where its shapes end
+    SoftSurroundings softSurroundings;
     SoftMeetings softMeetings;
     SmoothForces smooth;                     ///< where there are fields
     std::vector<std::uint32_t> solveOrder;   ///< awake bodies by group; empty where there is one group

@@ -98,6 +98,21 @@ TEST(PlaygroundScenes, goldenHashesAreThoseOfEveryMachine) {
     EXPECT_EQ(text, *golden);
 }
 
+/// What lies on jellies rocks and rolls for a while, and then no more: contacts feed nothing.
+TEST(PlaygroundScenes, softBodiesLetWhatLiesOnThemRest) {
+    constexpr float kSlow = 1.0f;      // px/s
+    constexpr float kTurning = 0.05f;  // rad/s
+    Playground play{"softbodies"};
+    play.run(1200);
+    for (int tick = 0; tick < 300; ++tick) {
+        play.run(1);
+        for (auto [entity, body] : std::as_const(play.game.world).query<const RigidBody>()) {
+            ASSERT_LT(length(body.velocity), kSlow) << tick;
+            ASSERT_LT(std::fabs(body.angularVelocity), kTurning) << tick;
+        }
+    }
+}
+
 TEST(PlaygroundScenes, theMenuAndTheKeysLeadToEveryScene) {
     const auto current = [](Playground& play) {
         const std::string path = play.game.world.resource<LoadedScenes>().scenes.front().path;

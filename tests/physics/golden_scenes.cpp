@@ -209,7 +209,7 @@ World makeCloth() {
     for (const int corner : {0, 24}) static_cast<void>(pinParticle(world, cloth, corner, true));
     add(world, {.position = {0.3, 7.0}}, circle(0.5f));
     crate(world, {-1.0, 9.0}, {0.4f, 0.3f});
-    crate(world, {2.0, 0.5});
+    for (const double y : {0.5, 1.5}) crate(world, {2.0, y});
     return world;
 }
 

@@ -78,6 +78,27 @@ void applyDrag(const World& world, Workspace& work, std::uint32_t body, std::siz
     work.drive[slot].z *= angular.drive / h;
 }
 
+/// What soft bodies push with all step long is like gravity for the solver.
+void applySoftPush(const World& world, Workspace& work, const SoftPush& push, float dt) {
+    if (work.slots[push.body] < 0) return;
+    const auto slot = static_cast<std::size_t>(work.slots[push.body]);
+    const auto group = std::find_if(work.groups.begin(), work.groups.end(), [&](const SolveGroup& g) {
+        return slot < static_cast<std::size_t>(g.end);
+    });
+    const float h = dt / static_cast<float>(group->substeps);
+    const BodyDrive& drive = world.bodies.driveOf(push.body);
+    const Decay linear = decayOf(drive.linearDrag, h), angular = decayOf(drive.angularDrag, h);
+    Float4& sum = work.drive[slot];
+    sum.x += linear.drive / h * push.acceleration.x;
+    sum.y += linear.drive / h * push.acceleration.y;
+    sum.z += angular.drive / h * push.spinUp;
+    if (!isFree(world, work, push.body)) return;
+    const Float4 way =
+        flightOf({push.acceleration.x, push.acceleration.y, 0.0f, 0.0f}, linear, drive.linearDrag, h);
+    work.flight[slot].x += way.x;
+    work.flight[slot].y += way.y;
+}
+
 void makeRoom(StepContext& step, std::size_t slots) {
     Workspace& work = step.work;
     work.slots.assign(step.world.bodies.size(), -1);
@@ -130,6 +151,8 @@ void gatherBodies(StepContext& step) {
         });
         order += group.bodies;
     }
+    if (!step.runs(Effect::SoftBodies)) return;
+    for (const SoftPush& push : work.softSurroundings.pushes) applySoftPush(world, work, push, step.dt);
 }
 
 }  // namespace plumb::physics

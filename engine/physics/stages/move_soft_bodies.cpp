@@ -1,10 +1,8 @@
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <span>
 
 #include "math/portable.hpp"
-#include "physics/broadphase_update.hpp"
 #include "physics/effects/field_types.hpp"
 #include "physics/shapes/shape_types.hpp"
 #include "physics/sleeping.hpp"
@@ -19,17 +17,17 @@ constexpr float kRousing = 0.5f;
 
 /// One soft body in one substep.
 struct SoftStep {
-    World& world;
+    StepContext& step;
     SoftBody& body;
     std::span<const std::uint32_t> shapes;  // near it
     float h;                                // s
-    float elapsed;                          // s since the start of the step
+    float left;                             // ratio of the step, from the middle of this substep on
 };
 
 /// Each particle is as wide in the wind as the way to its neighbour.
 void blowOn(const SoftStep& soft, const FieldDefinition& wind) {
     if ((wind.layers & soft.body.layers) == 0) return;
-    const Vec2 air = airOf(wind, soft.world.steps);
+    const Vec2 air = airOf(wind, soft.step.world.steps);
     const float width = soft.body.links.empty() ? 2.0f * soft.body.radius : soft.body.links.front().length;
     for (SoftParticle& p : soft.body.particles) {
         if (p.inverseMass == 0.0f || !isInRegion(wind, p.place)) continue;
@@ -40,17 +38,17 @@ void blowOn(const SoftStep& soft, const FieldDefinition& wind) {
 }
 
 void blow(const SoftStep& soft) {
-    if (!soft.world.manifest.runs(Effect::Wind)) return;
-    for (const Field& field : soft.world.fields.all) {
+    if (!soft.step.world.manifest.runs(Effect::Wind)) return;
+    for (const Field& field : soft.step.world.fields.all) {
         if (field.isAlive && field.definition.kind == FieldKind::Wind) blowOn(soft, field.definition);
     }
 }
 
 void moveFreely(const SoftStep& soft) {
-    const bool pulled = (soft.world.manifest.pinnedOff & Manifest::bit(Effect::Gravity)) == 0;
-    const Vec2 pull = pulled ? soft.world.settings.gravity : Vec2{};
+    const bool pulled = (soft.step.world.manifest.pinnedOff & Manifest::bit(Effect::Gravity)) == 0;
+    const Vec2 pull = pulled ? soft.step.world.settings.gravity : Vec2{};
     const float kept = exponential(-soft.body.damping * soft.h);
-    const float most = soft.world.settings.maxSpeed;
+    const float most = soft.step.world.settings.maxSpeed;
     for (SoftParticle& p : soft.body.particles) {
         p.before = p.place;
         if (p.inverseMass == 0.0f) continue;
@@ -104,63 +102,42 @@ void keepArea(const SoftStep& soft) {
     }
 }
 
-/// A shape's body as a particle meets it.
-struct Obstacle {
-    Place centre;  // m, now
-    float inverseMass = 0.0f;
-    float inverseInertia = 0.0f;
-    bool rests = false;
-};
-
-Obstacle obstacleOf(const SoftStep& soft, std::uint32_t body) {
-    const World& world = soft.world;
-    const BodyInfo& info = world.bodies.info[body];
-    Obstacle obstacle{world.bodies.pose[body].centre + soft.elapsed * world.bodies.motion[body].velocity};
-    obstacle.rests = info.kind == BodyKind::Dynamic && info.place == kNone;
-    if (info.kind == BodyKind::Dynamic && !obstacle.rests) {
-        obstacle.inverseMass = world.bodies.mass[body].inverseMass;
-        obstacle.inverseInertia = world.bodies.mass[body].inverseInertia;
-    }
-    return obstacle;
+/// m: how much of an overlap that was there before is taken away in a substep.
+float easedOf(const SoftStep& soft, float overlap) {
+    const Settings& settings = soft.step.world.settings;
+    return std::min(overlap, (settings.pushSpeed + settings.deepPushRate * overlap) * soft.h);
 }
 
-void pushBody(World& world, std::uint32_t body, const Obstacle& obstacle, Vec2 arm, Vec2 impulse) {
-    BodyMotion& motion = world.bodies.motion[body];
-    motion.velocity += obstacle.inverseMass * impulse;
-    motion.angularVelocity += obstacle.inverseInertia * cross(arm, impulse);
-}
-
-/// Pushes a particle out of a shape, and the shape's body away from the particle.
-void keepOut(const SoftStep& soft, SoftParticle& p, std::uint32_t shape) {
-    World& world = soft.world;
-    const std::uint32_t body = world.shapes.info[shape].body;
-    const Obstacle obstacle = obstacleOf(soft, body);
-    const BodyPose& pose = world.bodies.pose[body];
+/// Stops what comes nearer than the radius. Of an overlap, what came in this substep is an impulse on both;
+/// the rest is put right and gives no speed, or it would feed them.
+void keepOut(const SoftStep& soft, SoftParticle& p, std::uint32_t shape, SoftObstacle& obstacle) {
+    const World& world = soft.step.world;
     const Vec2 arm = p.place - obstacle.centre;
     const ClosestPoint nearest = closestPoint(world.shapes.geometry[shape], world.shapes.corners,
-                                              pose.localCentre + unrotate(pose.rotation, arm));
+                                              obstacle.localCentre + unrotate(obstacle.rotation, arm));
     const float depth = soft.body.radius - nearest.distance;
     if (!(depth > 0.0f)) return;
-    const Vec2 normal = rotate(pose.rotation, nearest.normal);
-    const float lever = cross(arm, normal);
-    const float weight = p.inverseMass + obstacle.inverseMass + obstacle.inverseInertia * lever * lever;
-    if (weight <= 0.0f) return;
-    const float push = depth / weight;
-    p.place = p.place + (push * p.inverseMass) * normal;
-    const BodyMotion& motion = world.bodies.motion[body];
-    const Vec2 surface = motion.velocity + cross(motion.angularVelocity, arm);
-    const Vec2 slid = (p.place - p.before) - soft.h * surface;
-    const Vec2 along = perpendicular(normal);
-    const float slip = std::clamp(dot(slid, along), -soft.body.friction * depth, soft.body.friction * depth);
-    p.place = p.place + -(p.inverseMass / weight * slip) * along;
-    pushBody(world, body, obstacle, arm, (-push / soft.h) * normal + (slip / (weight * soft.h)) * along);
-    if (obstacle.rests && length(p.velocity) > kRousing) wake(world, body);
+    if (obstacle.rests && length(p.velocity) > kRousing) rouse(soft.step, obstacle);
+    const Vec2 normal = rotate(obstacle.rotation, nearest.normal), along = perpendicular(normal);
+    const Vec2 way = (p.place - p.before) - obstacle.way(arm);
+    const float came = std::clamp(-dot(way, normal), 0.0f, depth);
+    const float push = came / (p.inverseMass + obstacle.weight(arm, normal));
+    const float hold = dot(way, along) / (p.inverseMass + obstacle.weight(arm, along));
+    const float rub = std::clamp(hold, -soft.body.friction * push, soft.body.friction * push);
+    const Vec2 impulse = push * normal - rub * along;
+    const Vec2 eased = easedOf(soft, depth - came) * normal;
+    p.place = p.place + (p.inverseMass * impulse + eased);
+    p.before = p.before + eased;
+    pushObstacle(obstacle, arm, -impulse, soft.h, soft.left);
 }
 
 void keepOutOfAll(const SoftStep& soft) {
-    for (SoftParticle& p : soft.body.particles) {
-        if (p.inverseMass == 0.0f) continue;
-        for (const std::uint32_t shape : soft.shapes) keepOut(soft, p, shape);
+    SoftSurroundings& around = soft.step.work.softSurroundings;
+    for (const std::uint32_t shape : soft.shapes) {
+        SoftObstacle& obstacle = around.obstacleOf(soft.step.world.shapes.info[shape].body);
+        for (SoftParticle& p : soft.body.particles) {
+            if (p.inverseMass > 0.0f) keepOut(soft, p, shape, obstacle);
+        }
     }
 }
 
@@ -174,70 +151,35 @@ void updateVelocities(const SoftStep& soft) {
     }
 }
 
-AABB boundsOf(const SoftBody& body, float dt) {
-    constexpr float kFar = std::numeric_limits<float>::max();
-    AABB bounds{{kFar, kFar}, {-kFar, -kFar}};
-    for (const SoftParticle& p : body.particles) {
-        const Vec2 here = toVec2(p.place), there = toVec2(p.place + dt * p.velocity);
-        bounds = {min(bounds.min, min(here, there)), max(bounds.max, max(here, there))};
-    }
-    return grown(bounds, 2.0f * body.radius);
-}
-
-/// Puts the shapes near a soft body behind those of others.
-void findShapes(StepContext& step, const SoftBody& body) {
-    const Shapes& shapes = step.world.shapes;
-    std::vector<std::uint32_t>& found = step.work.softShapes;
-    const auto first = static_cast<std::ptrdiff_t>(found.size());
-    if (step.work.broadPhase != nullptr) {
-        step.work.broadPhase->query(proxiesOf(step.world), boundsOf(body, step.dt), body.mask, found);
-    }
-    const auto end = std::remove_if(found.begin() + first, found.end(), [&](std::uint32_t shape) {
-        return (shapes.info[shape].flags & kTrigger) != 0 || (shapes.filter[shape].mask & body.layers) == 0;
-    });
-    found.erase(end, found.end());
-    std::sort(found.begin() + first, found.end());
-    step.work.softShapeEnds.push_back(static_cast<std::uint32_t>(found.size()));
-}
-
-/// Does something to each soft body of a group in the `index`th of `substeps`.
-template <class Act>
-void forSoftBodies(StepContext& step, std::span<const std::uint32_t> group, int substeps, int index,
-                   Act&& act) {
-    const float h = step.dt / static_cast<float>(substeps);
-    std::size_t begin = 0;
-    for (std::size_t i = 0; i < group.size(); ++i) {
-        const std::size_t end = step.work.softShapeEnds[i];
-        act(SoftStep{step.world, step.world.softBodies.all[group[i]],
-                     std::span{step.work.softShapes}.subspan(begin, end - begin), h,
-                     h * static_cast<float>(index)});
-        begin = end;
-    }
-}
-
 /// Those that may meet go through their substeps side by side.
 void moveGroup(StepContext& step, std::span<const std::uint32_t> group) {
     SoftMeetings& meetings = step.work.softMeetings;
-    step.work.softShapes.clear();
-    step.work.softShapeEnds.clear();
+    SoftSurroundings& around = step.work.softSurroundings;
     int substeps = 1;
-    for (const std::uint32_t index : group) {
-        const SoftBody& body = step.world.softBodies.all[index];
-        findShapes(step, body);
-        substeps = std::max<int>(substeps, body.substeps);
-    }
+    for (const std::uint32_t index : group)
+        substeps = std::max<int>(substeps, step.world.softBodies.all[index].substeps);
     findMeetings(step.world, step.dt, group, meetings);
+    foresee(step, group);
+    const float count = static_cast<float>(substeps), h = step.dt / count;
     for (int i = 0; i < substeps; ++i) {
-        forSoftBodies(step, group, substeps, i, [](const SoftStep& soft) {
+        const float left = 1.0f - (static_cast<float>(i) + 0.5f) / count;
+        const auto softStep = [&](std::uint32_t index) {
+            return SoftStep{step, step.world.softBodies.all[index], around.shapesOf(index), h, left};
+        };
+        moveObstacles(around, h);
+        for (const std::uint32_t index : group) {
+            const SoftStep soft = softStep(index);
             blow(soft);
             moveFreely(soft);
             keepLengths(soft);
             keepArea(soft);
             keepOutOfAll(soft);
-        });
-        keepSoftApart(step.world, step.dt / static_cast<float>(substeps), meetings.all);
-        forSoftBodies(step, group, substeps, i, updateVelocities);
+        }
+        holdObstacles(around, h);
+        keepSoftApart(step.world, h, meetings.all);
+        for (const std::uint32_t index : group) updateVelocities(softStep(index));
     }
+    pushBodies(step);
 }
 
 }  // namespace
@@ -246,7 +188,8 @@ void moveGroup(StepContext& step, std::span<const std::uint32_t> group) {
 /// "XPBD: Position-Based Simulation of Compliant Constrained Dynamics", MIG 2016.
 void moveSoftBodies(StepContext& step) {
     SoftMeetings& meetings = step.work.softMeetings;
-    groupSoftBodies(step.world, step.dt, meetings);
+    findSurroundings(step);
+    groupSoftBodies(step.world, step.dt, step.work.softSurroundings.neighbours, meetings);
     const std::span<const std::uint32_t> order = meetings.order;
     for (std::size_t begin = 0; begin < order.size();) {
         std::size_t end = begin + 1;
