@@ -133,6 +133,7 @@ void step(World& world, float dt, const StepOptions& options) {
     world.stepLength = dt;
     StepContext context{world, world.work.get(), dt, options.pool, options.hooks, effectsOf(world)};
     context.work.effectsRun = 0;
+    context.work.rootsKnown = false;
     for (const Stage& stage : kStages) {
         if (!isCalledFor(stage, context)) continue;
         const ProfileScope scope{options.profile, stage.name};

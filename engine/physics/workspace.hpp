@@ -205,7 +205,8 @@ struct Workspace {
     std::array<std::uint64_t, kEffects> effectRuns{};   ///< by effect: steps in which its code ran
     std::vector<std::uint8_t> leverageOf;               ///< by root of an island, where hasLeverage()
     std::vector<IslandHardness> hardness;               ///< by root of an island: see sortByQuality()
-    std::vector<std::uint32_t> roots;                   ///< of islands, by place in World::awake
+    bool rootsKnown = false;                            ///< in this step: findRoots()
+    std::vector<std::uint32_t> roots;                   ///< of islands, by body
     std::vector<EnergyAccount> accounts;                ///< by root, where islands are looked at for energy
     std::vector<std::uint32_t> openAccounts;            ///< which of them are in use
     std::vector<std::uint32_t> gainers;                 ///< bodies that contacts gave energy in this step

@@ -12,7 +12,7 @@
 // tolerance by which each island takes what it needs. Errors are the largest of the last second.
 //
 // Instructions, which no other machine disturbs, by valgrind, one dump for each row:
-//     valgrind --tool=callgrind --zero-before=plumbCountedSteps --dump-after=plumbCountedSteps
+//     valgrind --tool=callgrind --zero-before="plumbCountedSteps*" --dump-after="plumbCountedSteps*"
 //     and then: build/release/bin/plumb-bench quality counted tower
 
 extern "C" __attribute__((noinline)) void plumbCountedSteps(plumb::physics::World* world, int steps) {

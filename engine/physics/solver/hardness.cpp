@@ -1,6 +1,7 @@
 #include "physics/solver/hardness.hpp"
 
 #include <algorithm>
+#include <numeric>
 
 #include "physics/sleeping.hpp"
 #include "physics/solver/grow_trees.hpp"
@@ -52,13 +53,20 @@ void findHardness(World& world, Workspace& work) {
     const Vec2 down = lengthSquared(gravity) > 0.0f ? normalized(gravity) : Vec2{};
     work.hardness.assign(world.bodies.size(), IslandHardness{});
     for (const std::uint32_t body : world.awake) {
-        const std::uint32_t root = rootOf(world, body);
+        const std::uint32_t root = work.roots[body];
         addTo(work.hardness[root], world, work, body, root, down);
     }
 }
 
-std::uint32_t rootOf(World& world, std::uint32_t body) {
-    return world.bodies.info[body].kind == BodyKind::Dynamic ? islandOf(world, body) : body;
+void findRoots(World& world, Workspace& work) {
+    if (work.rootsKnown) return;
+    if (world.islandsStale) rebuildIslands(world);
+    work.roots.resize(world.bodies.size());
+    std::iota(work.roots.begin(), work.roots.end(), 0u);
+    for (const std::uint32_t body : world.awake) {
+        if (world.bodies.info[body].kind == BodyKind::Dynamic) work.roots[body] = islandOf(world, body);
+    }
+    work.rootsKnown = true;
 }
 
 }  // namespace plumb::physics

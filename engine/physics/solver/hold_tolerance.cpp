@@ -33,7 +33,7 @@ Findings openCases(World& world, Workspace& work) {
     }
     for (const std::uint32_t body : world.awake) {
         if (!isPushed(world, body)) continue;
-        IslandCase& island = work.cases[rootOf(world, body)];
+        IslandCase& island = work.cases[work.roots[body]];
         const Effort& effort = world.bodies.efforts[body];
         const Quality others = island.effort.quality;
         found.someChanged |= others != kQualityOfWorld && others != effort.quality;
@@ -47,7 +47,7 @@ Findings openCases(World& world, Workspace& work) {
 
 void measure(World& world, Workspace& work) {
     const auto note = [&](std::uint32_t a, std::uint32_t b, float error) {
-        float& most = work.cases[rootOf(world, isPushed(world, b) ? b : a)].error;
+        float& most = work.cases[work.roots[isPushed(world, b) ? b : a]].error;
         most = std::max(most, error);
     };
     if (world.manifest.runs(Effect::Contacts)) {
@@ -69,7 +69,7 @@ void measure(World& world, Workspace& work) {
 void guess(World& world, Workspace& work) {
     findHardness(world, work);
     for (const std::uint32_t body : world.awake) {
-        const std::uint32_t root = rootOf(world, body);
+        const std::uint32_t root = work.roots[body];
         IslandCase& island = work.cases[root];
         if (!island.isNew) continue;
         const int guessed =
@@ -103,7 +103,7 @@ void scaleImpulses(World& world, Workspace& work) {
         if ((contact.flags & (kTouching | kTriggered)) != kTouching) continue;
         const Quality before = world.bodies.efforts[contact.bodyB].quality;
         if (world.bodies.info[contact.bodyB].place == kNone || before == kQualityOfWorld) continue;
-        const int change = before - work.cases[rootOf(world, contact.bodyB)].effort.quality;
+        const int change = before - work.cases[work.roots[contact.bodyB]].effort.quality;
         if (change == 0) continue;
         const float ratio = powerOfTwo(change);
         for (float* impulse :
@@ -128,7 +128,7 @@ void takeDown(World& world, Workspace& work) {
     work.bodyScratch.assign(world.bodies.size(), 0);
     for (const std::uint32_t body : world.awake) {
         if (!isPushed(world, body)) continue;
-        const Effort& effort = work.cases[rootOf(world, body)].effort;
+        const Effort& effort = work.cases[work.roots[body]].effort;
         world.bodies.efforts[body] = effort;
         work.bodyScratch[body] = static_cast<std::uint32_t>(std::max(effort.quality, Quality{0}));
     }

@@ -68,7 +68,7 @@ void judgeLeverages(World& world, Workspace& work) {
         if (leverage == 0) continue;
         const Joint& joint = world.joints.hot[j];
         for (const std::uint32_t body : {joint.bodyA, joint.bodyB}) {
-            std::uint8_t& most = work.leverageOf[rootOf(world, body)];
+            std::uint8_t& most = work.leverageOf[work.roots[body]];
             most = std::max(most, leverage);
         }
     }

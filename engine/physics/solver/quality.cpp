@@ -26,7 +26,7 @@ void addGroup(Workspace& work, std::size_t kind, int bodies) {
 void addGuesses(World& world, Workspace& work) {
     findHardness(world, work);
     for (const std::uint32_t body : world.awake) {
-        const std::uint32_t root = rootOf(world, body);
+        const std::uint32_t root = work.roots[body];
         std::uint32_t& quality = work.bodyScratch[root];
         const auto extra = static_cast<std::uint32_t>(extraQuality(work.hardness[root]));
         quality = std::min(quality + extra, static_cast<std::uint32_t>(kMaxQuality));
@@ -39,22 +39,22 @@ void judgeIslands(World& world, Workspace& work) {
     std::vector<std::uint32_t>& qualities = work.bodyScratch;
     qualities.assign(world.bodies.size(), static_cast<std::uint32_t>(world.settings.quality));
     for (const std::uint32_t body : world.awake) {
-        std::uint32_t& best = qualities[rootOf(world, body)];
+        std::uint32_t& best = qualities[work.roots[body]];
         const Quality wish = std::max(world.settings.quality, wishOf(world, body));
         best = std::max(best, static_cast<std::uint32_t>(wish));
     }
     if (world.settings.automaticQuality) addGuesses(world, work);
-    for (const std::uint32_t body : world.awake) qualities[body] = qualities[rootOf(world, body)];
+    for (const std::uint32_t body : world.awake) qualities[body] = qualities[work.roots[body]];
 }
 
 void addLeverages(World& world, Workspace& work) {
     judgeLeverages(world, work);
     for (const std::uint32_t body : world.awake)
-        work.bodyScratch[body] += work.leverageOf[rootOf(world, body)] * (kMaxQuality + 1u);
+        work.bodyScratch[body] += work.leverageOf[work.roots[body]] * (kMaxQuality + 1u);
 }
 
 void sortByIsland(World& world, Workspace& work) {
-    if (world.islandsStale) rebuildIslands(world);
+    findRoots(world, work);
     world.settings.tolerance > 0.0f ? holdTolerance(world, work) : judgeIslands(world, work);
     if (hasLeverage(world, work)) addLeverages(world, work);
     const std::vector<std::uint32_t>& kinds = work.bodyScratch;

@@ -48,8 +48,8 @@ bool isPowered(const Joint& joint) {
            joint.kind == JointKind::Motor;
 }
 
-EnergyAccount& accountOf(World& world, Workspace& work, std::uint32_t a, std::uint32_t b) {
-    return work.accounts[rootOf(world, isPushed(world, b) ? b : a)];
+EnergyAccount& accountOf(const World& world, Workspace& work, std::uint32_t a, std::uint32_t b) {
+    return work.accounts[work.roots[isPushed(world, b) ? b : a]];
 }
 
 float energyOf(const BodyMass& mass, Vec2 velocity, float spin) {
@@ -114,17 +114,16 @@ void open(Workspace& work, std::uint32_t root, bool isJointed) {
     work.openAccounts.push_back(root);
 }
 
-/// The roots of all awake bodies that can be pushed, and an account for each island with joints or gainers.
-void openAccounts(World& world, Workspace& work) {
+/// An account for each island with joints or gainers.
+void openAccounts(const World& world, Workspace& work) {
     work.accounts.resize(world.bodies.size());
-    work.roots.resize(world.awake.size());
-    for (std::size_t i = 0, end = world.awake.size(); i < end; ++i) {
-        const std::uint32_t body = world.awake[i];
-        work.roots[i] = isPushed(world, body) ? islandOf(world, body) : kNone;
-        const bool isJointed = world.bodies.info[body].firstJoint != kNone;
-        if (isJointed && work.roots[i] != kNone) open(work, work.roots[i], true);
+    for (const std::uint32_t j : world.joints.awake) {
+        const Joint& joint = world.joints.hot[j];
+        for (const std::uint32_t body : {joint.bodyA, joint.bodyB}) {
+            if (isPushed(world, body)) open(work, work.roots[body], true);
+        }
     }
-    for (const std::uint32_t body : work.gainers) open(work, islandOf(world, body), false);
+    for (const std::uint32_t body : work.gainers) open(work, work.roots[body], false);
 }
 
 void closeAccounts(Workspace& work) {
@@ -309,10 +308,9 @@ void share(StepContext& step, std::uint32_t body, const EnergyAccount& account) 
 /// Calls act(body, account) with all bodies of islands that have one.
 template <class Act>
 void forBooked(World& world, Workspace& work, Act&& act) {
-    for (std::size_t i = 0; i < world.awake.size(); ++i) {
-        if (work.roots[i] == kNone) continue;
-        EnergyAccount& account = work.accounts[work.roots[i]];
-        if (account.isOpen) act(world.awake[i], account);
+    for (const std::uint32_t body : world.awake) {
+        EnergyAccount& account = work.accounts[work.roots[body]];
+        if (account.isOpen) act(body, account);
     }
 }
 
@@ -346,10 +344,9 @@ void limit(World& world, Workspace& work) {
 /// Who has no joints any more has no account.
 void forgetShares(World& world, const Workspace& work) {
     world.bodies.energies.resize(world.bodies.size());
-    for (std::size_t i = 0; i < world.awake.size(); ++i) {
-        if (work.roots[i] == kNone) continue;
-        const EnergyAccount& account = work.accounts[work.roots[i]];
-        if (!account.isOpen || !account.isJointed) world.bodies.energies[world.awake[i]] = {};
+    for (const std::uint32_t body : world.awake) {
+        const EnergyAccount& account = work.accounts[work.roots[body]];
+        if (!account.isOpen || !account.isJointed) world.bodies.energies[body] = {};
     }
 }
 
@@ -367,7 +364,7 @@ void keepEnergy(StepContext& step) {
     const bool hasJoints = !world.joints.awake.empty();
     findGainers(step);
     if (!hasJoints && work.gainers.empty()) return;
-    if (world.islandsStale) rebuildIslands(world);
+    findRoots(world, work);
     openAccounts(world, work);
     if (hasJoints) {
         forgetShares(world, work);
