@@ -160,6 +160,36 @@ TEST(Step, aBallBouncesToTheHeightThatItsBouncinessSays) {
     }
 }
 
+// Wherever in a step the blow falls, and however deep the ball is when it is found.
+TEST(Step, aBounceLosesNoHeightButWhatItsBouncinessTakes) {
+    for (const Quality quality : {Quality{0}, Quality{2}, Quality{4}}) {
+        for (const float bounciness : {0.5f, 0.9f, 1.0f}) {
+            for (int k = 0; k < 40; ++k) {
+                SCOPED_TRACE(testing::Message() << int{quality} << " " << bounciness << " " << k);
+                Playground scene;
+                scene.world.settings.quality = quality;
+                scene.floor();
+                const double fall = 2.0 + 0.004 * k;
+                const BodyId ball = scene.ball({0.0, fall + 0.5}, 0.5f, {.bounciness = bounciness});
+                double wanted = fall;
+                int bounces = 0;
+                for (float before = 0.0f; bounces < 3;) {
+                    scene.run(1);
+                    const float now = scene.velocity(ball).y;
+                    if (before < 0.0f && now > 0.0f) {
+                        ++bounces;
+                        wanted *= static_cast<double>(bounciness * bounciness);
+                        scene.run(5);  // clear of the floor
+                        const auto speed = static_cast<double>(scene.velocity(ball).y);
+                        ASSERT_NEAR(scene.y(ball) - 0.5 + speed * speed / 20.0, wanted, 2.0e-4 * wanted);
+                    }
+                    before = scene.velocity(ball).y;
+                }
+            }
+        }
+    }
+}
+
 TEST(Step, aKinematicBodyCarriesWhatStandsOnIt) {
     Playground scene;
     const BodyId lift = scene.body(BodyKind::Kinematic, {0.0, -0.5});

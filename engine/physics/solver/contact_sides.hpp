@@ -82,10 +82,26 @@ inline Approach approachIn(const Workspace& work, const FixedContactBlock& block
             work.drive[b].x * nx + work.drive[b].y * ny};
 }
 
-/// m/s: how fast they met, by v2 = v0 2 + 2 a s. Between the start of the step and the impact gravity went
-/// on: without it a ball would lose, or gain, some height in each bounce.
+/// m2/s2: what is left of the square of a speed after a way, by v2 = v0 2 + 2 a s.
+inline float squareAfter(float square, float acceleration, float way) {
+    return std::max(square + 2.0f * acceleration * way, 0.0f);
+}
+
+/// m/s: how fast they met. Between the start of the step and the impact gravity went on: without it a ball
+/// would lose, or gain, some height in each bounce.
 inline float speedOfImpact(float before, const Approach& approach) {
-    return -std::sqrt(std::max(before * before + 2.0f * approach.acceleration * approach.way, 0.0f));
+    return -std::sqrt(squareAfter(before * before, approach.acceleration, approach.way));
+}
+
+/// m/s: how fast they part at the end of the step. The bounce is where they touch, be that before the step or
+/// in it, and from there on gravity goes on too: else what is found deep inside would lose that depth of its
+/// height. Never faster than without any loss.
+/// @param gap  m, at the start of the step
+inline float speedOfBounce(float before, float bounciness, float gap, const Approach& approach) {
+    const float pull = approach.acceleration, most = squareAfter(before * before, pull, approach.way);
+    const float met = squareAfter(before * before, pull, -gap);
+    const float left = squareAfter(bounciness * bounciness * met, pull, gap + approach.way);
+    return std::sqrt(std::min(left, most));
 }
 
 }  // namespace plumb::physics

@@ -54,8 +54,9 @@ void bouncePoint(StepContext& step, Block& block, const BounceBlock& bounce, int
     if (bounce.approach[p][i] > -slowest || bounce.largest[p][i] == 0.0f) return;
     auto& point = block.points[p];
     const float speed = approachOf(step.work, block, p, i), before = point.impulse[i];
-    const float met = speedOfImpact(bounce.approach[p][i], approachIn(step.work, block, p, i, step.dt));
-    point.impulse[i] = std::max(before - point.mass[i] * (speed + bounce.bounciness[i] * met), 0.0f);
+    const float leaving = speedOfBounce(bounce.approach[p][i], bounce.bounciness[i], point.separation[i],
+                                        approachIn(step.work, block, p, i, step.dt));
+    point.impulse[i] = std::max(before - point.mass[i] * (speed - leaving), 0.0f);
     pushApart(step.work, block, p, i, point.impulse[i] - before);
 }
 

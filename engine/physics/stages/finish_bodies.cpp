@@ -12,6 +12,10 @@ namespace plumb::physics {
 namespace {
 
 constexpr int kGrain = 256;
+/// What touches and flies off gains all that its drive gives, and a little more or less by rounding.
+constexpr float kRounded = 1.001f;
+/// Of Settings::bounceSpeed: who bounced at that leaves more slowly. What creeps is pressed, or will be.
+constexpr float kLivelyPart = 0.25f;
 
 /// What one piece of work found.
 struct Findings {
@@ -74,11 +78,14 @@ void updateShapes(World& world, std::uint32_t body, Findings& found) {
 /// m: what the way of a body that slides or rolls under a steady force is too long by. A substep moves by the
 /// velocity at its end, which is h/2 of acceleration too fast; over a step that adds up to h/2 times what the
 /// velocity gained. Bodies that nothing holds fly exactly already, and a blow is no steady force.
-Vec2 overshoot(const StepContext& step, std::size_t slot, std::uint32_t body, Vec2 gained) {
+Vec2 overshoot(const StepContext& step, std::size_t slot, std::uint32_t body, Vec2 before, Vec2 velocity) {
+    const Vec2 gained = velocity - before;
     const Float4& flight = step.work.flight[slot];
     const Float4& pull = step.work.drive[slot];
     const bool held = flight.x == 0.0f && flight.y == 0.0f;
-    const float most = (pull.x * pull.x + pull.y * pull.y) * step.dt * step.dt;
+    const float slowest = kLivelyPart * step.world.settings.bounceSpeed;
+    const float rounding = lengthSquared(velocity) > slowest * slowest ? kRounded : 1.0f;
+    const float most = rounding * (pull.x * pull.x + pull.y * pull.y) * step.dt * step.dt;
     if (!held || lengthSquared(gained) > most) return {};
     if (step.world.bodies.info[body].firstJoint != kNone) return {};  // its turning would have to follow
     return (0.5f * flight.z) * gained;
@@ -100,7 +107,7 @@ bool takeAlong(StepContext& step, std::size_t slot, std::uint32_t body) {
     motion.angularVelocity = velocity.z + 0.0f;
     limitSpeed(motion, step.world.settings.maxSpeed);
     limitSpin(motion, bodies.info[body].reach, step.world.settings.maxSpeed);
-    const Vec2 way = Vec2{shift.x, shift.y} - overshoot(step, slot, body, motion.velocity - before);
+    const Vec2 way = Vec2{shift.x, shift.y} - overshoot(step, slot, body, before, motion.velocity);
     BodyPose& pose = bodies.pose[body];
     pose.centre = pose.centre + unsigned0(way);
     if (shift.z != 0.0f || shift.w != 0.0f)

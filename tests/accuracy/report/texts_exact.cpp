@@ -205,31 +205,28 @@ constexpr auto kExact = std::to_array<SceneText>({
      .number = 14,
      .title = "Ten bounces without loss",
      .answer = "A ball comes back to the same height, always; it must never gain.",
-     .shows = "It loses some hundredths of a percent and never gains. An engine without care "
-              "for the time of the blow gains 3 % in ten bounces.",
-     .choose = "The default.",
-     .why = "What is left depends on where in a step each blow falls, and that is chance."},
+     .shows = "It comes back to thousandths of a percent of its height at every quality, and "
+              "never gains. An engine without care for the time of the blow gains 3 % in ten "
+              "bounces.",
+     .choose = "Anything.",
+     .why = "At rounding with one substep already; each substep more rounds once more."},
     {.name = "bounces09",
      .number = 14,
      .title = "Ten bounces that keep 0.9 of the speed",
      .answer = "The nth height is 0.9²ⁿ of the first.",
-     .shows = "The last bounces are a quarter of a metre high and take few steps, so the step "
-              "in which the blow falls shows: 2.6 % at the default, about halved with each "
-              "doubling.",
-     .choose = "Quality 4 where heights are part of a puzzle.",
-     .order = 1.0,
-     .why = "The first order of a blow that is put at a substep's end; at 32 substeps and "
-            "more the part of it that depends on chance is as large."},
+     .shows = "The last bounces are a quarter of a metre high and take few steps. Where in a step "
+              "the blow falls, and how deep the ball is found, makes no difference: heights are "
+              "right to thousandths of a percent.",
+     .choose = "Anything.",
+     .why = "At rounding with one substep already; each substep more rounds once more."},
     {.name = "bounces05",
      .number = 14,
      .title = "Three bounces that keep half of the speed",
      .answer = "The nth height is 0.25ⁿ of the first.",
-     .shows = "The third bounce is 31 mm high and lasts 9 steps: with one substep it is off by "
-              "a third, by 5 % at the default.",
-     .choose = "Quality 3 or 4.",
-     .order = 1.0,
-     .why = "It falls faster than that; why is not known. It is the worst of three bounces, "
-            "and not the same one everywhere."},
+     .shows = "The third bounce is 31 mm high and lasts 9 steps, and is right to thousandths of a "
+              "percent.",
+     .choose = "Anything.",
+     .why = "At rounding with one substep already; each substep more rounds once more."},
     {.name = "collisions",
      .number = 15,
      .title = "Head-on collisions",
