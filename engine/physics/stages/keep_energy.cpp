@@ -159,8 +159,8 @@ void noteHolders(StepContext& step) {
     }
 }
 
-/// Where nobody turns and nothing bounces there is nothing that could give energy; and who is solved as if
-/// there were nothing of the kind (solvePlain) has no account either.
+/// Where nobody turns and nothing bounces nothing could give energy, and who is solved without either
+/// (solvePlain) has no account.
 void noteBounces(StepContext& step) {
     if (!step.runs(Effect::Restitution)) return;
     for (std::size_t i = 0; i < step.work.contactKeys.size(); ++i) {
@@ -194,6 +194,8 @@ float fade(float dt, float memory) { return std::max(0.0f, 1.0f - dt / memory); 
 
 /// Contacts give nothing back, as they are no springs: there is no credit.
 void settleContacts(EnergyAccount& account) {
+    // Of what is no number one body alone is stopped, by finishBodies().
+    if (!std::isfinite(account.gain)) return;
     if (account.gain > kContactGain * account.energy) account.excess = account.gain;
 }
 
