@@ -103,21 +103,21 @@ constexpr auto kHard = std::to_array<SceneText>({
      .title = "Pile of 500",
      .answer = "The deepest overlap after 20 s, and whether it rests.",
      .shows = "Half a thousand boxes and circles in a shaft. The deepest overlap falls with "
-              "every doubling, from 41 cm at one substep to a sixth of a millimetre at 64.",
+              "every doubling, from 41 cm at one substep to a fifth of a millimetre at 64.",
      .choose = "The default; quality 3 if overlaps show.",
      .order = 2.0},
     {.name = "cramped",
      .title = "625 circles in a box that is too small",
      .answer = "They cannot all fit; the deepest overlap.",
      .shows = "There is no right answer but a fair one: all share the lack of room. With more "
-              "substeps the deepest overlap even grows, from 26 to 34 cm.",
+              "substeps the deepest overlap even grows, from 26 to 37 cm.",
      .choose = "Anything; make the box larger.",
      .why = "The circles have no room: how much they overlap is given by the box, not by the "
             "method."},
     {.name = "pyramid465",
      .title = "Pyramid of base 30",
      .answer = "465 crates; the largest move of any in 10 s.",
-     .shows = "It sinks into itself by 75 mm at the default and by a quarter of that with each "
+     .shows = "It sinks into itself by 72 mm at the default and by a quarter of that with each "
               "doubling.",
      .choose = "Quality 3.",
      .order = 2.0},
@@ -131,8 +131,8 @@ constexpr auto kHard = std::to_array<SceneText>({
     {.name = "recovery",
      .title = "Crates put into each other",
      .answer = "Ten crates that overlap by a quarter; how fast they part.",
-     .shows = "They part calmly, below 0.8 m/s up to 16 substeps; at 64 the stiffest contacts "
-              "throw the last ones with 1.9 m/s.",
+     .shows = "They part calmly, at 0.4 m/s; at 64 substeps the stiffest contacts push the last "
+              "ones to 0.6 m/s.",
      .choose = "The default.",
      .why = "How fast they part is set by pushSpeed and the easing of overlaps, so substeps "
             "do not make it smaller."},
