@@ -1,6 +1,7 @@
 #include "physics/softbody.hpp"
 
 #include "physics/checks.hpp"
+#include "physics/sleeping.hpp"
 
 namespace plumb::physics {
 
@@ -59,6 +60,23 @@ SoftBodyId take(World& world, SoftBody&& body) {
     soft.all[index] = std::move(body);
     world.manifest.call(Effect::SoftBodies, true);
     return {index, soft.all[index].generation};
+}
+
+AABB boundsOf(const SoftBody& body) {
+    const Vec2 first = toVec2(body.particles.front().place);
+    AABB bounds{first, first};
+    for (const SoftParticle& p : body.particles)
+        bounds = {min(bounds.min, toVec2(p.place)), max(bounds.max, toVec2(p.place))};
+    return grown(bounds, 2.0f * body.radius);
+}
+
+/// What slept on it would hang in the air.
+void wakeNeighbours(World& world, const SoftBody& body) {
+    const AABB bounds = boundsOf(body);
+    for (std::size_t s = 0; s < world.shapes.size(); ++s) {
+        if (world.shapes.motion[s] == ProxyMotion::Asleep && intersects(world.shapes.bounds[s], bounds))
+            wake(world, world.shapes.info[s].body);
+    }
 }
 
 Result<Done> checkParticle(const char* where, const World& world, SoftBodyId body, int particle) {
@@ -161,6 +179,7 @@ Result<SoftBodyId> createJelly(World& world, Place place, std::span<const Vec2> 
 
 void destroySoftBody(World& world, SoftBodyId body) {
     if (!alive(world, body)) return;
+    wakeNeighbours(world, world.softBodies.all[body.index]);
     const std::uint32_t generation = body.generation;
     world.softBodies.all[body.index] = {};
     world.softBodies.all[body.index].generation = generation;

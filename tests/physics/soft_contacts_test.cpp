@@ -192,5 +192,17 @@ TEST(SoftContacts, whatRestsOnAJellyFallsAsleep) {
     EXPECT_TRUE(world.awake.empty());
 }
 
+TEST(SoftContacts, whatSleptOnAJellyFallsWhenThatIsTakenAway) {
+    World world = makeLeaning(kLeanings[0], 20.0f);
+    world.settings.sleeping = true;
+    run(world, 1200);
+    ASSERT_TRUE(world.awake.empty());
+    for (std::uint32_t i = 0; i < world.softBodies.all.size(); ++i)
+        destroySoftBody(world, {i, world.softBodies.all[i].generation});
+    EXPECT_FALSE(world.awake.empty());
+    run(world, 60);
+    EXPECT_GT(world.bodies.pose.back().centre.y, -0.5) << "it lies on the floor";
+}
+
 }  // namespace
 }  // namespace plumb::physics
