@@ -32,8 +32,10 @@ constexpr auto kHard = std::to_array<SceneText>({
               "one by one it is centimetres.",
      .choose = "Leave direct joints on; any quality.",
      .order = 2.0,
-     .why = "It swings all the time that it is looked at; measured it is 1.3, and why a "
-            "moving bridge gains less than one at rest is not known."},
+     .why = "It is straight at first and sags only by what its hinges give: the less they give, "
+            "the harder it is pulled. The sag s goes with the root of the gaps g, the pull with "
+            "1/s, and g with h2 times the pull: so g goes with h to the power of 4/3, as "
+            "measured."},
     {.name = "jointgrid100",
      .title = "Net of 100 x 100 discs",
      .answer = "Held at seven places, it swings; the mean gap of 19,800 hinges.",
