@@ -205,9 +205,9 @@ constexpr auto kExact = std::to_array<SceneText>({
      .number = 14,
      .title = "Ten bounces without loss",
      .answer = "A ball comes back to the same height, always; it must never gain.",
-     .shows = "It comes back to thousandths of a percent of its height at every quality, and "
-              "never gains. An engine without care for the time of the blow gains 3 % in ten "
-              "bounces.",
+     .shows = "It comes back to thousandths of a percent of its height at every quality; what it "
+              "gains with many substeps is rounding. An engine without care for the time of the "
+              "blow gains 3 % in ten bounces.",
      .choose = "Anything.",
      .why = "At rounding with one substep already; each substep more rounds once more."},
     {.name = "bounces09",
