@@ -77,8 +77,10 @@ bool isUp(const World& world, std::uint32_t body) {
     return info.kind == BodyKind::Dynamic && info.place != kNone;
 }
 
-/// A kinematic body of a contact may end it while the other one sleeps.
-bool canMove(const World& world, const Contact& contact) {
+/// A kinematic body can begin or end a contact while the other body sleeps, unless that rests on it: then it
+/// wakes the sleeper when it starts to move (wakeForMotion).
+bool staysInStep(const World& world, const Contact& contact) {
+    if ((contact.flags & (kTouching | kTriggered)) == kTouching) return false;
     return world.bodies.info[contact.bodyA].kind == BodyKind::Kinematic ||
            world.bodies.info[contact.bodyB].kind == BodyKind::Kinematic;
 }
@@ -89,7 +91,7 @@ void takeContactsAlong(World& world) {
     for (std::size_t i = contacts.size(); i-- > 0;) {
         const Contact& contact = contacts[i];
         if (isUp(world, contact.bodyA) || isUp(world, contact.bodyB)) continue;
-        if ((contact.flags & kTriggered) != 0 && canMove(world, contact)) continue;
+        if (staysInStep(world, contact)) continue;
         const std::uint32_t islandB = world.sleepers.islandOf[contact.bodyB];
         const std::uint32_t island = islandB != kNone ? islandB : world.sleepers.islandOf[contact.bodyA];
         if (island == kNone) continue;

@@ -73,7 +73,13 @@ struct ProxyWorld {
 
     [[nodiscard]] bool makePair(std::uint32_t a, std::uint32_t b) const {
         if (motions[a] == ProxyMotion::Gone || motions[b] == ProxyMotion::Gone) return false;
-        if (motions[a] != ProxyMotion::Awake && motions[b] != ProxyMotion::Awake) return false;
+        const auto movable = [&](std::uint32_t id) {
+            return motions[id] == ProxyMotion::Awake || motions[id] == ProxyMotion::Asleep;
+        };
+        const auto moves = [&](std::uint32_t id) {
+            return motions[id] == ProxyMotion::Awake || motions[id] == ProxyMotion::Kinematic;
+        };
+        if ((!movable(a) && !movable(b)) || (!moves(a) && !moves(b))) return false;
         return overlap(bounds[a], bounds[b]) && meet(filters[a], filters[b]);
     }
 

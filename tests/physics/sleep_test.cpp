@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "tests/physics/world_of_bodies.hpp"
 
 namespace plumb::physics {
@@ -111,6 +113,93 @@ TEST(Sleep, aSlowLiftDoesNotLeaveAnybodyInTheAir) {
     ASSERT_TRUE(setVelocity(scene.world, lift, {0.0f, -0.02f}).ok());  // slower than what counts as rest
     scene.run(600);
     EXPECT_NEAR(scene.y(crate), 0.55, 0.01);
+}
+
+/// A crate asleep on a floor, and a kinematic body of any shape that comes along at a given speed.
+struct Sweeper {
+    Sleepy scene;
+    BodyId crate;
+    BodyId sweeper;
+    float speed;
+
+    Sweeper(BroadPhaseKind kind, int shape, float metersPerSecond) : speed{metersPerSecond} {
+        scene.world.settings.broadPhase = kind;
+        crate = scene.sleeper();
+        // It is 0.1 s or 1 cm away, whichever is more; at 20 m/s it moves 0.33 m in a step.
+        const double gap = std::max(0.1 * static_cast<double>(speed), 0.01);
+        sweeper = scene.body(BodyKind::Kinematic, {-1.0 - gap, 0.5});
+        switch (shape) {
+            case 0: scene.shape(sweeper, box({0.5f, 0.4f})); break;
+            case 1: scene.shape(sweeper, circle(0.5f)); break;
+            case 2: scene.shape(sweeper, capsule({0.0f, -0.1f}, {0.0f, 0.1f}, 0.5f)); break;
+            default: {
+                const std::array<Vec2, 3> corners{Vec2{-0.5f, -0.4f}, Vec2{0.5f, 0.0f}, Vec2{-0.5f, 0.4f}};
+                EXPECT_TRUE(createPolygon(scene.world, sweeper, corners).ok());
+            }
+        }
+    }
+
+    void tick(bool byTarget) {
+        const Place next{positionOf(scene.world, sweeper).x + static_cast<double>(speed * kTick), 0.5};
+        if (byTarget) (void)moveTo(scene.world, sweeper, next, 0.0f, kTick);
+        scene.run(1);
+    }
+
+    /// The crate has to be awake as soon as the sweeper is in it by more than a contact that rests, and
+    /// what a step at this speed adds.
+    void expectWaking(bool byTarget) {
+        if (!byTarget) (void)setVelocity(scene.world, sweeper, {speed, 0.0f});
+        const double startX = scene.x(crate);
+        const double reach = startX - 1.0 - 0.005;  // where both touch, less the slop
+        while (!isAwake(scene.world, crate)) {
+            tick(byTarget);
+            ASSERT_LT(positionOf(scene.world, sweeper).x, reach + 0.011 + static_cast<double>(speed * kTick))
+                << "it passes through a sleeping crate";
+        }
+        while (positionOf(scene.world, sweeper).x < reach + 0.1) tick(byTarget);
+        EXPECT_GT(scene.x(crate), startX + 0.09) << "pushed, as nothing stops it";
+    }
+};
+
+TEST(Sleep, aKinematicBodyWakesWhatItRunsInto) {
+    for (std::uint32_t kind = 0; kind < static_cast<std::uint32_t>(BroadPhaseKind::Count); ++kind) {
+        for (int shape = 0; shape < 4; ++shape) {
+            for (const float speed : {0.01f, 0.04f, 0.3f, 1.0f, 5.0f, 20.0f}) {
+                for (const bool byTarget : {false, true}) {
+                    SCOPED_TRACE(testing::Message() << "broad phase " << kind << ", shape " << shape << ", "
+                                                    << speed << " m/s" << (byTarget ? " by moveTo" : ""));
+                    Sweeper{static_cast<BroadPhaseKind>(kind), shape, speed}.expectWaking(byTarget);
+                }
+            }
+        }
+    }
+}
+
+TEST(Sleep, aKinematicBodyWakesWhatItCreepsUpToWhileOthersFallAsleep) {
+    // Contacts of islands that fall asleep leave the step. That must not take along the pair of the sweeper
+    // and the sleeper, which do not touch yet.
+    Sweeper sweep{BroadPhaseKind::Tree, 0, 0.04f};
+    sweep.scene.crate({20.0, 0.5});
+    sweep.expectWaking(false);
+}
+
+TEST(Sleep, aKinematicTriggerSeesASleeper) {
+    Sleepy scene;
+    const BodyId crate = scene.sleeper();
+    const BodyId sensor = scene.body(BodyKind::Kinematic, {-3.0, 0.8});
+    scene.shape(sensor, box({0.5f, 0.5f}), {.isTrigger = true});
+    ASSERT_TRUE(setVelocity(scene.world, sensor, {1.0f, 0.0f}).ok());
+    int began = 0, ended = 0;
+    for (int i = 0; i < 360; ++i) {
+        scene.run(1);
+        for (const ContactEvent& event : scene.world.events) {
+            began += event.phase == ContactPhase::Began ? 1 : 0;
+            ended += event.phase == ContactPhase::Ended ? 1 : 0;
+        }
+    }
+    EXPECT_EQ(began, 1);
+    EXPECT_EQ(ended, 1);
+    EXPECT_FALSE(isAwake(scene.world, crate)) << "a trigger stops nothing";
 }
 
 TEST(Sleep, aBodyMadeAsleepWaitsToBeHit) {

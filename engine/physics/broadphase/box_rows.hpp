@@ -62,6 +62,7 @@ struct RowSearch {
     const BoxRows* own = nullptr;
     const BoxRows* others = nullptr;  ///< may be the same
     bool ownMayBeAwake = false;
+    bool allCanPair = false;                   ///< the moving and the sleeping; else one has to be awake
     bool onlyLater = false;                    ///< everybody looks, so each looks only behind itself
     const std::uint8_t* isMoved = nullptr;     ///< by proxy: nonzero for all that look
     std::uint32_t lookers[kMostLookers] = {};  ///< places, rising

@@ -25,7 +25,7 @@ constexpr bool meet(const Filter& a, const Filter& b) {
     return (a.layers & b.mask) != 0 && (b.layers & a.mask) != 0;
 }
 
-/// What a proxy does. Two that are both Static or Kinematic never make a pair, nor do two that rest.
+/// What a proxy does.
 enum class ProxyMotion : std::uint8_t {
     Gone,       ///< a free place
     Static,     ///< never moves
@@ -33,6 +33,14 @@ enum class ProxyMotion : std::uint8_t {
     Kinematic,  ///< moves, cannot be pushed
     Awake       ///< movable, may move
 };
+
+/// Whether two proxies can make a pair: one of them can be pushed, and one of them moves. So a kinematic
+/// proxy pairs with sleepers as well, which it has to wake, but not with what nothing pushes.
+constexpr bool canPair(ProxyMotion a, ProxyMotion b) {
+    if (a == ProxyMotion::Awake || b == ProxyMotion::Awake) return true;
+    return (a == ProxyMotion::Kinematic && b == ProxyMotion::Asleep) ||
+           (a == ProxyMotion::Asleep && b == ProxyMotion::Kinematic);
+}
 
 /// The shapes as a broad phase sees them: three arrays indexed by shape. A view; nothing is owned.
 /// Bounds are already fattened by a margin; they change only when a shape leaves them.
@@ -67,7 +75,7 @@ public:
     /// several times faster with `moved` in this order, and its parts for threads best are pieces of it.
     virtual void arrange(std::span<std::uint32_t> moved) = 0;
     /// Appends each pair of a proxy of `moved` with any other whose bounds overlap, whose filters meet, and
-    /// of which one is Awake. A pair of two moved ones is given once. Any order. May run on several threads
+    /// of which the motions can pair. A pair of two moved ones is given once. Any order. May run on several threads
     /// at once for different parts of `moved`.
     /// @param isMoved  by proxy: nonzero for all that are in `moved` of any thread
     virtual void findPairs(const Proxies& proxies, std::span<const std::uint32_t> moved,

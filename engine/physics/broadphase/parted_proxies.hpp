@@ -21,6 +21,11 @@ constexpr std::uint32_t partOf(ProxyMotion motion) {
     return kPart[static_cast<std::size_t>(motion)];
 }
 
+/// Whether all proxies of two parts can pair (see canPair): where one part is the sleeping, the other moves.
+constexpr bool allCanPair(std::uint32_t own, std::uint32_t other) {
+    return own == kAsleepPart || other == kAsleepPart;
+}
+
 /// Where a proxy is: the part in the high 2 bits, its place there in the others.
 using ProxyPlace = std::uint32_t;
 inline constexpr ProxyPlace kNoPlace = 0xffffffffu;

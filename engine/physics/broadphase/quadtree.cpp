@@ -14,15 +14,15 @@ void QuadtreeBroadPhase::findPairs(const Proxies&, std::span<const std::uint32_t
         if (looker.box == kNowhere) continue;
         for (std::uint32_t other = own == kMovingPart ? 0u : kMovingPart; other < kParts; ++other) {
             const LooseQuadtree& tree = proxies_.parts[other];
-            // Of two that both rest none is awake, so only who is awake looks among them.
-            if (other != kMovingPart && !looker.awake) continue;
+            // Only awake proxies pair with static ones.
+            if (other == kStaticPart && !looker.awake) continue;
             if (tree.size() == 0 || !tree.mayMeet(looker.filter)) continue;
             tree.visitNear(looker.box, nullptr, [&](std::uint32_t partner) {
                 const LooseQuadtree::Item& item = tree.itemAt(partner);
                 // Of two that look one reports: the lower of those that move, else who may be awake.
                 const bool theirs = own == other ? item.id <= id : own != kMovingPart;
                 if ((theirs && isMoved[item.id] != 0) || item.id == id) return;
-                if (!looker.awake && !item.awake) return;
+                if (!looker.awake && !item.awake && !allCanPair(own, other)) return;
                 if (meet(looker.filter, item.filter)) pairs.push_back(pairKey(id, item.id));
             });
         }

@@ -34,12 +34,13 @@ public:
     void findPairs(const Proxies&, std::span<const std::uint32_t> moved,
                    std::span<const std::uint8_t> isMoved, std::vector<PairKey>& pairs) const override {
         for (std::uint32_t own = 0; own < kParts; ++own) {
-            // Of two that both rest none is awake, so they look only among those who move.
+            // Proxies that rest pair only with proxies that move.
             for (std::uint32_t other = own == kMovingPart ? 0u : kMovingPart; other < kParts; ++other) {
                 RowSearch search;
                 search.own = &proxies_.parts[own].rows();
                 search.others = &proxies_.parts[other].rows();
                 search.ownMayBeAwake = own == kMovingPart;
+                search.allCanPair = allCanPair(own, other);
                 search.onlyLater = own == other && proxies_.areAllArranged(own);
                 search.isMoved = isMoved.data();
                 if (search.own->size() > 0 && search.others->size() > 0)
@@ -75,12 +76,10 @@ public:
     void visitRegions(RegionVisitor& visitor) const { proxies_.visitRegions(visitor); }
 
 private:
-    /// Whether somebody who moved looks at all.
+    /// Whether a proxy that moved can have partners at all.
     static bool looks(const RowSearch& search, std::uint32_t place) {
-        // Kinematic ones meet only who is awake, and none of those rests.
-        if (search.ownMayBeAwake && search.own != search.others &&
-            search.own->states[place] != BoxRows::kAwake)
-            return false;
+        const bool amongStatic = search.ownMayBeAwake && search.own != search.others && !search.allCanPair;
+        if (amongStatic && search.own->states[place] != BoxRows::kAwake) return false;
         return search.others->mayMeet(search.own->filters[place]) && search.own->boxAt(place) != kNowhere;
     }
 

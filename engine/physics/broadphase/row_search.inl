@@ -25,10 +25,11 @@ PLUMB_TARGET inline void takeHits(const RowSearch& search, const std::uint32_t* 
         // Of two that look one reports: the first in the same rows, else who may be awake.
         const bool left = same ? j <= i : !search.ownMayBeAwake;
         const bool reported = left & (search.isMoved[b] != 0);
-        const bool awake = (own.states[i] | others.states[j]) == BoxRows::kAwake;
+        const bool paired =
+            search.allCanPair | ((own.states[i] | others.states[j]) == BoxRows::kAwake);
         found[count] = pairKey(a, b);
         const bool met = meet(own.filters[i], others.filters[j]);
-        count += (awake & !reported & (a != b) & met) ? 1u : 0u;
+        count += (paired & !reported & (a != b) & met) ? 1u : 0u;
     }
     pairs.insert(pairs.end(), found, found + count);
 }

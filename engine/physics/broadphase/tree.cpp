@@ -23,8 +23,9 @@ void TreeBroadPhase::findPairs(const Proxies&, std::span<const std::uint32_t> mo
         search.ownMayBeAwake = part == kMovingPart;
         search.leaf = inPart(place) / kBranch;
         for (std::uint32_t other = part == kMovingPart ? 0u : kMovingPart; other < kParts; ++other) {
-            // Of two that both rest none is awake, so only who is awake looks among them.
-            search.lanes = other == kMovingPart ? lanes : lanes & search.own->leaves()[search.leaf].awake;
+            // Only awake proxies pair with static ones.
+            search.lanes = other == kStaticPart ? lanes & search.own->leaves()[search.leaf].awake : lanes;
+            search.allCanPair = allCanPair(part, other);
             search.others = &proxies_.parts[other];
             if (search.lanes != 0 && search.others->size() > 0) searches_.trees.findPairs(search, pairs);
         }

@@ -15,6 +15,7 @@ struct TreeSearch {
     std::uint32_t leaf = 0;              ///< of `own`
     std::uint32_t lanes = 0;             ///< bits: those of it that look
     bool ownMayBeAwake = false;
+    bool allCanPair = false;                ///< the moving and the sleeping; else one has to be awake
     const std::uint8_t* isMoved = nullptr;  ///< by proxy: nonzero for all that look
 };
 

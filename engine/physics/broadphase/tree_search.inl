@@ -66,9 +66,9 @@ struct Lookers {
     Wide boxes[kBranch];
     std::uint32_t lanes[kBranch];
     std::uint32_t count = 0;
-    std::uint64_t everybody = 0;  ///< of those who meet all; the others meet only who is awake
-    std::uint64_t later = 0;      ///< lanes after it, of its own leaf
-    std::uint64_t others = 0;     ///< lanes other than it
+    std::uint64_t all = 0;     ///< of lookers that pair with every lane; the others pair with awake ones
+    std::uint64_t later = 0;   ///< lanes after it, of its own leaf
+    std::uint64_t others = 0;  ///< lanes other than it
 };
 
 PLUMB_TARGET inline void collectLookers(const TreeSearch& search, std::uint32_t lanes, Lookers& lookers) {
@@ -76,7 +76,7 @@ PLUMB_TARGET inline void collectLookers(const TreeSearch& search, std::uint32_t 
     for (; lanes != 0; lanes &= lanes - 1) {
         const auto i = static_cast<std::uint32_t>(std::countr_zero(lanes));
         const std::uint32_t shift = 8 * lookers.count;
-        lookers.everybody |= std::uint64_t{own.awake >> i & 1u} * 0xff << shift;
+        lookers.all |= std::uint64_t{search.allCanPair | (own.awake >> i & 1u)} * 0xff << shift;
         lookers.later |= std::uint64_t{0xfeu << i & 0xff} << shift;
         lookers.others |= std::uint64_t{~(1u << i) & 0xff} << shift;
         lookers.boxes[lookers.count] = widenLane(own.boxes, i);
@@ -109,7 +109,7 @@ PLUMB_TARGET inline void testLeaves(const TreeSearch& search, std::uint32_t lane
         std::uint64_t bits = 0;
         for (std::uint32_t i = 0; i < lookers.count; ++i)
             bits |= std::uint64_t{bitsOf(overlaps(leaf.boxes, lookers.boxes[i]))} << 8 * i;
-        end = appendBits(bits & open & (leaf.awake * kEachByte | lookers.everybody), c * 64, end);
+        end = appendBits(bits & open & (leaf.awake * kEachByte | lookers.all), c * 64, end);
     }
     PairKey found[kMostHits];
     std::size_t count = 0;

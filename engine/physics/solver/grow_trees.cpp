@@ -71,7 +71,17 @@ private:
         const auto busy = std::count_if(reached_.begin(), reached_.end(), [&](const ReachedBody& limb) {
             return limb.joint != kNone && isBusy(world_.joints.hot[limb.joint]);
         });
-        if (loops == 0 && 2 * busy <= std::ssize(reached_) - (reached_[0].joint == kNone ? 1 : 0)) keep();
+        if (loops > 0 || 2 * busy > std::ssize(reached_) - (reached_[0].joint == kNone ? 1 : 0)) return;
+        // What closes a loop through the ground is a mechanism of few degrees of freedom. Beside a tree that is
+        // rigid at once the lanes' motor, limit or spring would see the inertia of its two bodies alone, and
+        // the singular positions of a linkage are none of the tree's.
+        if (busy + busyHolds() == 0 || held_.empty()) keep();
+    }
+
+    [[nodiscard]] std::ptrdiff_t busyHolds() const {
+        return std::count_if(held_.begin(), held_.end(), [&](const HeldJoint& held) {
+            return isBusy(world_.joints.hot[held.joint]);
+        });
     }
 
     /// @return ends of joints that lead to a body that was reached before
