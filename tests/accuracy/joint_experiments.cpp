@@ -19,13 +19,13 @@ void hangingChain(Trial& trial, float ratio, double target) {
     for (int i = 0; i < 20; ++i) {
         const BodyHandle link =
             trial.add(scenes::box({0.06f, 0.25f}), {0.0f, -0.25f - 0.5f * static_cast<float>(i)}, kGhost);
-        trial.scene().addHinge({.a = last, .b = link, .anchorA = hold, .anchorB = {0.0f, 0.25f}});
+        trial.scene().addJoint({.a = last, .b = link, .anchorA = hold, .anchorB = {0.0f, 0.25f}});
         last = link;
         hold = {0.0f, -0.25f};
     }
     const BodyHandle ball = trial.add(scenes::circle(0.5f), {0.0f, -10.5f}, kGhost);
     trial.setMass(ball, ratio * 0.06f);
-    trial.scene().addHinge({.a = last, .b = ball, .anchorA = hold, .anchorB = {0.0f, 0.5f}});
+    trial.scene().addJoint({.a = last, .b = ball, .anchorA = hold, .anchorB = {0.0f, 0.5f}});
     trial.run(10.0);
     trial.report("", std::hypot(trial.x(ball), trial.y(ball) + 10.5) * kMillimetres, "mm", target);
 }
@@ -68,14 +68,14 @@ void catenary(Trial& trial) {
              .angle = static_cast<float>(angle),
              .drag = 2.0f});
         trial.scene().addShape(rod, scenes::box({0.5f * link, 0.02f}), kGhost);
-        trial.scene().addHinge({.a = last, .b = rod, .anchorA = hold, .anchorB = {-0.5f * link, 0.0f}});
+        trial.scene().addJoint({.a = last, .b = rod, .anchorA = hold, .anchorB = {-0.5f * link, 0.0f}});
         rods.push_back(rod);
         last = rod;
         hold = {0.5f * link, 0.0f};
         x += stepX;
         y += stepY;
     }
-    trial.scene().addHinge({.a = last, .b = trial.pin({static_cast<float>(kSpan), 0.0f}), .anchorA = hold});
+    trial.scene().addJoint({.a = last, .b = trial.pin({static_cast<float>(kSpan), 0.0f}), .anchorA = hold});
     trial.run(30.0);
     const std::vector<double> angles = chainAngles(kRods, kLength, kSpan);
     const double a = catenaryOf(kRods * kLength, kSpan), low = a * (1.0 - std::cosh(0.5 * kSpan / a));
@@ -99,13 +99,13 @@ void ballAndChain(Trial& trial) {
     for (int i = 0; i < 40; ++i) {
         const BodyHandle link = trial.add(scenes::capsule({-0.5f, 0.0f}, {0.5f, 0.0f}, 0.125f),
                                           {0.5f + static_cast<float>(i), 0.0f}, kGhost);
-        trial.scene().addHinge({.a = last, .b = link, .anchorA = hold, .anchorB = {-0.5f, 0.0f}});
+        trial.scene().addJoint({.a = last, .b = link, .anchorA = hold, .anchorB = {-0.5f, 0.0f}});
         last = link;
         hold = {0.5f, 0.0f};
     }
     const BodyHandle ball = trial.add(scenes::circle(4.0f), {44.0f, 0.0f}, kGhost);
     trial.setMass(ball, 500.0f * physics::massOf(trial.world(), trial.id(last)));
-    trial.scene().addHinge({.a = last, .b = ball, .anchorA = hold, .anchorB = {-4.0f, 0.0f}});
+    trial.scene().addJoint({.a = last, .b = ball, .anchorA = hold, .anchorB = {-4.0f, 0.0f}});
     reportJoints(trial, 20.0, 5.1, 0.0);
 }
 
@@ -116,11 +116,11 @@ void bridge160(Trial& trial) {
         const BodyHandle plank =
             trial.add(scenes::box({0.5f, 0.125f}), {-79.5f + static_cast<float>(i), 20.0f},
                       {.density = 20.0f, .group = -1});
-        trial.scene().addHinge({.a = last, .b = plank, .anchorA = hold, .anchorB = {-0.5f, 0.0f}});
+        trial.scene().addJoint({.a = last, .b = plank, .anchorA = hold, .anchorB = {-0.5f, 0.0f}});
         last = plank;
         hold = {0.5f, 0.0f};
     }
-    trial.scene().addHinge({.a = last, .b = trial.pin({80.0f, 20.0f}), .anchorA = hold});
+    trial.scene().addJoint({.a = last, .b = trial.pin({80.0f, 20.0f}), .anchorA = hold});
     reportJoints(trial, 20.0, 3.0, 0.0);
 }
 

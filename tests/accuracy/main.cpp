@@ -8,6 +8,7 @@
 #include "core/clock.hpp"
 #include "core/file.hpp"
 #include "core/text.hpp"
+#include "tests/accuracy/families/families.hpp"
 #include "tests/accuracy/report/chart.hpp"
 #include "tests/accuracy/report/guide.hpp"
 #include "tests/accuracy/report/options.hpp"
@@ -123,6 +124,15 @@ bool writeAll(const Options& options, const std::vector<Row>& rows, double secon
     return good;
 }
 
+/// The other engines that are installed here.
+std::vector<scenes::Engine> comparedPeers() {
+    std::vector<scenes::Engine> peers;
+    for (const scenes::Engine& engine : scenes::peerEngines()) {
+        if (engine.name != "box2d-2.4-unswept") peers.push_back(engine);  // sweeps only cost time here
+    }
+    return peers;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -137,14 +147,11 @@ int main(int argc, char** argv) {
         std::printf("%s", (options.help ? helpText() : sceneList()).c_str());
         return 0;
     }
-    if (options.stability) return stability::runStability(options.stabilityWords);
+    if (options.stability) return stability::runStability(options.otherWords);
+    if (options.families) return families::runFamilyCommand(options.otherWords, comparedPeers());
 
-    std::vector<scenes::Engine> peers;
-    if (options.peers) {
-        for (const scenes::Engine& engine : scenes::peerEngines()) {
-            if (engine.name != "box2d-2.4-unswept") peers.push_back(engine);  // sweeps only cost time here
-        }
-    }
+    const std::vector<scenes::Engine> peers = options.peers ? comparedPeers() : std::vector<scenes::Engine>{};
+
     SweepOptions sweepOptions = options.sweep;
     sweepOptions.peers = peers;
     sweepOptions.count = [] { return test::allocations().made; };

@@ -18,7 +18,7 @@ BodyHandle hangBob(Trial& trial, double amplitude) {
     const Vec2 place{static_cast<float>(std::sin(amplitude)), static_cast<float>(-std::cos(amplitude))};
     const BodyHandle hook = trial.pin({});
     const BodyHandle bob = trial.add(scenes::circle(static_cast<float>(kDisc)), place, kGhost);
-    trial.scene().addHinge({.a = hook, .b = bob, .anchorB = -place});
+    trial.scene().addJoint({.a = hook, .b = bob, .anchorB = -place});
     return bob;
 }
 
@@ -73,7 +73,7 @@ void doublePendulum(Trial& trial) {
     const PendulumForm form{.inertia = kInertia, .gravity = kGravity};
     const BodyHandle upper = hangBob(trial, 0.5 * std::numbers::pi);
     const BodyHandle lower = trial.add(scenes::circle(static_cast<float>(kDisc)), {2.0f, 0.0f}, kGhost);
-    trial.scene().addHinge({.a = upper, .b = lower, .anchorB = {-1.0f, 0.0f}});
+    trial.scene().addJoint({.a = upper, .b = lower, .anchorB = {-1.0f, 0.0f}});
     trial.run(2.0);
     const double level = 0.5 * std::numbers::pi;
     const DoublePendulum end = swing({level, level, 0.0, 0.0}, form, 2.0);

@@ -356,7 +356,7 @@ TEST(Options, handTheRestToTheStabilityMap) {
     const auto options = read({"--stability", "--cells", "7"});
     ASSERT_TRUE(options.ok());
     EXPECT_TRUE(options->stability);
-    EXPECT_EQ(options->stabilityWords, (std::vector<std::string_view>{"--cells", "7"}));
+    EXPECT_EQ(options->otherWords, (std::vector<std::string_view>{"--cells", "7"}));
 }
 
 }  // namespace

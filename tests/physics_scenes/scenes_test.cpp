@@ -14,7 +14,8 @@ namespace {
 /// An engine that does nothing: what is built can be counted, and stays where it was put.
 class StillWorld final : public SceneBuilder {
 public:
-    void moveTo(BodyHandle, Vec2, float) override {}
+    void moveTo(BodyHandle, Vec2, float, float) override {}
+    void setSpin(BodyHandle, float) override {}
     void setMass(BodyHandle, float) override {}
     void setVelocity(BodyHandle, Vec2) override {}
     void step(float) override {}
@@ -29,7 +30,7 @@ protected:
     }
     void makeShape(BodyHandle, const Outline&, const Material&) override {}
     void makeLoop(BodyHandle, std::span<const Vec2>, const Material&) override {}
-    void makeHinge(const Hinge&) override {}
+    void makeJoint(const JointSetup&) override {}
     void dropBody(BodyHandle) override {}
 
 private:
@@ -56,7 +57,7 @@ Counts countsOf(const SceneBuilder& world) {
         counts.dynamic += body.alive && body.motion == Motion::Dynamic ? 1 : 0;
     }
     for (const auto& shape : world.shapes()) counts.shapes += world.alive(shape.body) ? 1 : 0;
-    for (const auto& hinge : world.hinges())
+    for (const auto& hinge : world.joints())
         counts.hinges += world.alive(hinge.a) && world.alive(hinge.b) ? 1 : 0;
     return counts;
 }
@@ -140,13 +141,13 @@ TEST(SceneError, seesAnOverlapAnOpenJointAndANumberThatIsNone) {
     EXPECT_NEAR(error.maxPenetration, 0.1, 1e-6);
     EXPECT_EQ(error.overlaps, 1u);
 
-    world.addHinge({.a = a, .b = b, .anchorA = {0.5f, 0.0f}, .anchorB = {-0.5f, 0.3f}});
+    world.addJoint({.a = a, .b = b, .anchorA = {0.5f, 0.0f}, .anchorB = {-0.5f, 0.3f}});
     error = errorOf(world);
     EXPECT_EQ(error.overlaps, 0u);  // joined bodies may overlap
     EXPECT_NEAR(error.maxJointError, std::hypot(0.1, 0.3), 1e-6);
     EXPECT_TRUE(error.holds());
 
-    world.addHinge({.a = a, .b = b, .anchorA = {0.0f, 5.0f}});
+    world.addJoint({.a = a, .b = b, .anchorA = {0.0f, 5.0f}});
     EXPECT_FALSE(errorOf(world).holds());
 
     world.createBody({.position = {NAN, 0.0f}});

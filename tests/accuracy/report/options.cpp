@@ -25,6 +25,7 @@ constexpr Option kOptions[] = {
     {"--no-peers", "", "Plumb alone"},
     {"--list", "", "the scenes"},
     {"--stability", "", "the map of how far hard cases hold, instead; what follows is for it"},
+    {"--families", "", "random scenes and relations that must hold in all of them, instead; the same"},
     {"--help", "", "this text"},
 };
 
@@ -106,9 +107,9 @@ Result<Options> readOptions(std::span<const std::string_view> words) {
             options.sweep.runs = 1;
         } else if (word == "--no-peers") {
             options.peers = false;
-        } else if (word == "--stability") {
-            options.stability = true;
-            options.stabilityWords.assign(words.begin() + static_cast<std::ptrdiff_t>(i) + 1, words.end());
+        } else if (word == "--stability" || word == "--families") {
+            (word == "--stability" ? options.stability : options.families) = true;
+            options.otherWords.assign(words.begin() + static_cast<std::ptrdiff_t>(i) + 1, words.end());
             return options;
         } else {
             (word == "--list" ? options.list : options.help) = true;

@@ -20,7 +20,8 @@ struct Options {
     bool help = false;
     bool list = false;       ///< only the names of the scenes
     bool stability = false;  ///< the stability map instead, which reads the other words
-    std::vector<std::string_view> stabilityWords;
+    bool families = false;   ///< families and relations instead, the same
+    std::vector<std::string_view> otherWords;
 };
 
 /// @error a word that means nothing, with those that would; a scene that is not there, with one like it

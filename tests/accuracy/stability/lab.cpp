@@ -56,12 +56,12 @@ BodyHandle Lab::addKinematic(const Outline& outline, Vec2 centre) {
 }
 
 void Lab::hinge(BodyHandle a, BodyHandle b, Vec2 anchorA, Vec2 anchorB) {
-    scene_.addHinge({.a = a, .b = b, .anchorA = anchorA, .anchorB = anchorB});
+    scene_.addJoint({.a = a, .b = b, .anchorA = anchorA, .anchorB = anchorB});
     sound_ = sound_ && scene_.missing().empty();
 }
 
 void Lab::drivenHinge(BodyHandle a, BodyHandle b, Vec2 anchorB, double limit, double speed, double torque) {
-    scene_.addHinge({.a = a,
+    scene_.addJoint({.a = a,
                      .b = b,
                      .anchorB = anchorB,
                      .limited = true,
@@ -69,7 +69,7 @@ void Lab::drivenHinge(BodyHandle a, BodyHandle b, Vec2 anchorB, double limit, do
                      .upper = static_cast<float>(limit),
                      .driven = true,
                      .speed = static_cast<float>(speed),
-                     .maxTorque = static_cast<float>(torque)});
+                     .maxForce = static_cast<float>(torque)});
     sound_ = sound_ && scene_.missing().empty();
 }
 

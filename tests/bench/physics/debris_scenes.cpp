@@ -60,7 +60,7 @@ BeforeStep buildJunkyard(SceneBuilder& world, int rows) {
     const BodyHandle pusher = world.createBody({.motion = Motion::Kinematic});
     world.addShape(pusher, box({2.0f, 4.0f}, {0.0f, 4.0f}));
     return [pusher](SceneBuilder& in, int step) {
-        in.moveTo(pusher, {kReach * sine(0.2f * kStep * static_cast<float>(step)), 0.0f}, kStep);
+        in.moveTo(pusher, {kReach * sine(0.2f * kStep * static_cast<float>(step)), 0.0f}, 0.0f, kStep);
     };
 }
 

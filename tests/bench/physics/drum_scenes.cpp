@@ -23,7 +23,7 @@ void addBlade(SceneBuilder& world, BodyHandle ground) {
     constexpr Vec2 kCentre{0.0f, 12.0f};
     const BodyHandle blade = world.createBody({.position = kCentre, .canSleep = false});
     world.addShape(blade, box({0.4f, 20.0f}, {}, 0.2f), {.friction = 0.0f});
-    world.addHinge({.a = ground, .b = blade, .anchorA = kCentre, .driven = true, .speed = 5.0f});
+    world.addJoint({.a = ground, .b = blade, .anchorA = kCentre, .driven = true, .speed = 5.0f});
 }
 
 /// Between two radii and two directions.
@@ -63,8 +63,8 @@ BeforeStep buildTumbler(SceneBuilder& world, int side) {
     const Material wall{.density = 50.0f};
     for (const float x : {10.0f, -10.0f}) world.addShape(drum, box({0.5f, 10.0f}, {x, 0.0f}), wall);
     for (const float y : {10.0f, -10.0f}) world.addShape(drum, box({10.0f, 0.5f}, {0.0f, y}), wall);
-    world.addHinge(
-        {.a = ground, .b = drum, .anchorA = kCentre, .driven = true, .speed = kDrumSpin, .maxTorque = 1e8f});
+    world.addJoint(
+        {.a = ground, .b = drum, .anchorA = kCentre, .driven = true, .speed = kDrumSpin, .maxForce = 1e8f});
     const float edge = -0.5f * kPitch * static_cast<float>(side);
     for (int i = 0; i < side; ++i) {
         for (int j = 0; j < side; ++j)

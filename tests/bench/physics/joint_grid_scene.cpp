@@ -17,10 +17,10 @@ BeforeStep buildJointGrid(SceneBuilder& world, int side) {
                                   .position = {static_cast<float>(k), -static_cast<float>(i)}});
             world.addShape(body, circle(0.4f), material);
             if (i > 0)
-                world.addHinge(
+                world.addJoint(
                     {.a = bodies.back(), .b = body, .anchorA = {0.0f, -0.5f}, .anchorB = {0.0f, 0.5f}});
             if (k > 0)
-                world.addHinge({.a = bodies[bodies.size() - static_cast<std::size_t>(side)],
+                world.addJoint({.a = bodies[bodies.size() - static_cast<std::size_t>(side)],
                                 .b = body,
                                 .anchorA = {0.5f, 0.0f},
                                 .anchorB = {-0.5f, 0.0f}});

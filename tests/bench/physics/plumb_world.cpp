@@ -13,6 +13,17 @@ physics::BodyKind kindOf(Motion motion) {
     return physics::BodyKind::Dynamic;
 }
 
+physics::JointKind kindOf(JointKind kind) {
+    switch (kind) {
+        case JointKind::Hinge: return physics::JointKind::Revolute;
+        case JointKind::Slider: return physics::JointKind::Prismatic;
+        case JointKind::Rod: return physics::JointKind::Distance;
+        case JointKind::Wheel: return physics::JointKind::Wheel;
+        case JointKind::Weld: break;
+    }
+    return physics::JointKind::Weld;
+}
+
 physics::ShapeDefinition definitionOf(const Material& material) {
     return {.density = material.density,
             .friction = material.friction,
@@ -27,12 +38,15 @@ physics::ShapeDefinition definitionOf(const Material& material) {
 
 void PlumbWorld::makeBody(BodyHandle /*body*/, const BodySetup& setup) {
     const auto made = physics::createBody(world_, {.kind = kindOf(setup.motion),
-                                                   .position = setup.position,
+                                                   .position = origin_ + setup.position,
                                                    .angle = setup.angle,
                                                    .velocity = setup.velocity,
                                                    .angularVelocity = setup.spin,
+                                                   .gravityScale = setup.gravityScale,
                                                    .linearDrag = setup.drag,
                                                    .sleepSpeed = setup.sleepSpeed,
+                                                   .fixedRotation = setup.fixedRotation,
+                                                   .bullet = setup.bullet,
                                                    .canSleep = setup.canSleep,
                                                    .awake = setup.awake});
     ids_.push_back(made.ok() ? *made : physics::BodyId{});
@@ -60,18 +74,23 @@ void PlumbWorld::makeLoop(BodyHandle body, std::span<const Vec2> points, const M
     check(physics::createChain(world_, at(body), points, true, definitionOf(material)));
 }
 
-void PlumbWorld::makeHinge(const Hinge& hinge) {
-    if (!isDynamic(hinge.a) && !isDynamic(hinge.b)) return;  // nothing to hold: refused
+void PlumbWorld::makeJoint(const JointSetup& joint) {
+    if (!isDynamic(joint.a) && !isDynamic(joint.b)) return;  // nothing to hold: refused
     check(physics::createJoint(
-        world_, {.kind = physics::JointKind::Revolute,
-                 .a = at(hinge.a),
-                 .b = at(hinge.b),
-                 .anchorA = hinge.anchorA,
-                 .anchorB = hinge.anchorB,
-                 .referenceAngle = hinge.reference,
-                 .limit = {.on = hinge.limited, .lower = hinge.lower, .upper = hinge.upper},
-                 .motor = {.on = hinge.driven, .speed = hinge.speed, .maxForce = hinge.maxTorque},
-                 .spring = {.on = hinge.sprung, .hertz = hinge.hertz, .dampingRatio = hinge.dampingRatio}}));
+        world_, {.kind = kindOf(joint.kind),
+                 .a = at(joint.a),
+                 .b = at(joint.b),
+                 .anchorA = joint.anchorA,
+                 .anchorB = joint.anchorB,
+                 .axis = joint.axis,
+                 .referenceAngle = joint.reference,
+                 .length = joint.length,
+                 .limit = {.on = joint.limited, .lower = joint.lower, .upper = joint.upper},
+                 .motor = {.on = joint.driven, .speed = joint.speed, .maxForce = joint.maxForce},
+                 .spring = {.on = joint.sprung,
+                            .hertz = joint.hertz,
+                            .dampingRatio = joint.dampingRatio,
+                            .rest = joint.kind == JointKind::Rod ? joint.length : 0.0f}}));
 }
 
 Engine plumbEngine() {

@@ -14,7 +14,8 @@ Engine plumbEngine();
 /// A scene in it, and the world itself for those who want to turn its knobs.
 class PlumbWorld final : public SceneBuilder {
 public:
-    explicit PlumbWorld(const WorldSetup& setup) : pool_{setup.threads} {
+    explicit PlumbWorld(const WorldSetup& setup)
+        : origin_{setup.originX, setup.originY}, pool_{setup.threads} {
         world_.settings.gravity = setup.gravity;
         world_.settings.sleeping = setup.sleeping;
         world_.settings.quality = static_cast<physics::Quality>(setup.quality);
@@ -23,8 +24,8 @@ public:
         if (setup.profiled) options_.profile = &profile_;
     }
 
-    void moveTo(BodyHandle body, Vec2 position, float dt) override {
-        static_cast<void>(physics::moveTo(world_, at(body), position, 0.0f, dt));
+    void moveTo(BodyHandle body, Vec2 position, float angle, float dt) override {
+        static_cast<void>(physics::moveTo(world_, at(body), origin_ + position, angle, dt));
     }
     void setMass(BodyHandle body, float kilograms) override {
         static_cast<void>(physics::setMass(world_, at(body), kilograms));
@@ -32,14 +33,19 @@ public:
     void setVelocity(BodyHandle body, Vec2 velocity) override {
         static_cast<void>(physics::setVelocity(world_, at(body), velocity));
     }
+    void setSpin(BodyHandle body, float spin) override {
+        static_cast<void>(physics::setAngularVelocity(world_, at(body), spin));
+    }
     [[nodiscard]] physics::World& world() { return world_; }
+    [[nodiscard]] const physics::World& world() const { return world_; }
     [[nodiscard]] physics::BodyId idOf(BodyHandle body) const { return ids_[body.index]; }
     void step(float dt) override { physics::step(world_, dt, options_); }
 
     [[nodiscard]] Pose poseOf(BodyHandle body) const override {
         const physics::Place place = physics::positionOf(world_, at(body));
         const Rot rotation = physics::rotationOf(world_, at(body));
-        return {place.x, place.y, static_cast<double>(rotation.cos), static_cast<double>(rotation.sin)};
+        return {place.x - origin_.x, place.y - origin_.y, static_cast<double>(rotation.cos),
+                static_cast<double>(rotation.sin)};
     }
     [[nodiscard]] Vec2 velocityOf(BodyHandle body) const override {
         return physics::velocityOf(world_, at(body));
@@ -56,7 +62,7 @@ protected:
     void makeBody(BodyHandle /*body*/, const BodySetup& setup) override;
     void makeShape(BodyHandle body, const Outline& outline, const Material& material) override;
     void makeLoop(BodyHandle body, std::span<const Vec2> points, const Material& material) override;
-    void makeHinge(const Hinge& hinge) override;
+    void makeJoint(const JointSetup& hinge) override;
     void dropBody(BodyHandle body) override { physics::destroyBody(world_, at(body)); }
 
 private:
@@ -70,6 +76,7 @@ private:
     }
 
     physics::World world_;
+    physics::Place origin_;
     TaskPool pool_;
     Profile profile_;
     physics::StepOptions options_;

@@ -56,7 +56,7 @@ constexpr float kHingeTorque = 0.05f;  // N m of friction
 constexpr std::uint32_t kGround = 1;
 constexpr std::uint32_t kFigures = 2;
 
-Hinge hingeOf(const BoneForm& bone, const Ragdoll& ragdoll) {
+JointSetup hingeOf(const BoneForm& bone, const Ragdoll& ragdoll) {
     const auto angle = [](float halfTurns) { return halfTurns * kPi; };
     return {.a = ragdoll.bodies[bone.parent],
             .b = ragdoll.bodies[bone.bone],
@@ -67,7 +67,7 @@ Hinge hingeOf(const BoneForm& bone, const Ragdoll& ragdoll) {
             .lower = angle(bone.lower),
             .upper = angle(bone.upper),
             .driven = true,
-            .maxTorque = kHingeTorque * bone.friction,
+            .maxForce = kHingeTorque * bone.friction,
             .sprung = true,
             .hertz = 5.0f,
             .dampingRatio = 0.5f};
@@ -88,7 +88,7 @@ Ragdoll addRagdoll(SceneBuilder& world, Vec2 feet, int group) {
         ragdoll.bodies[bone.bone] = body;
         world.addShape(body, capsule({0.0f, bone.low}, {0.0f, bone.high}, bone.radius), skin);
         if (bone.bone == kLowerLegA || bone.bone == kLowerLegB) world.addShape(body, foot, sole);
-        if (bone.bone != bone.parent) world.addHinge(hingeOf(bone, ragdoll));
+        if (bone.bone != bone.parent) world.addJoint(hingeOf(bone, ragdoll));
     }
     return ragdoll;
 }

@@ -79,9 +79,9 @@ void SceneBuilder::addLoop(BodyHandle body, std::span<const Vec2> points, const 
     makeLoop(body, points, material);
 }
 
-void SceneBuilder::addHinge(const Hinge& hinge) {
-    hinges_.push_back(hinge);
-    makeHinge(hinge);
+void SceneBuilder::addJoint(const JointSetup& joint) {
+    joints_.push_back(joint);
+    makeJoint(joint);
 }
 
 void SceneBuilder::destroy(BodyHandle body) {

@@ -33,6 +33,9 @@ struct BodySetup {
     float sleepSpeed = 0.05f;  ///< m/s
     bool canSleep = true;
     bool awake = true;
+    bool bullet = false;  ///< swept against moving bodies too
+    bool fixedRotation = false;
+    float gravityScale = 1.0f;
 };
 
 struct Material {
@@ -66,19 +69,29 @@ Outline box(Vec2 half, Vec2 centre = {}, float radius = 0.0f);
 Outline polygon(std::span<const Vec2> points, float radius = 0.0f);  ///< the points in any order, convex
 Outline segment(Vec2 start, Vec2 end);
 
-/// Two points of two bodies stay one.
-struct Hinge {
+enum class JointKind : std::uint8_t {
+    Hinge,   ///< two points stay one
+    Slider,  ///< B moves along an axis of A and does not turn
+    Rod,     ///< two points keep their distance
+    Wheel,   ///< B moves along an axis of A by a spring and turns freely
+    Weld     ///< two points stay one, and the angle stays as it is
+};
+
+struct JointSetup {
+    JointKind kind = JointKind::Hinge;
     BodyHandle a;
     BodyHandle b;
     Vec2 anchorA;  ///< m, in the body's frame
     Vec2 anchorB;
+    Vec2 axis{1.0f, 0.0f};   ///< in A's frame: of Slider and Wheel
+    float length = 1.0f;     ///< m: of Rod
     float reference = 0.0f;  ///< rad: angle of b minus angle of a that counts as 0
     bool limited = false;
-    float lower = 0.0f;  ///< rad
+    float lower = 0.0f;  ///< rad, of sliders m
     float upper = 0.0f;
     bool driven = false;
-    float speed = 0.0f;                                   ///< rad/s
-    float maxTorque = std::numeric_limits<float>::max();  ///< N m
+    float speed = 0.0f;                                  ///< rad/s, of sliders m/s
+    float maxForce = std::numeric_limits<float>::max();  ///< N m, of sliders N
     bool sprung = false;
     float hertz = 0.0f;
     float dampingRatio = 0.0f;
@@ -91,6 +104,8 @@ struct WorldSetup {
     int quality = 2;  ///< 2^quality substeps, where the engine has such a knob
     int threads = 1;
     bool profiled = false;  ///< stages() will be asked for
+    double originX = 0.0;   ///< m: where (0, 0) of the scene is in the world
+    double originY = 0.0;
 };
 
 /// Where a body's frame is.
@@ -124,14 +139,15 @@ public:
     void addShape(BodyHandle body, const Outline& outline, const Material& material = {});
     /// One-sided segments through all points and back to the first; free on the right of the way.
     void addLoop(BodyHandle body, std::span<const Vec2> points, const Material& material);
-    void addHinge(const Hinge& hinge);
-    void destroy(BodyHandle body);  ///< and its shapes and hinges
+    void addJoint(const JointSetup& joint);
+    void destroy(BodyHandle body);  ///< and its shapes and joints
 
     /// A kinematic body will be there at the end of the next step.
-    virtual void moveTo(BodyHandle body, Vec2 position, float dt) = 0;
+    virtual void moveTo(BodyHandle body, Vec2 position, float angle, float dt) = 0;
     /// Kilograms whatever its shapes weigh; their distribution stays.
     virtual void setMass(BodyHandle body, float kilograms) = 0;
     virtual void setVelocity(BodyHandle body, Vec2 velocity) = 0;  ///< m/s
+    virtual void setSpin(BodyHandle body, float spin) = 0;         ///< rad/s
     virtual void finish() {}                                       ///< everything is built
     virtual void step(float dt) = 0;
 
@@ -145,7 +161,7 @@ public:
 
     [[nodiscard]] std::span<const Body> bodies() const { return bodies_; }
     [[nodiscard]] std::span<const Shape> shapes() const { return shapes_; }
-    [[nodiscard]] std::span<const Hinge> hinges() const { return hinges_; }
+    [[nodiscard]] std::span<const JointSetup> joints() const { return joints_; }
     [[nodiscard]] bool alive(BodyHandle body) const { return bodies_[body.index].alive; }
     [[nodiscard]] bool isDynamic(BodyHandle body) const {
         return bodies_[body.index].motion == Motion::Dynamic;
@@ -157,14 +173,14 @@ protected:
     virtual void makeBody(BodyHandle body, const BodySetup& setup) = 0;
     virtual void makeShape(BodyHandle body, const Outline& outline, const Material& material) = 0;
     virtual void makeLoop(BodyHandle body, std::span<const Vec2> points, const Material& material) = 0;
-    virtual void makeHinge(const Hinge& hinge) = 0;
+    virtual void makeJoint(const JointSetup& joint) = 0;
     virtual void dropBody(BodyHandle body) = 0;
     void lacks(std::string_view feature) { missing_ = feature; }
 
 private:
     std::vector<Body> bodies_;
     std::vector<Shape> shapes_;
-    std::vector<Hinge> hinges_;
+    std::vector<JointSetup> joints_;
     std::string missing_;
 };
 

@@ -34,7 +34,7 @@ std::vector<Pose> posesOf(const SceneBuilder& world) {
 
 std::vector<Pair> joinedPairs(const SceneBuilder& world) {
     std::vector<Pair> joined;
-    for (const Hinge& hinge : world.hinges()) joined.push_back(pairOf(hinge.a, hinge.b));
+    for (const JointSetup& joint : world.joints()) joined.push_back(pairOf(joint.a, joint.b));
     std::sort(joined.begin(), joined.end());
     return joined;
 }
@@ -84,17 +84,32 @@ void addOverlaps(const SceneBuilder& world, std::span<const Pose> poses, SceneEr
     if (error.overlaps > 0) error.meanPenetration = sum / static_cast<double>(error.overlaps);
 }
 
+/// m: by how much a joint is open.
+double gapOf(const JointSetup& joint, std::span<const Pose> poses) {
+    const Pose& poseA = poses[joint.a.index];
+    const Point a = place(circle(0.0f, joint.anchorA), poseA).points[0];
+    const Point b = place(circle(0.0f, joint.anchorB), poses[joint.b.index]).points[0];
+    const double x = b.x - a.x, y = b.y - a.y, distance = std::sqrt(x * x + y * y);
+    const auto axisX = static_cast<double>(joint.axis.x), axisY = static_cast<double>(joint.axis.y);
+    switch (joint.kind) {
+        case JointKind::Rod:
+            return joint.sprung ? 0.0 : std::fabs(distance - static_cast<double>(joint.length));
+        case JointKind::Slider:
+        case JointKind::Wheel:
+            return std::fabs((poseA.cos * axisX - poseA.sin * axisY) * y -
+                             (poseA.sin * axisX + poseA.cos * axisY) * x);
+        case JointKind::Hinge:
+        case JointKind::Weld: break;
+    }
+    return distance;
+}
+
 void addJointErrors(const SceneBuilder& world, std::span<const Pose> poses, SceneError& error) {
-    const auto anchorOf = [poses](BodyHandle body, Vec2 anchor) {
-        return place(circle(0.0f, anchor), poses[body.index]).points[0];
-    };
     double sum = 0.0;
     std::size_t count = 0;
-    for (const Hinge& hinge : world.hinges()) {
-        if (!world.alive(hinge.a) || !world.alive(hinge.b)) continue;
-        const Point a = anchorOf(hinge.a, hinge.anchorA);
-        const Point b = anchorOf(hinge.b, hinge.anchorB);
-        const double gap = std::sqrt((a.x - b.x) * (a.x - b.x) + (a.y - b.y) * (a.y - b.y));
+    for (const JointSetup& joint : world.joints()) {
+        if (!world.alive(joint.a) || !world.alive(joint.b)) continue;
+        const double gap = gapOf(joint, poses);
         error.maxJointError = std::max(error.maxJointError, gap);
         sum += gap;
         ++count;

@@ -39,14 +39,18 @@ struct Totals {
 
 class Box2dWorld final : public SceneBuilder {
 public:
-    Box2dWorld(const WorldSetup& setup, bool swept) : world_{toPeer(setup.gravity)} {
+    Box2dWorld(const WorldSetup& setup, bool swept)
+        : world_{toPeer(setup.gravity)},
+          origin_{static_cast<float>(setup.originX), static_cast<float>(setup.originY)} {
         world_.SetAllowSleeping(setup.sleeping);
         world_.SetContinuousPhysics(swept);
     }
 
-    void moveTo(BodyHandle body, Vec2 position, float dt) override {
-        at(body)->SetLinearVelocity((1.0f / dt) * (toPeer(position) - at(body)->GetPosition()));
+    void moveTo(BodyHandle body, Vec2 position, float angle, float dt) override {
+        at(body)->SetLinearVelocity((1.0f / dt) * (origin_ + toPeer(position) - at(body)->GetPosition()));
+        at(body)->SetAngularVelocity((angle - at(body)->GetAngle()) / dt);
     }
+    void setSpin(BodyHandle body, float spin) override { at(body)->SetAngularVelocity(spin); }
     void setMass(BodyHandle body, float kilograms) override {
         b2MassData mass;
         at(body)->GetMassData(&mass);
@@ -64,8 +68,9 @@ public:
 
     [[nodiscard]] Pose poseOf(BodyHandle body) const override {
         const b2Transform& frame = at(body)->GetTransform();
-        return {static_cast<double>(frame.p.x), static_cast<double>(frame.p.y),
-                static_cast<double>(frame.q.c), static_cast<double>(frame.q.s)};
+        const b2Vec2 place = frame.p - origin_;
+        return {static_cast<double>(place.x), static_cast<double>(place.y), static_cast<double>(frame.q.c),
+                static_cast<double>(frame.q.s)};
     }
     [[nodiscard]] Vec2 velocityOf(BodyHandle body) const override {
         const b2Vec2 velocity = at(body)->GetLinearVelocity();
@@ -87,13 +92,16 @@ protected:
     void makeBody(BodyHandle /*body*/, const BodySetup& setup) override {
         b2BodyDef definition;
         definition.type = typeOf(setup.motion);
-        definition.position = toPeer(setup.position);
+        definition.position = origin_ + toPeer(setup.position);
         definition.angle = setup.angle;
         definition.linearVelocity = toPeer(setup.velocity);
         definition.angularVelocity = setup.spin;
         definition.linearDamping = setup.drag;
         definition.allowSleep = setup.canSleep;
         definition.awake = setup.awake;
+        definition.bullet = setup.bullet;
+        definition.fixedRotation = setup.fixedRotation;
+        definition.gravityScale = setup.gravityScale;
         bodies_.push_back(world_.CreateBody(&definition));
     }
     void makeShape(BodyHandle body, const Outline& outline, const Material& material) override {
@@ -129,25 +137,77 @@ protected:
         shape.CreateLoop(places.data(), static_cast<int32>(places.size()));
         add(body, shape, material);
     }
-    void makeHinge(const Hinge& hinge) override {
-        if (hinge.sprung) return lacks("springs in hinges");
-        b2RevoluteJointDef definition;
-        definition.bodyA = at(hinge.a);
-        definition.bodyB = at(hinge.b);
-        definition.localAnchorA = toPeer(hinge.anchorA);
-        definition.localAnchorB = toPeer(hinge.anchorB);
-        definition.referenceAngle = hinge.reference;
-        definition.enableLimit = hinge.limited;
-        definition.lowerAngle = hinge.lower;
-        definition.upperAngle = hinge.upper;
-        definition.enableMotor = hinge.driven;
-        definition.motorSpeed = hinge.speed;
-        definition.maxMotorTorque = hinge.maxTorque;
-        world_.CreateJoint(&definition);
+    void makeJoint(const JointSetup& joint) override {
+        switch (joint.kind) {
+            case JointKind::Hinge: return makeHinge(joint);
+            case JointKind::Slider: return makeSlider(joint);
+            case JointKind::Rod: return makeRod(joint);
+            case JointKind::Wheel: return makeWheel(joint);
+            case JointKind::Weld: return makeWeld(joint);
+        }
     }
     void dropBody(BodyHandle body) override { world_.DestroyBody(at(body)); }
 
 private:
+    template <class Definition>
+    void join(Definition& definition, const JointSetup& joint) {
+        definition.bodyA = at(joint.a);
+        definition.bodyB = at(joint.b);
+        definition.localAnchorA = toPeer(joint.anchorA);
+        definition.localAnchorB = toPeer(joint.anchorB);
+        world_.CreateJoint(&definition);
+    }
+    void makeHinge(const JointSetup& joint) {
+        if (joint.sprung) return lacks("springs in hinges");
+        b2RevoluteJointDef definition;
+        definition.referenceAngle = joint.reference;
+        definition.enableLimit = joint.limited;
+        definition.lowerAngle = joint.lower;
+        definition.upperAngle = joint.upper;
+        definition.enableMotor = joint.driven;
+        definition.motorSpeed = joint.speed;
+        definition.maxMotorTorque = joint.maxForce;
+        join(definition, joint);
+    }
+    void makeSlider(const JointSetup& joint) {
+        if (joint.sprung) return lacks("springs in sliders");
+        b2PrismaticJointDef definition;
+        definition.localAxisA = toPeer(joint.axis);
+        definition.referenceAngle = joint.reference;
+        definition.enableLimit = joint.limited;
+        definition.lowerTranslation = joint.lower;
+        definition.upperTranslation = joint.upper;
+        definition.enableMotor = joint.driven;
+        definition.motorSpeed = joint.speed;
+        definition.maxMotorForce = joint.maxForce;
+        join(definition, joint);
+    }
+    void makeRod(const JointSetup& joint) {
+        b2DistanceJointDef definition;
+        definition.length = joint.length;
+        definition.minLength = joint.sprung ? 0.0f : joint.length;
+        definition.maxLength = joint.sprung ? b2_maxFloat : joint.length;
+        if (joint.sprung)
+            b2LinearStiffness(definition.stiffness, definition.damping, joint.hertz, joint.dampingRatio,
+                              at(joint.a), at(joint.b));
+        join(definition, joint);
+    }
+    void makeWheel(const JointSetup& joint) {
+        b2WheelJointDef definition;
+        definition.localAxisA = toPeer(joint.axis);
+        definition.enableMotor = joint.driven;
+        definition.motorSpeed = joint.speed;
+        definition.maxMotorTorque = joint.maxForce;
+        b2LinearStiffness(definition.stiffness, definition.damping, joint.hertz, joint.dampingRatio,
+                          at(joint.a), at(joint.b));
+        join(definition, joint);
+    }
+    void makeWeld(const JointSetup& joint) {
+        b2WeldJointDef definition;
+        definition.referenceAngle = joint.reference;
+        join(definition, joint);
+    }
+
     [[nodiscard]] b2Body* at(BodyHandle body) const { return bodies_[body.index]; }
     void add(BodyHandle body, const b2Shape& shape, const Material& material) {
         b2FixtureDef definition;
@@ -162,6 +222,7 @@ private:
     }
 
     b2World world_;
+    b2Vec2 origin_;
     std::vector<b2Body*> bodies_;
     Totals totals_;
 };

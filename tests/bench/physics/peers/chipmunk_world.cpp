@@ -44,7 +44,7 @@ public:
         cpSpaceFree(space_);
     }
 
-    void moveTo(BodyHandle body, Vec2 position, float dt) override {
+    void moveTo(BodyHandle body, Vec2 position, float /*angle*/, float dt) override {
         const cpVect way = cpvsub(toPeer(position), cpBodyGetPosition(at(body)));
         cpBodySetVelocity(at(body), cpvmult(way, 1.0 / static_cast<double>(dt)));
     }
@@ -57,6 +57,9 @@ public:
     }
     void setVelocity(BodyHandle body, Vec2 velocity) override {
         cpBodySetVelocity(at(body), toPeer(velocity));
+    }
+    void setSpin(BodyHandle body, float spin) override {
+        cpBodySetAngularVelocity(at(body), static_cast<double>(spin));
     }
     void finish() override {
         for (const BodyHandle body : sleepers_) cpBodySleep(at(body));
@@ -130,7 +133,8 @@ protected:
             add(body, shape, material);
         }
     }
-    void makeHinge(const Hinge& hinge) override {
+    void makeJoint(const JointSetup& hinge) override {
+        if (hinge.kind != JointKind::Hinge) return lacks("joints other than hinges");
         cpBody* a = at(hinge.a);
         cpBody* b = at(hinge.b);
         // It ends the program when neither can be moved.
@@ -142,7 +146,7 @@ protected:
                                               reference + static_cast<double>(hinge.upper)));
         if (hinge.driven) {
             cpConstraint* motor = cpSimpleMotorNew(a, b, -static_cast<double>(hinge.speed));
-            cpConstraintSetMaxForce(motor, static_cast<double>(hinge.maxTorque));
+            cpConstraintSetMaxForce(motor, static_cast<double>(hinge.maxForce));
             join(hinge, motor);
         }
         if (hinge.sprung) {
@@ -188,7 +192,7 @@ private:
         cpSpaceAddShape(space_, shape);
         parts_[body.index].shapes.push_back(shape);
     }
-    void join(const Hinge& hinge, cpConstraint* constraint) {
+    void join(const JointSetup& hinge, cpConstraint* constraint) {
         cpConstraintSetCollideBodies(constraint, cpFalse);
         cpSpaceAddConstraint(space_, constraint);
         parts_[hinge.a.index].constraints.push_back(constraint);

@@ -1,0 +1,51 @@
+// A house of cards: pairs of cards that lean at each other, a card across from each tip to the next, and the
+// next level on these.
+//
+// Statics lets every member stand. About its foot, the weight W of a leaning card (length L, thickness t) and
+// the load P on its tip are balanced by its partner's push N: N L cos(lean) = (W / 2 + P) (L sin(lean) - t
+// cos(lean)). So the foot needs a friction of N / (W + P) < tan(lean) - t / L < 0.35, below the least 0.4.
+
+#include <cmath>
+
+#include "tests/accuracy/families/family.hpp"
+#include "tests/accuracy/families/goals.hpp"
+
+namespace plumb::families {
+
+Blueprint makeCardHouse(Random& random) {
+    constexpr float kLength = 1.0f;  // m
+    Blueprint plan;
+    plan.seconds = 30.0;
+    const int levels = 2 + static_cast<int>(random.below(5));
+    const float friction = random.between(0.4f, 0.9f), lean = random.between(0.2f, 0.35f);
+    const float thickness = random.between(0.02f, 0.06f), gap = random.between(0.0f, 0.12f);
+    const Material paper{.density = random.between(20.0f, 500.0f), .friction = friction};
+    plan.addFloor({.friction = friction});
+
+    const float height = kLength * std::cos(lean) + thickness * std::sin(lean);          // of a leaning card
+    const float reach = 0.5f * (kLength * std::sin(lean) + thickness * std::cos(lean));  // half its width
+    const float pitch = 4.0f * reach + gap;  // from the middle of a pair to that of the next
+    const Outline card = scenes::box({0.5f * thickness, 0.5f * kLength});
+    const Outline deck = scenes::box({0.5f * pitch - 0.0005f, 0.5f * thickness});
+    std::vector<std::uint32_t> cards;
+    float base = 0.0f;
+    for (int pairs = levels; pairs > 0; --pairs) {
+        const float first = -0.5f * static_cast<float>(pairs - 1) * pitch;
+        for (int i = 0; i < pairs; ++i) {
+            const float middle = first + static_cast<float>(i) * pitch;
+            for (const float side : {-1.0f, 1.0f})
+                cards.push_back(
+                    plan.addDynamic(card, {middle + side * reach, base + 0.5f * height}, paper, side * lean));
+        }
+        base += height;
+        for (int i = 0; i + 1 < pairs; ++i)
+            cards.push_back(plan.addDynamic(
+                deck, {first + (static_cast<float>(i) + 0.5f) * pitch, base + 0.5f * thickness}, paper));
+        base += thickness;
+    }
+    plan.goals.push_back(staysWithin(cards, 0.1));
+    plan.goals.push_back(sleeps());
+    return plan;
+}
+
+}  // namespace plumb::families

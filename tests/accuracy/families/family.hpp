@@ -1,0 +1,33 @@
+#pragma once
+
+#include <span>
+#include <string_view>
+
+#include "core/random.hpp"
+#include "tests/accuracy/families/blueprint.hpp"
+
+namespace plumb::families {
+
+/// Random scenes of one kind, with their parameters drawn from a seed. A family covers what people build, not
+/// what is known to work; a member that cannot hold by the laws of physics is none.
+struct Family {
+    std::string_view name;
+    std::string_view what;  ///< one sentence: the parameters and their ranges, and what has to happen
+    Blueprint (*make)(Random& random) = nullptr;
+    /// m: how far bodies may end from each other in two variations of a member that reaches its goals; 0
+    /// where motion is chaotic and only shares are compared.
+    double tolerance = 0.0;
+};
+
+/// In alphabetical order of their files.
+std::span<const Family> allFamilies();
+const Family* findFamily(std::string_view name);
+/// The same scene for the same seed, on every machine.
+Blueprint memberOf(const Family& family, std::uint64_t seed);
+
+// One function a family: families/<name>.cpp
+Blueprint makeCardHouse(Random& random);
+Blueprint makeClosingBox(Random& random);
+Blueprint makeDrivenLinkage(Random& random);
+
+}  // namespace plumb::families

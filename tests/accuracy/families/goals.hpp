@@ -1,0 +1,18 @@
+#pragma once
+
+#include "tests/accuracy/families/stage.hpp"
+
+namespace plumb::families {
+
+// Goals that several families have.
+
+/// "stands": none of these bodies is further (m) from where it was planned.
+Goal staysWithin(std::vector<std::uint32_t> bodies, double distance);
+/// "sleeps": no dynamic body is awake. Only asked where the engine is ours and sleeping is on.
+Goal sleeps();
+/// "stays in": the center of each of these bodies is in the box.
+Goal staysIn(std::vector<std::uint32_t> bodies, Vec2 low, Vec2 high);
+/// "keeps its joints": no joint is open by more (m).
+Goal keepsJoints(double gap);
+
+}  // namespace plumb::families

@@ -1,0 +1,170 @@
+#include "tests/accuracy/families/outcome.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <chrono>
+#include <cmath>
+
+#include "core/hash.hpp"
+#include "core/text.hpp"
+#include "physics/measures.hpp"
+#include "tests/bench/physics/scene_error.hpp"
+
+namespace plumb::families {
+
+namespace {
+
+constexpr int kStepsBetweenLooks = 30;  // exact overlaps of all pairs cost more than a step
+
+/// Energy of motion and height, and how much it grew over its lowest point so far. What touches is pushed out of
+/// an overlap of up to one slop, so the weight of everything may be lifted by that.
+class EnergyBook {
+public:
+    void note(const physics::World& world) {
+        const double now = physics::energyOf(world);
+        if (first_) {
+            low_ = high_ = now;
+            for (const physics::BodyMass& mass : world.bodies.mass) lift_ += static_cast<double>(mass.mass);
+            lift_ *= static_cast<double>(length(world.settings.gravity) * world.settings.slop);
+        }
+        first_ = false;
+        low_ = std::min(low_, now);
+        gain_ = std::max(gain_, now - low_);
+        high_ = std::max(high_, now);
+    }
+    /// Part of all the energy that was ever turned over.
+    [[nodiscard]] double gain() const {
+        return high_ > low_ ? std::max(gain_ - lift_, 0.0) / (high_ - low_) : 0.0;
+    }
+
+private:
+    bool first_ = true;
+    double low_ = 0.0;
+    double high_ = 0.0;
+    double gain_ = 0.0;
+    double lift_ = 0.0;  ///< J
+};
+
+/// By how much bodies move further in a step than the larger of their speeds before and after it explains.
+class JumpMeter {
+public:
+    void before(const Stage& stage) {
+        moments_.clear();
+        for (std::uint32_t body = 0; body < stage.size(); ++body) {
+            Moment& moment = moments_.emplace_back();
+            if (!stage.has(body)) continue;
+            moment.there = true;
+            moment.position = stage.positionOf(body);
+            moment.speed = static_cast<double>(length(stage.velocityOf(body)));
+        }
+    }
+    void after(const Stage& stage) {
+        for (std::uint32_t body = 0; body < std::min(stage.size(), moments_.size()); ++body) {
+            const Moment& moment = moments_[body];
+            if (!moment.there || !stage.has(body)) continue;
+            const scenes::Point now = stage.positionOf(body);
+            const double moved = std::hypot(now.x - moment.position.x, now.y - moment.position.y);
+            const double speed = std::max(moment.speed, static_cast<double>(length(stage.velocityOf(body))));
+            largest_ = std::max(largest_, moved - speed * static_cast<double>(kStep));
+        }
+    }
+    [[nodiscard]] double largest() const { return largest_; }
+
+private:
+    struct Moment {
+        bool there = false;
+        scenes::Point position;
+        double speed = 0.0;
+    };
+    std::vector<Moment> moments_;
+    double largest_ = 0.0;
+};
+
+std::uint64_t bitsOf(const physics::World& world) {
+    Hasher hash;
+    for (std::size_t i = 0; i < world.bodies.size(); ++i) {
+        const physics::BodyPose& pose = world.bodies.pose[i];
+        const physics::BodyMotion& motion = world.bodies.motion[i];
+        hash.add(std::bit_cast<std::uint64_t>(pose.centre.x));
+        hash.add(std::bit_cast<std::uint64_t>(pose.centre.y));
+        for (const float value : {pose.rotation.cos, pose.rotation.sin, motion.velocity.x, motion.velocity.y,
+                                  motion.angularVelocity})
+            hash.add(std::uint64_t{std::bit_cast<std::uint32_t>(value)});
+    }
+    return hash.value();
+}
+
+void lookAtErrors(const Stage& stage, Outcome& outcome) {
+    const auto scale = static_cast<double>(stage.variation().placement.scale);
+    const scenes::SceneError error = scenes::errorOf(stage.scene());
+    outcome.sound = outcome.sound && error.finite;
+    outcome.maxOverlap = std::max(outcome.maxOverlap, error.maxPenetration / scale);
+    outcome.maxJointError = std::max(outcome.maxJointError, error.maxJointError / scale);
+}
+
+void lookAtEnd(const Stage& stage, Outcome& outcome) {
+    lookAtErrors(stage, outcome);
+    for (std::uint32_t body = 0; body < stage.size(); ++body) {
+        if (!stage.has(body)) {
+            outcome.ends.emplace_back();
+            continue;
+        }
+        outcome.ends.push_back(stage.positionOf(body));
+        outcome.restSpeed = std::max(outcome.restSpeed, static_cast<double>(length(stage.velocityOf(body))));
+    }
+    for (const Goal& goal : stage.plan().goals) {
+        const double error = outcome.sound ? goal.error(stage) : INFINITY;
+        if (error <= goal.bound) continue;
+        if (outcome.reached) outcome.missed = format("{}: {} of {}", goal.name, error, goal.bound);
+        outcome.reached = false;
+    }
+    if (const physics::World* world = stage.world()) {
+        outcome.bits = bitsOf(*world);
+        for (const std::uint32_t body : world->awake)
+            outcome.awake += world->bodies.info[body].kind == physics::BodyKind::Dynamic ? 1 : 0;
+    }
+}
+
+double now() {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+}  // namespace
+
+Outcome play(const Blueprint& plan, const Variation& variation) {
+    Outcome outcome;
+    Stage stage{plan, variation};
+    outcome.missing = stage.scene().missing();
+    if (!outcome.missing.empty()) return outcome;
+    const int steps = static_cast<int>(std::lround(plan.seconds / static_cast<double>(kStep)));
+    EnergyBook energy;
+    JumpMeter jumps;
+    double spent = 0.0;
+    for (int i = 0; i < steps && outcome.sound; ++i) {
+        if (stage.world() != nullptr) jumps.before(stage);
+        const double start = now();
+        stage.step();
+        spent += now() - start;
+        outcome.contacts = std::max(outcome.contacts, stage.scene().contactCount());
+        if (const physics::World* world = stage.world()) {
+            jumps.after(stage);
+            if (plan.closed) energy.note(*world);
+            outcome.sound = outcome.sound && world->quarantined.empty();
+        }
+        if (i % kStepsBetweenLooks == kStepsBetweenLooks - 1) lookAtErrors(stage, outcome);
+    }
+    outcome.maxJump = jumps.largest();
+    outcome.energyGain = energy.gain();
+    outcome.microsPerStep = 1e6 * spent / std::max(steps, 1);
+    lookAtEnd(stage, outcome);
+    return outcome;
+}
+
+double largestDistance(const Outcome& a, const Outcome& b) {
+    double largest = 0.0;
+    for (std::size_t i = 0; i < std::min(a.ends.size(), b.ends.size()); ++i)
+        largest = std::max(largest, std::hypot(a.ends[i].x - b.ends[i].x, a.ends[i].y - b.ends[i].y));
+    return largest;
+}
+
+}  // namespace plumb::families

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "physics/settings.hpp"
+#include "tests/bench/physics/measure.hpp"
+
+namespace plumb::families {
+
+/// How a scene is placed in the world. Nothing that happens in it may depend on this.
+struct Placement {
+    bool mirrored = false;  ///< x becomes -x
+    int quarterTurns = 0;   ///< of everything, gravity too
+    float scale = 1.0f;     ///< of all lengths, and with them gravity and speeds: times stay
+    double originX = 0.0;   ///< m
+    double originY = 0.0;
+};
+
+/// One way to simulate a scene.
+struct Variation {
+    physics::Quality quality = 2;  ///< kQualityOfWorld: automatic
+    bool sleeping = true;
+    bool directJoints = true;
+    bool continuous = true;
+    bool allEffects = false;  ///< runs every effect, though the scene calls for fewer
+    physics::BroadPhaseKind broadPhase = physics::BroadPhaseKind::Tree;
+    int threads = 1;
+    int restoreEvery = 0;       ///< steps, after which the world is replaced by a copy of itself; 0 for never
+    int delay = 0;              ///< steps of the empty world before the scene is built
+    std::uint64_t shuffle = 0;  ///< seed of the order in which bodies and joints are made; 0: as planned
+    Placement placement;
+    std::vector<bool> dropped;             ///< by body: left out; may be shorter
+    const scenes::Engine* peer = nullptr;  ///< another engine, at its defaults
+};
+
+}  // namespace plumb::families
