@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "physics/broadphase/overlap.hpp"
-#include "physics/easing.hpp"
+#include "physics/initial_overlaps.hpp"
 #include "physics/narrowphase/collide.hpp"
 #include "physics/narrowphase/upright.hpp"
 #include "physics/solver/kernels.hpp"
@@ -172,8 +172,8 @@ void take(const World& world, Contact& contact, const Encounter& now, Manifold m
     }
     ++counts.touching;
     takeManifold(world, contact, manifold, now);
-    if ((contact.flags & kTouching) == 0) noteOverlap(world, contact);
-    if ((contact.flags & kEasing) != 0) ease(world, contact);
+    if ((contact.flags & kTouching) == 0) return markInitialOverlap(world, contact);
+    if ((contact.flags & kInitialOverlap) != 0) hideInitialOverlap(world, contact);
 }
 
 /// Where something round touches wanders while it rolls, and the normal turns with it. The step holds on to
@@ -196,7 +196,7 @@ bool takeHalfway(const World& world, Contact& contact, const Encounter& now, flo
     ++counts.touching;
     takeManifold(world, contact, manifold, then);
     contact.separation0 = separationOf(now, contact.anchors[0], unrotate(now.turnA, contact.normal));
-    if ((contact.flags & kEasing) != 0) ease(world, contact);
+    if ((contact.flags & kInitialOverlap) != 0) hideInitialOverlap(world, contact);
     return true;
 }
 
@@ -243,7 +243,7 @@ void touchUpright(const World& world, Contact& contact, DetectionCounts& counts)
     if (slideUpright(contact, pair, world.settings.speculativeDistance)) {
         ++counts.recycled;
         ++counts.touching;
-        if ((contact.flags & kEasing) != 0) ease(world, contact);
+        if ((contact.flags & kInitialOverlap) != 0) hideInitialOverlap(world, contact);
         return;
     }
     const Manifold manifold = manifoldOf(world, pair);
@@ -261,7 +261,7 @@ bool isSettled(const World& world, Contact& contact, const Encounter& now, Detec
     if (recycle(contact, now, world.settings)) {
         ++counts.recycled;
         ++counts.touching;
-        if ((contact.flags & kEasing) != 0) ease(world, contact);
+        if ((contact.flags & kInitialOverlap) != 0) hideInitialOverlap(world, contact);
         return true;
     }
     if (!touch(world.shapes.bounds[contact.shapeA], world.shapes.bounds[contact.shapeB])) {
@@ -366,7 +366,7 @@ void copyMaterials(const World& world, Contact& contact) {
     const bool upright = unturned && staysUpright(world, contact.bodyA, outlineA) &&
                          staysUpright(world, contact.bodyB, outlineB);
     if (contact.friction == 0.0f) contact.frictionImpulse = 0.0f;
-    const int kept = contact.flags & (kTouching | kBegan | kDisabled | kPassing | kEasing);
+    const int kept = contact.flags & (kTouching | kBegan | kDisabled | kPassing | kInitialOverlap);
     contact.flags = static_cast<std::uint16_t>(
         kept | (triggered ? kTriggered : 0) | (reports ? kReports : 0) |
         ((a.flags & kOneWay) != 0 ? kOneWayA : 0) | ((b.flags & kOneWay) != 0 ? kOneWayB : 0) |

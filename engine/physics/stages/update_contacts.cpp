@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "physics/contacts.hpp"
+#include "physics/initial_overlaps.hpp"
 #include "physics/joints.hpp"
 #include "physics/sleeping.hpp"
 #include "physics/stages.hpp"
@@ -98,6 +99,8 @@ void end(World& world, Workspace& work, Contact& contact) {
 
 void begin(World& world, Workspace& work, std::size_t index) {
     world.contacts[index].flags |= kTouching | kBegan;
+    if ((world.contacts[index].flags & kInitialOverlap) != 0)
+        addInitialOverlap(world, world.contacts[index]);
     const std::uint32_t bodyA = world.contacts[index].bodyA, bodyB = world.contacts[index].bodyB;
     const bool pushesA = pushableA(world.contacts[index]) != kNone;
     if ((world.contacts[index].flags & kTriggered) == 0) {
@@ -153,6 +156,7 @@ void updateContacts(StepContext& step) {
     World& world = step.world;
     Workspace& work = step.work;
     if (!world.shapes.dying.empty() || !world.bodies.dying.empty()) endContactsOfDead(step);
+    fadeInitialOverlaps(world, step.dt);
     lookAtAll(step);
     for (const std::vector<std::uint32_t>& changed : work.changedContacts) {
         for (const std::uint32_t i : changed) {
