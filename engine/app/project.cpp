@@ -28,7 +28,7 @@ public:
 
     void text(std::string_view key, std::string& value) {
         if (const Json* found = find(key, "a text", "\"My Game\"", &Json::is_string))
-            value = found->get<std::string>();
+            value = textOrEmpty(*found);
     }
     void flag(std::string_view key, bool& value) {
         if (const Json* found = find(key, "true or false", "true", &Json::is_boolean))
@@ -74,7 +74,7 @@ public:
                      "write e.g. [\"ground\", \"player\"]; \"\" leaves one out");
                 return;
             }
-            values.push_back(name.get<std::string>());
+            values.push_back(textOrEmpty(name));
         }
     }
     const Json* object(std::string_view key) { return find(key, "an object", "{}", &Json::is_object); }

@@ -45,7 +45,7 @@ const Json* JsonFields::find(std::string_view key) {
 std::string JsonFields::text(std::string_view key, std::string_view fallback) {
     const Json* json = find(key);
     if (json == nullptr) return std::string{fallback};
-    if (json->is_string()) return json->get<std::string>();
+    if (const std::string* found = jsonText(*json)) return *found;
     warn(key, "expected a text, found " + briefText(*json), "put it in double quotes");
     return std::string{fallback};
 }
@@ -93,7 +93,7 @@ std::size_t JsonFields::choice(std::string_view key, std::size_t fallback,
                                std::span<const std::string_view> names) {
     const Json* json = find(key);
     if (json == nullptr) return fallback;
-    const std::string word = json->is_string() ? json->get<std::string>() : std::string{};
+    const std::string word = textOrEmpty(*json);
     if (const auto at = std::find(names.begin(), names.end(), word); at != names.end()) {
         return static_cast<std::size_t>(at - names.begin());
     }

@@ -279,9 +279,12 @@ void SceneReader::readChildren(const Json& value, EntityId root, std::uint64_t i
         const std::uint64_t part = parseHex(key).value_or(0);
         const std::uint64_t partId = combinedId(id, part);
         const EntityId entity = part <= Prefab::kRootPart ? EntityId{} : fields_.entity(partId);
-        if (!entity || entity == root || !overrides.is_object()) {
-            problem(format("{}.{}", where, key), "the prefab has no such part",
-                    "it is kept as it stands; remove it");
+        const bool isPart = entity && entity != root;
+        if (!isPart || !overrides.is_object()) {
+            problem(
+                format("{}.{}", where, key),
+                isPart ? "expected an object, found " + foundText(overrides) : "the prefab has no such part",
+                "it is kept as it stands; remove it");
             kept(id).fields.push_back({"", key, overrides, Json()});
             continue;
         }

@@ -23,7 +23,7 @@ const Json* LdtkFields::find(std::string_view key) const {
 std::string LdtkFields::text(std::string_view key, std::string_view fallback) const {
     const Json* json = find(key);
     if (json == nullptr) return std::string{fallback};
-    if (json->is_string()) return json->get<std::string>();
+    if (const std::string* found = jsonText(*json)) return *found;
     warn(key, "expected a text, found " + briefText(*json), "save the project again in LDtk");
     return std::string{fallback};
 }

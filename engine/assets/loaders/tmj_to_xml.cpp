@@ -36,9 +36,9 @@ bool isIn(std::string_view word, const List& list) {
 }
 
 std::string scalarText(const Json& value) {
-    if (value.is_string()) return value.get<std::string>();
+    if (const std::string* text = jsonText(value)) return *text;
     if (value.is_boolean()) return value.get<bool>() ? "1" : "0";
-    if (value.is_number_integer()) return value.dump();
+    if (value.is_number_integer()) return compactText(value);
     if (value.is_number()) return shortestText(value.get<double>());
     return {};
 }
@@ -132,10 +132,10 @@ void addPoints(XmlElement& element, std::string_view name, const Json& points) {
 }
 
 void fillData(XmlElement& element, const Json& data, const Json& owner) {
-    if (data.is_string()) {
+    if (const std::string* text = jsonText(data)) {
         addAttribute(element, "encoding", memberText(owner, "encoding"));
         addAttribute(element, "compression", memberText(owner, "compression"));
-        element.text = data.get<std::string>();
+        element.text = *text;
     } else {
         addAttribute(element, "encoding", "csv");
         element.text = numberList(data);
