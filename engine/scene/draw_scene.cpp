@@ -34,7 +34,8 @@ Rect sourceOf(const Sprite& sprite) {
 }
 
 /// The sprite as a quad at a pose. A negative scale mirrors.
-[[gnu::always_inline]] inline SpriteQuad quadOf(const Sprite& sprite, const Pose& pose, const TextureRegion& picture) {
+[[gnu::always_inline]] inline SpriteQuad quadOf(const Sprite& sprite, const Pose& pose,
+                                                const TextureRegion& picture) {
     const Vec2 size{static_cast<float>(sprite.width) * pose.scale.x,
                     static_cast<float>(sprite.height) * pose.scale.y};
     SpriteQuad quad;

@@ -61,7 +61,8 @@ public:
 
     /// Draws the physics over what is there already, with a legend.
     /// @param how  as the scene was looked at
-    void drawPhysics(const World& world, const PhysicsShown& shown, const SceneView& how, const Viewport& viewport);
+    void drawPhysics(const World& world, const PhysicsShown& shown, const SceneView& how,
+                     const Viewport& viewport);
     /// How the last draw looked at the lowest scene.
     [[nodiscard]] const SceneView& sceneView() const { return sceneView_; }
 
