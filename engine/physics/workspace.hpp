@@ -6,6 +6,7 @@
 #include <memory>
 #include <vector>
 
+#include "physics/broadphase/box_tree.hpp"
 #include "physics/broadphase/broad_phase.hpp"
 #include "physics/detection_counts.hpp"
 #include "physics/effects/flyers.hpp"
@@ -196,6 +197,7 @@ struct Workspace {
     std::vector<std::vector<std::uint32_t>> brokenOfPiece;
     std::vector<std::uint32_t> fastBodies;  ///< that may have passed through something in this step
     std::vector<Sweep> sweeps;              ///< of fastBodies
+    BoxTree sweptBounds;                    ///< of these, while there are bullets
     std::vector<std::vector<std::uint32_t>> sweptPast;  ///< by piece: shapes near the way of one of them
     std::vector<std::uint32_t> candidates;              ///< of the query that is being answered
     bool sleepy = false;                                ///< some body has rested for long enough

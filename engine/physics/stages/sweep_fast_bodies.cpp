@@ -128,21 +128,28 @@ float stopAt(const World& world, const Mover& mover, const Mover& target, float 
 
 /// Where the shapes of the body stop at shapes that come into question.
 float stopOfBody(const World& world, const Sweep& sweep, std::uint32_t body, const Mover& target,
-                 float latest) {
+                 float latest, DetectionCounts& counts) {
     for (std::uint32_t s = world.bodies.info[body].firstShape; s != kNone; s = world.shapes.info[s].next) {
+        ++counts.swept;
         latest = stopAt(world, {s, sweep}, target, latest);
     }
     return latest;
 }
 
-/// Shapes near the way of a body, in the order of their numbers: where it stops depends on whom it asks
+/// m: half the side of a square at the centre of mass that contains the body, whatever its angle, and the gap
+/// that it keeps.
+float reachOf(const StepContext& step, const Sweep& sweep, std::uint32_t body) {
+    const Vec2 from = toVec2(sweep.start);
+    const float rounding = 5.0e-7f * std::max(std::fabs(from.x), std::fabs(from.y));
+    return step.world.bodies.info[body].reach + rounding + step.world.settings.speculativeDistance;
+}
+
+/// Shapes near the way of a body, in the order of their numbers: where it stops depends on which is tested
 /// first, and a broad phase gives them in an order of its own.
 void findOnWay(const StepContext& step, const Sweep& sweep, std::uint32_t body, Among among,
                std::vector<std::uint32_t>& found) {
     const Vec2 from = toVec2(sweep.start);
-    const float rounding = 5.0e-7f * std::max(std::fabs(from.x), std::fabs(from.y));
-    const float reach =
-        step.world.bodies.info[body].reach + rounding + step.world.settings.speculativeDistance;
+    const float reach = reachOf(step, sweep, body);
     found.clear();
     step.work.broadPhase->cast(proxiesOf(step.world), from, sweep.way, {reach, reach}, 0xffffffffu, found,
                                among);
@@ -150,8 +157,8 @@ void findOnWay(const StepContext& step, const Sweep& sweep, std::uint32_t body, 
 }
 
 /// Lets a sweep end at the first shape that never yields.
-void stopAtFixed(const StepContext& step, std::uint32_t body, Sweep& sweep,
-                 std::vector<std::uint32_t>& found) {
+void stopAtFixed(const StepContext& step, std::uint32_t body, Sweep& sweep, std::vector<std::uint32_t>& found,
+                 DetectionCounts& counts) {
     const World& world = step.world;
     findOnWay(step, sweep, body, world.manifest.runs(Effect::Kinematics) ? Among::All : Among::Static, found);
     if (found.empty()) return;
@@ -161,7 +168,7 @@ void stopAtFixed(const StepContext& step, std::uint32_t body, Sweep& sweep,
         const ProxyMotion motion = world.shapes.motion[shape];
         if (motion != ProxyMotion::Static && motion != ProxyMotion::Kinematic) continue;
         const Sweep stays = resting(world.bodies.pose[world.shapes.info[shape].body]);
-        latest = stopOfBody(world, sweep, body, {shape, stays}, latest);
+        latest = stopOfBody(world, sweep, body, {shape, stays}, latest, counts);
     }
     sweep.end = latest;
 }
@@ -207,6 +214,15 @@ bool isBullet(const World& world, std::uint32_t body) {
     return (world.bodies.info[body].flags & kBullet) != 0;
 }
 
+/// The same for fast bodies: their places in Workspace::fastBodies.
+void findSweptOnWay(const StepContext& step, const Sweep& sweep, std::uint32_t body,
+                    std::vector<std::uint32_t>& found) {
+    const float reach = reachOf(step, sweep, body);
+    found.clear();
+    step.work.sweptBounds.cast(toVec2(sweep.start), sweep.way * sweep.end, {reach, reach}, 1u, found);
+    std::sort(found.begin(), found.end());
+}
+
 /// Bodies that have moved far themselves are met on their way, both at one time; all others where they are.
 /// @param places  in Workspace::fastBodies, by body
 void sweepBullet(StepContext& step, std::uint32_t place, const std::vector<std::uint32_t>& places) {
@@ -223,14 +239,15 @@ void sweepBullet(StepContext& step, std::uint32_t place, const std::vector<std::
         const bool fixed = motion == ProxyMotion::Static || motion == ProxyMotion::Kinematic;
         if (fixed || places[body] != kNone) continue;
         const Sweep stays = resting(world.bodies.pose[body]);
-        latest = stopOfBody(world, sweep, bullet, {shape, stays}, latest);
+        latest = stopOfBody(world, sweep, bullet, {shape, stays}, latest, work.counts);
     }
-    for (std::uint32_t other = 0; other < work.sweeps.size(); ++other) {
+    findSweptOnWay(step, sweep, bullet, work.candidates);
+    for (const std::uint32_t other : work.candidates) {
         if (other == place) continue;
         const std::uint32_t body = work.fastBodies[other];
         for (std::uint32_t s = world.bodies.info[body].firstShape; s != kNone;
              s = world.shapes.info[s].next) {
-            const float stop = stopOfBody(world, sweep, bullet, {s, work.sweeps[other]}, latest);
+            const float stop = stopOfBody(world, sweep, bullet, {s, work.sweeps[other]}, latest, work.counts);
             if (stop < latest) latest = stop, met = other;
         }
     }
@@ -242,8 +259,23 @@ void sweepBullet(StepContext& step, std::uint32_t place, const std::vector<std::
     setBack(step, work.fastBodies[met], work.sweeps[met], otherBefore);
 }
 
+/// Bounds of whole sweeps, so that each bullet finds the fast bodies that it may meet without a look at the
+/// others.
+void fillSweptBounds(StepContext& step) {
+    Workspace& work = step.work;
+    work.sweptBounds.clear();
+    for (std::size_t i = 0; i < work.sweeps.size(); ++i) {
+        const Sweep& sweep = work.sweeps[i];
+        const float reach = reachOf(step, sweep, work.fastBodies[i]);
+        const Vec2 from = toVec2(sweep.start), to = from + sweep.way * sweep.end, half{reach, reach};
+        work.sweptBounds.add({min(from, to) - half, max(from, to) + half}, 1u);
+    }
+    work.sweptBounds.settle();
+}
+
 void sweepBullets(StepContext& step) {
     Workspace& work = step.work;
+    fillSweptBounds(step);
     std::vector<std::uint32_t>& places = work.bodyScratch;
     places.assign(step.world.bodies.size(), kNone);
     for (std::uint32_t i = 0; i < work.fastBodies.size(); ++i) places[work.fastBodies[i]] = i;
@@ -267,14 +299,17 @@ void sweepFastBodies(StepContext& step) {
     work.sweeps.resize(count);
     const auto pieces = static_cast<std::size_t>(piecesOf(static_cast<int>(count), kGrain));
     if (work.sweptPast.size() < pieces) work.sweptPast.resize(pieces);
+    if (work.countsOfPiece.size() < pieces) work.countsOfPiece.resize(pieces);
+    std::fill(work.countsOfPiece.begin(), work.countsOfPiece.end(), DetectionCounts{});
     forPieces(step, static_cast<int>(count), kGrain, [&](int begin, int end, int piece) {
+        const auto p = static_cast<std::size_t>(piece);
         for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i) {
             work.sweeps[i] = wayOf(step, work.fastBodies[i]);
             if (bullets) addTurn(step, work.fastBodies[i], work.sweeps[i]);
-            stopAtFixed(step, work.fastBodies[i], work.sweeps[i],
-                        work.sweptPast[static_cast<std::size_t>(piece)]);
+            stopAtFixed(step, work.fastBodies[i], work.sweeps[i], work.sweptPast[p], work.countsOfPiece[p]);
         }
     });
+    for (const DetectionCounts& counts : work.countsOfPiece) work.counts += counts;
     for (std::size_t i = 0; i < count; ++i) {
         if (work.sweeps[i].end < 1.0f) setBack(step, work.fastBodies[i], work.sweeps[i], 1.0f);
     }
