@@ -37,11 +37,11 @@ std::uint32_t sweptPairs(int balls, int bullets) {
 
 }  // namespace
 
-// 5 m of path (300 m/s) by the width of a ball's own path (0.5 m) among one body on 9 m2: below 2 bodies
-// are near the path of a bullet; among n bodies without a search, n.
+// 5 m of path (300 m/s) by the width of a ball's own path (0.5 m) among one body on 9 m2: 1 to 3 bodies are
+// near the path of a bullet, and of another one both look. Among n bodies without a search it would be n.
 TEST(Bullets, areTestedAgainstWhatIsNearTheirPathOnly) {
     for (const auto& [balls, bullets] : {std::array{2000, 50}, {2000, 400}, {0, 800}, {8000, 100}}) {
-        EXPECT_LE(sweptPairs(balls, bullets), static_cast<std::uint32_t>(4 * bullets))
+        EXPECT_LE(sweptPairs(balls, bullets), static_cast<std::uint32_t>(6 * bullets))
             << bullets << " among " << balls;
         EXPECT_GT(sweptPairs(balls, bullets), 0u);
     }
