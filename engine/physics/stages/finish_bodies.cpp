@@ -152,9 +152,8 @@ void finish(StepContext& step, std::size_t slot, std::uint32_t body, Findings& f
         motion.restTime += step.dt;
         found.sleepy = found.sleepy || motion.restTime >= world.settings.sleepTime;
     }
-    if (info.kind == BodyKind::Dynamic && world.settings.continuous && isFast(step.work.shift[slot], info)) {
-        found.fast.push_back(body);
-    }
+    const bool isSwept = info.kind == BodyKind::Dynamic ? isFast(shift, info) : moved;
+    if (isSwept && world.settings.continuous) found.fast.push_back(body);
     updateShapes(world, body, found);
 }
 
