@@ -64,7 +64,7 @@ BodyDrive driveOf(const BodyDefinition& definition) {
     return drive;
 }
 
-/// The effects that a body calls for by itself.
+/// Counts a body as a user of the effects that it needs, not counting its shapes.
 void callFor(World& world, std::uint32_t body, int times) {
     const BodyInfo& info = world.bodies.info[body];
     const BodyDrive& drive = world.bodies.driveOf(body);
