@@ -68,14 +68,14 @@ enum ContactFlag : std::uint16_t {
     kReports = 8,    ///< produces events
     kOneWayA = 16,   ///< shape A is one-way
     kOneWayB = 32,
-    kDisabled = 64,   ///< exerts no forces in this step
-    kFixedA = 128,    ///< body A is not dynamic
-    kRound = 256,     ///< one shape is a circle: the points are computed anew in each step
-    kUnturned = 512,  ///< no impulse can rotate either body: one point is enough
-    kGone = 1024,  ///< it ended in this step: the bounds no longer overlap, or the filters no longer allow it
-    kPassing = 2048,    ///< a one-way shape lets the other shape through until they separate
-    kAlongAxes = 4096,  ///< two boxes aligned with the world axes, of bodies that cannot rotate
-    kEasing = 0xe000    ///< a number: how much of an initial overlap is still ignored, see easing.hpp
+    kDisabled = 64,         ///< exerts no forces in this step
+    kFixedA = 128,          ///< body A is not dynamic
+    kRound = 256,           ///< one shape is a circle: the points are computed anew in each step
+    kUnturned = 512,        ///< no impulse can rotate either body: one point is enough
+    kGone = 1024,           ///< its bounds separated in this step, or the filters no longer allow it
+    kPassing = 2048,        ///< a one-way shape lets the other shape through until they separate
+    kAlongAxes = 4096,      ///< two boxes aligned with the world axes, of bodies that cannot rotate
+    kInitialOverlap = 8192  ///< a part of its overlap is hidden from the solver: initial_overlaps.hpp
 };
 
 /// What happened between two shapes in a step.

@@ -7,7 +7,7 @@ namespace plumb::physics {
 // How far contacts and joints are from what they should keep to, m. Both are 0 at best and never below.
 
 /// How deep the two shapes of a contact were in each other at the start of the last step, without what is
-/// left alone (easing.hpp). 0 for contacts that do not push.
+/// left alone (initial_overlaps.hpp). 0 for contacts that do not push.
 [[nodiscard]] float overlapOf(const Contact& contact);
 
 /// How far a joint is open now: apart, of the wrong length, beyond a limit; an angle counts by how far it

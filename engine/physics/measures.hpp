@@ -11,7 +11,7 @@ namespace plumb::physics {
 [[nodiscard]] double energyOf(const World& world);
 
 /// m: how deep two solid shapes are in each other at most, when the last step began; 0 where none are. What
-/// easing.hpp leaves alone does not count.
+/// initial_overlaps.hpp hides does not count.
 [[nodiscard]] float deepestOverlapOf(const World& world);
 
 /// m: how far a body of `world` is at most from where the same body of `other` is. Bodies that only one of

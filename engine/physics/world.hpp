@@ -253,6 +253,12 @@ struct SoftBodies {
     std::vector<std::uint32_t> free;
 };
 
+/// An overlap that no motion explains, see initial_overlaps.hpp.
+struct InitialOverlap {
+    PairKey pair = 0;
+    float hidden = 0.0f;  ///< m: the part of it that is still hidden from the solver
+};
+
 /// The whole simulated state as plain data: a copy is a snapshot. It holds indices and generations, no
 /// addresses.
 struct World {
@@ -266,15 +272,17 @@ struct World {
     std::vector<std::uint32_t> moved;  ///< shapes whose pairs have to be searched: those with kLeftBounds
     std::vector<Contact> contacts;     ///< contacts with at least one awake body
     Sleepers sleepers;
-    std::vector<ContactEvent> events;   ///< events of the last step
-    std::vector<JointId> brokenJoints;  ///< joints that broke in the last step
-    std::vector<BodyId> quarantined;    ///< bodies whose state became non-finite in the last step: stopped at
-                                        ///< their last valid pose
-    std::uint32_t qualityCallers = 0;   ///< number of bodies and joints with a quality of their own
-    bool newJoints = false;             ///< some joint has no colour yet
-    bool filtersStale = false;          ///< a filter or joint changed: contacts may have become invalid
-    bool islandsStale = false;          ///< a contact or joint ended: islands may be larger than necessary
+    std::vector<InitialOverlap> initialOverlaps;  ///< by pair
+    std::vector<ContactEvent> events;             ///< events of the last step
+    std::vector<JointId> brokenJoints;            ///< joints that broke in the last step
+    std::vector<BodyId> quarantined;   ///< stopped in the last step, because their state became non-finite
+    std::uint32_t qualityCallers = 0;  ///< number of bodies and joints with a quality of their own
+    bool newJoints = false;            ///< some joint has no colour yet
+    bool filtersStale = false;         ///< a filter or joint changed: contacts may have become invalid
+    bool islandsStale = false;         ///< a contact or joint ended: islands may be larger than necessary
+    float islandsAge = 0.0f;           ///< s: time for which they have been stale
     Manifest manifest;
+    Vec2 gravityOfLastStep;  ///< m/s2: a change of Settings::gravity wakes all bodies
     std::uint64_t steps = 0;
     float stepLength = 1.0f / 60.0f;  ///< s: length of the step that the impulses in `contacts` belong to
     WorkspaceHolder work;             ///< derived from the rest: neither copied nor hashed

@@ -26,7 +26,10 @@ Blueprint makeCardHouse(Random& random) {
     const float reach = 0.5f * (kLength * std::sin(lean) + thickness * std::cos(lean));  // half its width
     const float pitch = 4.0f * reach + gap;  // from the middle of a pair to that of the next
     const Outline card = scenes::box({0.5f * thickness, 0.5f * kLength});
-    const Outline deck = scenes::box({0.5f * pitch - 0.0005f, 0.5f * thickness});
+    // Tips carry a deck at a card's thickness from its ends, so it may be shorter by half of that.
+    const float missing = random.between(0.0005f, 0.5f * thickness * std::cos(lean));
+    const Outline deck = scenes::box({0.5f * pitch - missing, 0.5f * thickness});
+    const float clearance = random.below(2) == 0 ? 0.0f : random.between(0.0f, 0.002f);  // between levels
     std::vector<std::uint32_t> cards;
     float base = 0.0f;
     for (int pairs = levels; pairs > 0; --pairs) {
@@ -37,11 +40,11 @@ Blueprint makeCardHouse(Random& random) {
                 cards.push_back(
                     plan.addDynamic(card, {middle + side * reach, base + 0.5f * height}, paper, side * lean));
         }
-        base += height;
+        base += height + clearance;
         for (int i = 0; i + 1 < pairs; ++i)
             cards.push_back(plan.addDynamic(
                 deck, {first + (static_cast<float>(i) + 0.5f) * pitch, base + 0.5f * thickness}, paper));
-        base += thickness;
+        base += thickness + clearance;
     }
     plan.goals.push_back(staysWithin(cards, 0.1));
     plan.goals.push_back(sleeps());
