@@ -64,7 +64,7 @@ BodyDrive driveOf(const BodyDefinition& definition) {
     return drive;
 }
 
-/// The effects that a body calls for by itself.
+/// Counts a body as a user of the effects that it needs, not counting its shapes.
 void callFor(World& world, std::uint32_t body, int times) {
     const BodyInfo& info = world.bodies.info[body];
     const BodyDrive& drive = world.bodies.driveOf(body);
@@ -80,7 +80,7 @@ void callFor(World& world, std::uint32_t body, int times) {
     manifest.call(Effect::Locks, dynamic && (info.flags & (kLockX | kLockY)) != 0, times);
 }
 
-/// Changes something that effects depend on.
+/// Changes a property that a body's effects depend on, and updates the manifest.
 template <class Change>
 void change(World& world, BodyId body, Change&& change) {
     callFor(world, body.index, -1);
@@ -194,7 +194,7 @@ Result<Done> setPosition(World& world, BodyId body, Place position, float angle)
     const Rot before = std::exchange(pose.rotation, rotFromAngle(angle));
     pose.centre = position + rotate(pose.rotation, pose.localCentre);
     refreshBounds(world, body.index);
-    // Contacts of those that never turn by themselves rely on it.
+    // Contacts of bodies that cannot rotate assume a constant rotation (kAlongAxes).
     if (!(pose.rotation == before) && !canTurn(world, body.index)) refreshContactsOf(world, body.index);
     return Done{};
 }

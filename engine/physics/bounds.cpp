@@ -11,7 +11,7 @@ namespace plumb::physics {
 
 namespace {
 
-/// m: float places far from the origin are rounded, so bounds there must be wider.
+/// m: float coordinates far from the origin are rounded, so bounds must be wider there.
 float roundingAt(const AABB& box) {
     const float far = std::max(std::max(std::fabs(box.min.x), std::fabs(box.max.x)),
                                std::max(std::fabs(box.min.y), std::fabs(box.max.y)));
@@ -20,7 +20,7 @@ float roundingAt(const AABB& box) {
 
 float marginOf(const AABB& tight, const Settings& settings) {
     const Vec2 size = tight.size();
-    // In this order a margin that is no number is not taken.
+    // std::min() returns its first argument if the second is NaN, so a NaN setting is ignored.
     return std::max(std::min(0.125f * std::max(size.x, size.y), settings.boundsMargin), 0.0f);
 }
 
@@ -29,7 +29,8 @@ float marginOf(const AABB& tight, const Settings& settings) {
 ProxyMotion motionOf(const World& world, std::uint32_t shape) {
     const ShapeInfo& outline = world.shapes.info[shape];
     const BodyInfo& info = world.bodies.info[outline.body];
-    // A trigger notices what moves without being pushed, too: it pairs with all.
+    // A trigger of a body that is not dynamic also detects bodies that move without forces, so it pairs with
+    // everything.
     if (info.kind != BodyKind::Dynamic && (outline.flags & kTrigger) != 0) return ProxyMotion::Awake;
     if (info.kind == BodyKind::Static) return ProxyMotion::Static;
     if (info.kind == BodyKind::Kinematic) return ProxyMotion::Kinematic;
@@ -45,7 +46,7 @@ AABB tightBounds(const World& world, std::uint32_t shape) {
 void setBounds(World& world, std::uint32_t shape) {
     ShapeInfo& info = world.shapes.info[shape];
     const AABB tight = tightBounds(world, shape);
-    // What never moves needs no margin: those who come near have one.
+    // A static shape needs no margin: the shapes that approach it have one.
     const bool moves = world.bodies.info[info.body].kind != BodyKind::Static;
     info.margin = moves ? marginOf(tight, world.settings) : 0.0f;
     world.shapes.bounds[shape] = grown(tight, info.margin + roundingAt(tight));
@@ -60,7 +61,7 @@ void refreshBounds(World& world, std::uint32_t body) {
 }
 
 void noteChanged(World& world, std::uint32_t shape) {
-    if (world.work.stale()) return;  // it will be filled anew
+    if (world.work.stale()) return;  // it will be rebuilt
     Workspace& work = world.work.get();
     if (work.isChanged.size() < world.shapes.size()) work.isChanged.resize(world.shapes.size());
     if (work.isChanged[shape] != 0) return;

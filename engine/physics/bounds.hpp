@@ -6,30 +6,30 @@
 
 namespace plumb::physics {
 
-/// What a body's shapes are to the broad phase now.
+/// The motion class of a shape in the broad phase.
 ProxyMotion motionOf(const World& world, std::uint32_t shape);
 
-/// The frame of a body's shapes, near enough to the origin to be float.
+/// The frame of a body's shapes in float, which is accurate near the origin only.
 inline Frame frameOf(const BodyPose& pose) {
     return {toVec2(pose.centre) - rotate(pose.rotation, pose.localCentre), pose.rotation};
 }
 
-/// m: the shape where it is now, without a margin.
+/// m: bounding box of the shape in its current pose, without a margin.
 AABB tightBounds(const World& world, std::uint32_t shape);
 
-/// Gives a new shape its bounds and has it looked up.
+/// Computes the bounds of a new shape and queues it for the broad phase.
 void setBounds(World& world, std::uint32_t shape);
-/// The same for all shapes of a body that jumped.
+/// The same for all shapes of a body that was teleported.
 void refreshBounds(World& world, std::uint32_t body);
 
-/// The broad phase has to be told of the shape.
+/// The broad phase has to update its copy of the shape.
 void noteChanged(World& world, std::uint32_t shape);
-/// The broad phase has to look for pairs of the shape in the next step.
+/// The broad phase has to search for pairs of the shape in the next step.
 void noteMoved(World& world, std::uint32_t shape);
 
-/// Something that contacts copied from the shape has changed.
+/// Updates the properties that contacts copied from the shape.
 void refreshContacts(World& world, std::uint32_t shape);
-/// The same for all shapes of a body that turns otherwise than before.
+/// The same for all shapes of a body whose rotation, or ability to rotate, changed.
 void refreshContactsOf(World& world, std::uint32_t body);
 
 }  // namespace plumb::physics

@@ -13,7 +13,7 @@ Error wrong(const char* where, const std::string& what, const char* remedy) { re
 
 namespace {
 
-/// Most come from floats, and are written as those.
+/// Most values come from floats and are printed as such, to avoid the digits of the conversion to double.
 std::string textOf(double value) {
     const auto near = static_cast<float>(value);
     return double{near} == value ? shortestText(near) : shortestText(value);
@@ -25,7 +25,7 @@ Result<Done> checkNumber(const char* where, double value, double low, double hig
     if (value >= low && value <= high) return Done{};
     return wrong(where,
                  "expected a number from " + textOf(low) + " to " + textOf(high) + ", found " + textOf(value),
-                 "check the calculation that it comes from");
+                 "check how the value was computed");
 }
 
 Result<Done> checkVector(const char* where, Vec2 value, float most) {
@@ -46,7 +46,7 @@ namespace {
 Result<Done> checkAlive(const char* where, bool lives, const std::string& what) {
     if (lives) return Done{};
     return wrong(where, "expected a living " + what + ", found one that was destroyed or never made",
-                 "ask alive() first, or forget the id when it goes");
+                 "check alive() first, or drop the id when its object is destroyed");
 }
 
 }  // namespace

@@ -8,11 +8,11 @@
 
 namespace plumb::physics {
 
-// What the world's setters accept. Each gives the Error to answer with, or Done.
+// Range checks of the setters. Each returns the Error to report, or Done.
 
 Error wrong(const char* where, const std::string& what, const char* remedy);
 
-/// A finite number in a range.
+/// Checks that a number is within a range; NaN is not.
 Result<Done> checkNumber(const char* where, double value, double low, double high);
 Result<Done> checkVector(const char* where, Vec2 value, float most);
 Result<Done> checkPlace(const char* where, Place value);

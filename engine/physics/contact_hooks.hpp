@@ -6,13 +6,14 @@ namespace plumb::physics {
 
 struct World;
 
-/// What the owner of a world may say about contacts. Called in a fixed order, by the thread that steps; they
-/// must answer alike for alike worlds, or the same steps no longer give the same bits.
+/// Callbacks by which the owner of a world decides about contacts. They are called in a fixed order, by the
+/// thread that steps, and must give the same answer for the same world; otherwise steps are not reproducible.
 struct ContactHooks {
-    void* context = nullptr;  ///< given back to the functions
-    /// May these two meet? Asked when their bounds begin to overlap; after a no, when one has moved on.
+    void* context = nullptr;  ///< passed to the callbacks
+    /// May these two shapes collide? Called when their bounds begin to overlap; if it returned false, again
+    /// when one of them has moved on.
     bool (*filter)(void* context, const World& world, ShapeId a, ShapeId b) = nullptr;
-    /// Does this contact push in this step? Asked in each step while they touch.
+    /// Does this contact exert forces in this step? Called in every step while the shapes touch.
     bool (*preSolve)(void* context, const World& world, const Contact& contact) = nullptr;
 };
 

@@ -21,8 +21,8 @@ Result<Done> checkEnds(const World& world, const FieldDefinition& d) {
     const auto checked = checkAlive("FieldDefinition.a", world, d.a);
     if (!checked || !d.b) return checked;
     if (d.a == d.b) {
-        return wrong("FieldDefinition.b", "expected another body than a, found the same one",
-                     "give two bodies, or leave b out to tie a to a place");
+        return wrong("FieldDefinition.b", "expected a body other than a, found the same one",
+                     "pass two bodies, or leave b out to attach a to a fixed point");
     }
     return checkAlive("FieldDefinition.b", world, d.b);
 }

@@ -5,12 +5,13 @@
 
 namespace plumb::physics {
 
-/// Adds a field; it wakes those it acts on. See FieldDefinition for what each kind takes.
+/// Adds a field and wakes the bodies that it acts on. See FieldDefinition for the members that each kind
+/// uses.
 /// @error numbers that are not finite or out of range, a spring without a living body
 Result<FieldId> createField(World& world, const FieldDefinition& definition);
-/// Removes a field and wakes those it acted on. A stale id does nothing.
+/// Removes a field and wakes the bodies that it acted on. A stale id does nothing.
 void destroyField(World& world, FieldId field);
-/// Changes a field; its kind stays.
+/// Changes a field; its kind must stay the same.
 /// @error as createField(); a stale id, another kind
 Result<Done> setField(World& world, FieldId field, const FieldDefinition& definition);
 

@@ -4,12 +4,12 @@
 
 namespace plumb::physics {
 
-/// Names a thing of a world: its place, and which user of that place it is, so that an old name never means
-/// a new thing. The default names nobody.
+/// Handle of an object of a world: an index, and a generation that tells the successive users of that index
+/// apart, so that a stale id never refers to a new object. The default is the null id.
 template <class Thing>
 struct Id {
     std::uint32_t index = 0;
-    std::uint32_t generation = 0;  ///< 0 names nobody
+    std::uint32_t generation = 0;  ///< 0: null
 
     explicit constexpr operator bool() const { return generation != 0; }
     friend constexpr bool operator==(Id, Id) = default;
@@ -20,6 +20,6 @@ using ShapeId = Id<struct Shape>;
 using JointId = Id<struct Joint>;
 using FieldId = Id<struct Field>;
 
-inline constexpr std::uint32_t kNone = 0xffffffffu;  ///< an index that means nothing
+inline constexpr std::uint32_t kNone = 0xffffffffu;  ///< a null index
 
 }  // namespace plumb::physics

@@ -43,7 +43,8 @@ Result<Done> checkNumbers(const JointDefinition& d) {
 
 Result<Done> check(const World& world, const JointDefinition& d) {
     if (d.kind >= JointKind::Count)
-        return wrong("JointDefinition.kind", "expected a kind of joint, found none", "use a JointKind");
+        return wrong("JointDefinition.kind", "expected a kind of joint, found another number",
+                     "use a JointKind");
     if (const auto a =
             firstOf(checkAlive("JointDefinition.a", world, d.a), checkAlive("JointDefinition.b", world, d.b));
         !a) {
@@ -51,16 +52,16 @@ Result<Done> check(const World& world, const JointDefinition& d) {
     }
     if (d.a == d.b) {
         return wrong("createJoint", "expected two bodies, found the same one twice",
-                     "tie it to another body, such as a static one");
+                     "connect it to another body, such as a static one");
     }
     if (world.bodies.info[d.a.index].kind != BodyKind::Dynamic &&
         world.bodies.info[d.b.index].kind != BodyKind::Dynamic) {
-        return wrong("createJoint", "expected a body that can be pushed, found none of the two",
+        return wrong("createJoint", "expected at least one dynamic body, found none",
                      "make one of them dynamic");
     }
     if (d.kind == JointKind::Mouse && world.bodies.info[d.b.index].kind != BodyKind::Dynamic) {
-        return wrong("createJoint", "expected b to be dynamic, as it is what a mouse joint pulls",
-                     "give the body that is pulled as b");
+        return wrong("createJoint", "expected b, the body that a mouse joint pulls, to be dynamic",
+                     "pass the pulled body as b");
     }
     const auto gears = [&](JointId joint) {
         if (!alive(world, joint)) return false;
@@ -69,7 +70,7 @@ Result<Done> check(const World& world, const JointDefinition& d) {
     };
     if (d.kind == JointKind::Gear && !(gears(d.jointA) && gears(d.jointB))) {
         return wrong("createJoint", "expected two living revolute or prismatic joints to gear together",
-                     "create the two first, and give their ids as jointA and jointB");
+                     "create both first, and pass their ids as jointA and jointB");
     }
     return checkNumbers(d);
 }
@@ -100,7 +101,7 @@ void unlink(World& world, std::uint32_t body, std::uint32_t joint, std::uint32_t
     *link = next;
 }
 
-/// Contacts of the two bodies end, or are looked for again.
+/// The broad phase searches the body's pairs again: whether they may collide has changed.
 void refreshPairs(World& world, std::uint32_t body) {
     for (std::uint32_t s = world.bodies.info[body].firstShape; s != kNone; s = world.shapes.info[s].next) {
         noteMoved(world, s);

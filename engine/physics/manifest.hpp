@@ -6,42 +6,44 @@
 
 namespace plumb::physics {
 
-/// A part of the simulation that a scene can do without. Each runs only where something calls for it.
+/// A part of the simulation that a scene may not need. Each runs only while something in the scene uses it:
+/// the comments name what counts as a user.
 enum class Effect : std::uint8_t {
-    Gravity,        ///< a dynamic body that gravity pulls
-    Rotation,       ///< a dynamic body that may turn
+    Gravity,        ///< a dynamic body with a gravity scale other than 0
+    Rotation,       ///< a dynamic body that can rotate
     Friction,       ///< a shape with friction
-    Restitution,    ///< a shape that bounces
+    Restitution,    ///< a shape with a bounciness
     Rolling,        ///< a shape with rolling resistance
     Drag,           ///< a body with drag
     Joints,         ///< a joint
     Motors,         ///< a joint with a motor
     Continuous,     ///< a dynamic body, while Settings::continuous
     Sleep,          ///< a body that can sleep, while Settings::sleeping
-    Contacts,       ///< a dynamic body with a shape that is no trigger
+    Contacts,       ///< a dynamic body's shape that is not a trigger
     Triggers,       ///< a trigger
     ContactEvents,  ///< a shape that reports contacts
     OneWay,         ///< a one-way shape
     Conveyor,       ///< a shape with a surface speed
     Kinematics,     ///< a kinematic body
     Locks,          ///< a body locked along an axis
-    AreaGravity,    ///< fields, by kind
+    AreaGravity,    ///< the fields, by kind
     Wind,
     Buoyancy,
     Attractor,
     Explosion,
-    Springs,     ///< smooth springs, integrated with the bodies
-    SoftBodies,  ///< position based bodies and cloth
+    Springs,     ///< smooth springs, integrated together with the bodies
+    SoftBodies,  ///< position-based soft bodies and cloth
     Count
 };
 
 inline constexpr std::size_t kEffects = static_cast<std::size_t>(Effect::Count);
 
-/// What a scene calls for: a count of callers for each effect, kept as they come and go.
+/// Which effects a scene needs: the number of users of each effect, updated as they are created and
+/// destroyed.
 struct Manifest {
     std::array<std::uint32_t, kEffects> callers{};
-    std::uint32_t pinnedOn = 0;   ///< bits of effects that run though nobody calls for them
-    std::uint32_t pinnedOff = 0;  ///< bits of effects that do not run whoever calls for them
+    std::uint32_t pinnedOn = 0;   ///< bits of effects that run even without users
+    std::uint32_t pinnedOff = 0;  ///< bits of effects that never run
 
     [[nodiscard]] static constexpr std::uint32_t bit(Effect effect) {
         return 1u << static_cast<std::uint32_t>(effect);
@@ -56,7 +58,7 @@ struct Manifest {
         for (std::size_t i = 0; i < kEffects; ++i) called |= callers[i] > 0 ? 1u << i : 0u;
         return called & ~pinnedOff;
     }
-    /// One caller more or less.
+    /// Adds users of an effect if `on`; a negative `times` removes them.
     void call(Effect effect, bool on, int times = 1) {
         if (on) callers[static_cast<std::size_t>(effect)] += static_cast<std::uint32_t>(times);
     }

@@ -9,7 +9,7 @@ namespace plumb::physics {
 
 namespace {
 
-/// The masses of all shapes together, about the origin of the body's frame.
+/// The mass properties of all shapes together, in the body's frame.
 struct Sum {
     float mass = 0.0f;
     Vec2 centre;
@@ -35,7 +35,7 @@ Sum sumOfShapes(const World& world, std::uint32_t body) {
     return sum;
 }
 
-constexpr float kLeastInertia = 1.0e-20f;  // kg m2: less has no finite inverse that a solver could use
+constexpr float kLeastInertia = 1.0e-20f;  // kg m2: the solver cannot use the inverse of a smaller one
 
 void setMassOf(BodyMass& mass, const Sum& sum, const BodyInfo& info) {
     const float ofShapes = sum.mass > 0.0f ? sum.mass : 1.0f;
@@ -76,7 +76,7 @@ void updateMass(World& world, std::uint32_t body) {
         motion.velocity += cross(motion.angularVelocity, way);
     }
     if (info.firstJoint != kNone)
-        world.work.get().joints.trees.stale = true;  // its leverage may have changed
+        world.work.get().joints.trees.stale = true;  // its effective masses may have changed
     updateExtent(world, body);
 }
 

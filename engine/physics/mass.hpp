@@ -6,11 +6,11 @@
 
 namespace plumb::physics {
 
-inline constexpr float kLightest = 1.0e-12f;  ///< kg: no body that can be pushed has less
+inline constexpr float kLightest = 1.0e-12f;  ///< kg: minimum mass of a dynamic body
 
-/// Works out mass, centre of mass, inertia and reach of a body from its shapes. A dynamic body whose shapes
-/// weigh nothing has 1 kg and does not turn. The body stays where it is; its velocity is that of the new
-/// centre.
+/// Computes mass, centre of mass, inertia and extent of a body from its shapes. A dynamic body whose shapes
+/// have no mass gets 1 kg and cannot rotate. The shapes stay where they are; the velocity becomes that of the
+/// new centre of mass.
 void updateMass(World& world, std::uint32_t body);
 
 }  // namespace plumb::physics

@@ -8,7 +8,7 @@
 
 namespace plumb::physics {
 
-/// Which pairs have a contact: a hash set with open addressing, never iterated.
+/// The pairs that have a contact: a hash set with open addressing, never iterated.
 /// Source: D. Knuth, The Art of Computer Programming 3, 6.4, algorithms L and R.
 class PairSet {
 public:
@@ -20,20 +20,20 @@ public:
             if (keys_[i] == kFree) return false;
         }
     }
-    /// @return false when it was there already
+    /// @return false if it was there already
     bool add(PairKey key);
     void remove(PairKey key);
     [[nodiscard]] std::size_t size() const { return size_; }
 
 private:
-    static constexpr PairKey kFree = ~PairKey{0};  // no shape has this number
+    static constexpr PairKey kFree = ~PairKey{0};  // not a valid key
 
     [[nodiscard]] std::size_t placeOf(PairKey key) const {
         return static_cast<std::size_t>((key * 0x9e3779b97f4a7c15ull) >> shift_);
     }
     void grow();
 
-    std::vector<PairKey> keys_;  // a power of two of places, at most half of them taken
+    std::vector<PairKey> keys_;  // the size is a power of two; at most half of the slots are used
     std::size_t size_ = 0;
     std::size_t mask_ = 0;
     int shift_ = 64;

@@ -7,7 +7,7 @@ namespace plumb::physics {
 
 namespace {
 
-/// Places in the pool come in sizes of powers of two, so that a freed one fits another polygon.
+/// Blocks of the pool have power-of-two sizes, so that a freed block fits other polygons.
 int sizeClass(int corners) {
     return static_cast<int>(std::bit_width(static_cast<unsigned>(std::max(corners, 4) - 1)));
 }

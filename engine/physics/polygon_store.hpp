@@ -5,7 +5,7 @@
 
 namespace plumb::physics {
 
-/// Puts the corners of a hull into the pool of all polygons. Freed places are used again.
+/// Stores the corners of a hull in Shapes::corners, if possible in a block that freePolygon() returned.
 Geometry storePolygon(Shapes& shapes, const Hull& hull, float radius);
 void freePolygon(Shapes& shapes, const Geometry& polygon);
 

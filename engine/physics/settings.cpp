@@ -9,7 +9,7 @@ namespace plumb::physics {
 
 namespace {
 
-constexpr float kMost = 1.0e9f;  // of all but gravity, whatever its unit
+constexpr float kMost = 1.0e9f;  // upper limit of every setting but gravity, whatever its unit
 
 float usable(float value, float low, float high, float usual) {
     return std::isnan(value) ? usual : std::clamp(value, low, high);

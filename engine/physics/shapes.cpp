@@ -32,14 +32,14 @@ Result<Done> check(const ShapeDefinition& definition) {
                    checkDirection(definition));
 }
 
-/// Polygons are not in World::corners before createPolygon() puts them there.
+/// Corners of polygons are not in Shapes::corners before createPolygon() stores them.
 Result<Done> check(const Geometry& geometry) {
     if (geometry.kind != ShapeKind::Polygon) return checkGeometry(geometry, {});
     return wrong("createShape", "expected a circle, capsule, box or segment, found a polygon",
                  "use createPolygon for polygons");
 }
 
-/// The effects that a shape calls for.
+/// Counts a shape as a user of the effects that it needs.
 void callFor(World& world, std::uint32_t shape, int times) {
     const ShapeInfo& info = world.shapes.info[shape];
     const ShapeExtras& extras = world.shapes.extras[info.extras];
@@ -95,7 +95,7 @@ ShapeExtras extrasOf(const ShapeDefinition& definition) {
     return extras;
 }
 
-/// Adds a shape that is known to be good. Its body's mass is not updated.
+/// Adds a shape that was checked already. Does not update the body's mass.
 ShapeId add(World& world, BodyId body, const Geometry& geometry, const ShapeDefinition& definition) {
     const std::uint32_t index = takePlace(world);
     Shapes& shapes = world.shapes;
@@ -115,7 +115,7 @@ ShapeId add(World& world, BodyId body, const Geometry& geometry, const ShapeDefi
     return {index, info.generation};
 }
 
-/// Leaves a place behind that is free once the next step has ended its contacts.
+/// The index becomes free once the next step has ended the shape's contacts.
 void remove(World& world, std::uint32_t shape) {
     Shapes& shapes = world.shapes;
     callFor(world, shape, -1);
@@ -126,7 +126,7 @@ void remove(World& world, std::uint32_t shape) {
     noteChanged(world, shape);
 }
 
-/// Changes something of its surface that effects depend on.
+/// Changes a material property that the shape's effects depend on.
 void change(World& world, ShapeId shape, float ShapeInfo::*member, float value) {
     callFor(world, shape.index, -1);
     world.shapes.info[shape.index].*member = value;
@@ -184,7 +184,7 @@ Result<Done> createChain(World& world, BodyId body, std::span<const Vec2> points
         return wrong(
             "createChain",
             "expected at least " + std::to_string(fewest) + " points, found " + std::to_string(count),
-            "add points; the ends of an open chain only say how it would go on");
+            "add points; the first and last point of an open chain are ghost vertices");
     }
     if (const auto checked = check(definition); !checked) return checked;
     const std::size_t segments = closed ? count : count - 3, first = closed ? 0 : 1;
@@ -215,7 +215,7 @@ Result<Done> createShapes(World& world, BodyId body, std::span<const Geometry> g
         return wrong("createShapes",
                      "expected a definition for each of " + std::to_string(geometries.size()) +
                          " outlines, found " + std::to_string(definitions.size()),
-                     "give both the same length");
+                     "pass two lists of the same length");
     }
     for (std::size_t i = 0; i < geometries.size(); ++i) {
         const auto checked = firstOf(check(geometries[i]), check(definitions[i]));

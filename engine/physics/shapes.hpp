@@ -7,26 +7,27 @@
 
 namespace plumb::physics {
 
-/// Adds a circle, capsule, box or segment (geometry.hpp) to a body, whose mass it changes.
-/// @error a number that is not finite, a size that is not positive or absurd, a stale body
+/// Adds a circle, capsule, box or segment (geometry.hpp) to a body and updates the body's mass.
+/// @error a number that is not finite, a size that is not positive or out of range, a stale body
 Result<ShapeId> createShape(World& world, BodyId body, const Geometry& geometry,
                             const ShapeDefinition& definition = {});
-/// Adds the convex hull of the points (m, in the body's frame), its corners rounded by `radius`.
+/// Adds the convex hull of the points (m, in the body's frame), with corners rounded by `radius`.
 /// @error points without area, too many corners (kMaxCorners), a number that is not finite
 Result<ShapeId> createPolygon(World& world, BodyId body, std::span<const Vec2> points, float radius = 0.0f,
                               const ShapeDefinition& definition = {});
-/// Adds segments from point to point, solid on one side (see normalOfChain), over whose joints nothing trips.
-/// An open chain's first and last point only say how it would go on.
-/// @error fewer than 3 points (closed) or 4 (open), points in one place, a number that is not finite
+/// Adds a chain of segments, solid on one side (see normalOfChain); bodies slide over its joints without
+/// catching. The first and the last point of an open chain are ghost vertices: they only define the direction
+/// in which it would go on.
+/// @error fewer than 3 points (closed) or 4 (open), coincident points, a number that is not finite
 Result<Done> createChain(World& world, BodyId body, std::span<const Vec2> points, bool closed,
                          const ShapeDefinition& definition = {});
-/// Adds many at once, each with its own definition: all of them, or none if one is refused.
-/// @error as createShape(), or not as many definitions as outlines
+/// Adds many shapes at once, each with its own definition: all of them, or none if one is invalid.
+/// @error as createShape(), or a number of definitions that differs from that of outlines
 Result<Done> createShapes(World& world, BodyId body, std::span<const Geometry> geometries,
                           std::span<const ShapeDefinition> definitions);
-/// Removes all shapes of a body.
+/// Destroys all shapes of a body.
 void destroyShapes(World& world, BodyId body);
-/// Removes a shape; its contacts end in the next step. A stale id does nothing.
+/// Destroys a shape; its contacts end in the next step. A stale id does nothing.
 void destroyShape(World& world, ShapeId shape);
 
 [[nodiscard]] bool alive(const World& world, ShapeId shape);

@@ -7,18 +7,18 @@
 
 namespace plumb::physics {
 
-/// What only some things differ in, so that the others need not carry it along: each thing has the index of a
-/// row, and kNone stands for a row of defaults.
+/// Rare properties, stored outside the main arrays to keep these small: each object has the index of a row,
+/// and kNone stands for a row of defaults.
 template <class Row>
 struct SideTable {
     std::vector<Row> rows;
-    std::vector<std::uint32_t> free;  ///< rows, last freed last
+    std::vector<std::uint32_t> free;  ///< free rows, last freed last
 
     [[nodiscard]] const Row& operator[](std::uint32_t index) const {
         return index == kNone ? kUsual : rows[index];
     }
 
-    /// The row to write; a thing without one gets one, for as long as it lives.
+    /// A writable row. Creates one for an object that has none; it is kept until release().
     Row& own(std::uint32_t& index) {
         if (index != kNone) return rows[index];
         if (free.empty()) {

@@ -13,10 +13,10 @@ namespace plumb::physics {
 
 namespace {
 
-/// One chapter of the step. It is run when any of its effects is called for, or `also` says so; without
-/// either, always.
+/// One stage of the step. It runs when one of its effects does or `also` returns true; with neither given,
+/// always.
 struct Stage {
-    std::string_view name;  // also the profiler's
+    std::string_view name;  // also in the profiler
     std::uint32_t effects;
     void (*run)(StepContext& step);
     bool (*also)(const StepContext& step) = nullptr;
@@ -31,12 +31,12 @@ constexpr std::uint32_t kMeeting = any(Effect::Contacts, Effect::Triggers, Effec
 constexpr std::uint32_t kSmooth =
     any(Effect::AreaGravity, Effect::Wind, Effect::Buoyancy, Effect::Attractor, Effect::Springs);
 
-/// Contacts of what is gone have to end, though nobody calls for contacts any more.
+/// Contacts of destroyed shapes and bodies have to end, even when no effect needs contacts any more.
 bool hasRemains(const StepContext& step) {
     const World& world = step.world;
     return !world.shapes.dying.empty() || !world.bodies.dying.empty() || !world.contacts.empty();
 }
-/// Blocks of contacts that are no more have to go.
+/// The solver's blocks of former contacts have to be cleared.
 bool hasBlocks(const StepContext& step) {
     return !step.work.contactLanes.empty() || !step.work.fixedLanes.empty();
 }
@@ -70,14 +70,14 @@ bool isCalledFor(const Stage& stage, const StepContext& step) {
     return stage.also != nullptr && stage.also(step);
 }
 
-/// Nothing moves and nothing came: a world at rest costs nothing.
+/// True when nothing moves and nothing was added or removed: a step of a resting world then costs nothing.
 bool nothingToDo(const World& world) {
     return world.awake.empty() && world.moved.empty() && world.contacts.empty() &&
            world.shapes.dying.empty() && world.bodies.dying.empty() &&
            !world.manifest.runs(Effect::Explosion) && !world.manifest.runs(Effect::SoftBodies);
 }
 
-/// What rests under one gravity may fall under another.
+/// Wakes everything if gravity changed, since a body at rest may not stay at rest under the new gravity.
 void wakeForGravity(World& world) {
     if (world.steps > 1 && world.gravityOfLastStep != world.settings.gravity) wakeAll(world);
     world.gravityOfLastStep = world.settings.gravity;
@@ -91,7 +91,7 @@ std::uint32_t effectsOf(const World& world) {
     return effects;
 }
 
-/// Effects that are only a part of a stage say so themselves: StepContext::starts().
+/// An effect that is only a part of a stage is counted by StepContext::starts() instead.
 void count(const StepContext& step, const Stage& stage) {
     ++step.work.stageRuns[static_cast<std::size_t>(&stage - kStages)];
     step.work.effectsRun |= stage.effects & step.effects;
@@ -120,7 +120,7 @@ std::uint64_t runsOf(World& world, std::string_view stage) {
     return 0;
 }
 
-// A world at rest is not stepped: what is left is of the last step in which something moved.
+// A world at rest returns early from step(), so the counts would be those of the last step with motion.
 DetectionCounts detectionOf(World& world) {
     return world.awake.empty() || world.work.stale() ? DetectionCounts{} : world.work.get().counts;
 }

@@ -9,25 +9,26 @@
 
 namespace plumb::physics {
 
-/// What every stage is given.
+/// The input of every stage.
 struct StepContext {
     World& world;
     Workspace& work;
     float dt;  ///< s
     TaskPool* pool;
     ContactHooks hooks;
-    std::uint32_t effects;  ///< bits of those that run in this step
+    std::uint32_t effects;  ///< bits of the effects of this step
 
     [[nodiscard]] int threads() const { return pool != nullptr ? pool->threads() : 1; }
     [[nodiscard]] bool runs(Effect effect) const { return (effects & Manifest::bit(effect)) != 0; }
-    /// Asked by the part of a stage that an effect is, before it runs: counts how often it did (runsOf).
+    /// To be called by the part of a stage that implements an effect, before it runs: counts the run
+    /// (runsOf).
     [[nodiscard]] bool starts(Effect effect) const {
         if (!runs(effect)) return false;
         work.effectsRun |= Manifest::bit(effect);
         return true;
     }
-    /// Contacts have one point and no levers, as there is nobody who could be turned. Bounces, rolling and
-    /// joints are written for full ones.
+    /// Nothing in the world can rotate, so contacts have one point and no lever arms, and the solver can use
+    /// its reduced kernels. Restitution, rolling resistance and joints exist in the full kernels only.
     [[nodiscard]] bool isPlain() const {
         constexpr auto kTurning = static_cast<std::size_t>(Effect::Rotation);
         return !runs(Effect::Rotation) && world.manifest.callers[kTurning] == 0 &&
@@ -35,7 +36,7 @@ struct StepContext {
     }
 };
 
-/// Cuts 0..count-1 into pieces of `grain` and runs `act(begin, end, piece)` for each, on all threads.
+/// Splits 0..count-1 into pieces of `grain` and runs `act(begin, end, piece)` for each, on all threads.
 template <class Act>
 void forPieces(const StepContext& step, int count, int grain, Act&& act) {
     if (count == 0) return;
@@ -47,40 +48,41 @@ void forPieces(const StepContext& step, int count, int grain, Act&& act) {
 }
 constexpr int piecesOf(int count, int grain) { return (count + grain - 1) / grain; }
 
-// One line per stage, in the order of the step; each has a file of its own name in stages/.
+// The stages in the order of the step. Each has a file of its own name in stages/.
 
 /// Reads: moved, bounds, filters. Writes: contacts (new ones), work.broadPhase, work.pairs.
 void findPairs(StepContext& step);
-/// Reads: poses, geometry. Writes: contacts (points, flags), sleepers (who is woken), islands, events
+/// Reads: poses, geometry. Writes: contacts (points, flags), sleepers (islands that wake), islands, events
 /// (Ended).
 void updateContacts(StepContext& step);
 /// Reads: contacts, one-way directions. Writes: contacts (kPassing, kDisabled), events (Ended).
 void filterContacts(StepContext& step);
 /// Reads: awake joints. Writes: colours of new ones, work.colourMasks.
 void colourJoints(StepContext& step);
-/// Reads: fields. Writes: motions of bodies near an explosion; fields (it is gone).
+/// Reads: fields. Writes: velocities of bodies near an explosion; fields (removes it).
 void explode(StepContext& step);
-/// Reads: fields, rest times. Writes: fields of bodies that are gone; who is woken by a spring.
+/// Reads: fields, rest times. Writes: fields (removes those of destroyed bodies); wakes bodies on springs.
 void prepareFields(StepContext& step);
-/// Reads: geometry, poses, contacts, work.broadPhase. Writes: soft bodies; motions of bodies that they push,
-/// and work.softSurroundings (with what they push all step long).
+/// Reads: geometry, poses, contacts, work.broadPhase. Writes: soft bodies; velocities of the bodies that they
+/// push, and work.softSurroundings (including forces that last for the whole step).
 void moveSoftBodies(StepContext& step);
-/// Reads: drives, masses, settings, pushes of soft bodies. Writes: work.slots, work.groups, work.velocity and
-/// its kin.
+/// Reads: drives, masses, settings, forces of soft bodies. Writes: work.slots, work.groups, work.velocity and
+/// the arrays parallel to it.
 void gatherBodies(StepContext& step);
-/// Reads: fields, poses, motions, work.slots. Writes: work.drive, work.smooth (who is integrated freely).
+/// Reads: fields, poses, motions, work.slots. Writes: work.drive, work.smooth (bodies integrated without
+/// constraints).
 void applyFields(StepContext& step);
 /// Reads: contacts, joints, masses. Writes: colours, work's blocks.
 void prepareConstraints(StepContext& step);
 /// Reads and writes: work.velocity, work.shift, work's blocks. Writes: impulses of contacts and joints.
 void solve(StepContext& step);
-/// Reads: fields, work.smooth. Writes: work.velocity, work.shift of bodies that only fields act on.
+/// Reads: fields, work.smooth. Writes: work.velocity, work.shift of bodies on which only fields act.
 void integrateFlyers(StepContext& step);
-/// Reads: joints, contacts, islands, work.shift. Writes: work.velocity, shares in energy.
+/// Reads: joints, contacts, islands, work.shift. Writes: work.velocity, energy shares.
 void keepEnergy(StepContext& step);
 /// Reads: work.velocity, work.shift. Writes: poses, motions, bounds, moved.
 void finishBodies(StepContext& step);
-/// Reads: contacts, flags of bodies that moved fast. Writes: their poses.
+/// Reads: contacts, flags of bodies that moved fast. Writes: the poses of these bodies.
 void sweepFastBodies(StepContext& step);
 /// Reads: rest times, islands. Writes: awake, contacts, sleepers.
 void putToSleep(StepContext& step);

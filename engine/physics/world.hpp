@@ -23,11 +23,11 @@ class Hasher;
 
 namespace plumb::physics {
 
-/// Where a body is. Two rows of four floats, of which the solver reads the second.
+/// Position and orientation of a body. Two rows of four floats; the solver reads the second row.
 struct alignas(16) BodyPose {
-    Place centre;  ///< m: its centre of mass
+    Place centre;  ///< m: the centre of mass
     Rot rotation;
-    Vec2 localCentre;  ///< m: the centre of mass in the frame of its shapes
+    Vec2 localCentre;  ///< m: the centre of mass in the frame of the body's shapes
 
     friend constexpr bool operator==(const BodyPose&, const BodyPose&) = default;
 };
@@ -35,22 +35,22 @@ struct alignas(16) BodyPose {
 struct alignas(16) BodyMotion {
     Vec2 velocity;                 ///< m/s, of the centre of mass
     float angularVelocity = 0.0f;  ///< rad/s
-    float restTime = 0.0f;         ///< s for which it has hardly moved
+    float restTime = 0.0f;         ///< s: time for which it has hardly moved
 };
 
-/// How a body answers a push. Four floats, which the solver reads as a row (lanes.hpp).
+/// Mass properties of a body. Four floats, which the solver reads as one row (lanes.hpp).
 struct alignas(16) BodyMass {
-    float inverseMass = 0.0f;     ///< 1/kg; 0 for what cannot be pushed
-    float inverseInertia = 0.0f;  ///< 1/(kg m2), about the centre of mass; 0 for what cannot be turned
-    float mass = 0.0f;            ///< kg, of the shapes or as set
+    float inverseMass = 0.0f;     ///< 1/kg; 0 for a body that no impulse can move
+    float inverseInertia = 0.0f;  ///< 1/(kg m2), about the centre of mass; 0 if no impulse can rotate it
+    float mass = 0.0f;            ///< kg, computed from the shapes or set by the owner
     float inertia = 0.0f;         ///< kg m2
 };
 
-/// What drives a body besides contacts, joints and plain gravity. Few have any of it.
+/// Forces on a body besides contacts, joints and plain gravity. Few bodies have any of it.
 struct BodyDrive {
-    Vec2 force;           ///< N, of the next step
-    Vec2 acceleration;    ///< m/s2, of every step
-    float torque = 0.0f;  ///< N m, of the next step
+    Vec2 force;           ///< N, in the next step only
+    Vec2 acceleration;    ///< m/s2, in every step
+    float torque = 0.0f;  ///< N m, in the next step only
     float gravityScale = 1.0f;
     float linearDrag = 0.0f;   ///< 1/s
     float angularDrag = 0.0f;  ///< 1/s
@@ -63,15 +63,15 @@ struct BodyInfo {
     BodyKind kind = BodyKind::None;
     std::uint8_t flags = 0;  ///< bits of BodyFlag
     Quality quality = kQualityOfWorld;
-    bool hasSetMass = false;           ///< BodyMass::mass is what the owner wants it to be, not the shapes'
-    std::uint32_t firstShape = kNone;  ///< the rest by ShapeInfo::next
-    std::uint32_t firstJoint = kNone;  ///< the rest by Joint::nextA or nextB
-    std::uint32_t place = kNone;       ///< in World::awake, or kNone
-    std::uint32_t island = kNone;      ///< parent in the forest of islands; the root is its own
-    float sleepSpeed = 0.05f;          ///< m/s
-    std::uint32_t drive = kNone;       ///< in Bodies::drives, see there
-    float reach = 0.0f;                ///< m: no point of it is further from its centre of mass
-    float core = 0.0f;                 ///< m: a disc of this radius at its centre of mass is inside it
+    bool hasSetMass = false;           ///< BodyMass::mass was set by the owner, not computed from the shapes
+    std::uint32_t firstShape = kNone;  ///< the others follow by ShapeInfo::next
+    std::uint32_t firstJoint = kNone;  ///< the others follow by Joint::nextA or nextB
+    std::uint32_t place = kNone;       ///< index in World::awake, or kNone
+    std::uint32_t island = kNone;  ///< parent in the union-find forest of islands; a root is its own parent
+    float sleepSpeed = 0.05f;      ///< m/s
+    std::uint32_t drive = kNone;   ///< index in Bodies::drives, or kNone: all defaults
+    float reach = 0.0f;            ///< m: maximum distance of a point of its shapes from its centre of mass
+    float core = 0.0f;             ///< m: radius of a disc around its centre of mass that lies inside a shape
     std::uint64_t user = 0;
 };
 
@@ -82,38 +82,40 @@ enum BodyFlag : std::uint8_t {
     kLockX = 8,
     kLockY = 16,
     kMoved = 32,         ///< its pose changed in the last step
-    kHasTarget = 64,     ///< kinematic: a velocity that leads to where moveTo() sent it, for one step
-    kDropsThrough = 128  ///< one-way shapes let it through
+    kHasTarget = 64,     ///< kinematic: its velocity leads to the target of moveTo(), for one step
+    kDropsThrough = 128  ///< one-way shapes do not stop it
 };
 
-/// What an island is about to find out.
+/// State of the quality control of an island.
 enum class EffortPhase : std::uint8_t {
-    Calm,      ///< it keeps to the tolerance
-    Trying,    ///< it took a quality less: does it still?
-    Strained,  ///< it does not: perhaps a blow, which passes by itself
-    Rising,    ///< it took more quality: does that help?
-    Resigned   ///< it did not help: that much quality would be for nothing
+    Calm,      ///< its error is within the tolerance
+    Trying,    ///< it took the next lower quality: does the error stay within the tolerance?
+    Strained,  ///< the error exceeds the tolerance: perhaps only an impact, which passes by itself
+    Rising,    ///< it took a higher quality: does the error fall?
+    Resigned   ///< a higher quality did not help, so the lower one was taken again
 };
 
-/// How hard an island is worked on where there is a tolerance (solver/effort.hpp). All its bodies have the
-/// same, so that it stays known when an island falls apart.
+/// State of the quality control of an island, used with a tolerance (solver/effort.hpp). Every body of an
+/// island holds the same copy, so that the state survives when the island splits.
 struct Effort {
-    Quality quality = kQualityOfWorld;  ///< of the last step; kQualityOfWorld: never judged
-    Quality before = kQualityOfWorld;   ///< until it rose last
+    Quality quality = kQualityOfWorld;  ///< of the last step; kQualityOfWorld: never evaluated
+    Quality before = kQualityOfWorld;   ///< before the last change
     EffortPhase phase = EffortPhase::Calm;
-    std::uint8_t patience = 0;  ///< how often quality was lowered in vain: each doubles the wait
-    std::uint32_t wait = 0;     ///< steps until it is judged
-    float error = 0.0f;         ///< m: what it is compared with when it is
-    float first = 0.0f;         ///< m: the error for which it rose
+    std::uint8_t patience = 0;  ///< number of changes that failed (a lower quality was too low, a higher one
+                                ///< did not help); each doubles the wait
+    std::uint32_t wait = 0;     ///< steps until the next decision
+    float error = 0.0f;  ///< m: error to compare with: the maximum while Calm or Trying, otherwise that at
+                         ///< the last decision
+    float first = 0.0f;  ///< m: the error that made it rise
 };
 
-/// A body's part of the account that its island has where there are joints (stages/keep_energy.cpp).
+/// A body's share in the energy account of its island, kept where there are joints (stages/keep_energy.cpp).
 struct EnergyShare {
-    float credit = 0.0f;  ///< J: lost lately, and may come back; below 0: gained
-    float peak = 0.0f;    ///< J: the most that it moved with lately
+    float credit = 0.0f;  ///< J: energy lost recently, which may come back; below 0: energy gained
+    float peak = 0.0f;    ///< J: recent maximum of the kinetic energy
 };
 
-/// The bodies, as one array per group of properties that are used together, indexed by BodyId::index.
+/// The bodies: one array per group of properties that are used together, indexed by BodyId::index.
 struct Bodies {
     std::vector<BodyPose> pose;
     std::vector<BodyMotion> motion;
@@ -122,20 +124,20 @@ struct Bodies {
     std::vector<Effort> efforts;        ///< empty without Settings::tolerance
     std::vector<EnergyShare> energies;  ///< empty without joints
     SideTable<BodyDrive> drives;        ///< by BodyInfo::drive
-    std::vector<std::uint32_t> free;    ///< places, last freed last
-    std::vector<std::uint32_t> dying;   ///< free once the next step has ended their contacts
+    std::vector<std::uint32_t> free;    ///< free indices, last freed last
+    std::vector<std::uint32_t> dying;   ///< destroyed; free once the next step has ended their contacts
 
     [[nodiscard]] std::size_t size() const { return info.size(); }
     [[nodiscard]] const BodyDrive& driveOf(std::uint32_t body) const { return drives[info[body].drive]; }
     BodyDrive& ownDriveOf(std::uint32_t body) { return drives.own(info[body].drive); }
 };
 
-/// What sets a shape apart from most others.
+/// Properties that most shapes leave at their defaults.
 struct ShapeExtras {
     float rollingResistance = 0.0f;
     float surfaceSpeed = 0.0f;  ///< m/s
-    Vec2 oneWayDirection;       ///< of kOneWay
-    /// Of an inner border: whoever meets these never comes to it, see ShapeDefinition.
+    Vec2 oneWayDirection;       ///< used with kOneWay
+    /// Of an inner border; see ShapeDefinition::frontLayers.
     std::uint32_t frontLayers = 0;
     std::uint32_t frontMask = 0;
 
@@ -145,29 +147,29 @@ struct ShapeExtras {
 struct ShapeInfo {
     std::uint32_t generation = 0;
     std::uint32_t body = kNone;
-    std::uint32_t next = kNone;  ///< of the same body
+    std::uint32_t next = kNone;  ///< next shape of the same body
     std::uint8_t flags = 0;      ///< bits of ShapeFlag
     std::uint8_t reserved[3] = {};
     float density = 1.0f;
     float friction = 0.6f;
     float bounciness = 0.0f;
-    float margin = 0.0f;  ///< m: how much larger its bounds are made
+    float margin = 0.0f;  ///< m: by how much its bounds are enlarged
     std::uint64_t user = 0;
-    std::uint32_t surface = 0;     ///< what it is a part of, see ShapeDefinition; 0: on its own
-    std::uint32_t extras = kNone;  ///< in Shapes::extras, see there
+    std::uint32_t surface = 0;     ///< see ShapeDefinition::surface; 0: on its own
+    std::uint32_t extras = kNone;  ///< index in Shapes::extras, or kNone: all defaults
 };
 
 enum ShapeFlag : std::uint8_t {
     kTrigger = 1,
     kOneWay = 2,
     kReportsContacts = 4,
-    kLeftBounds = 8  ///< is in World::moved
+    kLeftBounds = 8  ///< it is in World::moved
 };
 
 /// The shapes, indexed by ShapeId::index.
 struct Shapes {
-    std::vector<Geometry> geometry;  ///< in the frame of its body's definition, not of its centre of mass
-    std::vector<AABB> bounds;        ///< m, grown by the margin; the shape is inside
+    std::vector<Geometry> geometry;  ///< in the frame of the body's definition, not of its centre of mass
+    std::vector<AABB> bounds;        ///< m: the shape's bounding box, enlarged by the margin
     std::vector<Filter> filter;
     std::vector<ProxyMotion> motion;
     std::vector<ShapeInfo> info;
@@ -175,7 +177,7 @@ struct Shapes {
     std::vector<std::uint32_t> free;
     std::vector<std::uint32_t> dying;
     std::vector<Corner> corners;                            ///< of all polygons
-    std::array<std::vector<std::uint32_t>, 6> freeCorners;  ///< places in it of 2^n corners
+    std::array<std::vector<std::uint32_t>, 6> freeCorners;  ///< by n: freed blocks of 2^n corners
 
     [[nodiscard]] std::size_t size() const { return info.size(); }
     [[nodiscard]] const ShapeExtras& extrasOf(std::uint32_t shape) const {
@@ -183,23 +185,24 @@ struct Shapes {
     }
 };
 
-/// A joint as the solver reads it; the rest is in its definition.
+/// A joint as the solver reads it; the rest is in its JointDefinition.
 struct Joint {
     std::uint32_t bodyA = kNone;
     std::uint32_t bodyB = kNone;
-    Vec2 anchorA;  ///< m, from A's centre of mass in A's frame
+    Vec2 anchorA;  ///< m, from A's centre of mass, in A's frame
     Vec2 anchorB;
     JointKind kind = JointKind::Revolute;
     std::uint8_t flags = 0;  ///< bits of JointFlag
     std::uint8_t colour = kNoColour;
     Quality quality = kQualityOfWorld;
     std::uint32_t generation = 0;
-    Vec2 force;                   ///< N on B, in the last substep
-    float torque = 0.0f;          ///< N m on B
-    float rows[6] = {};           ///< N or N m: of each row of its value, and what else its block needs
+    Vec2 force;           ///< N on B, of the last substep
+    float torque = 0.0f;  ///< N m on B
+    float rows[6] = {};   ///< N or N m: force of each constraint row, for warm starting; Gear and Pulley keep
+                          ///< their error in rows[1]
     std::uint32_t nextA = kNone;  ///< the next joint of body A
     std::uint32_t nextB = kNone;
-    std::uint32_t place = kNone;  ///< in Joints::awake, or kNone
+    std::uint32_t place = kNone;  ///< index in Joints::awake, or kNone
 };
 
 enum JointFlag : std::uint8_t {
@@ -207,35 +210,35 @@ enum JointFlag : std::uint8_t {
     kDriven = 2,
     kSprung = 4,
     kBreakable = 8,
-    kSoft = 16,  ///< has a stiffness of its own
+    kSoft = 16,  ///< it has its own stiffness (JointDefinition::hertz)
     kKeepsApart = 32,
-    kStretched = 64  ///< the lanes solved it, so it may be open: see grow_trees.cpp
+    kStretched = 64  ///< the iterative solver had it, so it may have an error: see grow_trees.cpp
 };
 
 struct Joints {
     std::vector<Joint> hot;
     std::vector<JointDefinition> definition;
-    std::vector<std::uint32_t> awake;  ///< with a body that is awake
+    std::vector<std::uint32_t> awake;  ///< joints with an awake body
     std::vector<std::uint32_t> free;
 
     [[nodiscard]] std::size_t size() const { return hot.size(); }
 };
 
-/// An island at rest: chains of bodies (by BodyInfo::island) and contacts.
+/// A sleeping island: linked lists of its bodies (by BodyInfo::island) and its contacts.
 struct SleepingIsland {
-    std::uint32_t firstBody = kNone;     ///< the rest by Sleepers::nextBody
-    std::uint32_t firstContact = kNone;  ///< the rest by Sleepers::nextContact
+    std::uint32_t firstBody = kNone;     ///< the others follow by Sleepers::nextBody
+    std::uint32_t firstContact = kNone;  ///< the others follow by Sleepers::nextContact
 };
 
-/// What rests. A step never looks at it.
+/// Everything that sleeps. A step does not visit it.
 struct Sleepers {
     std::vector<SleepingIsland> islands;
     std::vector<std::uint32_t> freeIslands;
     std::vector<Contact> contacts;
-    std::vector<std::uint32_t> nextContact;  ///< the same places as `contacts`
+    std::vector<std::uint32_t> nextContact;  ///< parallel to `contacts`
     std::vector<std::uint32_t> freeContacts;
-    std::vector<std::uint32_t> nextBody;  ///< by body
-    std::vector<std::uint32_t> islandOf;  ///< by body; kNone for what is awake
+    std::vector<std::uint32_t> nextBody;  ///< by body index
+    std::vector<std::uint32_t> islandOf;  ///< by body index; kNone for an awake body
 };
 
 /// The fields, indexed by FieldId::index.
@@ -244,7 +247,7 @@ struct Fields {
     std::vector<std::uint32_t> free;
 };
 
-/// Ropes, cloth and jellies, indexed by SoftBodyId::index.
+/// Ropes, cloth and soft bodies, indexed by SoftBodyId::index.
 struct SoftBodies {
     std::vector<SoftBody> all;
     std::vector<std::uint32_t> free;
@@ -253,10 +256,11 @@ struct SoftBodies {
 /// An overlap that no motion explains, see initial_overlaps.hpp.
 struct InitialOverlap {
     PairKey pair = 0;
-    float hidden = 0.0f;  ///< m: of it, which the solver does not see yet
+    float hidden = 0.0f;  ///< m: the part of it that is still hidden from the solver
 };
 
-/// Everything that is simulated, as plain data: copy = snapshot. Indices and generations, no addresses.
+/// The whole simulated state as plain data: a copy is a snapshot. It holds indices and generations, no
+/// addresses.
 struct World {
     Settings settings;
     Bodies bodies;
@@ -265,23 +269,23 @@ struct World {
     Fields fields;
     SoftBodies softBodies;
     std::vector<std::uint32_t> awake;  ///< bodies that may move
-    std::vector<std::uint32_t> moved;  ///< shapes that have to be looked up by the broad phase: kLeftBounds
-    std::vector<Contact> contacts;     ///< of which at least one body is awake
+    std::vector<std::uint32_t> moved;  ///< shapes whose pairs have to be searched: those with kLeftBounds
+    std::vector<Contact> contacts;     ///< contacts with at least one awake body
     Sleepers sleepers;
     std::vector<InitialOverlap> initialOverlaps;  ///< by pair
-    std::vector<ContactEvent> events;             ///< of the last step
-    std::vector<JointId> brokenJoints;            ///< in the last step
-    std::vector<BodyId> quarantined;   ///< whose numbers went bad in the last step: stopped where they were
-    std::uint32_t qualityCallers = 0;  ///< bodies and joints with a quality of their own
+    std::vector<ContactEvent> events;             ///< events of the last step
+    std::vector<JointId> brokenJoints;            ///< joints that broke in the last step
+    std::vector<BodyId> quarantined;   ///< stopped in the last step, because their state became non-finite
+    std::uint32_t qualityCallers = 0;  ///< number of bodies and joints with a quality of their own
     bool newJoints = false;            ///< some joint has no colour yet
-    bool filtersStale = false;         ///< a filter or a joint is new: contacts are asked whether they may be
-    bool islandsStale = false;         ///< a contact or joint ended: islands may be larger than need be
-    float islandsAge = 0.0f;           ///< s for which they have been stale
+    bool filtersStale = false;         ///< a filter or joint changed: contacts may have become invalid
+    bool islandsStale = false;         ///< a contact or joint ended: islands may be larger than necessary
+    float islandsAge = 0.0f;           ///< s: time for which they have been stale
     Manifest manifest;
-    Vec2 gravityOfLastStep;  ///< m/s2: a change wakes everything
+    Vec2 gravityOfLastStep;  ///< m/s2: a change of Settings::gravity wakes all bodies
     std::uint64_t steps = 0;
-    float stepLength = 1.0f / 60.0f;  ///< s: of the step that contacts have their impulses of
-    WorkspaceHolder work;             ///< follows from the rest: neither copied nor hashed
+    float stepLength = 1.0f / 60.0f;  ///< s: length of the step that the impulses in `contacts` belong to
+    WorkspaceHolder work;             ///< derived from the rest: neither copied nor hashed
 };
 
 }  // namespace plumb::physics

@@ -96,7 +96,7 @@ TEST(Hull, whatIsNoPolygonIsRefusedByName) {
         const SinCos at = sinCos(kTau * static_cast<float>(i) / 40.0f);
         circle.push_back({at.cos, at.sin});
     }
-    EXPECT_NE(refusal(circle).find("it has 40 corners, of at most 32"), std::string::npos);
+    EXPECT_NE(refusal(circle).find("it has 40 corners, the maximum is 32"), std::string::npos);
 }
 
 TEST(HullProperty, anyFloatsAreAHullOrAnError) {

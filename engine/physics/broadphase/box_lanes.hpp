@@ -17,9 +17,10 @@
 #define PLUMB_AVX2
 #endif
 
-// Eight floats, their comparison, and the same for words, as each kind of processor has them. Each lane is
-// computed as one float would be, so results do not depend on the kind. No lane is a NaN in least() and
-// most(); what is rounded is within 2^30. load() is from multiples of 32 bytes, loadAny() from anywhere.
+// Eight floats (and eight words) with the operations that the searches need, for each instruction set. Each
+// lane is computed exactly as a single float would be, so results do not depend on the instruction set.
+// Preconditions: no NaN in least() and most(); values to round are within 2^30; load() reads from multiples
+// of 32 bytes, loadAny() from any address.
 
 namespace plumb::physics {
 

@@ -11,8 +11,9 @@
 
 namespace plumb::physics {
 
-/// Boxes in a list, to be compared with eight neighbours of it at a time. The far sides are negated, as in
-/// TreeBoxes. Places that nobody has overlap nothing; so do the eight behind the last.
+/// A list of boxes in structure-of-arrays layout, to be compared with eight consecutive boxes at a time. The
+/// right and bottom sides are negated, as in TreeBoxes. Free slots overlap nothing, nor do the eight slots of
+/// padding at the end.
 struct BoxRows {
     static constexpr std::uint8_t kFree = 0;
     static constexpr std::uint8_t kThere = 1;
@@ -22,24 +23,24 @@ struct BoxRows {
     std::vector<Filter> filters;
     std::vector<std::uint32_t> ids;
     std::vector<std::uint8_t> states;  ///< kFree, kThere or kAwake
-    std::uint32_t count = 0;           ///< places, with free ones
+    std::uint32_t count = 0;           ///< number of slots, including free ones
     std::uint32_t free = 0;
-    std::uint32_t layers = 0;  ///< of all that have been here; see overruledBy()
+    std::uint32_t layers = 0;  ///< union over all proxies that were stored since reset(); see overruledBy()
     std::uint32_t masks = 0;
 
     BoxRows() { reset(0); }
-    /// Makes free places; forgets what there was.
+    /// Clears the list and creates free slots.
     void reset(std::uint32_t places);
-    /// Makes a free place behind the others.
+    /// Appends a free slot.
     std::uint32_t addPlace();
-    /// Takes the last place away, which is free.
+    /// Removes the last slot, which must be free.
     void dropPlace();
-    /// @param box  what usable() makes of its bounds
+    /// @param box  the bounds after usable()
     void write(const Proxies& proxies, std::uint32_t place, std::uint32_t id, const AABB& box);
     void erase(std::uint32_t place);
     [[nodiscard]] std::uint32_t size() const { return count - free; }
     [[nodiscard]] bool isFree(std::uint32_t place) const { return states[place] == kFree; }
-    /// Whether somebody here may meet one with this filter.
+    /// False if no proxy in the list can pass this filter.
     [[nodiscard]] bool mayMeet(const Filter& filter) const {
         const std::uint32_t overruled = overruledBy(filter.group);
         return ((filter.layers | overruled) & masks) != 0 && ((filter.mask | overruled) & layers) != 0;
@@ -49,39 +50,40 @@ struct BoxRows {
     }
 };
 
-/// Some places, one behind the other.
+/// A range of slots.
 struct Stretch {
     std::uint32_t begin;
     std::uint32_t end;
 };
 
-/// Some that are near each other look for partners.
+/// Proxies near each other that search for partners together.
 struct RowSearch {
     static constexpr std::uint32_t kMostLookers = 8;
 
     const BoxRows* own = nullptr;
-    const BoxRows* others = nullptr;  ///< may be the same
+    const BoxRows* others = nullptr;  ///< may be equal to `own`
     bool ownMayBeAwake = false;
-    bool allCanPair = false;                   ///< the moving and the sleeping; else one has to be awake
-    bool onlyLater = false;                    ///< everybody looks, so each looks only behind itself
-    const std::uint8_t* isMoved = nullptr;     ///< by proxy: nonzero for all that look
-    std::uint32_t lookers[kMostLookers] = {};  ///< places, rising
+    bool allCanPair = false;  ///< one side is the moving and the other the sleeping partition; otherwise one
+                              ///< proxy of a pair must be awake
+    bool onlyLater = false;  ///< every proxy of the list searches, so each only tests the slots after its own
+    const std::uint8_t* isMoved = nullptr;     ///< by proxy: nonzero for all that search
+    std::uint32_t lookers[kMostLookers] = {};  ///< slots in `own`, ascending
     std::uint32_t count = 0;
 };
 
-/// The sides of a box in cells of a grid.
+/// The four sides of a box in cell coordinates of a grid.
 using BoxCells = std::array<std::int32_t, 4>;
 
-/// The searches through rows as compiled for one kind of processor.
+/// The searches through rows, compiled for one instruction set.
 struct RowSearches {
     void (*findPairs)(const RowSearch& search, std::span<const Stretch> stretches,
                       std::vector<PairKey>& pairs);
-    /// Appends the ids of those from `begin` to `end` that the box overlaps and, unless that is null, the
-    /// sweep may meet.
+    /// Appends the ids of the proxies in `part` that the box overlaps and, unless `sweep` is null, that the
+    /// sweep may hit.
     void (*findInBox)(const BoxRows& rows, Stretch part, const AABB& box, const LineSweep* sweep,
                       std::uint32_t mask, std::vector<std::uint32_t>& found);
-    /// Of each box left, top, right and bottom in cells, rounded down and at most 2^30 away. Boxes are an
-    /// even number.
+    /// For each box its left, top, right and bottom side in cells, rounded down and clamped to 2^30. The
+    /// number of boxes must be even.
     void (*findCells)(std::span<const AABB> boxes, float perMetre, std::span<BoxCells> cells);
 };
 

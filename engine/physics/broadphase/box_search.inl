@@ -1,15 +1,15 @@
-// What all searches for boxes share. box_searches.cpp includes this, tree_search.inl and row_search.inl once
-// for each kind of processor, into a namespace of its own that has the functions of box_lanes.hpp, with
-// PLUMB_TARGET. No includes, no lambdas, nothing from elsewhere that is not inlined: all of it must be
-// compiled for that processor.
+// Helpers that all searches for boxes share. box_searches.cpp includes this file, tree_search.inl and
+// row_search.inl once per instruction set, each time into a namespace that has the functions of
+// box_lanes.hpp, with PLUMB_TARGET defined. No includes, no lambdas, no calls that are not inlined: all of
+// this code must be compiled for that instruction set.
 //
-// How many boxes overlap is anybody's guess, and a wrong guess of the processor costs more than a test or
-// two. So tests give bits, and bits become lists, with hardly a branch.
+// How many boxes overlap is unpredictable, and a mispredicted branch costs more than a few tests. So tests
+// produce bits, and bits become lists, nearly without branches.
 
 constexpr std::uint64_t kEachByte = 0x0101010101010101ull;
-constexpr std::uint32_t kSpare = 3;  // of lists that are written to by fours
+constexpr std::uint32_t kSpare = 3;  // spare entries at the end of lists that are written in groups of four
 
-/// A box to compare eight with.
+/// A box, broadcast for comparison with eight others.
 struct Wide {
     Floats high[4];  ///< m: right, bottom, -left, -top
 };
@@ -18,7 +18,7 @@ PLUMB_TARGET inline Wide widen(const AABB& box) {
     return {{spread(box.max.x), spread(box.max.y), spread(-box.min.x), spread(-box.min.y)}};
 }
 
-/// Appends the places of the bits, plus `first`. Writes up to kSpare places more.
+/// Appends the index of each set bit, plus `first`. Writes up to kSpare entries beyond the end.
 PLUMB_TARGET inline std::uint32_t* appendBits(std::uint64_t bits, std::uint32_t first, std::uint32_t* to) {
     const int count = std::popcount(bits);
     for (int done = 0; done < count; done += 4) {

@@ -6,8 +6,8 @@
 
 namespace plumb::physics {
 
-/// What broad phases do with eight boxes at a time, as compiled for one kind of processor. Which one changes
-/// nothing but the time.
+/// The functions of the broad phases that handle eight boxes at a time, compiled for one instruction set. The
+/// choice affects the time only.
 struct BoxSearches {
     TreeSearches trees;
     RowSearches rows;

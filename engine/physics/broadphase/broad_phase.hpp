@@ -10,8 +10,8 @@
 
 namespace plumb::physics {
 
-/// Whom a shape meets. Shapes of one body never meet; of one group always (above 0) or never (below 0);
-/// everybody else when each is on a layer that the other's mask has.
+/// Decides which shapes collide. Shapes of one body never collide; shapes of one group always (above 0) or
+/// never (below 0) do; all others collide if each is on a layer that is in the other's mask.
 struct Filter {
     std::uint32_t layers = 1;
     std::uint32_t mask = 0xffffffffu;
@@ -25,71 +25,74 @@ constexpr bool meet(const Filter& a, const Filter& b) {
     return (a.layers & b.mask) != 0 && (b.layers & a.mask) != 0;
 }
 
-/// What a proxy does.
+/// The motion class of a proxy.
 enum class ProxyMotion : std::uint8_t {
-    Gone,       ///< a free place
+    Gone,       ///< a free slot
     Static,     ///< never moves
-    Asleep,     ///< movable, rests
-    Kinematic,  ///< moves, cannot be pushed
-    Awake       ///< movable, may move
+    Asleep,     ///< dynamic, at rest
+    Kinematic,  ///< moves, but not by forces
+    Awake       ///< dynamic, may move
 };
 
-/// Whether two proxies can make a pair: one of them can be pushed, and one of them moves. So a kinematic
-/// proxy pairs with sleepers as well, which it has to wake, but not with what nothing pushes.
+/// True if two proxies can form a pair: one of them must be dynamic and one must move. So a kinematic proxy
+/// pairs with sleeping ones as well, which it has to wake, but not with static or kinematic ones.
 constexpr bool canPair(ProxyMotion a, ProxyMotion b) {
     if (a == ProxyMotion::Awake || b == ProxyMotion::Awake) return true;
     return (a == ProxyMotion::Kinematic && b == ProxyMotion::Asleep) ||
            (a == ProxyMotion::Asleep && b == ProxyMotion::Kinematic);
 }
 
-/// The shapes as a broad phase sees them: three arrays indexed by shape. A view; nothing is owned.
-/// Bounds are already fattened by a margin; they change only when a shape leaves them.
+/// The shapes as a broad phase sees them: three arrays indexed by shape. A view that owns nothing. Bounds are
+/// already enlarged by a margin; they change only when a shape leaves them.
 struct Proxies {
     std::span<const AABB> bounds;
     std::span<const Filter> filters;
     std::span<const ProxyMotion> motions;
 };
 
-/// Who is looked for.
+/// Which proxies a cast considers.
 enum class Among : std::uint8_t { All, Static };
 
-/// Two shapes whose bounds overlap: the lower index in the high half, so that sorting sorts by it.
+/// Two shapes whose bounds overlap: the lower index in the high half, so that sorting keys sorts by it.
 using PairKey = std::uint64_t;
 constexpr PairKey pairKey(std::uint32_t a, std::uint32_t b) {
-    const std::uint32_t low = a < b ? a : b;  // nobody can guess which: no branch
+    const std::uint32_t low = a < b ? a : b;  // unpredictable, so without a branch
     return PairKey{low} << 32 | (a ^ b ^ low);
 }
 
-/// Finds who is near whom. What it keeps follows from the proxies, so it is no state: any kind of broad
-/// phase, in any condition, gives the same sets. Bounds that only touch count as overlapping.
+/// Finds pairs of proxies with overlapping bounds. A broad phase holds no state of its own: its content
+/// follows from the proxies, and any kind, with any history, returns the same sets. Bounds that only touch
+/// count as overlapping.
 class BroadPhase {
 public:
     virtual ~BroadPhase() = default;
 
-    /// Forgets everything and takes all proxies that are not Gone.
+    /// Discards everything and adds all proxies that are not Gone.
     virtual void rebuild(const Proxies& proxies) = 0;
-    /// Takes note of proxies that came, went, or whose bounds, filter or motion changed since the last call.
+    /// Updates proxies that were added or removed, or whose bounds, filter or motion changed since the last
+    /// call.
     /// @param changed  indices, each once
     virtual void update(const Proxies& proxies, std::span<const std::uint32_t> changed) = 0;
-    /// Puts side by side who is searched for together. Not needed for right results, but findPairs() is
-    /// several times faster with `moved` in this order, and its parts for threads best are pieces of it.
+    /// Sorts `moved` so that proxies that can be searched together are adjacent. Optional, but findPairs() is
+    /// several times faster in this order; parts for threads should be contiguous ranges of it.
     virtual void arrange(std::span<std::uint32_t> moved) = 0;
-    /// Appends each pair of a proxy of `moved` with any other whose bounds overlap, whose filters meet, and
-    /// of which the motions can pair. A pair of two moved ones is given once. Any order. May run on several threads
-    /// at once for different parts of `moved`.
+    /// Appends each pair of a proxy in `moved` with any other proxy if their bounds overlap, their filters
+    /// match and canPair() holds for their motions. A pair of two moved proxies is reported once. The order
+    /// is arbitrary. Different parts of `moved` may be searched on several threads at once.
     /// @param isMoved  by proxy: nonzero for all that are in `moved` of any thread
     virtual void findPairs(const Proxies& proxies, std::span<const std::uint32_t> moved,
                            std::span<const std::uint8_t> isMoved, std::vector<PairKey>& pairs) const = 0;
-    /// Appends all proxies whose bounds overlap the box and whose layers are in `mask`. Any order.
+    /// Appends all proxies whose bounds overlap the box and that are on a layer in `mask`. The order is
+    /// arbitrary.
     virtual void query(const Proxies& proxies, const AABB& box, std::uint32_t mask,
                        std::vector<std::uint32_t>& found) const = 0;
-    /// Appends all proxies whose bounds, grown by `half` on each side, meet the line from `from` along `way`.
-    /// Any order; those far off the line may be among them.
+    /// Appends all proxies whose bounds, enlarged by `half` on each side, intersect the line from `from` to
+    /// `from + way`. The order is arbitrary; the result may contain proxies that the line misses.
     virtual void cast(const Proxies& proxies, Vec2 from, Vec2 way, Vec2 half, std::uint32_t mask,
                       std::vector<std::uint32_t>& found, Among among) const = 0;
 };
 
-/// Which broad phase; each has a case that it wins (docs/performance.md).
+/// The broad phases. Each is the fastest for some kind of scene (docs/performance.md).
 enum class BroadPhaseKind : std::uint8_t { Tree, Grid, SweepAndPrune, Quadtree, Count };
 
 std::unique_ptr<BroadPhase> makeBroadPhase(BroadPhaseKind kind);

@@ -11,8 +11,8 @@ namespace plumb::physics {
 
 namespace {
 
-constexpr float kCoarser = 4.0f;    // from level to level
-constexpr float kLeastCell = 0.1f;  // ratio to the spacing: finer ones tell nobody apart
+constexpr float kCoarser = 4.0f;    // ratio of the cell sizes of successive levels
+constexpr float kLeastCell = 0.1f;  // ratio to the spacing: smaller cells would not separate boxes better
 
 bool fits(const BoxCells& sides) {
     return cellsFrom(sides[0], sides[2]) <= 2 && cellsFrom(sides[1], sides[3]) <= 2;
@@ -55,7 +55,7 @@ Vec2 CellGrid::alongRow(const LineSweep& sweep, double top, double bottom) {
 }
 
 void CellGrid::visitRegions(RegionVisitor& visitor) const {
-    const Cell* last = nullptr;  // who shares a cell is side by side
+    const Cell* last = nullptr;  // boxes of one cell are adjacent
     for (std::uint32_t place = 0; place < sorted_; ++place) {
         const Cell& cell = cells_[place];
         const float perMetre = levels_[cell.level].perMetre;
@@ -72,7 +72,7 @@ void CellGrid::clear() {
     for (Level& level : levels_) level.count = 0;
 }
 
-/// For those in order_, if they are others than the last time or long ago.
+/// Chooses cell sizes for the boxes in order_, if the boxes changed much or the last choice is old.
 void CellGrid::chooseSizes(const Proxies& proxies) {
     if (!choiceIsDue()) return;
     const Spread spread = spreadOf(proxies, order_);
@@ -82,10 +82,10 @@ void CellGrid::chooseSizes(const Proxies& proxies) {
         level.perMetre = std::clamp(1.0f / extent, 1e-30f, 1e30f);
         extent *= kCoarser;
     }
-    levels_[kLevels - 1].perMetre = 0.0f;  // one cell for whoever is too large
+    levels_[kLevels - 1].perMetre = 0.0f;  // a single cell for boxes that are too large for all others
 }
 
-/// Puts those in order_ into cells, which are as many.
+/// Assigns a cell to each box in order_, and gives each grid about as many cells as it has boxes.
 void CellGrid::chooseCells(const Proxies& proxies) {
     for (Level& level : levels_) level.count = 0;
     orderBoxes_.resize(order_.size() + order_.size() % 2);
@@ -123,7 +123,7 @@ void CellGrid::sort(const Proxies& proxies, std::uint32_t spare, std::span<std::
     noteSorted(starts_.back());
     rows_.reset(sorted_);
     cells_.resize(sorted_);
-    // starts_[c] runs from the first place of a cell to its first spare one while it is filled.
+    // While the cells are filled, starts_[c] is the next slot of cell c to write.
     for (std::size_t i = 0; i < order_.size(); ++i) {
         const std::uint32_t place = starts_[indexOf(orderCells_[i])]++;
         rows_.write(proxies, place, order_[i], orderBoxes_[i]);
@@ -134,7 +134,7 @@ void CellGrid::sort(const Proxies& proxies, std::uint32_t spare, std::span<std::
     starts_[0] = 0;
 }
 
-/// A free place in the cell, or behind all cells.
+/// A free slot in the cell, or else a new one after all cells.
 std::uint32_t CellGrid::placeIn(const Cell& cell) {
     const std::uint32_t index = indexOf(cell);
     if (levels_[cell.level].count > 0) {
@@ -160,7 +160,7 @@ bool CellGrid::take(const Proxies& proxies, std::span<std::uint32_t> arrivals, s
         return false;
     }
     collect(arrivals);
-    // Where most move all are sorted in each step anyway.
+    // Where most boxes move, they are sorted in each step anyway: no spare slots.
     sort(proxies, mostMove ? 0 : 1, places, first);
     return true;
 }

@@ -12,16 +12,16 @@ namespace plumb::physics {
 
 class RegionVisitor;
 
-/// Boxes in the cells of a few grids, each four times as coarse as the one before; a box is in the finest one
-/// of which it needs no more than two cells each way, in the cell of its left top corner. Cells repeat: a
-/// grid is rolled up to a torus of about as many cells as it has boxes, so no world is too large, and
-/// strangers in a cell are told apart by their boxes. Cells have a free place or two; who finds none in its
-/// new cell goes behind all cells.
+/// A hierarchical grid: a few grids, each with cells four times as large as the one before. A box is stored
+/// in the finest grid in which it spans at most two cells along each axis, in the cell of its top-left
+/// corner. Each grid is wrapped to a torus with about as many cells as it has boxes, so the world may have
+/// any size; boxes of different places in one cell are told apart by their bounds. Cells may have a spare
+/// slot; a box that finds none in its new cell is stored after all cells.
 /// Source: C. Ericson, "Real-Time Collision Detection", 2005, 7.1.3 (hashed storage) and 7.2 (hierarchical
 /// grids)
 class CellGrid : public OrderedRows {
 public:
-    // What PartedProxies asks of a part.
+    // Interface for PartedProxies.
     bool take(const Proxies& proxies, std::span<std::uint32_t> arrivals, std::uint32_t moving,
               std::span<std::uint32_t> places, std::uint32_t first);
     std::uint32_t move(const Proxies& proxies, std::uint32_t place);
@@ -32,10 +32,11 @@ public:
         return b < sorted_ && cells_[a].level == cells_[b].level && cells_[a].y == cells_[b].y &&
                static_cast<std::uint32_t>(cells_[b].x) - static_cast<std::uint32_t>(cells_[a].x) <= kNearCells;
     }
-    /// Calls visit(begin, end) with ranges of places, from `from` on, where all are that the box may overlap.
+    /// Calls visit(begin, end) with ranges of slots, none before `from`, that contain all boxes that may
+    /// overlap `box`.
     template <class Visit>
     void visitNear(const AABB& box, std::uint32_t from, const Visit& visit) const;
-    /// The same for all that the sweep may meet.
+    /// The same for all boxes that the sweep may hit.
     template <class Visit>
     void visitAlong(const LineSweep& sweep, const Visit& visit) const;
 
@@ -43,7 +44,7 @@ private:
     static constexpr std::uint32_t kNearCells = 12;
     static constexpr std::uint32_t kLevels = 10;  // the last one is a single cell
 
-    /// Where a box is in its grid.
+    /// The cell of a box.
     struct Cell {
         std::int32_t x = 0;
         std::int32_t y = 0;
@@ -52,16 +53,16 @@ private:
     };
     struct Level {
         float perMetre = 0.0f;      ///< cells per m
-        std::uint32_t columns = 1;  ///< powers of two
+        std::uint32_t columns = 1;  ///< powers of two, as `rows`
         std::uint32_t rows = 1;
-        std::uint32_t firstCell = 0;  ///< in starts_
-        std::uint32_t count = 0;      ///< of boxes
+        std::uint32_t firstCell = 0;  ///< index in starts_
+        std::uint32_t count = 0;      ///< number of boxes
     };
 
     static std::int32_t cellAt(float x, float perMetre);
     [[nodiscard]] Cell cellOf(const AABB& box, std::uint32_t finest = 0) const;
     [[nodiscard]] std::uint32_t indexOf(const Cell& cell) const;
-    /// Calls visit with the places of some cells of a row.
+    /// Calls visit with the slots of `wide` cells of a row, beginning at column `left`.
     template <class Visit>
     void visitRow(const Level& level, std::int32_t row, std::int32_t left, std::uint32_t wide,
                   const Visit& visit) const;
@@ -69,21 +70,21 @@ private:
     void visitLevel(const Level& level, const AABB& box, std::uint32_t from, const Visit& visit) const;
     template <class Visit>
     void visitLevelAlong(const Level& level, const LineSweep& sweep, const Visit& visit) const;
-    /// How far the sweep goes along x while it may meet boxes of a row.
+    /// The interval of x that the sweep covers while it may overlap boxes of a row.
     static Vec2 alongRow(const LineSweep& sweep, double top, double bottom);
     void chooseSizes(const Proxies& proxies);
     void chooseCells(const Proxies& proxies);
-    /// @param spare  free places in each cell
+    /// @param spare  free slots in each cell
     void sort(const Proxies& proxies, std::uint32_t spare, std::span<std::uint32_t> places,
               std::uint32_t first);
     std::uint32_t placeIn(const Cell& cell);
 
     Level levels_[kLevels];
-    std::vector<std::uint32_t> starts_;  ///< by cell: its first place; and one more
-    std::vector<Cell> cells_;            ///< by place
-    float aspect_ = 1.0f;                ///< how much wider than high all are together
+    std::vector<std::uint32_t> starts_;  ///< by cell: its first slot; one more entry marks the end
+    std::vector<Cell> cells_;            ///< by slot
+    float aspect_ = 1.0f;  ///< ratio of the width to the height of the area that the boxes are spread over
 
-    std::vector<AABB> orderBoxes_;  ///< as order_
+    std::vector<AABB> orderBoxes_;  ///< parallel to order_
     std::vector<BoxCells> orderSides_;
     std::vector<Cell> orderCells_;
     const RowSearches& searches_ = boxSearchesFor(simdWidth()).rows;
@@ -98,7 +99,7 @@ inline std::int32_t CellGrid::cellAt(float x, float perMetre) {
     return cell - static_cast<std::int32_t>(scaled < static_cast<float>(cell));
 }
 
-/// How many cells first..last are. They may be further apart than an int counts.
+/// The number of cells from `first` to `last`, which may differ by more than an int can hold.
 inline std::uint32_t cellsFrom(std::int32_t first, std::int32_t last) {
     return static_cast<std::uint32_t>(last) - static_cast<std::uint32_t>(first) + 1;
 }
@@ -125,7 +126,7 @@ void CellGrid::visitLevel(const Level& level, const AABB& box, std::uint32_t fro
     const std::uint32_t begin = starts_[level.firstCell];
     const std::uint32_t end = starts_[level.firstCell + level.columns * level.rows];
     if (end <= from) return;
-    // One cell to the left and above may hold boxes that reach here.
+    // A box spans at most two cells, so one that begins in the next cell to the left or above may reach in.
     const std::int32_t left = cellAt(box.min.x, level.perMetre) - 1;
     const std::int32_t top = cellAt(box.min.y, level.perMetre) - 1;
     const std::uint32_t wide = cellsFrom(left, cellAt(box.max.x, level.perMetre));
@@ -147,7 +148,7 @@ void CellGrid::visitLevelAlong(const Level& level, const LineSweep& sweep, const
     for (std::uint32_t i = 0; i < high; ++i) {
         const std::int32_t row = top + static_cast<std::int32_t>(i);
         const double size = 1.0 / double{level.perMetre};
-        // A cell more on each side for what rounding may lose.
+        // One more cell on each side to allow for rounding.
         const Vec2 span = alongRow(sweep, (row - 1.0) * size, (row + 3.0) * size);
         const std::int32_t left = cellAt(span.x, level.perMetre) - 2;
         const std::uint32_t wide = cellsFrom(left, cellAt(span.y, level.perMetre) + 1);

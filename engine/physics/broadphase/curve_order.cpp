@@ -7,15 +7,15 @@ namespace plumb::physics {
 
 namespace {
 
-constexpr std::size_t kCrowd = 8;         // more in one cell of the curve are ordered among themselves
-constexpr std::size_t kFew = 96;          // fewer are compared with each other
-constexpr std::size_t kManyCells = 4096;  // more entries want a finer curve
-constexpr int kDeepest = 24;              // each level is 256 times finer, a float has no more than 2^277
-constexpr float kFar = 1e30f;             // further out, and
-constexpr float kLeast = 1e-30f;          // nearer together all places are one
+constexpr std::size_t kCrowd = 8;         // a cell with more entries than this is sorted by a finer curve
+constexpr std::size_t kFew = 96;          // fewer entries are sorted by comparison
+constexpr std::size_t kManyCells = 4096;  // more entries get a curve with three digits instead of two
+constexpr int kDeepest = 24;      // each level is 256 times finer, and the exponents of floats span 2^277
+constexpr float kFar = 1e30f;     // coordinates are clamped to this
+constexpr float kLeast = 1e-30f;  // a smaller extent counts as one point
 
-/// Four levels of the curve at once: by state and 4 bits of x and y the 8 bits of the place, and the next
-/// state above them. A state is whether the axes are swapped (1) and turned round (2).
+/// Four levels of the curve at once: from the state and 4 bits of x and y, the 8 bits of the index on the
+/// curve, and above them the next state. Bit 0 of a state: the axes are swapped; bit 1: both are reversed.
 constexpr auto kCurve = [] {
     std::array<std::array<std::uint16_t, 256>, 4> table{};
     for (unsigned state = 0; state < 4; ++state) {
@@ -38,7 +38,7 @@ constexpr auto kCurve = [] {
     return table;
 }();
 
-/// @param digits  groups of four bits that x and y have
+/// @param digits  number of groups of four bits in x and y
 std::uint32_t placeOnCurve(std::uint32_t x, std::uint32_t y, int digits) {
     std::uint32_t state = 0;
     std::uint32_t place = 0;
@@ -52,7 +52,7 @@ std::uint32_t placeOnCurve(std::uint32_t x, std::uint32_t y, int digits) {
 
 Vec2 centreOf(const AABB& box) {
     const Vec2 centre = box.min * 0.5f + box.max * 0.5f;
-    // The comparisons are so that what is no number lands in a corner.
+    // Written so that a NaN ends up at -kFar.
     return {centre.x > -kFar ? std::min(centre.x, kFar) : -kFar,
             centre.y > -kFar ? std::min(centre.y, kFar) : -kFar};
 }
@@ -101,7 +101,7 @@ void CurveOrder::sortRange(std::span<const AABB> bounds, std::span<Entry> entrie
 
     const int digits = entries.size() > kManyCells ? 3 : 2;
     const auto last = static_cast<float>((1 << (4 * digits)) - 1);
-    // Square cells, or a long world would have long leaves.
+    // Square cells: otherwise a long, narrow world would have long, narrow leaves.
     const float extent = std::max(high.x - low.x, high.y - low.y);
     const float scale = extent > kLeast ? last / extent : 0.0f;
     for (Entry& entry : entries) {

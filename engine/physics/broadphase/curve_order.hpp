@@ -8,16 +8,17 @@
 
 namespace plumb::physics {
 
-/// Puts boxes into the order of a Hilbert curve through their centres, so that neighbours in the list are
-/// neighbours in the plane. Crowds get a finer curve of their own, so that one box far away spoils nothing.
+/// Sorts boxes along a Hilbert curve through their centres, so that neighbours in the list are neighbours in
+/// the plane. Dense cells of the curve get a finer curve of their own, so that a single box far away does not
+/// degrade the order of the others.
 /// Source: I. Kamel, C. Faloutsos, "On Packing R-trees", CIKM 1993.
 class CurveOrder {
 public:
-    /// @param bounds  by id; finite, or inverted ones in any place
+    /// @param bounds  by id; finite, or inverted ones anywhere
     void sort(std::span<const AABB> bounds, std::span<std::uint32_t> ids);
 
 private:
-    using Entry = std::uint64_t;  // place on the curve << 32 | id
+    using Entry = std::uint64_t;  // index on the curve << 32 | id
 
     void sortRange(std::span<const AABB> bounds, std::span<Entry> entries, int depth);
     void sortByKey(std::span<Entry> entries, int digitBits);

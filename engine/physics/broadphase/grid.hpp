@@ -5,7 +5,7 @@
 
 namespace plumb::physics {
 
-/// Uniform grids. Best where all are of about one size and all move fast.
+/// Uniform grids. The best choice where boxes have similar sizes and all move fast.
 using GridBroadPhase = RowBroadPhase<CellGrid>;
 
 }  // namespace plumb::physics

@@ -7,12 +7,13 @@
 
 namespace plumb::physics {
 
-/// A moving box as broad phases look for it: which boxes can it meet? Errs on the side of too many.
+/// A moving box, as a broad phase searches for what it may hit. Conservative: it may report boxes that it
+/// misses.
 struct LineSweep {
     Vec2 from;    ///< m
-    Vec2 way;     ///< m
-    Vec2 half;    ///< m: of the moving box, and what rounding may have lost on the way
-    AABB bounds;  ///< m: all of the way; kNowhere when there is none to speak of
+    Vec2 way;     ///< m: displacement
+    Vec2 half;    ///< m: half size of the moving box, plus an allowance for rounding
+    AABB bounds;  ///< m: bounds of the whole sweep; kNowhere if the input is not finite
 };
 
 constexpr float kSweepSlack = 1e-6f;  // ratio: eight times the last bit of a float
@@ -26,7 +27,7 @@ inline LineSweep lineSweep(Vec2 from, Vec2 way, Vec2 half) {
     return {from, way, reach, usable({min(from, to) - reach, max(from, to) + reach})};
 }
 
-/// Whether a box that overlaps the bounds of the sweep may be met.
+/// True if the sweep may hit a box that overlaps its bounds.
 /// Source: C. Ericson, "Real-Time Collision Detection", 2005, 5.3.3 (separating axis of a segment and a box)
 inline bool mayMeet(const LineSweep& sweep, const AABB& box) {
     const Vec2 middle = middleOf(box);
@@ -35,7 +36,7 @@ inline bool mayMeet(const LineSweep& sweep, const AABB& box) {
     const float off = std::fabs(cross(sweep.way, middle - sweep.from));
     const float reach =
         std::fabs(sweep.way.x) * (half.y + slack.y) + std::fabs(sweep.way.y) * (half.x + slack.x);
-    return !(off > reach);  // too large for a float: it may
+    return !(off > reach);  // true also for a NaN after an overflow
 }
 
 }  // namespace plumb::physics

@@ -11,11 +11,11 @@ namespace plumb::physics {
 
 namespace {
 
-constexpr float kFar = 0x1p40f;        // m: further out there are no squares
-constexpr float kSmallest = 0x1p-12f;  // m: half the width of a square
-constexpr std::uint32_t kMany = 8;     // in a square
+constexpr float kFar = 0x1p40f;        // m: no squares beyond this distance
+constexpr float kSmallest = 0x1p-12f;  // m: minimum half width of a square
+constexpr std::uint32_t kMany = 8;     // a square with more boxes than this is split
 
-/// The power of two that is not below x.
+/// The smallest power of two that is at least x.
 float powerAbove(float x) {
     const auto bits = std::bit_cast<std::uint32_t>(x);
     return std::bit_cast<float>(((bits + 0x7fffffu) >> 23) << 23);
@@ -65,7 +65,7 @@ void LooseQuadtree::makeChildren(std::uint32_t node) {
     }
 }
 
-/// Makes the top so large that it holds the goal: what was the top becomes a quarter of a square, and so on.
+/// Doubles the root until it holds the goal: the former root becomes a quarter of the new one, and so on.
 void LooseQuadtree::growRoot(const Goal& goal) {
     if (root_ == kNobody) {
         root_ = static_cast<std::uint32_t>(nodes_.size());
@@ -97,14 +97,14 @@ std::uint32_t LooseQuadtree::childFor(std::uint32_t node, const Goal& goal) cons
            ((goal.middle.x >= parent.middle.x ? 1u : 0u) | (goal.middle.y >= parent.middle.y ? 2u : 0u));
 }
 
-/// Notes that a box is in a node.
+/// Enlarges the bounds of a node and of those above it by a box.
 void LooseQuadtree::reachOut(std::uint32_t node, const AABB& box) {
     for (; node != kNobody && merged(nodes_[node].reach, box) != nodes_[node].reach;
          node = nodes_[node].parent)
         nodes_[node].reach = merged(nodes_[node].reach, box);
 }
 
-/// One less is in it or below.
+/// Counts one item less in the node.
 void LooseQuadtree::leave(std::uint32_t node) {
     if (--nodes_[node].count == 0) nodes_[node].reach = kNowhere;
 }
@@ -129,7 +129,7 @@ void LooseQuadtree::unlink(std::uint32_t place) {
     if (item.next != kNobody) items_[item.next].previous = item.previous;
 }
 
-/// Sends those on that its quarters can hold.
+/// Creates the four quarters and moves down the items that they can hold.
 void LooseQuadtree::split(std::uint32_t node) {
     makeChildren(node);
     std::uint32_t next = kNobody;
@@ -144,7 +144,7 @@ void LooseQuadtree::split(std::uint32_t node) {
     }
 }
 
-/// Puts an item below a node that holds it, or kNobody for the top.
+/// Inserts an item below the node `from`, which must hold it; kNobody: below the root.
 void LooseQuadtree::insert(std::uint32_t place, std::uint32_t from) {
     if (isOutside(items_[place].box)) return link(place, kOutside);
     const Goal goal = goalOf(items_[place].box);
@@ -191,7 +191,7 @@ void LooseQuadtree::erase(std::uint32_t place) {
 }
 
 bool LooseQuadtree::isDue(std::size_t arrivals) const {
-    // Most are new, or those that moved on have left too many empty squares behind.
+    // Most boxes are new, or boxes that moved on have left too many empty squares behind.
     return arrivals > size_ || nodes_.size() > 2 * items_.size() + 4096;
 }
 
@@ -210,7 +210,8 @@ void LooseQuadtree::add(const Proxies& proxies, std::uint32_t id, std::span<std:
     places[id] = first + place;
 }
 
-/// Neighbours come one after the other, so that they are near each other in memory.
+/// Sorts all ids along a curve, so that neighbours in space are inserted one after the other and lie close
+/// together in memory.
 void LooseQuadtree::sortAll(const Proxies& proxies, std::span<const std::uint32_t> arrivals) {
     order_.clear();
     for (const Item& item : items_) {
@@ -249,7 +250,7 @@ std::uint32_t LooseQuadtree::move(const Proxies& proxies, std::uint32_t place) {
         reachOut(old, item.box);
         return place;
     }
-    // Up to the first square that holds it, and down again.
+    // Goes up to the first square that holds the box, and down again from there.
     unlink(place);
     std::uint32_t node = old;
     while (node != kNobody && !holds(nodes_[node], goal)) {

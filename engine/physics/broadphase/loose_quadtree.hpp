@@ -14,24 +14,25 @@ namespace plumb::physics {
 
 class RegionVisitor;
 
-/// Squares in squares, half as wide from level to level; one with many boxes sends those that are small
-/// enough on to its quarters. A box is in a square that its middle is in and that is no smaller than the box,
-/// so it may stick out by half a square: coming, going and moving on cost the same in any world, and hardly
-/// anything while the middle stays in the square. Source: T. Ulrich, "Loose Octrees", Game Programming Gems,
-/// 2000
+/// A loose quadtree: nested squares, each level half as wide as the one above. A square with many boxes
+/// passes those that are small enough on to its quarters. A box belongs to a square that contains its centre
+/// and is no smaller than the box, so the box may extend beyond it by half the width of the square. Therefore
+/// inserting, removing and moving a box cost the same in any world, and next to nothing while the centre
+/// stays in its square.
+/// Source: T. Ulrich, "Loose Octrees", Game Programming Gems, 2000
 class LooseQuadtree {
 public:
     struct Item {
         AABB box;
         Filter filter;
         std::uint32_t id = 0;
-        std::uint32_t node = kNobody;  ///< kNobody: this item is free
-        std::uint32_t next = kNobody;  ///< in the same node
+        std::uint32_t node = kNobody;  ///< kNobody: the item is free
+        std::uint32_t next = kNobody;  ///< next item of the same node
         std::uint32_t previous = kNobody;
         bool awake = false;
     };
 
-    // What PartedProxies asks of a part.
+    // Interface for PartedProxies.
     bool take(const Proxies& proxies, std::span<std::uint32_t> arrivals, std::uint32_t moving,
               std::span<std::uint32_t> places, std::uint32_t first);
     void erase(std::uint32_t place);
@@ -45,30 +46,29 @@ public:
     void visitRegions(RegionVisitor& visitor) const;
 
     [[nodiscard]] const Item& itemAt(std::uint32_t place) const { return items_[place]; }
-    /// Whether somebody here may meet one with this filter.
+    /// False if no proxy in the tree can pass this filter.
     [[nodiscard]] bool mayMeet(const Filter& filter) const;
-    /// Calls visit(place) for all in squares that reach into the box and, unless that is null, that the sweep
-    /// may meet.
+    /// Calls visit(place) for each box that overlaps `box`. With a sweep, skips squares that it misses.
     template <class Visit>
     void visitNear(const AABB& box, const LineSweep* sweep, const Visit& visit) const;
 
 private:
     static constexpr std::uint32_t kNobody = 0xffffffffu;
-    static constexpr std::uint32_t kOutside = 0;  ///< the node of those too far or too large for squares
+    static constexpr std::uint32_t kOutside = 0;  ///< node of boxes too far away or too large for squares
     static constexpr int kMostLevels = 64;
 
     struct Node {
-        AABB reach = kNowhere;  ///< of all who have been in it or below since it was empty
+        AABB reach = kNowhere;  ///< union of all boxes that were in it or below since it was last empty
         Vec2 middle;            ///< m
         float half = 0.0f;      ///< m
         std::uint32_t parent = kNobody;
         std::uint32_t children =
-            kNobody;  ///< the first of four; with them, it keeps only what they cannot hold
+            kNobody;  ///< the first of four; a node with children keeps only the boxes that these cannot hold
         std::uint32_t firstItem = kNobody;
-        std::uint32_t count = 0;  ///< items in it and below
+        std::uint32_t count = 0;  ///< number of items in it and below
     };
 
-    /// Where a box has to be.
+    /// The square that a box needs.
     struct Goal {
         Vec2 middle;
         float half = 0.0f;  ///< m: half the width of the square
@@ -90,12 +90,12 @@ private:
     void add(const Proxies& proxies, std::uint32_t id, std::span<std::uint32_t> places, std::uint32_t first);
     void read(const Proxies& proxies, std::uint32_t place, std::uint32_t id);
 
-    std::vector<Node> nodes_;  ///< 0: outside
+    std::vector<Node> nodes_;  ///< node 0 is kOutside
     std::vector<Item> items_;
     std::vector<std::uint32_t> free_;
     std::uint32_t root_ = kNobody;
     std::uint32_t size_ = 0;
-    std::uint32_t layers_ = 0;  ///< of all that have been here
+    std::uint32_t layers_ = 0;  ///< union over all proxies that were stored since clear()
     std::uint32_t masks_ = 0;
 
     CurveOrder curve_;

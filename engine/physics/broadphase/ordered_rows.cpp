@@ -4,8 +4,8 @@ namespace plumb::physics {
 
 namespace {
 
-constexpr std::uint64_t kTestsPerSort = 8;     // what sorting one costs, in tests of eight boxes
-constexpr std::uint32_t kSortsPerChoice = 32;  // worlds change slowly
+constexpr std::uint64_t kTestsPerSort = 8;     // cost of sorting one box, in tests of eight boxes
+constexpr std::uint32_t kSortsPerChoice = 32;  // the distribution of boxes changes slowly
 
 }  // namespace
 

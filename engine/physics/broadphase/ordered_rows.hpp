@@ -8,12 +8,12 @@
 
 namespace plumb::physics {
 
-/// Rows that were put in some order. Who came later, or strayed from its place, is behind those, where every
-/// search looks, until putting everybody in order anew costs less. What a CellGrid and SortedRows have in
-/// common.
+/// Rows that were sorted at some time: the common part of CellGrid and SortedRows. Boxes that were added
+/// since, or that moved too far from where they were sorted to, are stored after the sorted ones, where every
+/// search tests them all, until sorting again costs less than these tests.
 class OrderedRows {
 public:
-    // What PartedProxies asks of a part.
+    // Interface for PartedProxies.
     void erase(std::uint32_t place) { rows_.erase(place); }
     void settle(std::size_t searches);
     [[nodiscard]] bool isDue(std::size_t arrivals) const;
@@ -24,25 +24,25 @@ public:
     [[nodiscard]] const BoxRows& rows() const { return rows_; }
 
 protected:
-    static constexpr std::uint32_t kFew = 32;  ///< are searched without an order
+    static constexpr std::uint32_t kFew = 32;  ///< this many boxes need no order
 
     void clearRows();
-    /// Fills order_ with those who are here, and arrivals.
+    /// Fills order_ with the ids of all stored boxes and `arrivals`.
     void collect(std::span<const std::uint32_t> arrivals);
-    /// Those in order_ are on the first places now.
+    /// The boxes of order_ occupy the first `places` slots now.
     void noteSorted(std::uint32_t places);
-    /// Whether those in order_ are others than when this last said so, or that is long ago: how they are put
-    /// in order has to be chosen anew.
+    /// True if the number of boxes in order_ differs much from that at the last choice, or the last choice is
+    /// old: the parameters of the order have to be chosen again.
     bool choiceIsDue();
 
     BoxRows rows_;
-    std::uint32_t sorted_ = 0;          ///< places that are in order
-    std::vector<std::uint32_t> order_;  ///< ids, while they are put in order
+    std::uint32_t sorted_ = 0;          ///< slots that are sorted
+    std::vector<std::uint32_t> order_;  ///< ids, while they are sorted
 
 private:
-    std::uint32_t sortedSize_ = 0;  ///< boxes that were put in order
-    std::uint64_t lost_ = 0;        ///< tests that searches have made behind them
-    std::size_t chosenFor_ = 0;     ///< boxes, at the last choice
+    std::uint32_t sortedSize_ = 0;  ///< number of boxes at the last sort
+    std::uint64_t lost_ = 0;        ///< tests that searches have made among the unsorted boxes since then
+    std::size_t chosenFor_ = 0;     ///< number of boxes at the last choice
     std::uint32_t sortsSince_ = 0;
 };
 

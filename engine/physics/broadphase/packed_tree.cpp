@@ -32,7 +32,7 @@ void mergeBoxes(TreeNode& parent, std::size_t lane, const TreeBoxes& boxes) {
     for (int side = 0; side < 4; ++side) parent.boxes.low[side][lane] = leastOf(boxes.low[side]);
 }
 
-/// Writes what all lanes come to into a lane of the parent.
+/// Writes the union of a node's children into a lane of its parent.
 void mergeInto(TreeNode& parent, std::size_t lane, const TreeNode& node) {
     mergeBoxes(parent, lane, node.boxes);
     std::uint32_t layers = 0;
@@ -57,7 +57,7 @@ void mergeInto(TreeNode& parent, std::size_t lane, const TreeLeaf& leaf) {
     parent.masks[lane] = masks;
 }
 
-/// Calls with the place of each bit, and clears them.
+/// Calls `call` with the index of each set bit, and clears the bits.
 template <class Call>
 void takeBits(std::vector<std::uint64_t>& words, Call call) {
     for (std::size_t i = 0; i < words.size(); ++i) {
@@ -79,7 +79,7 @@ void PackedTree::makeRoom(std::uint32_t lanes) {
     height_ = 0;
     while (nodes > 1 || (nodes == 1 && height_ == 0)) {
         nodes = (nodes + kBranch - 1) / kBranch;
-        if (levels_[height_].empty()) setBit(stale_[height_], 0);  // what was the top has a parent now
+        if (levels_[height_].empty()) setBit(stale_[height_], 0);  // the former top level has a parent now
         levels_[height_].resize(nodes, kEmptyNode);
         stale_[++height_].resize((nodes + 63) / 64);
     }
@@ -185,10 +185,10 @@ void PackedTree::noteSize(std::size_t leaf, const TreeNode& parent) {
     const auto& low = parent.boxes.low;
     const float size = -(low[0][lane] + low[2][lane]) - (low[1][lane] + low[3][lane]);
     if (sortedSizes_.size() <= leaf && sorted_ == used_) {
-        sortedSizes_.push_back(size);  // the first time after sorting
+        sortedSizes_.push_back(size);  // first visit after a sort
         return;
     }
-    // A leaf that came later should be as large as any of those that were sorted.
+    // Leaves that were added later are compared with any one of the sorted leaves.
     const float wanted = sortedSizes_[leaf % sortedSizes_.size()];
     std::uint32_t stretch = 0;
     if (size > wanted) {

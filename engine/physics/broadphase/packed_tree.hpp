@@ -12,11 +12,11 @@ namespace plumb::physics {
 
 class RegionVisitor;
 
-inline constexpr std::uint32_t kBranch = 8;  // children of a node, proxies of a leaf
+inline constexpr std::uint32_t kBranch = 8;  // children per node, and proxies per leaf
 
-/// Eight boxes. The far sides are negated, so that all four are compared and merged alike: boxes overlap
-/// where each `low` of one is at most the other's far side. Empty lanes have +infinity and overlap nothing
-/// finite.
+/// Eight boxes. The right and bottom sides are negated, so that all four sides are compared and merged in the
+/// same way: two boxes overlap if each `low` of one is at most the opposite side of the other. Empty lanes
+/// contain +infinity and overlap no finite box.
 struct alignas(32) TreeBoxes {
     float low[4][kBranch];  ///< m: left, top, -right, -bottom
 };
@@ -24,7 +24,7 @@ struct alignas(32) TreeBoxes {
 /// Eight children.
 struct TreeNode {
     TreeBoxes boxes;
-    std::uint32_t layers[kBranch];  ///< of all below; see overruledBy()
+    std::uint32_t layers[kBranch];  ///< union of the leaves below; see overruledBy()
     std::uint32_t masks[kBranch];
 };
 
@@ -32,18 +32,18 @@ struct TreeNode {
 struct TreeLeaf {
     TreeBoxes boxes;
     Filter filters[kBranch];
-    std::uint32_t ids[kBranch];  ///< in empty lanes that of any
-    std::uint8_t live;           ///< bits: lanes that are not empty
+    std::uint32_t ids[kBranch];  ///< unspecified in empty lanes
+    std::uint8_t live;           ///< bits: lanes that are in use
     std::uint8_t awake;          ///< bits: lanes that are ProxyMotion::Awake
 };
 
-/// A tree of boxes with eight children per node and no pointers: leaf i is lane i % 8 of node i / 8 of the
-/// level above, and so on up. Leaves are filled in the order of a curve through the boxes. Whoever comes
-/// later goes to further leaves, who leaves leaves an empty lane, and who moves stretches its leaf, until
+/// A tree of bounding boxes with eight children per node and without pointers: leaf i is lane i % 8 of node i
+/// / 8 in the level above, and so on up. Leaves are filled in the order of a Hilbert curve. Later arrivals
+/// are appended in further leaves, removed boxes leave empty lanes, and moved boxes enlarge their leaf, until
 /// sorting again costs less than the time that searches have lost.
 class PackedTree {
 public:
-    // What PartedProxies asks of a part; places are lanes.
+    // Interface for PartedProxies; places are lanes.
     bool take(const Proxies& proxies, std::span<std::uint32_t> arrivals, std::uint32_t moving,
               std::span<std::uint32_t> places, std::uint32_t first);
     void erase(std::uint32_t lane);
@@ -58,13 +58,13 @@ public:
     void clear();
     void visitRegions(RegionVisitor& visitor) const;
 
-    [[nodiscard]] std::uint32_t height() const { return height_; }  ///< levels of nodes; 0 without lanes
-    /// @param i  below height(); the children of level 0 are the leaves
+    [[nodiscard]] std::uint32_t height() const { return height_; }  ///< levels of nodes; 0 for an empty tree
+    /// @param i  less than height(); the children of level 0 are the leaves
     [[nodiscard]] const TreeNode* level(std::uint32_t i) const { return levels_[i].data(); }
     [[nodiscard]] const TreeLeaf* leaves() const { return leaves_.data(); }
 
 private:
-    static constexpr std::size_t kMostLevels = 11;  // 8^12 lanes: more than there are ids
+    static constexpr std::size_t kMostLevels = 11;  // 8^12 lanes: more than there can be ids
 
     void sort(const Proxies& proxies, std::span<const std::uint32_t> arrivals,
               std::span<std::uint32_t> places, std::uint32_t first);
@@ -76,18 +76,18 @@ private:
 
     std::vector<TreeLeaf> leaves_;
     std::array<std::vector<TreeNode>, kMostLevels> levels_;
-    /// Bits: in 0 leaves, in i + 1 nodes of level i, that changed since their parents were written.
+    /// Dirty bits: in [0] of leaves, in [i + 1] of nodes of level i whose parents have to be updated.
     std::array<std::vector<std::uint64_t>, kMostLevels + 1> stale_;
     std::uint32_t height_ = 0;
-    std::uint32_t used_ = 0;  ///< lanes, with holes
+    std::uint32_t used_ = 0;  ///< lanes, including empty ones
     std::uint32_t holes_ = 0;
-    std::uint32_t sorted_ = 0;  ///< lanes when it was sorted
+    std::uint32_t sorted_ = 0;  ///< lanes in use at the last sort
 
-    std::vector<float> sortedSizes_;  ///< m: of leaves after sorting, width and height together
-    std::vector<std::uint32_t>
-        stretches_;              ///< by leaf: how much likelier than then it is in the way, fixed point
-    std::uint64_t stretch_ = 0;  ///< all of them
-    std::uint64_t lost_ = 0;     ///< by searches since the sorting, in the same unit
+    std::vector<float> sortedSizes_;        ///< m: width plus height of each leaf after the last sort
+    std::vector<std::uint32_t> stretches_;  ///< by leaf: relative growth of its area since the sort, in fixed
+                                            ///< point; a measure of needless visits
+    std::uint64_t stretch_ = 0;             ///< sum of stretches_
+    std::uint64_t lost_ = 0;  ///< cost of searches in disordered leaves since the sort, in the same unit
 
     CurveOrder curve_;
     std::vector<std::uint32_t> order_;

@@ -12,8 +12,8 @@
 
 namespace plumb::physics {
 
-/// The three groups that a broad phase keeps apart: those who rest are never among those who move, so they
-/// cost a step nothing.
+/// The three partitions of a broad phase. Resting proxies are kept apart from moving ones, so that they add
+/// nothing to the cost of a step.
 enum ProxyPart : std::uint32_t { kStaticPart, kAsleepPart, kMovingPart, kParts };
 
 constexpr std::uint32_t partOf(ProxyMotion motion) {
@@ -21,30 +21,33 @@ constexpr std::uint32_t partOf(ProxyMotion motion) {
     return kPart[static_cast<std::size_t>(motion)];
 }
 
-/// Whether all proxies of two parts can pair (see canPair): where one part is the sleeping, the other moves.
+/// True if all proxies of two partitions can pair (see canPair): one is the sleeping, the other then the
+/// moving partition.
 constexpr bool allCanPair(std::uint32_t own, std::uint32_t other) {
     return own == kAsleepPart || other == kAsleepPart;
 }
 
-/// Where a proxy is: the part in the high 2 bits, its place there in the others.
+/// The location of a proxy: the partition in the high 2 bits, its slot there in the others.
 using ProxyPlace = std::uint32_t;
 inline constexpr ProxyPlace kNoPlace = 0xffffffffu;
 inline constexpr std::uint32_t kPlaceBits = 30;
 constexpr std::uint32_t partOfPlace(ProxyPlace place) { return place >> kPlaceBits; }
 constexpr std::uint32_t inPart(ProxyPlace place) { return place & ((1u << kPlaceBits) - 1); }
 
-/// Keeps proxies in three parts of one kind and says where each is. A Part has numbered places and
+/// Keeps proxies in three partitions of one type and tracks the location of each. A Part has numbered slots
+/// and
 ///
-///   bool take(proxies, arrivals, moving, places, first)  takes arrivals, or all anew when it is time to:
-///                                 writes places[id] = first + place of whom it put somewhere, and says
-///                                 whether that was everybody. `moving` others will move() if not.
+///   bool take(proxies, arrivals, moving, places, first)  adds arrivals, or rebuilds itself when that
+///                                 is due: writes places[id] = first + slot of each proxy that it stored, and
+///                                 returns true if it stored all of them again. Otherwise move() will be
+///                                 called for `moving` of the others.
 ///   void erase(place)
-///   uint32 move(proxies, place)   reads the proxy's box and filter again; says where it is now
-///   void settle(searches)         after all of these; counts what searches to come will lose by disorder
-///   bool isDue(arrivals)          whether take() would take all anew
-///   uint32 places()               more than any place
+///   uint32 move(proxies, place)   reads the box and filter of the proxy again; returns its new slot
+///   void settle(searches)         called after all of these; adds up what disorder costs future searches
+///   bool isDue(arrivals)          true if take() would rebuild
+///   uint32 places()               upper limit of the slots
 ///   uint32 idAt(place)
-///   uint32 size()                 how many it has
+///   uint32 size()                 number of proxies
 ///   void clear()
 ///   void visitRegions(visitor)    see regions.hpp
 template <class Part>
@@ -56,7 +59,7 @@ public:
         return std::span<const Part>{parts}.first(among == Among::Static ? kStaticPart + 1 : kParts);
     }
 
-    /// Whether everybody of a part was in what arrange() was last given, and nothing changed since then.
+    /// True if the last arrange() was given every proxy of a partition, and nothing changed since.
     [[nodiscard]] bool areAllArranged(std::uint32_t part) const {
         return arranged_[part] == parts[part].size();
     }
@@ -99,7 +102,7 @@ public:
         }
     }
 
-    /// By part and place. Those who are nowhere come first.
+    /// Sorts by partition and slot. Proxies without a location come first.
     void arrange(std::span<std::uint32_t> moved) {
         for (std::uint32_t i = 0; i < kParts; ++i) marks_[i].resize(parts[i].places() / 64 + 1);
         arranged_ = {};
@@ -124,8 +127,9 @@ public:
     }
 
 private:
-    /// Takes those out of their parts that belong to another now, and collects who arrives.
-    /// @return  by part, how many of its own changed
+    /// Removes proxies that changed their partition from the old one, and collects the arrivals of each
+    /// partition.
+    /// @return  by partition, how many of its own proxies changed
     std::array<std::uint32_t, kParts> sendToParts(const Proxies& proxies,
                                                   std::span<const std::uint32_t> changed) {
         for (auto& arrivals : arrivals_) arrivals.clear();
@@ -149,10 +153,10 @@ private:
     static constexpr std::uint32_t kNobody = 0xffffffffu;
 
     std::vector<ProxyPlace> places_;                ///< by proxy
-    std::vector<std::uint32_t> all_;                ///< of rebuild(), which may be a part of each step
-    std::array<std::uint32_t, kParts> arranged_{};  ///< how many arrange() was last given; or kNobody
+    std::vector<std::uint32_t> all_;                ///< ids of all proxies, for rebuild()
+    std::array<std::uint32_t, kParts> arranged_{};  ///< proxies of it in the last arrange(), or kNobody
     std::array<std::vector<std::uint32_t>, kParts> arrivals_;
-    std::array<std::vector<std::uint64_t>, kParts> marks_;  ///< bits, by place; all 0 between calls
+    std::array<std::vector<std::uint64_t>, kParts> marks_;  ///< bits, by slot; all 0 between calls
 };
 
 }  // namespace plumb::physics

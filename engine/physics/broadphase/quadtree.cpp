@@ -19,7 +19,8 @@ void QuadtreeBroadPhase::findPairs(const Proxies&, std::span<const std::uint32_t
             if (tree.size() == 0 || !tree.mayMeet(looker.filter)) continue;
             tree.visitNear(looker.box, nullptr, [&](std::uint32_t partner) {
                 const LooseQuadtree::Item& item = tree.itemAt(partner);
-                // Of two that look one reports: the lower of those that move, else who may be awake.
+                // Of two moved proxies, only one reports the pair: within a partition the one with the lower
+                // id, otherwise the one in the moving partition.
                 const bool theirs = own == other ? item.id <= id : own != kMovingPart;
                 if ((theirs && isMoved[item.id] != 0) || item.id == id) return;
                 if (!looker.awake && !item.awake && !allCanPair(own, other)) return;

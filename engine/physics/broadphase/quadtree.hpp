@@ -10,7 +10,8 @@
 
 namespace plumb::physics {
 
-/// Loose quadtrees. No step puts all in order again: best where many come and go and no step may be long.
+/// Loose quadtrees. A step never sorts all proxies again (unless most are new): the best choice where many
+/// proxies come and go and no single step may be slow.
 class QuadtreeBroadPhase final : public BroadPhase {
 public:
     explicit QuadtreeBroadPhase(const BoxSearches&) {}

@@ -4,15 +4,15 @@
 
 namespace plumb::physics {
 
-/// Is given the regions that a broad phase sorts proxies into, for looking at.
+/// Receives the regions into which a broad phase sorts proxies, for debug drawing.
 class RegionVisitor {
 public:
     virtual ~RegionVisitor() = default;
     virtual void region(const AABB& bounds) = 0;
 };
 
-/// Shows the nodes, cells or stretches that have somebody in them.
-/// @pre it was made by makeBroadPhase(kind)
+/// Visits the nodes, cells or segments that are in use.
+/// @pre the broad phase was created by makeBroadPhase(kind)
 void visitRegions(const BroadPhase& broadPhase, BroadPhaseKind kind, RegionVisitor& visitor);
 
 }  // namespace plumb::physics

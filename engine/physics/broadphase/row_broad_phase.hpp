@@ -12,13 +12,13 @@
 
 namespace plumb::physics {
 
-/// A broad phase that keeps boxes in rows so that those near each other are in few stretches of it, which are
-/// compared eight at a time. Beside what PartedProxies asks for, a Part has
+/// A broad phase that stores boxes in rows, such that boxes near each other lie in few ranges of slots, which
+/// are compared eight at a time. In addition to what PartedProxies needs, a Part has
 ///
 ///   const BoxRows& rows()
-///   bool areNear(a, b)                whether it pays that those in places a < b look together
-///   void visitNear(box, from, visit)  calls visit(begin, end) with the stretches, from a place on, where all
-///                                     are that the box may overlap, each place once
+///   bool areNear(a, b)                true if the proxies in slots a < b should be searched for together
+///   void visitNear(box, from, visit)  calls visit(begin, end) with ranges, none before `from`, that contain
+///                                     all boxes that may overlap `box`, each slot once
 ///   void visitAlong(sweep, visit)     the same for a sweep
 template <class Part>
 class RowBroadPhase final : public BroadPhase {
@@ -34,7 +34,7 @@ public:
     void findPairs(const Proxies&, std::span<const std::uint32_t> moved,
                    std::span<const std::uint8_t> isMoved, std::vector<PairKey>& pairs) const override {
         for (std::uint32_t own = 0; own < kParts; ++own) {
-            // Proxies that rest pair only with proxies that move.
+            // Resting proxies pair with moving ones only.
             for (std::uint32_t other = own == kMovingPart ? 0u : kMovingPart; other < kParts; ++other) {
                 RowSearch search;
                 search.own = &proxies_.parts[own].rows();
@@ -76,7 +76,7 @@ public:
     void visitRegions(RegionVisitor& visitor) const { proxies_.visitRegions(visitor); }
 
 private:
-    /// Whether a proxy that moved can have partners at all.
+    /// False if a moved proxy cannot have partners in `others`.
     static bool looks(const RowSearch& search, std::uint32_t place) {
         const bool amongStatic = search.ownMayBeAwake && search.own != search.others && !search.allCanPair;
         if (amongStatic && search.own->states[place] != BoxRows::kAwake) return false;

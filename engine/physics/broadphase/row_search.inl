@@ -1,4 +1,4 @@
-// The searches through BoxRows; see box_search.inl for how it is compiled.
+// The searches through BoxRows; box_search.inl explains how this is compiled.
 
 PLUMB_TARGET inline std::uint32_t overlapsAt(const BoxRows& rows, std::uint32_t place, const Wide& wide) {
     const Mask x = both(atMost(loadAny(&rows.low[0][place]), wide.high[0]),
@@ -22,7 +22,8 @@ PLUMB_TARGET inline void takeHits(const RowSearch& search, const std::uint32_t* 
         const std::uint32_t j = first + hits[h] / 64 * 8 + hits[h] % 8;
         const std::uint32_t a = own.ids[i];
         const std::uint32_t b = others.ids[j];
-        // Of two that look one reports: the first in the same rows, else who may be awake.
+        // Of two moved proxies, only one reports the pair: in the same rows the one in the lower slot,
+        // otherwise the one in the moving partition.
         const bool left = same ? j <= i : !search.ownMayBeAwake;
         const bool reported = left & (search.isMoved[b] != 0);
         const bool paired =
@@ -34,7 +35,7 @@ PLUMB_TARGET inline void takeHits(const RowSearch& search, const std::uint32_t* 
     pairs.insert(pairs.end(), found, found + count);
 }
 
-/// Bits of eight places for each looker: those behind it.
+/// For each searching proxy the bits of those of eight slots that come after its own.
 PLUMB_TARGET inline std::uint64_t laterPlaces(const RowSearch& search, std::uint32_t place) {
     std::uint64_t bits = 0;
     for (std::uint32_t i = 0; i < search.count; ++i) {

@@ -12,18 +12,19 @@ namespace plumb::physics {
 
 namespace {
 
-constexpr float kLonger = 4.0f;          // from segment to segment
-constexpr float kStray = 0.25f;          // of the usual length
+constexpr float kLonger = 4.0f;          // ratio of the lengths of successive segments
+constexpr float kStray = 0.25f;          // ratio to the usual length
 constexpr float kRounding = 1e-6f;       // ratio: eight times the last bit of a float
-constexpr std::size_t kMostShifts = 16;  // per key: more, and the keys are not nearly sorted
+constexpr std::size_t kMostShifts = 16;  // per key: with more shifts the keys are not nearly sorted
 
-/// A number that sorts as the float does. No NaN.
+/// An integer that sorts in the same order as the float. Not for NaN.
 std::uint32_t sortable(float x) {
-    const auto bits = std::bit_cast<std::uint32_t>(x + 0.0f);  // -0 is 0
+    const auto bits = std::bit_cast<std::uint32_t>(x + 0.0f);  // turns -0 into 0
     return (bits & 0x80000000u) != 0 ? ~bits : bits | 0x80000000u;
 }
 
-/// Insertion, while it pays.
+/// Insertion sort; gives up when it takes too long.
+/// @return false if it gave up; the keys are then partly sorted
 bool sortNearlySorted(std::vector<std::uint64_t>& keys) {
     std::size_t left = kMostShifts * keys.size();
     for (std::size_t i = 1; i < keys.size(); ++i) {
@@ -37,7 +38,7 @@ bool sortNearlySorted(std::vector<std::uint64_t>& keys) {
     return true;
 }
 
-/// Four passes over bytes of the upper half; those with equal halves stay as they are.
+/// Radix sort by the four bytes of the upper half; stable for equal upper halves.
 void sortByByte(std::vector<std::uint64_t>& keys, std::vector<std::uint64_t>& spare) {
     spare.resize(keys.size());
     for (int shift = 32; shift < 64; shift += 8) {
@@ -67,7 +68,7 @@ void SortedRows::clear() {
     for (Segment& segment : segments_) segment = {};
 }
 
-/// For those in order_, if they are others than the last time or long ago.
+/// Chooses the axis for the boxes in order_, if the boxes changed much or the last choice is old.
 void SortedRows::chooseAxis(const Proxies& proxies) {
     if (!choiceIsDue()) return;
     const Spread spread = spreadOf(proxies, order_);
@@ -80,7 +81,7 @@ std::uint32_t SortedRows::segmentOf(const AABB& box) const {
     const float length = endOf(box) - startOf(box);
     float most = usual_;
     for (std::uint32_t i = 0; i + 1 < kSegments; ++i) {
-        if (!(length > most)) return i;  // nowhere is in the first one
+        if (!(length > most)) return i;  // kNowhere is in the first segment
         most *= kLonger;
     }
     return kSegments - 1;
@@ -116,25 +117,25 @@ void SortedRows::sort(const Proxies& proxies, std::span<std::uint32_t> places, s
     noteSorted(place);
 }
 
-/// The first place from `begin` on whose start is above x.
+/// The first slot from `begin` on whose lower end is above x.
 std::uint32_t SortedRows::firstAbove(float x, std::uint32_t begin, std::uint32_t end) const {
     if (begin >= end) return end;
     const float* at = starts_.data() + begin;
     std::uint32_t left = end - begin;
     while (left > 1) {
         const std::uint32_t half = left / 2;
-        at = at[half - 1] <= x ? at + half : at;  // a guess for the processor, so no branch
+        at = at[half - 1] <= x ? at + half : at;  // unpredictable, so without a branch
         left -= half;
     }
     return static_cast<std::uint32_t>(at - starts_.data()) + (*at <= x ? 1 : 0);
 }
 
 Stretch SortedRows::findStarts(const Segment& segment, const AABB& box, std::uint32_t from) const {
-    // Boxes may have strayed, and rounding may have taken a little from lengths and places.
+    // Boxes may have moved from where they were sorted to; lengths and positions may have been rounded.
     const float low = startOf(box) - segment.longest - stray_;
     const float high = endOf(box) + stray_ + std::fabs(endOf(box)) * kRounding;
     if (from > segment.begin) {
-        // The search is for those behind one who is here: the last one is not far.
+        // The search is for boxes after one in this segment, so the last one is not far away.
         std::uint32_t step = 8;
         while (from + step < segment.end && starts_[from + step] <= high) step *= 2;
         return {from, firstAbove(high, from, std::min(from + step, segment.end))};

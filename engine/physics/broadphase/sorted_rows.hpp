@@ -10,22 +10,22 @@ namespace plumb::physics {
 
 class RegionVisitor;
 
-/// Boxes sorted by where they begin along one axis, that along which they are spread out further. Who is much
-/// longer than most is in another segment, so that each segment knows how far before a box those begin that
-/// reach it. A box may stray a little from where it was sorted to; who strays further goes behind all
-/// segments.
+/// Sweep and prune along one axis: boxes sorted by their lower end along the axis in which they are spread
+/// out further. Boxes that are much longer than most are stored in other segments, so that each segment has a
+/// limit for how far before a box its partners may begin. A box may move a little from where it was sorted
+/// to; one that moves further is stored after all segments.
 /// Source: D. Baraff, "Dynamic Simulation of Non-Penetrating Rigid Bodies", thesis, 1992 (sorted intervals
 /// that stay nearly sorted); C. Ericson, "Real-Time Collision Detection", 2005, 7.5
 class SortedRows : public OrderedRows {
 public:
-    // What PartedProxies asks of a part.
+    // Interface for PartedProxies.
     bool take(const Proxies& proxies, std::span<std::uint32_t> arrivals, std::uint32_t moving,
               std::span<std::uint32_t> places, std::uint32_t first);
     std::uint32_t move(const Proxies& proxies, std::uint32_t place);
     void clear();
     void visitRegions(RegionVisitor& visitor) const;
 
-    // What RowBroadPhase asks of it.
+    // Interface for RowBroadPhase.
     [[nodiscard]] bool areNear(std::uint32_t a, std::uint32_t b) const {
         return b - a < kNear && b < sorted_;
     }
@@ -39,12 +39,12 @@ public:
 private:
     static constexpr std::uint32_t kNear = 16;
     static constexpr std::uint32_t kSegments = 6;
-    using Key = std::uint64_t;  ///< where it begins, as a number that sorts alike << 32 | place in order_
+    using Key = std::uint64_t;  ///< lower end as an integer of the same order << 32 | index in order_
 
     struct Segment {
         std::uint32_t begin = 0;
         std::uint32_t end = 0;
-        float longest = 0.0f;  ///< m: along the axis
+        float longest = 0.0f;  ///< m: maximum length along the axis
     };
 
     void chooseAxis(const Proxies& proxies);
@@ -53,16 +53,16 @@ private:
     [[nodiscard]] float endOf(const AABB& box) const { return axis_ == 0 ? box.max.x : box.max.y; }
     void sort(const Proxies& proxies, std::span<std::uint32_t> places, std::uint32_t first);
     [[nodiscard]] std::uint32_t firstAbove(float x, std::uint32_t begin, std::uint32_t end) const;
-    /// The places of a segment, not before `from`, of those that the box may overlap.
+    /// The slots of a segment, none before `from`, with the boxes that `box` may overlap.
     [[nodiscard]] Stretch findStarts(const Segment& segment, const AABB& box, std::uint32_t from) const;
 
     Segment segments_[kSegments];
-    std::vector<float> starts_;  ///< m: by place, where each was sorted to
-    int axis_ = 0;               ///< 0 is x
-    float usual_ = 0.0f;         ///< m: what most are not longer than
-    float stray_ = 0.0f;         ///< m: how far a box may be from where it was sorted to
+    std::vector<float> starts_;  ///< m: by slot, the lower end at the last sort
+    int axis_ = 0;               ///< 0: x, 1: y
+    float usual_ = 0.0f;         ///< m: length that most boxes do not exceed
+    float stray_ = 0.0f;         ///< m: maximum distance of a box from where it was sorted to
 
-    std::vector<AABB> boxes_;  ///< as order_
+    std::vector<AABB> boxes_;  ///< parallel to order_
     std::vector<Key> keys_[kSegments];
     std::vector<Key> spare_;
 };

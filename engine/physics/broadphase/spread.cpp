@@ -12,7 +12,7 @@ namespace plumb::physics {
 namespace {
 
 float usualExtent(const Proxies& proxies, std::span<const std::uint32_t> ids) {
-    std::array<std::uint32_t, 512> counts{};  // by exponent and first bit of the fraction
+    std::array<std::uint32_t, 512> counts{};  // by exponent and first bit of the mantissa
     for (const std::uint32_t id : ids) {
         const Vec2 size = usable(proxies.bounds[id]).size();
         ++counts[std::bit_cast<std::uint32_t>(std::max({size.x, size.y, 0.0f})) >> 22 & 511];
@@ -48,7 +48,7 @@ Spread spreadOf(const Proxies& proxies, std::span<const std::uint32_t> ids) {
         return std::sqrt(std::max(squares[axis] / count - mean * mean, 1e-12));
     };
     const double spacing =
-        3.5 * std::sqrt(deviation(0) * deviation(1) / count);  // evenly: side = sqrt(12) deviations
+        3.5 * std::sqrt(deviation(0) * deviation(1) / count);  // even spread: side = sqrt(12) deviations
     return {usualExtent(proxies, ids), static_cast<float>(spacing),
             static_cast<float>(deviation(0) / deviation(1))};
 }

@@ -7,11 +7,11 @@
 
 namespace plumb::physics {
 
-/// How boxes are spread out, roughly.
+/// Statistics of the sizes and positions of boxes, roughly.
 struct Spread {
-    float extent = 0.0f;   ///< m: three quarters are no larger, or twice that of half of them if that is less
-    float spacing = 0.0f;  ///< m: from one to the next, were they spread evenly
-    float aspect = 1.0f;   ///< how much wider than high all are together
+    float extent = 0.0f;   ///< m: third quartile of the sizes, but at most twice their median
+    float spacing = 0.0f;  ///< m: distance between neighbours, if the boxes were spread evenly
+    float aspect = 1.0f;   ///< ratio of the width to the height of the area that they are spread over
 };
 
 Spread spreadOf(const Proxies& proxies, std::span<const std::uint32_t> ids);

@@ -5,7 +5,7 @@
 
 namespace plumb::physics {
 
-/// Sorted along one axis. Best where all move fast along a line.
+/// Sweep and prune along one axis. The best choice where all bodies move fast along a line.
 using SweepAndPruneBroadPhase = RowBroadPhase<SortedRows>;
 
 }  // namespace plumb::physics

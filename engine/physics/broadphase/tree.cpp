@@ -9,7 +9,7 @@ void TreeBroadPhase::findPairs(const Proxies&, std::span<const std::uint32_t> mo
     TreeSearch search;
     search.isMoved = isMoved.data();
     for (std::size_t i = 0; i < moved.size();) {
-        // Who is in the same leaf looks together.
+        // Proxies of one leaf are searched for together.
         const ProxyPlace place = proxies_.placeOf(moved[i]);
         std::uint32_t lanes = 0;
         for (; i < moved.size(); ++i) {

@@ -10,7 +10,8 @@
 
 namespace plumb::physics {
 
-/// Trees of boxes, eight children a node. The default: no distribution of sizes and places is bad for it.
+/// Trees of bounding boxes with eight children per node. The default: no distribution of sizes and positions
+/// degrades it.
 class TreeBroadPhase final : public BroadPhase {
 public:
     explicit TreeBroadPhase(const BoxSearches& searches) : searches_{searches} {}

@@ -8,18 +8,19 @@
 
 namespace plumb::physics {
 
-/// Some lanes of one leaf look for partners in a tree.
+/// Some proxies of one leaf that search for partners in a tree.
 struct TreeSearch {
     const PackedTree* own = nullptr;
-    const PackedTree* others = nullptr;  ///< may be the same; not empty
-    std::uint32_t leaf = 0;              ///< of `own`
-    std::uint32_t lanes = 0;             ///< bits: those of it that look
+    const PackedTree* others = nullptr;  ///< may be equal to `own`; not empty
+    std::uint32_t leaf = 0;              ///< leaf of `own`
+    std::uint32_t lanes = 0;             ///< bits: its lanes that search
     bool ownMayBeAwake = false;
-    bool allCanPair = false;                ///< the moving and the sleeping; else one has to be awake
-    const std::uint8_t* isMoved = nullptr;  ///< by proxy: nonzero for all that look
+    bool allCanPair = false;  ///< one side is the moving and the other the sleeping partition; otherwise one
+                              ///< proxy of a pair must be awake
+    const std::uint8_t* isMoved = nullptr;  ///< by proxy: nonzero for all that search
 };
 
-/// The searches through trees as compiled for one kind of processor. Trees are not empty.
+/// The searches through trees, compiled for one instruction set. The trees must not be empty.
 struct TreeSearches {
     void (*findPairs)(const TreeSearch& search, std::vector<PairKey>& pairs);
     void (*findInBox)(const PackedTree& tree, const AABB& box, std::uint32_t mask,

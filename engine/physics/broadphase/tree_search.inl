@@ -1,19 +1,19 @@
-// The searches through a PackedTree; see box_search.inl for how it is compiled.
+// The searches through a PackedTree; box_search.inl explains how this is compiled.
 
-constexpr std::uint32_t kChunk = 8;                // nodes whose children are looked at together
-constexpr std::uint32_t kMost = kChunk * kBranch;  // of these children
-constexpr std::uint32_t kMany = 12;                // children in the view of several lanes: too wide a view
+constexpr std::uint32_t kChunk = 8;                // nodes whose children are tested together
+constexpr std::uint32_t kMost = kChunk * kBranch;  // children of these nodes
+constexpr std::uint32_t kMany = 12;  // more children: the union of several lanes is too large, split it
 constexpr std::uint32_t kMostHits =
     kMost * kBranch > kMany* kBranch* kBranch ? kMost* kBranch : kMany* kBranch* kBranch;
 
-/// A box and a filter to compare eight with.
+/// A box and a filter, broadcast for comparison with eight others.
 struct WideProbe {
     Wide box;
     Words layers;
     Words masks;
 };
 
-/// A sweep to compare eight boxes with.
+/// A sweep, broadcast for comparison with eight boxes.
 struct WideSweep {
     Wide bounds;
     Floats from[2];
@@ -26,7 +26,7 @@ PLUMB_TARGET inline Wide widenLane(const TreeBoxes& boxes, std::uint32_t lane) {
              spread(-boxes.low[1][lane])}};
 }
 
-/// What some lanes of a leaf look for: all that one of them does.
+/// The union of the boxes and filters of some lanes of a leaf.
 PLUMB_TARGET inline WideProbe widenLanes(const TreeLeaf& leaf, std::uint32_t lanes) {
     AABB box = kNowhere;
     std::uint32_t layers = 0;
@@ -53,7 +53,7 @@ PLUMB_TARGET inline std::uint32_t mayMeet(const TreeNode& node, const WideProbe&
     return bitsOf(both(meet, overlaps(node.boxes, probe.box)));
 }
 
-/// Lanes of a leaf that do not look themselves.
+/// The lanes of a leaf that do not search themselves.
 PLUMB_TARGET inline std::uint32_t unmovedLanes(const TreeLeaf& leaf, const std::uint8_t* isMoved) {
     std::uint32_t bits = 0;
     for (std::uint32_t i = 0; i < kBranch; ++i)
@@ -61,14 +61,15 @@ PLUMB_TARGET inline std::uint32_t unmovedLanes(const TreeLeaf& leaf, const std::
     return bits & leaf.live;
 }
 
-/// The lanes of a leaf that look: the boxes, and in 64 bits what each (a byte) must report of eight others.
+/// The searching lanes of a leaf: their boxes, and in 64 bits (one byte per lane) which of eight other lanes
+/// each may report.
 struct Lookers {
     Wide boxes[kBranch];
     std::uint32_t lanes[kBranch];
     std::uint32_t count = 0;
-    std::uint64_t all = 0;     ///< of lookers that pair with every lane; the others pair with awake ones
-    std::uint64_t later = 0;   ///< lanes after it, of its own leaf
-    std::uint64_t others = 0;  ///< lanes other than it
+    std::uint64_t all = 0;     ///< lookers that pair with every lane; the others only with awake lanes
+    std::uint64_t later = 0;   ///< by byte: the lanes after it in its own leaf
+    std::uint64_t others = 0;  ///< by byte: all lanes except itself
 };
 
 PLUMB_TARGET inline void collectLookers(const TreeSearch& search, std::uint32_t lanes, Lookers& lookers) {
@@ -84,7 +85,8 @@ PLUMB_TARGET inline void collectLookers(const TreeSearch& search, std::uint32_t 
     }
 }
 
-/// Which lanes of a leaf each looker has to report when they overlap: of two that look, one does.
+/// Which lanes of a leaf each searching lane has to report if they overlap. Of two lanes that both search,
+/// only one reports the pair.
 PLUMB_TARGET inline std::uint64_t openLanes(const TreeSearch& search, const Lookers& lookers,
                                             std::uint32_t leaf) {
     const bool same = search.own == search.others;
@@ -93,14 +95,15 @@ PLUMB_TARGET inline std::uint64_t openLanes(const TreeSearch& search, const Look
     return same && leaf == search.leaf ? (unmoved | lookers.later) & lookers.others : unmoved;
 }
 
-/// Tests the looking lanes against leaves.
+/// Tests the searching lanes against leaves.
 PLUMB_TARGET inline void testLeaves(const TreeSearch& search, std::uint32_t lanes,
                                     std::span<const std::uint32_t> candidates, std::vector<PairKey>& pairs) {
     const TreeLeaf& own = search.own->leaves()[search.leaf];
     const TreeLeaf* leaves = search.others->leaves();
     Lookers lookers;
     collectLookers(search, lanes, lookers);
-    std::uint32_t hits[kMostHits + kSpare];  // which candidate, looker and lane: 6, 3 and 3 bits
+    std::uint32_t hits[kMostHits + kSpare];  // 6 bits: index of the candidate, 3 bits: index of the searching
+                                             // lane, 3 bits: lane
     std::uint32_t* end = hits;
     for (std::uint32_t c = 0; c < candidates.size(); ++c) {
         const std::uint64_t open = openLanes(search, lookers, candidates[c]);
@@ -123,7 +126,7 @@ PLUMB_TARGET inline void testLeaves(const TreeSearch& search, std::uint32_t lane
     pairs.insert(pairs.end(), found, found + count);
 }
 
-/// Goes down from some nodes of a level to the leaves that the lanes may have partners in.
+/// Descends from some nodes of a level to the leaves in which the lanes may have partners.
 PLUMB_TARGET void findPairsBelow(const TreeSearch& search, std::uint32_t lanes, const WideProbe& probe,
                                  std::uint32_t level, std::span<const std::uint32_t> nodes,
                                  std::vector<PairKey>& pairs) {
@@ -163,7 +166,7 @@ PLUMB_TARGET inline std::uint32_t hitsOf(const TreeBoxes& boxes, const Wide& wid
     return bitsOf(overlaps(boxes, wide));
 }
 
-/// The lanes that the sweep may meet; as mayMeet(LineSweep, AABB).
+/// The lanes that the sweep may hit; the same test as mayMeet(LineSweep, AABB).
 PLUMB_TARGET inline std::uint32_t hitsOf(const TreeBoxes& boxes, const WideSweep& sweep) {
     const std::uint32_t near = bitsOf(overlaps(boxes, sweep.bounds));
     if (near == 0) return 0;
@@ -182,7 +185,7 @@ PLUMB_TARGET inline std::uint32_t hitsOf(const TreeBoxes& boxes, const WideSweep
     return near & ~bitsOf(above(distance, reach));
 }
 
-/// Appends the proxies below some nodes of a level that the view (a box or a sweep) meets.
+/// Appends the proxies below some nodes of a level that the view (a box or a sweep) may hit.
 template <class View>
 PLUMB_TARGET void findBelow(const PackedTree& tree, const View& view, std::uint32_t mask, std::uint32_t level,
                             std::span<const std::uint32_t> nodes, std::vector<std::uint32_t>& found) {

@@ -1,16 +1,16 @@
-// Two boxes, as a template over the number: one float, or eight in lanes. Written once, so that both give the
-// same bits; without branches on the values, so that lanes can follow. Included in a namespace that has
-// all(), abs(), min(), max(), sqrt(), select() and any() for the number and its mask.
+// Two boxes, as a template over the number type: one float, or eight in lanes. It is written once, so that
+// both give the same bits, and without branches on values, so that it works on lanes. Included in a namespace
+// that has all(), abs(), min(), max(), sqrt(), select() and any() for the number type and its mask.
 //
-// Source: separating axes of boxes after S. Gottschalk, M. Lin, D. Manocha, "OBBTree", 1996, 5; the facing
-//         edge is clipped after E. Catto, "Contact Manifolds", GDC 2007.
+// Source: separating axes of boxes after S. Gottschalk, M. Lin, D. Manocha, "OBBTree", 1996, 5; the incident
+// edge is clipped after E. Catto, "Contact Manifolds", GDC 2007.
 
-/// In the frame of A's centre and sides.
+/// Two boxes in a frame with A's centre and axes.
 template <class F>
 struct BoxPair {
     F halfAx, halfAy, halfBx, halfBy;  // m
     F x, y;                            // m: B's centre
-    F cosine, sine;                    // B's turn
+    F cosine, sine;                    // B's rotation
     F radiusA, radiusB;                // m
     F speculative;                     // m
 };
@@ -24,11 +24,11 @@ struct BoxTouch {
     F roundA, roundB;
 };
 
-/// The axis that keeps the boxes apart best.
+/// The axis of maximum separation.
 template <class F>
 struct BoxAxis {
-    F gap;          // m between the cores along it
-    F ofB, alongY;  // 1 or 0: whose side, and which
+    F gap;          // m: separation of the cores along it
+    F ofB, alongY;  // 1 or 0: an axis of B; the y axis of that box
 };
 
 template <class F>
@@ -54,15 +54,16 @@ BoxAxis<F> bestAxis(const BoxPair<F>& p, F qx, F qy) {
     return {select(isB, b, a), select(isB, one, zero), select(isB, yOfB, yOfA)};
 }
 
-/// The boxes seen from the reference side: n out of it, towards the other box, and t along it.
+/// The boxes seen from the reference face: n is its outward normal, towards the other box, t the direction
+/// along it.
 template <class F>
 struct BoxView {
-    F n, t;             // the other's centre
+    F n, t;             // centre of the other box
     F half, halfAlong;  // of the reference box
-    F flip;             // -1 where n points along a negative axis, else 1
-    F lowN, lowT;       // ends of the other's facing edge; t grows from low to high
+    F flip;             // -1 if n is a negative axis of the reference box, else 1
+    F lowN, lowT;       // ends of the incident edge; t increases from low to high
     F highN, highT;
-    F slope, midN, midT;      // of that edge
+    F slope, midN, midT;      // of the incident edge
     F cornerLow, cornerHigh;  // of the reference box
     F otherLow, otherHigh;    // of the other
 };
@@ -90,24 +91,24 @@ BoxView<F> viewFrom(const BoxPair<F>& p, const BoxAxis<F>& axis, F qx, F qy) {
     v.half = select(alongY, halfY, halfX);
     v.halfAlong = select(alongY, halfX, halfY);
 
-    // The other box's sides x and y: their parts along n and t.
+    // The other box's axes x and y: their components along n and t.
     const F xN = v.flip * select(alongY, sine, p.cosine);
     const F xT = select(alongY, p.cosine, sine);
     const F yN = v.flip * select(alongY, p.cosine, -sine);
     const F yT = select(alongY, -sine, p.cosine);
-    const auto byX = abs(xN) > abs(yN);  // whose face looks back at the reference side
+    const auto byX = abs(xN) > abs(yN);  // the incident face is perpendicular to x, not to y
     const F faceN = select(byX, xN, yN);
     const F faceT = select(byX, xT, yT);
     const F sideN = select(byX, yN, xN);
     const F sideT = select(byX, yT, xT);
     const F halfFace = select(byX, otherX, otherY);
     const F halfSide = select(byX, otherY, otherX);
-    const auto backwards = faceN > zero;  // it is the face on the negative side
+    const auto backwards = faceN > zero;  // the incident face is on the negative side of its axis
     const auto sideBackwards = sideT < zero;
     v.midN = v.n - abs(faceN) * halfFace;
     v.midT = v.t + select(backwards, -faceT, faceT) * halfFace;
     const F alongN = select(sideBackwards, -sideN, sideN);
-    const F alongT = abs(sideT);  // at least the root of a half
+    const F alongT = abs(sideT);  // at least the square root of 1/2
     v.slope = alongN / alongT;
     v.lowN = v.midN - alongN * halfSide;
     v.lowT = v.midT - alongT * halfSide;
@@ -124,7 +125,7 @@ BoxView<F> viewFrom(const BoxPair<F>& p, const BoxAxis<F>& axis, F qx, F qy) {
     return v;
 }
 
-/// A manifold as seen from the reference side, before it is turned to A's frame.
+/// A manifold in the coordinates of the reference face, before its transformation to A's frame.
 template <class F>
 struct BoxPlaces {
     F normalN, normalT;
@@ -160,7 +161,7 @@ BoxPlaces<F> touchFaces(const BoxView<F>& v, F radius, F otherRadius, F speculat
     const F beside = select(w.t[0] > w.t[1], zero, one);
     w.keep[0] = select(w.separation[0] > speculative, zero, beside);
     w.keep[1] = select(w.separation[1] > speculative, zero, beside);
-    // One corner alone is round, unless it was cut off.
+    // A single point is at a rounded corner, unless clipping moved it.
     const F roundLow = select(cutLow, zero, otherRadius);
     const F roundHigh = select(cutHigh, zero, otherRadius);
     const F alone = select(w.keep[0] > zero, roundLow, roundHigh);
@@ -169,7 +170,8 @@ BoxPlaces<F> touchFaces(const BoxView<F>& v, F radius, F otherRadius, F speculat
     return w;
 }
 
-/// Where the cores are apart and nearest at a corner of each: replaces the faces' points.
+/// Replaces the points by a single one between two corners where the cores are separated and a corner of each
+/// is nearest.
 template <class F>
 void touchCorners(BoxPlaces<F>& w, const BoxView<F>& v, F gap, F radius, F otherRadius, F speculative) {
     const F zero = all<F>(0.0f);
@@ -187,15 +189,14 @@ void touchCorners(BoxPlaces<F>& w, const BoxView<F>& v, F gap, F radius, F other
     const auto atLow = nearT < zero;
     const F cornerT = select(atLow, -v.halfAlong, v.halfAlong);
     const F wayT = nearT - cornerT;
-    // The other edge may pass in front of the corner: then it is the edge that touches, unless it ends
-    // before.
+    // The incident edge may pass in front of the corner: then the edge touches, unless it ends before.
     const F passes = -(nearN * (farN - nearN) + wayT * (farT - nearT));
     const auto apart = (v.lowT > v.halfAlong) | (-v.halfAlong > v.highT);
     const F square = nearN * nearN + wayT * wayT;
-    const F blur = all<F>(1.0e-10f) * (v.n * v.n + v.t * v.t);  // places are only known to 1e-5 of this
+    const F blur = all<F>(1.0e-10f) * (v.n * v.n + v.t * v.t);  // positions are accurate to 1e-5 of this
     const F beyond = select(isHigh, highBeyond, lowBeyond);
-    // A corner that hardly looks past the end of a nearly parallel face stays with the face, so that stacked
-    // boxes of one size keep both points. Costs 0.01 % of the distance.
+    // A corner that extends only slightly beyond the end of a nearly parallel face stays with the face, so
+    // that stacked boxes of equal size keep both points. This costs 0.01 % of the distance.
     const F rise = (farN - nearN) * beyond;
     const F least = all<F>(0.0001f) * nearN * abs(farT - nearT);
     const auto past = (beyond > all<F>(0.01f) * nearN) | (rise > least);
@@ -221,7 +222,7 @@ void touchCorners(BoxPlaces<F>& w, const BoxView<F>& v, F gap, F radius, F other
     w.roundReference = select(isCorner, radius, w.roundReference);
 }
 
-/// From the reference side's (n, t) to A's frame.
+/// Transforms from the reference face's (n, t) to A's frame.
 template <class F>
 BoxTouch<F> placed(const BoxPlaces<F>& w, const BoxView<F>& v, const BoxPair<F>& p, const BoxAxis<F>& axis) {
     const F zero = all<F>(0.0f);
@@ -249,7 +250,7 @@ BoxTouch<F> placed(const BoxPlaces<F>& w, const BoxView<F>& v, const BoxPair<F>&
         pointY[i] = originY + (sine * x + cosine * y);
         id[i] = select(ofB, w.other[i] * shift + w.corner[i], w.corner[i] * shift + w.other[i]);
     }
-    const auto first = w.keep[0] > zero;  // else the second point moves to its place
+    const auto first = w.keep[0] > zero;  // otherwise the second point becomes the first
     touch.pointX[0] = select(first, pointX[0], pointX[1]);
     touch.pointY[0] = select(first, pointY[0], pointY[1]);
     touch.separation[0] = select(first, w.separation[0], w.separation[1]);
@@ -264,11 +265,11 @@ BoxTouch<F> placed(const BoxPlaces<F>& w, const BoxView<F>& v, const BoxPair<F>&
     return touch;
 }
 
-/// @return  with count 0 where the boxes are further apart than `speculative`
+/// @return  count 0 if the boxes are further apart than `speculative`
 template <class F>
 BoxTouch<F> touchBoxes(const BoxPair<F>& p) {
     const F zero = all<F>(0.0f);
-    const F qx = p.cosine * p.x + p.sine * p.y;  // B's centre along B's sides
+    const F qx = p.cosine * p.x + p.sine * p.y;  // B's centre along B's axes
     const F qy = p.cosine * p.y - p.sine * p.x;
     const BoxAxis<F> axis = bestAxis(p, qx, qy);
     const auto near = p.speculative + (p.radiusA + p.radiusB) > axis.gap;

@@ -4,7 +4,7 @@
 
 namespace plumb::physics {
 
-/// Eight pairs of boxes, each in the frame of its A: the members of BoxPair (box_kernel.inl), in lanes.
+/// Eight pairs of boxes, each in the frame of its box A: the members of BoxPair (box_kernel.inl), in lanes.
 struct BoxPairs {
     float halfAx[kLanes], halfAy[kLanes], halfBx[kLanes], halfBy[kLanes];
     float x[kLanes], y[kLanes];
@@ -12,7 +12,7 @@ struct BoxPairs {
     float radiusA[kLanes], radiusB[kLanes];
 };
 
-/// Where they touch: the members of BoxTouch.
+/// Their manifolds: the members of BoxTouch, in lanes.
 struct BoxTouches {
     float normalX[kLanes], normalY[kLanes];
     float pointX[2][kLanes], pointY[2][kLanes], separation[2][kLanes], id[2][kLanes];

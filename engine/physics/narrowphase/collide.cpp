@@ -16,7 +16,7 @@ Manifold collideNothing(const Geometry&, const Geometry&, std::span<const Corner
 
 constexpr std::size_t kKinds = static_cast<std::size_t>(ShapeKind::Count);
 
-// Rows are the first's kinds, columns the second's, in the order of ShapeKind.
+// Rows: kind of A, columns: kind of B, in the order of ShapeKind.
 constexpr Collide kCollide[kKinds][kKinds] = {
     // circle
     {collideCircles, collideCircleConvex, collideCircleBox, collideCircleConvex, collideCircleConvex,

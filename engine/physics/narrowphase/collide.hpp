@@ -7,14 +7,15 @@
 
 namespace plumb::physics {
 
-/// Where two outlines touch, or nearly do: points further apart than `speculative` (m) are left out.
-/// @param corners  World::corners
-/// @param bInA     B's frame seen from A's
+/// Computes the contact manifold of two outlines. Points with a separation above `speculative` (m) are
+/// omitted.
+/// @param corners  Shapes::corners
+/// @param bInA     B's frame relative to A's
 /// @return         in A's frame
 using Collide = Manifold (*)(const Geometry& a, const Geometry& b, std::span<const Corner> corners,
                              const Frame& bInA, float speculative);
 
-/// The function for two kinds of outlines; two chains never touch.
+/// The function for a pair of kinds; two chain segments never collide.
 Collide collideOf(ShapeKind a, ShapeKind b);
 
 inline Manifold collide(const Geometry& a, const Geometry& b, std::span<const Corner> corners,
@@ -22,11 +23,11 @@ inline Manifold collide(const Geometry& a, const Geometry& b, std::span<const Co
     return collideOf(a.kind, b.kind)(a, b, corners, bInA, speculative);
 }
 
-/// A manifold with its sides exchanged.
-/// @param aInB  the frame that the points were in, seen from the new first side
+/// A manifold with A and B exchanged.
+/// @param aInB  the frame of the former A relative to the former B
 Manifold swapped(const Manifold& manifold, const Frame& aInB);
 
-// The functions behind the table. B's kind is that of the name's second part, or a later one.
+// The functions of the table. B is of the last kind in the function's name, or of a later one.
 Manifold collideCircles(const Geometry& a, const Geometry& b, std::span<const Corner>, const Frame& bInA,
                         float speculative);
 Manifold collideCircleBox(const Geometry& circle, const Geometry& box, std::span<const Corner>,
@@ -36,11 +37,11 @@ Manifold collideCircleConvex(const Geometry& circle, const Geometry& other, std:
                              const Frame& bInA, float speculative);
 Manifold collideBoxes(const Geometry& a, const Geometry& b, std::span<const Corner>, const Frame& bInA,
                       float speculative);
-/// Any two convex outlines, neither a circle.
+/// Any two convex outlines, neither of them a circle.
 Manifold collideConvex(const Geometry& a, const Geometry& b, std::span<const Corner> corners,
                        const Frame& bInA, float speculative);
-/// Anything and a chain segment, which is solid on one side and whose joints with its neighbours are not
-/// felt.
+/// Any outline and a chain segment. The segment is solid on one side, and its joints with its neighbours are
+/// smooth: they stop no body that slides over them.
 Manifold collideChain(const Geometry& a, const Geometry& chain, std::span<const Corner> corners,
                       const Frame& bInA, float speculative);
 

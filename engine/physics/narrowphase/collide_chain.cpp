@@ -5,17 +5,18 @@ namespace plumb::physics {
 
 namespace {
 
-/// Whether a chain sticks out where it turns from one normal to another. By less than a hundredth it goes on
-/// straight; a spike turns by nearly half a turn.
+/// True if the chain is convex where its normal changes from `from` to `to`. An angle below 0.01 rad counts
+/// as straight. At a spike the angle is nearly 180 degrees.
 bool isSharp(Vec2 from, Vec2 to) { return cross(from, to) > (dot(from, to) > 0.0f ? 0.01f : 0.0f); }
 
-/// A joint of a chain. Where it sticks out, directions from the one segment's normal to the other's may
-/// touch. The segment that starts at a joint looks after it, and the last one after the end.
+/// A joint of a chain. At a convex joint, contact normals between those of the two segments are valid. To
+/// avoid duplicates, the segment that starts at a joint handles it; the last segment also handles the end of
+/// the chain.
 struct Joint {
     Vec2 point;
-    Vec2 from, to;       ///< normals of both segments, in the sense in which they turn
-    Vec2 neighbour;      ///< far end of the other segment; `point` where there is none
-    bool sharp = false;  ///< sticks out
+    Vec2 from, to;       ///< normals of both segments, in the order of rotation
+    Vec2 neighbour;      ///< far end of the other segment; `point` if there is none
+    bool sharp = false;  ///< convex
     bool ours = true;
 
     [[nodiscard]] bool allows(Vec2 direction) const {
@@ -23,7 +24,7 @@ struct Joint {
     }
 };
 
-/// A chain segment in the frame of the other outline. As a side it has a face and its back.
+/// A chain segment in the frame of the other outline. Its Side has a front face and a back face.
 struct Chain {
     Corner corners[2];
     Joint joints[2];  ///< at the start, at the end
@@ -49,7 +50,7 @@ Chain chainIn(const Geometry& geometry, const Frame& frame) {
              {end, normal, to, after, isSharp(normal, to), ends}}};
 }
 
-/// One corner of a chain that a face or a corner of the other side touches.
+/// A joint of the chain that touches a face or a corner of the other side.
 Manifold touchJoint(const Joint& joint, std::size_t end, Vec2 direction, float gap, float radius,
                     std::size_t corner, float speculative) {
     if (!joint.ours) return {};
@@ -60,7 +61,7 @@ Manifold touchJoint(const Joint& joint, std::size_t end, Vec2 direction, float g
     return maker.manifold;
 }
 
-/// The widest gap along a direction from a joint against a face of the other side.
+/// The maximum separation of a joint along a face normal of the other side.
 struct JointGap {
     float gap = -1.0e30f;
     std::size_t face = 0;
@@ -81,7 +82,7 @@ JointGap widestJointGap(const Chain& chain, const Side& other) {
     return widest;
 }
 
-/// Corner against corner, if the joint sticks out that way.
+/// Corner against corner, if the joint is convex and the direction is between its normals.
 Manifold touchCorner(const Chain& chain, const Side& other, std::size_t end, std::size_t corner, Vec2 way,
                      float speculative) {
     const float distance = length(way);
@@ -93,7 +94,7 @@ Manifold touchCorner(const Chain& chain, const Side& other, std::size_t end, std
     return manifold;
 }
 
-/// A face of the other side that lies on a joint.
+/// A face of the other side that touches a joint.
 Manifold touchFaceOnJoint(const Chain& chain, const Side& other, const JointGap& joint, float speculative) {
     const Corner& face = other.corners[joint.face];
     const std::size_t next = joint.face + 1 < other.corners.size() ? joint.face + 1 : 0;
@@ -110,7 +111,8 @@ Manifold touchFaceOnJoint(const Chain& chain, const Side& other, const JointGap&
     return touchCorner(chain, other, joint.end, corner, other.corners[corner].point - point, speculative);
 }
 
-/// A neighbour's face is what keeps both apart: the joint is ours if its corner is nearest.
+/// The separating axis is the normal of a neighbour: the contact is at our joint if its corner is the
+/// nearest.
 Manifold touchBeside(const Chain& chain, const Side& other, std::size_t end, float speculative) {
     const Joint& joint = chain.joints[end];
     if (!joint.ours || !joint.sharp) return {};
@@ -123,7 +125,7 @@ Manifold touchBeside(const Chain& chain, const Side& other, std::size_t end, flo
     return touchCorner(chain, other, end, pair->other, pair->way, speculative);
 }
 
-/// The chain's own face: whatever of the other side lies in front of it.
+/// A contact with the front face of the chain segment.
 Manifold touchFace(const Chain& chain, const Side& other, float gap, float speculative) {
     const EdgeOnEdge edges = edgeOnEdge(chain.side(), 0, other);
     if (gap > 0.0f) {
@@ -131,13 +133,13 @@ Manifold touchFace(const Chain& chain, const Side& other, float gap, float specu
             return touchCorner(chain, other, pair->reference, pair->other, pair->way, speculative);
         }
     }
-    // Beyond an end it is the neighbour's, unless the corner between both is nearest.
+    // Beyond an end the contact belongs to the neighbour, unless the corner between both is nearest.
     const bool before = edges.high.x < 0.0f;
     if (before || edges.low.x > edges.length) return touchBeside(chain, other, before ? 0 : 1, speculative);
     return touchEdge(edges, chain.side(), other, true, speculative);
 }
 
-/// The widest gap along the normal of a neighbour at a sharp joint.
+/// The maximum separation along the normal of a neighbour at a convex joint.
 JointGap widestNeighbourGap(const Chain& chain, const Side& other) {
     JointGap widest;
     for (std::size_t end = 0; end < 2; ++end) {
@@ -181,7 +183,8 @@ Manifold collideChain(const Geometry& a, const Geometry& b, std::span<const Corn
     const auto isBefore = [&](Vec2 normal, Vec2 point) { return dot(normal, other.centre - point) >= 0.0f; };
     const bool inFront = isBefore(chain.normal(), chain.corners[0].point);
     if (convex.count == 1) return touchDisc(chain, other, inFront, gap, speculative);
-    // Around a corner one may be in front of the neighbour alone, and yet touch the corner or this segment.
+    // At a convex joint an outline may be in front of the neighbour only, and still touch the corner or this
+    // segment.
     const auto isAround = [&](const Joint& side, Vec2 normal) {
         return side.sharp && isBefore(normal, side.point);
     };
@@ -197,7 +200,7 @@ Manifold collideChain(const Geometry& a, const Geometry& b, std::span<const Corn
     if (beside.gap > (byFace ? gap + tie : joint.gap)) {
         return touchBeside(chain, other, beside.end, speculative);
     }
-    if (!inFront && (byFace ? gap : joint.gap) < -speculative) return {};  // it came from the other side
+    if (!inFront && (byFace ? gap : joint.gap) < -speculative) return {};  // it came from the back side
     if (byFace) return touchFace(chain, other, gap, speculative);
     return touchFaceOnJoint(chain, other, joint, speculative);
 }

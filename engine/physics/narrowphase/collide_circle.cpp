@@ -5,11 +5,11 @@ namespace plumb::physics {
 
 namespace {
 
-/// m: nearer than this, two centres have no direction.
+/// m: two centres closer than this have no direction from one to the other.
 constexpr float kNoDistance = 1.0e-9f;
 
+/// A manifold with a single point.
 /// @param normal  from the circle to the other outline
-/// @param middle  m from the circle's centre to the point, along the normal
 Manifold onePoint(const Geometry& circle, Vec2 normal, float separation, float roundB) {
     Manifold manifold{.normal = normal, .count = 1, .roundA = circle.radius, .roundB = roundB};
     manifold.points[0] = {circle.a + normal * (circle.radius + 0.5f * separation), separation, 0};

@@ -7,7 +7,7 @@ Manifold collideConvex(const Geometry& a, const Geometry& b, std::span<const Cor
                        const Frame& bInA, float speculative) {
     const Convex convexA = convexOf(a, corners);
     const Convex convexB = convexOf(b, corners);
-    if (convexA.count == 1) {  // a capsule as short as a disc
+    if (convexA.count == 1) {  // a capsule so short that it is a disc
         return collideCircleConvex(circle(a.radius, convexA.centre), b, corners, bInA, speculative);
     }
     if (convexB.count == 1) {

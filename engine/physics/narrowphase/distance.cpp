@@ -6,16 +6,17 @@ namespace plumb::physics {
 
 namespace {
 
-/// More than any pair of outlines of kMaxCorners needs; rounding cannot make it run on.
+/// More than any pair of outlines with kMaxCorners needs; a safeguard against endless loops due to rounding.
 constexpr int kMostIterations = 2 * kMaxCorners;
-/// Ratio to the ways' size: nearer than this, cores count as touching, and have no direction of their own.
+/// Ratio to the size of the simplex: cores closer than this count as touching, as their distance has no
+/// reliable direction.
 constexpr float kTouching = 1.0e-6f;
 
-/// Up to three ways; the nearest one to nowhere lies between them.
+/// A simplex of up to three points of the Minkowski difference.
 struct Simplex {
     Way ways[3];
     int count = 0;
-    float part = 0.0f;  ///< of two: where between them
+    float part = 0.0f;  ///< of two points: where between them is the point nearest to the origin
 
     void keep(int i) {
         ways[0] = ways[i];
@@ -23,7 +24,7 @@ struct Simplex {
     }
 };
 
-/// Leaves out what the nearest place does not depend on, and says where it is. Of two, between 0 and 1.
+/// Reduces a segment to the point of it that is nearest to the origin: an end, or `part` between 0 and 1.
 void reduceTwo(Simplex& simplex) {
     const Vec2 first = simplex.ways[0].way;
     const Vec2 edge = simplex.ways[1].way - first;
@@ -34,7 +35,8 @@ void reduceTwo(Simplex& simplex) {
     simplex.part = along / square;
 }
 
-/// Of a triangle: one of its corners or sides, or all three when nowhere is inside.
+/// Reduces a triangle to the corner or side that is nearest to the origin; keeps all three points if the
+/// origin is inside.
 void reduceThree(Simplex& simplex) {
     Simplex best;
     float least = 1.0e30f;
@@ -86,7 +88,8 @@ float sizeOf(const Simplex& simplex) {
     return size;
 }
 
-/// The nearest way of the simplex. Of two, by their perpendicular: it stays exact where both nearly touch.
+/// The distance of the simplex from the origin. Along a segment it is measured by the perpendicular, which
+/// stays accurate when the outlines almost touch.
 WayBetween nearestOf(const Simplex& simplex) {
     WayBetween nearest{simplex.ways[0], simplex.ways[0], 0.0f, kAnyNormal, 0.0f, 0};
     if (simplex.count == 1) {
@@ -105,7 +108,8 @@ WayBetween nearestOf(const Simplex& simplex) {
     return nearest;
 }
 
-/// @return  the nearest way of the cores; a simplex of three, or a distance near 0, when they overlap
+/// The GJK iteration. @return  the shortest connection of the cores; if they overlap, the simplex has three
+/// points or the distance is near 0
 WayBetween nearestWay(const Ways& ways, Simplex& simplex) {
     WayBetween nearest;
     for (int iteration = 1;; ++iteration) {

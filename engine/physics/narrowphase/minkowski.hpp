@@ -4,7 +4,7 @@
 
 namespace plumb::physics {
 
-/// A corner of the set of all ways from A to B, and the corners that it leads between.
+/// A vertex of the Minkowski difference B - A, and the corners of A and B that it comes from.
 struct Way {
     Vec2 way;
     Vec2 a, b;
@@ -16,7 +16,7 @@ struct Way {
     }
 };
 
-/// All ways from A to B: two outlines overlap when one of them leads nowhere. In A's frame.
+/// The Minkowski difference B - A: the outlines overlap if it contains the origin. In A's frame.
 struct Ways {
     const Convex& a;
     const Convex& b;
@@ -37,16 +37,17 @@ struct Ways {
     }
 };
 
-/// Two ways between which the nearest one lies, and where: 0 at the first, 1 at the second.
+/// The point of the Minkowski difference nearest to the origin, on the edge between two vertices: `part` is 0
+/// at the first, 1 at the second.
 struct WayBetween {
     Way first, second;
     float part = 0.0f;
-    Vec2 normal;            ///< length 1, from A to B
-    float distance = 0.0f;  ///< m along it; negative inside
+    Vec2 normal;            ///< unit length, from A to B
+    float distance = 0.0f;  ///< m along it; negative: overlap
     int iterations = 0;
 };
 
-/// The shortest way out of each other of two cores that overlap.
+/// The shortest displacement that separates two overlapping cores.
 WayBetween deepestOverlap(const Ways& ways);
 
 }  // namespace plumb::physics

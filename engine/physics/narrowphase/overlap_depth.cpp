@@ -4,16 +4,17 @@ namespace plumb::physics {
 
 namespace {
 
-/// The set of ways has at most as many corners as both outlines together.
+/// The Minkowski difference has at most as many vertices as both outlines together.
 constexpr int kMostWays = 2 * kMaxCorners + 4;
-/// Ratio to the size of the set: what a new corner must stand out by.
+/// Ratio to the size of the polytope: a new vertex must extend it by more than this.
 constexpr float kFlat = 1.0e-6f;
 
-/// A polygon of ways, in the sense in which normals turn, that grows towards the true one.
+/// A polygon inside the Minkowski difference that is expanded towards its boundary. Its vertices are in the
+/// order in which normals rotate.
 struct Polytope {
     Way ways[kMostWays];
     int count = 0;
-    float size = 0.0f;  ///< m: of the ways
+    float size = 0.0f;  ///< m: maximum coordinate of its vertices
 
     bool contains(const Way& way) const {
         for (int i = 0; i < count; ++i) {
@@ -29,8 +30,8 @@ struct Polytope {
     }
 };
 
-/// The extreme ways along both axes: a polygon, or the two ends where all ways are on one line. It need not
-/// be around the way that leads nowhere; then that is outside of the side that grows first.
+/// The extreme vertices along both axes: a polygon, or two points if the difference is a segment. It need not
+/// contain the origin; if it does not, the origin is outside of the edge that is expanded first.
 Polytope startFrom(const Ways& set) {
     Polytope polytope;
     for (const Vec2 direction : {Vec2{1, 0}, Vec2{0, 1}, Vec2{-1, 0}, Vec2{0, -1}}) {
@@ -44,7 +45,7 @@ Polytope startFrom(const Ways& set) {
     return polytope;
 }
 
-/// The side nearest to the way that leads nowhere.
+/// The edge nearest to the origin.
 struct NearestSide {
     int index = 0;
     Vec2 normal = kAnyNormal;
@@ -69,7 +70,7 @@ NearestSide nearestSide(const Polytope& polytope) {
 WayBetween deepestOverlap(const Ways& ways) {
     Polytope polytope = startFrom(ways);
     WayBetween result{polytope.ways[0], polytope.ways[0], 0.0f, kAnyNormal, 0.0f, 0};
-    if (polytope.count < 2) return result;  // two discs on one centre
+    if (polytope.count < 2) return result;  // two discs with the same centre
     NearestSide side = nearestSide(polytope);
     while (polytope.count < kMostWays) {
         ++result.iterations;
@@ -81,8 +82,8 @@ WayBetween deepestOverlap(const Ways& ways) {
     }
     result.first = polytope.ways[side.index];
     result.second = polytope.ways[side.index + 1 < polytope.count ? side.index + 1 : 0];
-    // Ways are from A to B: the way that leads nowhere is inside the set by this, and B has to go the other
-    // way.
+    // The difference is B - A, and the origin lies this deep inside it, so B has to move in the opposite
+    // direction to separate.
     result.normal = -side.normal;
     result.distance = -side.distance;
     const Vec2 edge = result.second.way - result.first.way;

@@ -5,10 +5,10 @@ namespace plumb::physics {
 namespace {
 
 constexpr int kMostIterations = 48;
-/// Ratio: a way that comes nearer by less than this of its length leads along a surface.
+/// Ratio: a displacement that approaches the surface by less than this part of its length is parallel to it.
 constexpr float kAlong = 1.0e-4f;
 
-/// m: near enough to be a hit: what floats can tell apart at this distance from the origin.
+/// m: distance that counts as a hit: the accuracy of floats at this distance from the origin.
 float touchOf(const Convex& a, const Frame& bInA) {
     const Vec2 far = bInA.position;
     const Vec2 own = a.centre;
@@ -38,7 +38,7 @@ std::optional<ConvexHit> castShape(const Convex& a, const Convex& b, const Frame
         if (next == hit.fraction) return hit;
         hit.fraction = next;
     }
-    return std::nullopt;  // it grazes past
+    return std::nullopt;  // it misses narrowly
 }
 
 }  // namespace plumb::physics

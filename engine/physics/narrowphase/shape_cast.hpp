@@ -6,17 +6,17 @@
 
 namespace plumb::physics {
 
-/// Where a moving outline meets another.
+/// The first contact of a moving outline with another.
 struct ConvexHit {
-    float fraction = 0.0f;    ///< ratio of the way, 0..1
-    Vec2 normal;              ///< length 1, out of the outline that stands still
-    Vec2 point;               ///< m: on it
-    float separation = 0.0f;  ///< m between both at the beginning; negative: how deep they were inside
+    float fraction = 0.0f;    ///< fraction of the displacement, 0..1
+    Vec2 normal;              ///< unit length, outward from the outline at rest
+    Vec2 point;               ///< m: on the outline at rest
+    float separation = 0.0f;  ///< m between both at the start; negative: penetration depth
 };
 
-/// Moves B straight along `way`, without turning, until it touches A. In A's frame. What overlaps from the
-/// beginning is hit at 0; what only touches is not hit by a way that leads off it or along it.
-/// Source: conservative advancement, see sweep.hpp; along a straight way it doubles its digits
+/// Moves B along `way`, without rotation, until it touches A. In A's frame. An initial overlap is a hit at 0;
+/// an initial touch is no hit if the displacement leads away or along the surface.
+/// Source: conservative advancement, see sweep.hpp; for a straight path it converges quadratically
 std::optional<ConvexHit> castShape(const Convex& a, const Convex& b, const Frame& bInA, Vec2 way);
 
 }  // namespace plumb::physics

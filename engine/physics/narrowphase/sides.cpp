@@ -10,11 +10,11 @@ std::size_t next(std::span<const Corner> corners, std::size_t i) {
     return i + 1 < corners.size() ? i + 1 : 0;
 }
 
-/// Two cores that touch at a point have no direction from corner to corner: places are only known to this
-/// part of their distance from the origin.
+/// Ratio: positions are accurate to this part of their distance from the origin. Corners closer than this
+/// have no reliable direction from one to the other.
 constexpr float kBlur = 1.0e-5f;
 
-/// One round place of each side.
+/// A manifold with a single point between two (rounded) corners.
 Manifold touchAtCorners(const CornerPair& pair, const Side& reference, const Side& other, bool isB,
                         float speculative) {
     const Vec2 direction = pair.way / pair.distance;
@@ -65,7 +65,8 @@ EdgeOnEdge edgeOnEdge(const Side& reference, std::size_t face, const Side& other
         .origin = corner.point, .normal = corner.normal, .tangent = perpendicular(corner.normal)};
     edges.face = face;
     edges.length = dot(reference.corners[next(reference.corners, face)].point - corner.point, edges.tangent);
-    // Corners of both sides follow each other in the same sense, so facing edges run against each other.
+    // The corners of both sides are in the same order of rotation, so the reference and the incident edge run
+    // in opposite directions.
     edges.end = faceAgainst(other.corners, corner.normal);
     edges.start = next(other.corners, edges.end);
     const auto seen = [&](std::size_t i) {
@@ -95,12 +96,11 @@ std::optional<CornerPair> nearestCorners(const EdgeOnEdge& edges, const Side& re
     const Vec2 far = high ? edges.low : edges.high;
     const bool atStart = near.x < 0.0f;
     const Vec2 corner{atStart ? 0.0f : edges.length, 0.0f};
-    // The other edge may pass in front of the corner: then it is the edge that touches, unless it ends
-    // before.
+    // The incident edge may pass in front of the corner: then the edge touches, unless it ends before.
     const bool apart = edges.high.x < 0.0f || edges.low.x > edges.length;
     if (!apart && dot(corner - near, far - near) > 0.0f) return std::nullopt;
-    // One that hardly looks past the end of a nearly parallel face stays with the face, so that equal boxes
-    // keep both points. Costs 0.01 % of the distance.
+    // A corner that extends only slightly beyond the end of a nearly parallel face stays with the face, so
+    // that boxes of equal size keep both points. This costs 0.01 % of the distance.
     const bool past = nearBeyond > 0.01f * near.y ||
                       (far.y - near.y) * nearBeyond > 0.0001f * near.y * std::fabs(far.x - near.x);
     if (!apart && !past) return std::nullopt;
@@ -135,7 +135,7 @@ Manifold touchEdge(const EdgeOnEdge& edges, const Side& reference, const Side& o
     const bool cutLow = edges.low.x < 0.0f;
     const bool cutHigh = edges.high.x > edges.length;
     if (edges.high.x < 0.0f || edges.low.x > edges.length) {
-        // Rounding makes them just miss each other: the deeper end alone.
+        // Due to rounding the edges just miss each other: use the deeper end only.
         const bool low = edges.low.y < edges.high.y;
         const float along = edges.high.x < 0.0f ? 0.0f : edges.length;
         add({along, low ? edges.low.y : edges.high.y}, edges.face, low ? edges.start : edges.end, true);

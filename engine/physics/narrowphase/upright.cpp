@@ -4,13 +4,13 @@ namespace plumb::physics {
 
 namespace {
 
-/// Which features meet.
+/// The features that touch, as the id of the point.
 enum Feature : std::uint16_t { kFaceX = 0, kFaceY = 2, kCorner = 4 };
 
-/// Both are beyond each other's end: corner to corner.
+/// The boxes are separated along both axes: corner to corner.
 Manifold collideCorners(Vec2 halfA, Vec2 gap, Vec2 side, Vec2 way, float speculative) {
     const float square = lengthSquared(gap);
-    constexpr float kBlur = 1.0e-10f;  // places are only known to the root of this
+    constexpr float kBlur = 1.0e-10f;  // ratio: positions are only accurate to the square root of this
     if (square > speculative * speculative || square <= kBlur * lengthSquared(way)) return {};
     Manifold manifold;
     const float distance = std::sqrt(square);
@@ -23,7 +23,7 @@ Manifold collideCorners(Vec2 halfA, Vec2 gap, Vec2 side, Vec2 way, float specula
     return manifold;
 }
 
-/// The middle of what two intervals about 0 and about `way` have in common.
+/// The middle of the intersection of two intervals, centred at 0 and at `way`.
 float middleOf(float halfA, float halfB, float way) {
     return 0.5f * (std::max(-halfA, way - halfB) + std::min(halfA, way + halfB));
 }

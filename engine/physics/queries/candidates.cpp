@@ -11,7 +11,7 @@ namespace plumb::physics {
 
 namespace {
 
-/// m: bounds are float; a place and bounds there may each be rounded by this much.
+/// m: bounds are float, so a position and bounds there may each be rounded by this much.
 float roundingAt(Vec2 place) { return std::max(std::fabs(place.x), std::fabs(place.y)) * 5.0e-7f; }
 
 bool passes(const World& world, std::uint32_t shape, const QueryFilter& filter) {

@@ -4,38 +4,38 @@
 
 namespace plumb::physics {
 
-// What all queries share: who comes into question.
+// Common parts of all queries: selecting the shapes to test, and transforming between world and body space.
 
 [[nodiscard]] bool isUsable(Place place);
 [[nodiscard]] bool isUsable(Vec2 way);
 
-/// Shapes whose bounds are near the box from `low` to `high` (m) and that the filter lets pass; in the order
-/// of their numbers. Valid until the next query.
+/// The shapes that pass the filter and whose bounds overlap the box from `low` to `high` (m), in ascending
+/// order of their indices. Valid until the next query.
 std::span<const std::uint32_t> candidatesIn(World& world, Place low, Place high, const QueryFilter& filter);
-/// The same for a box with these half sizes that moves from `from` along `way`.
+/// The same for a box with these half sizes that moves from `from` by `way`.
 std::span<const std::uint32_t> candidatesAlong(World& world, Place from, Vec2 way, Vec2 half,
                                                const QueryFilter& filter);
 
 [[nodiscard]] inline const BodyPose& poseOf(const World& world, std::uint32_t shape) {
     return world.bodies.pose[world.shapes.info[shape].body];
 }
-/// Nearest first, of equals the lowest number first.
+/// Nearest first; at equal distances the lowest index first.
 void sortByFraction(std::vector<CastHit>& hits);
 
-/// A place as the shapes of a body see it: differences are taken first, so it is as exact far from the
-/// origin.
+/// A position in the frame of a body's shapes. The difference of positions is taken first, so that the result
+/// is as accurate far from the origin.
 [[nodiscard]] Vec2 seenFrom(const BodyPose& body, Place place);
-/// A frame as the shapes of a body see it.
+/// A frame relative to that of a body's shapes.
 [[nodiscard]] Frame seenFrom(const BodyPose& body, Place position, Rot rotation);
-/// The way back.
+/// The inverse of seenFrom().
 [[nodiscard]] Place placeOf(const BodyPose& body, Vec2 point);
 
 [[nodiscard]] ShapeId idOf(const World& world, std::uint32_t shape);
 
-/// m: the box around an outline, from its position.
+/// m: bounding box of the outline relative to its position.
 [[nodiscard]] AABB boundsOf(const World& world, const QueryShape& shape);
 [[nodiscard]] std::span<const Corner> cornersOf(const World& world, const QueryShape& shape);
-/// False for a shape with numbers that no shape may have.
+/// False if a number is out of range for a shape.
 [[nodiscard]] bool isUsable(const World& world, const QueryShape& shape);
 
 }  // namespace plumb::physics

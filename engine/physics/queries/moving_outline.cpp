@@ -24,7 +24,7 @@ std::optional<CastHit> meet(const World& world, std::uint32_t shape, const BodyP
     hit.shape = idOf(world, shape);
     hit.body = bodyOf(world, hit.shape);
     hit.point = placeOf(pose, met->point);
-    // The shortest way out of a chain may lead to its back.
+    // The direction of minimum penetration of a chain segment may point to its back.
     hit.normal = rotate(pose.rotation, isChain && met->separation < 0.0f ? front : met->normal);
     hit.fraction = met->fraction;
     hit.distance = met->fraction * length(moving.way);

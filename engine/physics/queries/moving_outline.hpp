@@ -7,15 +7,15 @@
 
 namespace plumb::physics {
 
-/// An outline on its straight way, for a cast against one shape after the other.
+/// An outline that moves in a straight line, to be cast against shapes one at a time.
 struct MovingOutline {
     Convex outline;
     Place position;  ///< m
     Rot rotation;
-    Vec2 way;  ///< m
+    Vec2 way;  ///< m: displacement
 };
 
-/// Where it meets one shape, if the shape's body is at `pose`.
+/// The first contact with a shape, if the shape's body is at `pose`.
 std::optional<CastHit> meet(const World& world, std::uint32_t shape, const BodyPose& pose,
                             const MovingOutline& moving);
 

@@ -6,30 +6,30 @@
 
 namespace plumb::physics {
 
-// Who is there. Answers are in the order of the shapes' numbers and replace what was in `found`; a shape that
-// only touches counts. Numbers that are not finite or absurd find nothing.
+// Overlap queries. Results replace the content of `found`, in ascending order of shape indices; a shape that
+// only touches is included. Values that are not finite or out of range give an empty result.
 
-/// Shapes that overlap an outline.
+/// Finds the shapes that overlap an outline.
 void overlapShape(World& world, const QueryShape& shape, const QueryFilter& filter,
                   std::vector<ShapeId>& found);
-/// Shapes that overlap an upright box between its lowest and its highest corner (m).
+/// Finds the shapes that overlap an axis-aligned box between its lower and upper corner (m).
 void overlapBox(World& world, Place low, Place high, const QueryFilter& filter, std::vector<ShapeId>& found);
 void overlapCircle(World& world, Place centre, float radius, const QueryFilter& filter,
                    std::vector<ShapeId>& found);
-/// Shapes that a point is in. Nothing is inside a segment.
+/// Finds the shapes that contain a point. A segment has no inside.
 void overlapPoint(World& world, Place point, const QueryFilter& filter, std::vector<ShapeId>& found);
 
-/// The place on the surface of a shape that is nearest to another.
+/// The point on the surface of a shape that is nearest to a given point.
 struct ClosestHit {
     ShapeId shape;
     BodyId body;
     Place point;            ///< m
-    Vec2 normal;            ///< length 1, out of the shape
-    float distance = 0.0f;  ///< m; negative inside: how deep
+    Vec2 normal;            ///< unit length, outward from the shape
+    float distance = 0.0f;  ///< m; negative: depth inside the shape
 };
-/// The shape nearest to a place, and where on it; of equals the lowest number. Inside of several shapes, the
-/// one that it is deepest in.
-/// @param within  m: what is further away is not looked at; must be finite
+/// The shape nearest to a point; at equal distances the one with the lowest index. Inside several shapes, the
+/// one with the greatest depth.
+/// @param within  m: maximum distance; must be finite
 std::optional<ClosestHit> closestPoint(World& world, Place place, float within,
                                        const QueryFilter& filter = {});
 

@@ -6,16 +6,15 @@
 
 namespace plumb::physics {
 
-// A straight line from `from` to `from + way`. Numbers that are not finite, and places further than 1e9 m
-// from the origin, meet nothing. A ray that begins inside of a shape meets it at once; a segment has no
-// inside, and a segment of a chain is met on its solid side only.
+// Ray casts, along the line from `from` to `from + way`. Values that are not finite and positions further
+// than 1e9 m from the origin hit nothing. A ray that starts inside a shape hits it at fraction 0. A segment
+// has no inside, and a chain segment is only hit on its solid side.
 
-/// The first shape on the way; of several at the same distance, the one with the lowest number.
+/// The first shape hit; at equal distances the one with the lowest index.
 std::optional<CastHit> castRay(World& world, Place from, Vec2 way, const QueryFilter& filter = {});
-/// True when anything is on the way.
+/// True if the ray hits anything.
 bool isRayBlocked(World& world, Place from, Vec2 way, const QueryFilter& filter = {});
-/// Everything on the way, each shape once: nearest first, of equals the lowest number first.
-/// @param hits  replaced
+/// All shapes hit, each once: nearest first; at equal distances the lowest index first.
 void castRayAll(World& world, Place from, Vec2 way, const QueryFilter& filter, std::vector<CastHit>& hits);
 
 }  // namespace plumb::physics

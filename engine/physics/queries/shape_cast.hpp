@@ -6,16 +6,15 @@
 
 namespace plumb::physics {
 
-// An outline that is moved along a straight way without turning. What it overlaps at the start is met at
-// once, at fraction 0; what it only touches there is not met by a way that leads off it or along it. A
-// segment of a chain is met by what comes from its solid side only. Numbers that are not finite or absurd
-// meet nothing.
+// Shape casts: an outline moves in a straight line without rotating. It hits shapes that it overlaps at the
+// start at fraction 0. It does not hit a shape that it only touches there if the displacement leads away or
+// along the surface. A chain segment is only hit from its solid side. Values that are not finite or out of
+// range hit nothing.
 
-/// The first shape on the way; of several at the same distance, the one with the lowest number.
+/// The first shape hit; at equal distances the one with the lowest index.
 std::optional<CastHit> castShape(World& world, const QueryShape& shape, Vec2 way,
                                  const QueryFilter& filter = {});
-/// Everything on the way, each shape once: nearest first, of equals the lowest number first.
-/// @param hits  replaced
+/// All shapes hit, each once: nearest first; at equal distances the lowest index first.
 void castShapeAll(World& world, const QueryShape& shape, Vec2 way, const QueryFilter& filter,
                   std::vector<CastHit>& hits);
 

@@ -13,18 +13,19 @@ bool isPlace(Vec2 v) { return std::fabs(v.x) <= kLargest && std::fabs(v.y) <= kL
 
 Error badPlace(const char* where, Vec2 found) {
     return {where,
-            format("expected a place within {} m of the body, found ({}, {})", kLargest, found.x, found.y),
-            "write metres, not pixels, and move the body rather than its shapes"};
+            format("expected a position within {} m of the body, found ({}, {})", kLargest, found.x, found.y),
+            "use metres, not pixels, and move the body rather than its shapes"};
 }
 
-/// @param least  m; 0 for what may be missing
+/// @param least  m; 0 for an optional size
 Result<Done> checkSize(const char* where, float found, float least) {
     if (found >= least && found <= kLargest) return Done{};
     return Error{where, format("expected {} to {} m, found {}", least, kLargest, found),
-                 "write metres; give the shape a size that can be seen"};
+                 "use metres, not pixels, and a size within this range"};
 }
 
-/// Faces with normals of length 1 that lead from corner to corner, and all corners behind all of them.
+/// True if all normals have unit length and are perpendicular to their faces, and all corners are behind all
+/// faces.
 bool isConvex(Corners corners) {
     float size = 0.0f;
     for (const Corner& corner : corners) {
@@ -61,7 +62,7 @@ Result<Done> checkBox(const Geometry& geometry, Corners) {
     if (!isPlace(geometry.a)) return badPlace("box.a", geometry.a);
     const Rot turn = geometry.turn;
     if (!(std::fabs(turn.cos * turn.cos + turn.sin * turn.sin - 1.0f) < 1.0e-3f)) {
-        return Error{"box.turn", format("({}, {}) is no cosine and sine", turn.cos, turn.sin),
+        return Error{"box.turn", format("({}, {}) is not a cosine and sine", turn.cos, turn.sin),
                      "use rotFromAngle()"};
     }
     if (auto checked = checkSize("box.radius", geometry.radius, 0.0f); !checked) return checked;
@@ -76,7 +77,8 @@ Result<Done> checkPolygon(const Geometry& geometry, Corners pool) {
                      "make it with makeHull()"};
     }
     if (geometry.first > pool.size() || pool.size() - geometry.first < geometry.count) {
-        return Error{"polygon.first", "its corners are not in the world", "add them to World::corners first"};
+        return Error{"polygon.first", "its corners are not in the world",
+                     "use createPolygon(), which stores them"};
     }
     const Corners corners = pool.subspan(geometry.first, geometry.count);
     if (!isPlace(geometry.a)) return badPlace("polygon.a", geometry.a);
@@ -84,8 +86,8 @@ Result<Done> checkPolygon(const Geometry& geometry, Corners pool) {
         if (!isPlace(corner.point)) return badPlace("polygon.corners", corner.point);
     }
     if (!isConvex(corners)) {
-        return Error{"polygon.corners", "are not those of a convex polygon with outward normals",
-                     "make it with makeHull(), or decompose() what is not convex"};
+        return Error{"polygon.corners", "the corners do not form a convex polygon with outward normals",
+                     "make it with makeHull(); split a concave outline with decompose()"};
     }
     return checkSize("polygon.radius", geometry.radius, 0.0f);
 }
@@ -97,8 +99,8 @@ Result<Done> checkSegment(const Geometry& geometry, Corners) {
     if (isOfChain && !isPlace(beforeOf(geometry))) return badPlace("segment.before", beforeOf(geometry));
     if (!isPlace(geometry.after)) return badPlace("segment.after", geometry.after);
     if (geometry.radius != 0.0f) {
-        return Error{"segment.radius", format("expected none, found {} m", geometry.radius),
-                     "use capsule() for a round one"};
+        return Error{"segment.radius", format("expected 0, found {} m", geometry.radius),
+                     "use capsule() for a segment with a radius"};
     }
     return checkSize("segment length", distance(geometry.a, geometry.b), kSmallest);
 }

@@ -7,7 +7,7 @@
 
 namespace plumb::physics {
 
-// What is wrong with a geometry of each kind; used by checkGeometry() of shape_types.hpp.
+// Validation of a geometry of each kind; used by checkGeometry() of shape_types.hpp.
 Result<Done> checkCircle(const Geometry& geometry, std::span<const Corner> corners);
 Result<Done> checkCapsule(const Geometry& geometry, std::span<const Corner> corners);
 Result<Done> checkBox(const Geometry& geometry, std::span<const Corner> corners);

@@ -7,14 +7,14 @@
 
 namespace plumb::physics {
 
-/// Any outline as one thing: the hull of its corners, grown by a radius. One corner is a disc; two are a
-/// segment or a capsule, with a face on either side; more are a polygon. What works on all outlines alike
-/// works on this. May be copied; valid as long as the pool that it was made from is not changed.
+/// Any outline in a common form: the convex hull of its corners, enlarged by a radius. One corner is a disc;
+/// two are a segment or a capsule, with a face on either side; more are a polygon. It may be copied, and is
+/// valid until the pool that it was made from changes.
 struct Convex {
     float radius = 0.0f;           ///< m
-    Vec2 centre;                   ///< m, inside of it
-    int count = 0;                 ///< of corners
-    const Corner* pool = nullptr;  ///< where a polygon's corners are; all others have them in `own`
+    Vec2 centre;                   ///< m, a point inside
+    int count = 0;                 ///< number of corners
+    const Corner* pool = nullptr;  ///< the corners of a polygon; other outlines have them in `own`
     std::array<Corner, 4> own;
 
     [[nodiscard]] std::span<const Corner> corners() const {
@@ -22,21 +22,21 @@ struct Convex {
     }
 };
 
-/// A capsule shorter than this part of its radius is a disc: its direction means nothing.
+/// ratio to the radius: a shorter capsule is a disc, because its direction is not reliable.
 inline constexpr float kShortestCapsule = 1.0e-5f;
 
-/// The direction that is used where geometry has none to offer, as between two discs on one centre.
+/// The normal that is used where geometry defines none, as for two discs with the same centre.
 inline constexpr Vec2 kAnyNormal{1.0f, 0.0f};
 
-/// @param pool  World::corners; only polygons look into it
+/// @param pool  Shapes::corners; used for polygons only
 Convex convexOf(const Geometry& geometry, std::span<const Corner> pool);
 
-/// The two corners of a segment or the core of a capsule, each with the face that follows it.
+/// The two corners of a segment or of the core of a capsule, each with the face that follows it.
 std::array<Corner, 2> cornersOfSegment(Vec2 start, Vec2 end);
-/// From the one towards (-, -) on in the sense in which normals turn, as all corners are ordered.
+/// The corners of a box, beginning with (-, -), in the order in which normals rotate, as for all outlines.
 std::array<Corner, 4> cornersOfBox(Vec2 centre, Vec2 half, Rot turn);
 
-/// The corner that is farthest along a direction; the first of equals.
+/// The support point: the index of the corner that is farthest along a direction; the first of equal ones.
 int farthest(std::span<const Corner> corners, Vec2 direction);
 
 /// A corner in another frame.

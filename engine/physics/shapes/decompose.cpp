@@ -17,7 +17,7 @@ Error error(std::string what, const char* remedy) { return {"decompose", std::mo
 
 std::string text(Vec2 v) { return format("({}, {})", v.x, v.y); }
 
-/// Points without the repeated ones and those in the middle of a straight side.
+/// The points without duplicates and without those in the middle of a straight side.
 Loop cleaned(std::span<const Vec2> outline) {
     Loop loop;
     for (const Vec2 point : outline) {
@@ -44,7 +44,7 @@ bool isBetween(Vec2 a, Vec2 b, Vec2 point) {
            point.y <= std::max(a.y, b.y);
 }
 
-/// Sides that cross or touch.
+/// True if two sides cross or touch.
 bool meet(Vec2 a, Vec2 b, Vec2 c, Vec2 d) {
     const double abc = areaOf(a, b, c);
     const double abd = areaOf(a, b, d);
@@ -65,7 +65,7 @@ std::optional<Error> findCrossing(const Loop& loop) {
         const Vec2 b = loop[(i + 1) % n];
         const Vec2 c = loop[(i + 2) % n];
         if (areaOf(a, b, c) == 0.0) {
-            return error(format("turns back on itself at {}", text(b)), "take the spike out");
+            return error(format("turns back on itself at {}", text(b)), "remove the spike");
         }
         for (std::size_t k = i + 2; k < n; ++k) {
             if (i == 0 && k == n - 1) continue;  // neighbours
@@ -95,7 +95,8 @@ bool isEar(const Loop& loop, std::size_t i) {
     });
 }
 
-/// Cuts off ears, going round, so that triangles do not all meet at one point.
+/// Ear clipping. It continues after each ear with the next corner but one, so that the triangles do not all
+/// share one corner.
 std::optional<std::vector<Loop>> triangles(Loop loop) {
     std::vector<Loop> pieces;
     std::size_t i = 0;
@@ -116,7 +117,7 @@ std::optional<std::vector<Loop>> triangles(Loop loop) {
     return pieces;
 }
 
-/// The two loops as one, if they share a side and no corner of the whole is dented.
+/// The union of two loops, if they share a side and the union is convex.
 std::optional<Loop> joined(const Loop& a, const Loop& b) {
     if (a.size() + b.size() - 2 > kMaxCorners) return std::nullopt;
     for (std::size_t i = 0; i < a.size(); ++i) {
@@ -143,7 +144,7 @@ void joinPieces(std::vector<Loop>& pieces) {
             if (auto whole = joined(pieces[i], pieces[k])) {
                 pieces[i] = std::move(*whole);
                 pieces.erase(pieces.begin() + static_cast<std::ptrdiff_t>(k));
-                k = i + 1;  // those that could not join before may do so now
+                k = i + 1;  // pieces that could not be joined before may be joined now
             } else {
                 ++k;
             }
@@ -155,28 +156,31 @@ void joinPieces(std::vector<Loop>& pieces) {
 
 Result<std::vector<Hull>> decompose(std::span<const Vec2> outline) {
     if (outline.size() > kMaxOutline) {
-        return error(format("the outline has {} points, of at most {}", outline.size(), kMaxOutline),
-                     "leave out some");
+        return error(format("the outline has {} points, the maximum is {}", outline.size(), kMaxOutline),
+                     "remove some");
     }
     for (const Vec2 point : outline) {
         if (std::fabs(point.x) <= kLargest && std::fabs(point.y) <= kLargest) continue;
-        return error(format("the point {} is not within {} m", text(point), kLargest), "write metres");
+        return error(format("the point {} is not within {} m", text(point), kLargest),
+                     "use metres, not pixels");
     }
     Loop loop = cleaned(outline);
     if (loop.size() < 3)
-        return error("the outline has no area", "give at least 3 points that are not on one line");
+        return error("the outline has no area", "pass at least 3 points that are not on one line");
     if (auto crossing = findCrossing(loop)) return *crossing;
     const double area = 0.5 * twiceArea(loop);
     if (area < 0.0) std::reverse(loop.begin(), loop.end());
 
     auto pieces = triangles(std::move(loop));
-    if (!pieces) return error("no corner can be cut off", "move points that nearly touch another side apart");
+    if (!pieces)
+        return error("the outline could not be triangulated",
+                     "move points away from sides that they nearly touch");
     joinPieces(*pieces);
 
     std::vector<Hull> hulls;
     for (const Loop& piece : *pieces) {
         auto hull = makeHull(piece);
-        // A triangle too thin to be a shape may remain; nobody misses it.
+        // A triangle that is too thin to be a shape may remain; its area is negligible.
         if (!hull && twiceArea(piece) > 1.0e-4 * std::fabs(area)) return hull.error();
         if (hull) hulls.push_back(*hull);
     }

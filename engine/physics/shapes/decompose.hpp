@@ -6,13 +6,15 @@
 
 namespace plumb::physics {
 
-inline constexpr std::size_t kMaxOutline = 2048;  ///< points that decompose() takes
+inline constexpr std::size_t kMaxOutline = 2048;  ///< maximum number of points for decompose()
 
-/// Cuts the inside of an outline into convex pieces: at most four times as many as are needed, none with
-/// more than kMaxCorners corners. The outline may run either way round; it ends where it began by itself.
-/// @error   it crosses or touches itself, turns back on itself, has no area, NaN or an absurd size
-/// Source:  S. Hertel, K. Mehlhorn, "Fast triangulation of simple polygons", 1983; ears after G. Meisters,
-/// 1975 Cost:    grows with the square of the points
+/// Splits the inside of an outline into convex pieces: at most four times as many as necessary, each with at
+/// most kMaxCorners corners. The outline is closed implicitly and may be clockwise or counter-clockwise.
+/// @error   it crosses or touches itself, turns back on itself, has no area, contains NaN or a size out of
+/// range
+/// Source:  S. Hertel, K. Mehlhorn, "Fast triangulation of simple polygons", 1983; ear clipping after G.
+/// Meisters, 1975
+/// Cost:    grows with the square of the number of points
 Result<std::vector<Hull>> decompose(std::span<const Vec2> outline);
 
 }  // namespace plumb::physics

@@ -4,8 +4,9 @@
 
 namespace plumb::physics {
 
-/// Twice the area of a triangle, above 0 when c is on the side to which normals turn. In double: differences
-/// of floats and their products fit, so the sign is right and zero is zero.
+/// Twice the signed area of a triangle: positive if c is on the side of a-b towards which normals rotate.
+/// Computed in double precision: differences of floats and their products fit, so the sign is correct and
+/// zero is exact.
 inline double areaOf(Vec2 a, Vec2 b, Vec2 c) {
     const double abx = static_cast<double>(b.x) - static_cast<double>(a.x);
     const double aby = static_cast<double>(b.y) - static_cast<double>(a.y);
@@ -14,7 +15,7 @@ inline double areaOf(Vec2 a, Vec2 b, Vec2 c) {
     return abx * acy - aby * acx;
 }
 
-/// m: how far `point` is off the line through a and b; from a when both are one.
+/// m: distance of `point` from the line through a and b; from a if both are equal.
 inline double heightOver(Vec2 a, Vec2 b, Vec2 point) {
     const double x = static_cast<double>(b.x) - static_cast<double>(a.x);
     const double y = static_cast<double>(b.y) - static_cast<double>(a.y);

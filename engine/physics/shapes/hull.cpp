@@ -11,9 +11,9 @@ namespace plumb::physics {
 
 namespace {
 
-constexpr double kFlat = 1.0e-5;  ///< ratio to the size: a corner that stands out by less is none
+constexpr double kFlat = 1.0e-5;  ///< ratio to the size: a corner that protrudes by less is omitted
 
-/// The chain of corners below (or, of points from right to left, above) all points.
+/// The part of the hull below all points, or above them if the points are sorted in descending order.
 void appendChain(std::span<const Vec2> sorted, std::vector<Vec2>& loop) {
     const std::size_t start = loop.size();
     for (const Vec2 point : sorted) {
@@ -21,7 +21,7 @@ void appendChain(std::span<const Vec2> sorted, std::vector<Vec2>& loop) {
             loop.pop_back();
         loop.push_back(point);
     }
-    loop.pop_back();  // the other chain begins with it
+    loop.pop_back();  // it is the first corner of the other part
 }
 
 std::vector<Vec2> loopAround(std::vector<Vec2> points) {
@@ -36,7 +36,7 @@ std::vector<Vec2> loopAround(std::vector<Vec2> points) {
     return loop;
 }
 
-/// Takes out the flattest corner again and again, as long as it is flatter than `height`.
+/// Removes the flattest corner repeatedly, as long as it protrudes by less than `height`.
 void dropFlat(std::vector<Vec2>& loop, double height) {
     while (loop.size() >= 3) {
         std::size_t flattest = 0;
@@ -62,7 +62,8 @@ Vec2 normalOfFace(Vec2 from, Vec2 to) {
     return {static_cast<float>(x / size), static_cast<float>(y / size)};
 }
 
-/// Sums seen from the first corner, so that a polygon far from the origin loses nothing.
+/// Area and centroid. Computed relative to the first corner, so that a polygon far from the origin loses no
+/// accuracy.
 void measure(Hull& hull) {
     const Vec2 origin = hull.corners[0].point;
     double twice = 0.0;
@@ -91,12 +92,12 @@ Result<Hull> makeHull(std::span<const Vec2> points) {
         const Vec2 point = points[i];
         if (std::fabs(point.x) <= kLargest && std::fabs(point.y) <= kLargest) continue;
         return error(format("point {} is ({}, {}), not within {} m", i, point.x, point.y, kLargest),
-                     "write metres, near the body's own origin");
+                     "use metres, not pixels, relative to the origin of the body");
     }
     std::vector<Vec2> loop = loopAround({points.begin(), points.end()});
     if (loop.size() < 3) {
         return error(format("the {} points form no area", points.size()),
-                     "give at least 3 that are not on one line");
+                     "pass at least 3 that are not on one line");
     }
     constexpr std::size_t kAbsurd = 4096;
     const AABB box = [&] {
@@ -111,8 +112,8 @@ Result<Hull> makeHull(std::span<const Vec2> points) {
     if (loop.size() <= kAbsurd) dropFlat(loop, kFlat * static_cast<double>(size));
     if (loop.size() < 3) return error("it is too thin to have an inside", "use a segment or a capsule");
     if (loop.size() > kMaxCorners) {
-        return error(format("it has {} corners, of at most {}", loop.size(), kMaxCorners),
-                     "leave out some, use a circle, or decompose()");
+        return error(format("it has {} corners, the maximum is {}", loop.size(), kMaxCorners),
+                     "remove some, use a circle, or decompose()");
     }
     Hull hull;
     for (std::size_t i = 0; i < loop.size(); ++i) {

@@ -6,7 +6,7 @@ namespace plumb::physics {
 
 namespace {
 
-/// Double, and seen from the first corner: the differences of large moments stay exact.
+/// Double precision, relative to the first corner, so that differences of large moments stay accurate.
 struct Wide {
     double x = 0.0;
     double y = 0.0;
@@ -19,13 +19,13 @@ Wide operator*(Wide a, double s) { return {a.x * s, a.y * s}; }
 double dot(Wide a, Wide b) { return a.x * b.x + a.y * b.y; }
 double cross(Wide a, Wide b) { return a.x * b.y - a.y * b.x; }
 
-/// Sums over all parts, about one point: of area, of area times place, of area times place squared.
+/// Moments of area of all parts about one point: of order zero, one and two.
 struct Moments {
     double area = 0.0;
     Wide first;
     double second = 0.0;
 
-    void addTriangle(Wide a, Wide b) {  // with the origin
+    void addTriangle(Wide a, Wide b) {  // with the third corner at the origin
         const double part = 0.5 * cross(a, b);
         area += part;
         first = first + (a + b) * (part / 3.0);
@@ -49,7 +49,7 @@ struct Moments {
     }
 };
 
-/// rad, 0..pi: normals of a convex outline never turn back.
+/// rad, 0..pi: the angle between successive normals of a convex outline.
 double turnBetween(Vec2 from, Vec2 to) {
     return static_cast<double>(arcTangent(std::fabs(cross(from, to)), dot(from, to)));
 }

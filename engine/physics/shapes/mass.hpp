@@ -4,15 +4,15 @@
 
 namespace plumb::physics {
 
-/// How an outline filled with material resists being moved and turned.
+/// The mass properties of an outline filled with material.
 struct MassProperties {
     float mass = 0.0f;     ///< kg
-    Vec2 centre;           ///< m: the centre of mass; of what has no area, the middle
+    Vec2 centre;           ///< m: the centre of mass; the geometric centre if there is no area
     float inertia = 0.0f;  ///< kg m2, about the centre of mass
 };
 
-/// Exact, round corners included: the core, a strip along each face and a sector at each corner.
-/// @param density  kg/m2; nothing has mass below 0 or for NaN
+/// Exact, rounded corners included: the sum of the core, a strip along each face and a sector at each corner.
+/// @param density  kg/m2; negative values and NaN count as 0
 MassProperties massOf(const Convex& convex, float density);
 
 }  // namespace plumb::physics

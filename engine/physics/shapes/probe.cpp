@@ -4,10 +4,10 @@ namespace plumb::physics {
 
 namespace {
 
-/// m: nearer than this, the square of a distance loses its digits.
+/// m: the square of a smaller distance loses its digits.
 constexpr float kNoDistance = 1.0e-18f;
 
-/// The face that a place is farthest in front of.
+/// The face from which a point has the maximum signed distance.
 struct Face {
     std::size_t index = 0;
     float distance = 0.0f;
@@ -22,7 +22,7 @@ Face faceTowards(std::span<const Corner> corners, Vec2 place) {
     return best;
 }
 
-/// Where the line from `start` to `end` is nearest: 0 at its start, 1 at its end.
+/// The point of a segment that is nearest: 0 at its start, 1 at its end.
 float nearestOn(Vec2 start, Vec2 end, Vec2 place) {
     const Vec2 way = end - start;
     const float along = dot(place - start, way);
@@ -31,13 +31,14 @@ float nearestOn(Vec2 start, Vec2 end, Vec2 place) {
     return along < square ? along / square : 1.0f;
 }
 
-/// Keeps the earliest of several entries.
+/// Keeps the earliest of several hits.
 void keep(std::optional<RayHit>& first, float fraction, Vec2 normal) {
     if (fraction >= 0.0f && fraction <= 1.0f && (!first || fraction < first->fraction))
         first = RayHit{fraction, normal};
 }
 
-/// Seen from where the ray is nearest to the centre, so that a long ray does not lose a small disc.
+/// Computed relative to the point of the ray that is nearest to the centre, so that a long ray does not miss
+/// a small disc due to rounding.
 void castAtDisc(const Ray& ray, Vec2 centre, float radius, std::optional<RayHit>& first) {
     const float length = plumb::length(ray.way);
     if (!(length > 0.0f)) return;
@@ -59,7 +60,7 @@ void castAtFace(const Ray& ray, const Corner& corner, Vec2 next, float radius, s
     if (along >= 0.0f && along <= lengthSquared(edge)) keep(first, fraction, corner.normal);
 }
 
-/// Faces and discs at the corners overlap where they meet, so no ray slips between them.
+/// Faces and the discs at the corners overlap, so no ray passes between them.
 std::optional<RayHit> castAtRounded(const Convex& convex, const Ray& ray) {
     const std::span<const Corner> corners = convex.corners();
     std::optional<RayHit> first;
@@ -71,7 +72,7 @@ std::optional<RayHit> castAtRounded(const Convex& convex, const Ray& ray) {
     return first;
 }
 
-/// The part of the ray that is behind all faces.
+/// Clips the ray to the half-planes behind all faces.
 /// Source: M. Cyrus, J. Beck, "Generalized two- and three-dimensional clipping", 1978.
 std::optional<RayHit> castAtSharp(std::span<const Corner> corners, const Ray& ray) {
     float enter = 0.0f;
@@ -106,8 +107,8 @@ ClosestPoint closestPointOf(const Convex& convex, Vec2 place) {
         const float distance = face.distance - convex.radius;
         return {place - corner.normal * distance, corner.normal, distance, false};
     }
-    // Outside of a convex core, the nearest feature belongs to the face that the place is farthest in front
-    // of.
+    // Outside a convex core, the nearest feature is on the face with the maximum signed distance, or one of
+    // its corners.
     const Vec2 next = corners[face.index + 1 < corners.size() ? face.index + 1 : 0].point;
     const float along = nearestOn(corner.point, next, place);
     const Vec2 nearest = along < 1.0f ? corner.point + (next - corner.point) * along : next;

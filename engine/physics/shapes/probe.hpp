@@ -6,28 +6,28 @@
 
 namespace plumb::physics {
 
-/// The point of an outline's edge that is nearest to a place.
+/// The point on the boundary of an outline that is nearest to a given point.
 struct ClosestPoint {
     Vec2 point;             ///< m
-    Vec2 normal;            ///< length 1, out of the outline at that point
+    Vec2 normal;            ///< unit length, outward at that point
     float distance = 0.0f;  ///< m; negative inside
-    bool atCorner = false;  ///< the nearest part is a corner, round or sharp, and not a face
+    bool atCorner = false;  ///< the nearest feature is a corner, rounded or sharp, not a face
 };
 
 ClosestPoint closestPointOf(const Convex& convex, Vec2 place);
 
-/// A straight line from `from` to `from + way`.
+/// A line segment from `from` to `from + way`.
 struct Ray {
     Vec2 from;  ///< m
-    Vec2 way;   ///< m
+    Vec2 way;   ///< m: displacement
 };
 
 struct RayHit {
-    float fraction = 0.0f;  ///< ratio of the way, 0..1
-    Vec2 normal;            ///< length 1, out of the outline
+    float fraction = 0.0f;  ///< fraction of the displacement, 0..1
+    Vec2 normal;            ///< unit length, outward
 };
 
-/// Where a ray enters an outline; at 0 when it starts inside.
+/// The point at which a ray enters an outline; fraction 0 if it starts inside.
 std::optional<RayHit> castRayAt(const Convex& convex, const Ray& ray);
 
 }  // namespace plumb::physics

@@ -65,7 +65,7 @@ const ShapeType& shapeTypeOf(ShapeKind kind) { return kShapeTypes[static_cast<st
 
 Result<Done> checkGeometry(const Geometry& geometry, Corners corners) {
     if (geometry.kind >= ShapeKind::Count)
-        return Error{"shape.kind", "there is no such kind", "use a ShapeKind"};
+        return Error{"shape.kind", "expected a kind of shape, found another number", "use a ShapeKind"};
     return shapeTypeOf(geometry.kind).check(geometry, corners);
 }
 

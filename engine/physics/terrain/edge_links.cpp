@@ -6,7 +6,7 @@ namespace plumb::physics {
 
 namespace {
 
-/// Part of a full turn from `from` to `to`, clockwise on screen: less than half, half, more, all of it.
+/// The angle from `from` to `to`, clockwise on screen: less than 180 degrees, 180, more, 360.
 enum class Turn : std::uint8_t { Less, Half, More, Full };
 
 Turn turnOf(GridPoint from, GridPoint to) {
@@ -15,16 +15,16 @@ Turn turnOf(GridPoint from, GridPoint to) {
     return dot(from, to) < 0 ? Turn::Half : Turn::Full;
 }
 
-/// Turning from `from`, `a` is met before `b`.
+/// True if a clockwise rotation that begins at `from` reaches `a` before `b`.
 bool isEarlier(GridPoint from, GridPoint a, GridPoint b) {
     const Turn turnA = turnOf(from, a);
     const Turn turnB = turnOf(from, b);
     return turnA != turnB ? turnA < turnB : cross(a, b) > 0;
 }
 
-/// The edges that an edge can go on with at one of its ends. Seen from its end, a turn from its way back goes
-/// through its open side first. From its start it is the other way round; all is mirrored then, so that it
-/// looks the same.
+/// The edges that may follow an edge at one of its ends. At its end, a clockwise rotation from the reversed
+/// edge sweeps the open side first. At its start the order is opposite; the coordinates are then mirrored, so
+/// that both cases look the same.
 class Vertex {
 public:
     struct Candidate {
@@ -35,17 +35,17 @@ public:
 
     explicit Vertex(GridPoint back) : back_{back} {}
 
-    /// Each of the four cells at a place has one edge there at the most.
+    /// Each of the four cells at a grid point has at most one edge there.
     void add(const Candidate& candidate) {
         if (count_ < std::size(candidates_)) candidates_[count_++] = candidate;
     }
 
-    /// The first that a turn through the open side meets; edge kNone when none is wanted.
+    /// The first wanted edge when rotating through the open side; edge kNone if there is none.
     template <class Wanted>
     [[nodiscard]] Candidate first(const Wanted& wanted) const {
         return best(wanted, [this](GridPoint a, GridPoint b) { return isEarlier(back_, a, b); });
     }
-    /// The first that a turn through the solid side meets.
+    /// The first wanted edge when rotating through the solid side.
     template <class Wanted>
     [[nodiscard]] Candidate last(const Wanted& wanted) const {
         return best(wanted, [this](GridPoint a, GridPoint b) { return isEarlier(back_, b, a); });
@@ -80,7 +80,7 @@ private:
 bool isPlain(EdgeKind kind) { return kind.isPlain(); }
 bool isOneWay(EdgeKind kind) { return kind.oneWay != OneWay::No; }
 
-/// @param joined  solids that touch here in a point are one
+/// @param joined  solids that touch in this point count as one
 EdgeLink linkOfPlain(const Vertex& vertex, bool joined) {
     const Vertex::Candidate outline = joined ? vertex.first(isPlain) : vertex.last(isPlain);
     if (vertex.turnTo(outline) != Turn::More) return {outline.edge, outline.edge};
@@ -131,7 +131,7 @@ void EdgeLinks::connect(const std::vector<TileEdge>& edges, CellRect cells) {
     }
 }
 
-/// All plain edges at a vertex are of the same layers.
+/// True if all plain edges at a vertex have the same layers.
 bool EdgeLinks::hasOneLayer(GridPoint place) const {
     int layers = -1;
     const auto agrees = [&](const TileEdge& edge, GridPoint end) {

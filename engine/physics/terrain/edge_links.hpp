@@ -9,24 +9,25 @@
 
 namespace plumb::physics {
 
-/// What follows an edge at one of its ends.
+/// The successors of an edge at one of its ends.
 struct EdgeLink {
-    std::uint32_t outline = kNone;  ///< the edge with which the outline goes on
-    std::uint32_t ghost = kNone;    ///< the edge that a body slides on to; kNone: the end is free
+    std::uint32_t outline = kNone;  ///< the next edge of the outline
+    std::uint32_t ghost = kNone;    ///< the edge that bodies slide on to; kNone: the end is free
 };
 
-/// Finds how edges follow each other.
+/// Finds how edges are connected.
 ///
-/// Plain edges form closed outlines. Where solids touch in a single point, the outline turns within the open
-/// side: no body fits through there, so each pocket is a plain inner corner. If their layers differ each
-/// solid keeps its own corner, as a body may meet only one.
+/// Plain edges form closed outlines. Where solids touch in a single point, the outline bends within the open
+/// side: no body fits through there, so each pocket becomes a plain concave corner. If their layers differ,
+/// each solid keeps its own corner, as a body may collide with only one of them.
 ///
-/// A one-way edge goes on with one-way edges of its direction. At a solid that it meets its ghost is that
-/// solid's edge, and where a solid's outline bends away from it, it is the ghost of the solid's, so that
-/// bodies slide over the joint in both directions. An inner edge goes on along its own solid.
+/// A one-way edge continues with one-way edges of the same direction. Where it ends at a solid, its ghost is
+/// the solid's edge; and where the outline of a solid bends away from it, the one-way edge is the ghost of
+/// the solid's edge. So bodies slide over the joint in both directions. An inner edge continues along its own
+/// solid.
 class EdgeLinks {
 public:
-    /// @param edges  starts and ends lie within `cells`; they stay in place while this is used
+    /// @param edges  start and end within `cells`; must outlive the use of this object, unchanged
     void connect(const std::vector<TileEdge>& edges, CellRect cells);
 
     [[nodiscard]] EdgeLink after(std::uint32_t edge) const { return find(edge, true); }
@@ -39,8 +40,9 @@ private:
 
     const std::vector<TileEdge>* edges_ = nullptr;
     CellRect cells_;
-    std::size_t rowLength_ = 0;  // of buckets
-    // Edges by the cell in which they start, and in which they end: the first of each, then by `next`.
+    std::size_t rowLength_ = 0;  // number of buckets per row
+    // Linked lists of the edges by the cell in which they start, and by that in which they end: the first of
+    // each cell, the others by `next`.
     std::vector<std::uint32_t> firstStart_;
     std::vector<std::uint32_t> nextStart_;
     std::vector<std::uint32_t> firstEnd_;

@@ -6,12 +6,12 @@
 
 namespace plumb::physics {
 
-/// The side of a cell. Terrain is made of whole numbers of units, so that what touches meets exactly, areas
-/// add up and a rebuild has the same bits. It is 2^8 * 45: all usual tile sizes (16, 18, 20, 24, 32, 48, 64
-/// px …) divide it, so their pixels are whole numbers too.
+/// The side of a cell in units. Terrain has integer coordinates, so that adjacent edges match exactly, areas
+/// are exact sums and a rebuild gives the same bits. The value is 2^8 * 45: all common tile sizes (16, 18,
+/// 20, 24, 32, 48, 64 px …) divide it, so their pixels are whole numbers of units too.
 inline constexpr std::int32_t kCellUnits = 11520;
 
-/// A place in a terrain (units from its top-left corner, y down).
+/// A position in a terrain (units from its top-left corner, y down).
 struct GridPoint {
     std::int32_t x = 0;
     std::int32_t y = 0;
@@ -32,7 +32,8 @@ constexpr std::int64_t cross(GridPoint a, GridPoint b) {
 constexpr GridPoint cornerOfCell(int x, int y) { return {x * kCellUnits, y * kCellUnits}; }
 
 /// @param cellSize  m
-/// @param origin    what becomes {0, 0}; that of a chunk keeps numbers small and floats exact far out
+/// @param origin    maps to {0, 0}; the origin of a chunk keeps the numbers small, so that floats stay
+/// accurate
 constexpr Vec2 toMetres(GridPoint point, Vec2 cellSize, GridPoint origin = {}) {
     const GridPoint from = point - origin;
     return {static_cast<float>(static_cast<double>(from.x) / kCellUnits * static_cast<double>(cellSize.x)),

@@ -6,8 +6,8 @@ namespace plumb::physics {
 
 namespace {
 
-/// The cells whose edges belong to the chunk: at the border of a map with solid surroundings also those
-/// beyond it, as nobody else has their edges.
+/// The cells whose edges belong to the chunk. At the border of a map with solid surroundings these include
+/// the cells outside the map, whose edges belong to no other chunk.
 CellRect ownCells(const TileMask& mask, CellRect rect) {
     if (mask.outside().form == TileForm::Empty) return rect;
     if (rect.x0 == 0) rect.x0 = -1;
@@ -23,8 +23,8 @@ bool touches(CellRect rect, GridPoint point) {
     return point.x >= low.x && point.y >= low.y && point.x <= high.x && point.y <= high.y;
 }
 
-/// Appends the edges of the cells around `rect` that end at its border. What is open of these the same ring
-/// decides.
+/// Appends the edges of the cells around `rect` that end at its border. Which of their sides are open depends
+/// on the same ring of cells.
 void appendBorder(const TilePalette& palette, const CellWindow& window, CellRect rect,
                   std::vector<TileEdge>& edges) {
     const std::size_t own = edges.size();
@@ -56,20 +56,20 @@ void OutlineBuilder::findPlaces() {
     }
 }
 
-/// The next edge belongs to the same chain.
+/// True if the next edge belongs to the same chain.
 bool OutlineBuilder::joinsNext(std::uint32_t edge) const {
     const std::uint32_t next = places_[edge].outlineAfter;
     return next < own_ && edges_[next].kind == edges_[edge].kind && places_[next].outlineBefore == edge;
 }
 
-/// The next edge belongs to the same segment.
+/// True if the next edge belongs to the same segment.
 bool OutlineBuilder::isStraightAfter(std::uint32_t edge) const {
     if (!joinsNext(edge)) return false;
     const TileEdge& next = edges_[places_[edge].outlineAfter];
-    return cross(edges_[edge].b - edges_[edge].a, next.b - next.a) == 0;  // no outline turns back on itself
+    return cross(edges_[edge].b - edges_[edge].a, next.b - next.a) == 0;  // an outline never reverses
 }
 
-/// Adds the chain that begins with an edge.
+/// Appends the chain that begins with an edge.
 void OutlineBuilder::walk(std::uint32_t start, TerrainOutline& outline) {
     TerrainChain chain{static_cast<std::uint32_t>(outline.segments.size()), 0, false};
     std::uint32_t first = start;

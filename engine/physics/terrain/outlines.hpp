@@ -8,10 +8,10 @@
 
 namespace plumb::physics {
 
-/// A straight part of an outline, all of one kind, as long as it is straight within its chunk. It stops what
-/// comes from the side of its normal, see normalOfChain(). The ghosts are the far ends of the edges before
-/// and after, also where the kind changes; beyond the chunk, the far end of the edge in the next cell. At a
-/// free end they go straight on.
+/// A straight part of an outline of one kind, as long as possible within its chunk. It is solid on the side
+/// of its normal, see normalOfChain(). The ghost vertices are the far ends of the segments before and after,
+/// even if their kind differs; outside the chunk, the far end of the edge in the next cell. At a free end
+/// they continue straight on.
 struct TerrainSegment {
     GridPoint a;
     GridPoint b;
@@ -22,16 +22,16 @@ struct TerrainSegment {
     friend bool operator==(const TerrainSegment&, const TerrainSegment&) = default;
 };
 
-/// Segments of one kind, each beginning where the one before ends.
+/// Connected segments of one kind.
 struct TerrainChain {
-    std::uint32_t first = 0;  ///< in the chunk's segments
+    std::uint32_t first = 0;  ///< index in TerrainOutline::segments
     std::uint32_t count = 0;
-    bool closed = false;  ///< the last ends where the first begins
+    bool closed = false;  ///< the last segment ends where the first begins
 
     friend bool operator==(const TerrainChain&, const TerrainChain&) = default;
 };
 
-/// The edges of a chunk, merged: the same for the same cells, whatever was there before.
+/// The merged edges of a chunk. It depends on the cells only, not on the order of edits.
 struct TerrainOutline {
     std::vector<TerrainSegment> segments;  ///< in the order of their chains
     std::vector<TerrainChain> chains;
@@ -43,17 +43,16 @@ struct TerrainOutline {
 /// @param origin    of the body's frame
 Geometry geometryOf(const TerrainSegment& segment, Vec2 cellSize, GridPoint origin = {});
 
-/// Makes outlines of chunks, and keeps its memory from one to the next.
-/// One thread at a time.
+/// Builds the outlines of chunks, and keeps its memory from one to the next. Not thread-safe.
 class OutlineBuilder {
 public:
-    /// The outline of the cells of `rect`. It depends on these and on the ring of cells around them, nothing
-    /// else.
+    /// Builds the outline of the cells of `rect`. It depends only on these and on the ring of cells around
+    /// them.
     void build(const TileMask& mask, CellRect rect, TerrainOutline& outline);
 
 private:
     struct Place {
-        std::uint32_t before = kNone;  ///< ghosts
+        std::uint32_t before = kNone;  ///< edges that provide the ghost vertices
         std::uint32_t after = kNone;
         std::uint32_t outlineBefore = kNone;
         std::uint32_t outlineAfter = kNone;
@@ -68,9 +67,9 @@ private:
 
     CellWindow window_;
     EdgeLinks links_;
-    std::vector<TileEdge> edges_;  // the chunk's own, then those around it that touch its border
+    std::vector<TileEdge> edges_;  // the chunk's own edges, then those around it that touch its border
     std::uint32_t own_ = 0;
-    std::vector<Place> places_;             // of the own edges
+    std::vector<Place> places_;             // parallel to the chunk's own edges
     std::vector<std::uint32_t> firstEdge_;  // by segment
     std::vector<std::uint32_t> lastEdge_;
 };

@@ -6,7 +6,7 @@ namespace plumb::physics {
 
 namespace {
 
-/// How a form's box merges with its like.
+/// The directions in which a form merges with equal cells.
 struct Merging {
     bool right = false;
     bool down = false;
@@ -56,7 +56,7 @@ PieceCorners cornersOf(const TerrainPiece& piece, const TilePalette& palette) {
     return corners;
 }
 
-/// How many cells from one on are like it.
+/// The length of the run of equal cells that starts at `at`, at most `most`.
 int PieceBuilder::runOf(std::size_t at, int most) const {
     int run = 1;
     while (run < most && rest_[at + static_cast<std::size_t>(run)] == rest_[at]) ++run;

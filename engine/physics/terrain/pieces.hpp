@@ -7,12 +7,12 @@
 
 namespace plumb::physics {
 
-/// A convex part of a terrain's inside. Boxes of equal cells are merged; all others are one cell's own
-/// outline.
+/// A convex part of the inside of a terrain. Equal box-shaped cells are merged; any other piece is the
+/// outline of a single cell.
 struct TerrainPiece {
     GridPoint min;
-    GridPoint max;  ///< of its bounds
-    MaskCell cell;  ///< what it is made of, all of it
+    GridPoint max;  ///< of its bounds, as `min`
+    MaskCell cell;  ///< the kind of its cells
 
     friend bool operator==(const TerrainPiece&, const TerrainPiece&) = default;
 };
@@ -24,17 +24,17 @@ struct PieceCorners {
 };
 PieceCorners cornersOf(const TerrainPiece& piece, const TilePalette& palette);
 
-/// Makes pieces of chunks, and keeps its memory from one to the next.
+/// Builds the pieces of chunks, and keeps its memory from one to the next.
 class PieceBuilder {
 public:
-    /// Covers the solid cells of `rect` by pieces, each point of them once. One-way cells have no inside.
-    /// Greedy: each box goes as far right, then as far down, as it can; rows first.
+    /// Covers the solid cells of `rect` with pieces that do not overlap. One-way cells have no inside.
+    /// Greedy: each box extends to the right as far as possible, then down; cells are visited row by row.
     void build(const TileMask& mask, CellRect rect, std::vector<TerrainPiece>& pieces);
 
 private:
     [[nodiscard]] int runOf(std::size_t at, int most) const;
 
-    std::vector<MaskCell> rest_;  // cells that no piece has yet
+    std::vector<MaskCell> rest_;  // cells that are not in a piece yet
 };
 
 }  // namespace plumb::physics

@@ -10,7 +10,7 @@ namespace plumb::physics {
 
 namespace {
 
-/// Tells surface numbers of terrains from those of chains.
+/// Distinguishes the surface numbers of terrains from those of chains.
 constexpr std::uint32_t kOfTerrain = kOwnSurfaces << 1;
 
 GridPoint cornerOf(const TerrainOutlines& terrain, std::uint32_t chunk) {

@@ -8,32 +8,33 @@
 
 namespace plumb::physics {
 
-/// Where a terrain is and how its shapes behave.
+/// Position of a terrain and properties of its shapes.
 struct TerrainDefinition {
     Place position;             ///< m, of its top-left corner
     Vec2 cellSize{1.0f, 1.0f};  ///< m
     bool reportsContacts = true;
-    std::uint64_t user = 0;  ///< the owner's number of its bodies and shapes
+    std::uint64_t user = 0;  ///< the owner's own number for its bodies and shapes
 };
 
-/// A tile terrain in a world: one static body for each chunk, at its top-left corner, so that a chunk is as
-/// exact far from the terrain's corner as near it. All of it is one surface: events tell who begins to touch
-/// the terrain and who ends, whatever seams of cells, materials or chunks lie between.
+/// A tile terrain in a world: one static body per chunk, located at the chunk's top-left corner, so that all
+/// chunks are equally accurate, however far from the terrain's corner. The whole terrain is one surface:
+/// events report when a body begins and ends to touch the terrain, whatever seams of cells, materials or
+/// chunks lie between.
 ///
-/// Plain to copy: with its world it is a snapshot.
+/// A copy of it, together with a copy of its world, is a snapshot.
 class TerrainBody {
 public:
     TerrainBody() = default;
-    /// Makes the bodies; their shapes come with update().
-    /// @error a number that is not finite, a cell size that is not positive or absurd
+    /// Creates the bodies; update() creates their shapes.
+    /// @error a number that is not finite, a cell size that is not positive or out of range
     static Result<TerrainBody> create(World& world, const TerrainOutlines& terrain,
                                       const TerrainDefinition& definition);
 
-    /// Makes the shapes of some chunks anew, and wakes who rests on them.
-    /// @param changed  what TerrainOutlines::update() returned
-    /// @pre   the terrain has as many chunks as at create()
+    /// Replaces the shapes of some chunks, and wakes the bodies that rest on them.
+    /// @param changed  the result of TerrainOutlines::update()
+    /// @pre   the terrain has as many chunks as in create()
     Result<Done> update(World& world, const TerrainOutlines& terrain, std::span<const std::uint32_t> changed);
-    /// Removes all bodies.
+    /// Destroys all bodies.
     void destroy(World& world);
 
     /// By chunk.

@@ -9,7 +9,7 @@
 namespace plumb::physics {
 namespace {
 
-constexpr std::size_t kWorthSharing = 1024;  // chunks: fewer are made before another thread wakes
+constexpr std::size_t kWorthSharing = 1024;  // chunks: fewer are built before another thread wakes
 constexpr std::size_t kPart = 64;            // chunks that a thread takes at a time
 
 }  // namespace
@@ -66,7 +66,7 @@ bool TerrainOutlines::makeChunk(std::uint32_t chunk, Maker& maker) {
         maker.pieces.build(mask_, cellsOf(chunk), maker.fresh.pieces);
     }
     if (maker.fresh == chunks_[chunk]) return false;
-    chunks_[chunk] = maker.fresh;  // a copy is as small as can be, and both keep their memory
+    chunks_[chunk] = maker.fresh;  // a copy has no spare capacity, and both vectors keep their memory
     return true;
 }
 

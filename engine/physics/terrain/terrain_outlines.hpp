@@ -13,7 +13,7 @@ class TaskPool;
 
 namespace plumb::physics {
 
-/// What one square of a terrain gives to the physics.
+/// The physics data of one chunk of a terrain.
 struct TerrainChunk {
     TerrainOutline outline;
     std::vector<TerrainPiece> pieces;
@@ -21,37 +21,37 @@ struct TerrainChunk {
     friend bool operator==(const TerrainChunk&, const TerrainChunk&) = default;
 };
 
-/// A terrain in chunks, of which only those are made again whose cells or neighbouring cells change. What it
-/// holds after update() depends on its cells alone, not on how they came to be.
+/// A terrain in chunks. Only chunks whose cells or neighbouring cells changed are rebuilt. The result of
+/// update() depends on the cells only, not on the order of edits.
 class TerrainOutlines {
 public:
     static constexpr int kChunkCells = 32;
 
     TerrainOutlines() = default;
-    /// All chunks wait for the first update().
+    /// All chunks are built by the first update().
     /// @param chunkCells  the side of a chunk (cells, 4..128)
     explicit TerrainOutlines(TileMask mask, int chunkCells = kChunkCells);
 
     [[nodiscard]] const TileMask& mask() const { return mask_; }
-    /// To add forms, materials and layers for later set().
+    /// For adding the forms, materials and layers of later set() calls.
     [[nodiscard]] TilePalette& palette() { return mask_.palette; }
 
-    /// As TileMask::set. Seen after the next update().
+    /// As TileMask::set(). Takes effect with the next update().
     void set(int x, int y, MaskCell cell);
 
-    /// Makes anew what changed.
-    /// @param pool  threads to share the work with; what comes of it does not depend on them
-    /// @return the chunks that are others now, in rising order; valid until the next call
+    /// Rebuilds the chunks that changed.
+    /// @param pool  threads to share the work; they do not affect the result
+    /// @return the chunks whose data changed, ascending; valid until the next call
     std::span<const std::uint32_t> update(TaskPool* pool = nullptr);
 
     [[nodiscard]] int columns() const { return columns_; }
     [[nodiscard]] int rows() const { return rows_; }
-    /// Chunk (column, row) has the number row * columns() + column.
+    /// Chunk (column, row) has the index row * columns() + column.
     [[nodiscard]] const std::vector<TerrainChunk>& chunks() const { return chunks_; }
     [[nodiscard]] CellRect cellsOf(std::uint32_t chunk) const;
 
 private:
-    /// What one thread makes chunks with.
+    /// The scratch data of one thread.
     struct Maker {
         OutlineBuilder outlines;
         PieceBuilder pieces;
@@ -59,10 +59,10 @@ private:
     };
 
     void markDirty(int x, int y);
-    /// @return whether the chunk is another one now
+    /// @return true if the chunk's data changed
     bool makeChunk(std::uint32_t chunk, Maker& maker);
-    /// Whether a glance tells what a chunk is like: it is empty, or among its like. @return false: it does
-    /// not
+    /// Fast path: builds a chunk that is uniformly empty, or uniformly full and surrounded by the same cells.
+    /// @return false if the chunk is neither
     bool makePlain(std::uint32_t chunk, TerrainChunk& fresh) const;
 
     TileMask mask_;
@@ -73,7 +73,7 @@ private:
     std::vector<std::uint8_t> isDirty_;  // by chunk
     std::vector<std::uint32_t> dirty_;
     std::vector<std::uint32_t> changed_;
-    std::vector<std::uint8_t> isChanged_;  // by place in dirty_
+    std::vector<std::uint8_t> isChanged_;  // parallel to dirty_
     std::vector<Maker> makers_{1};         // by thread
 };
 

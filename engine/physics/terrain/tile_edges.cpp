@@ -6,7 +6,7 @@ namespace plumb::physics {
 
 namespace {
 
-/// The edge along a part of a side, in walking order.
+/// The edge along a part of a side, clockwise.
 TileEdge alongSide(GridPoint corner, Side side, SideSpan span, EdgeKind kind) {
     switch (side) {
         case kTop: return {corner + GridPoint{span.from, 0}, corner + GridPoint{span.to, 0}, kind};
@@ -46,7 +46,7 @@ public:
 private:
     static SideSpan spanOf(std::int32_t a, std::int32_t b) { return {std::min(a, b), std::max(a, b)}; }
 
-    /// The common case, quickly: a full cell among its like.
+    /// Fast path for the common case: a full cell among full cells with the same layers.
     [[nodiscard]] bool isInside(const MaskCell* cell) const {
         for (const std::ptrdiff_t step : toNeighbour_) {
             if (cell[step].form != TileForm::Full || cell[step].layers != cell->layers) return false;
@@ -62,7 +62,8 @@ private:
             edges_.push_back(alongSide(corner, side, own, kind));
             return;
         }
-        // Where the neighbour only touches the side, `both` is that point and the side is two edges.
+        // If the neighbour touches the side in a single point only, `both` is that point and the side is
+        // split in two edges.
         const SideSpan first{own.from, both.from};
         const SideSpan last{both.to, own.to};
         if (!first.empty()) edges_.push_back(alongSide(corner, side, first, kind));

@@ -7,30 +7,30 @@
 
 namespace plumb::physics {
 
-/// What an edge of a terrain is made of. Edges differ in it are never merged.
+/// The properties of an edge. Edges with different properties are never merged.
 struct EdgeKind {
-    std::uint8_t material = 0;  ///< number in the palette
-    std::uint8_t layers = 0;    ///< number in the palette
+    std::uint8_t material = 0;  ///< index in the palette
+    std::uint8_t layers = 0;    ///< index in the palette
     OneWay oneWay = OneWay::No;
-    /// An inner border: this plus 1 is the number of the layers of the cell in front. The edge stops only who
-    /// does not meet those; all others never come to it.
+    /// Nonzero for an inner border: 1 + the index of the layers of the cell in front. The edge only stops
+    /// bodies that do not collide with those layers; all others are stopped before they reach it.
     std::uint8_t behind = 0;
 
     [[nodiscard]] bool isInner() const { return behind != 0; }
-    /// Solid and in nobody's inside: these edges form closed outlines.
+    /// A solid edge that faces open space: these edges form closed outlines.
     [[nodiscard]] bool isPlain() const { return behind == 0 && oneWay == OneWay::No; }
     friend constexpr bool operator==(EdgeKind, EdgeKind) = default;
 };
 
-/// A part of a cell's outline that bodies can touch. Whoever walks from a to b has the solid on the right
-/// hand of the screen and the normal on the left, see normalOfChain().
+/// A part of a cell's outline that bodies can touch. Seen along the direction from a to b on screen (y down),
+/// the solid is on the right and the normal points to the left, see normalOfChain().
 struct TileEdge {
     GridPoint a;
     GridPoint b;
     EdgeKind kind;
 };
 
-/// A copy of the cells that one chunk's outlines depend on.
+/// A copy of the cells that the outlines of one chunk depend on.
 class CellWindow {
 public:
     void read(const TileMask& mask, CellRect rect) {
@@ -38,12 +38,12 @@ public:
         mask.copyTo(cells_, rect);
     }
     [[nodiscard]] MaskCell at(int x, int y) const { return *cell(x, y); }
-    /// The next row's cell is `width()` further.
+    /// The cell below is `width()` further.
     [[nodiscard]] const MaskCell* cell(int x, int y) const {
         return cells_.data() + std::ptrdiff_t{y - rect_.y0} * rect_.width() + (x - rect_.x0);
     }
     [[nodiscard]] int width() const { return rect_.width(); }
-    /// All cells are the same and have no edges among them.
+    /// True if all cells are equal and there are no edges between them.
     [[nodiscard]] bool isUniform() const;
 
 private:
@@ -51,9 +51,9 @@ private:
     std::vector<MaskCell> cells_;
 };
 
-/// Appends the edges of the cells of `rect`, row by row, each cell's clockwise. A side is an edge where it is
-/// open: where the cell next to it does not fill it, or where other layers do.
-/// @pre the window reaches one cell beyond `rect`
+/// Appends the edges of the cells of `rect`, row by row, clockwise for each cell. A side is an edge where it
+/// is open: where the neighbouring cell does not fill it, or fills it with other layers.
+/// @pre the window extends one cell beyond `rect`
 void appendEdges(const TilePalette& palette, const CellWindow& window, CellRect rect,
                  std::vector<TileEdge>& edges);
 

@@ -66,7 +66,7 @@ MaskCell TileMask::fullAround(int column, int row) const {
 
 void TileMask::setOutside(MaskCell cell) {
     const bool good = knows(cell) && (cell.form == TileForm::Empty || cell.form == TileForm::Full);
-    PLUMB_ASSERT(good, "beyond a terrain's border is nothing or full cells");
+    PLUMB_ASSERT(good, "the cells beyond a terrain's border are empty or full");
     if (good) outside_ = cell;
 }
 

@@ -10,7 +10,7 @@
 
 namespace plumb::physics {
 
-/// A cell of a terrain: numbers of its palette.
+/// A cell of a terrain: indices in its palette.
 struct MaskCell {
     TileForm form = TileForm::Empty;
     std::uint8_t material = 0;
@@ -20,7 +20,7 @@ struct MaskCell {
 };
 static_assert(sizeof(MaskCell) == 4, "a map of 4096 x 4096 has 16 million of them");
 
-/// Whole cells from (x0, y0) up to, not including, (x1, y1).
+/// The cells from (x0, y0) to (x1, y1), excluding the latter.
 struct CellRect {
     int x0 = 0;
     int y0 = 0;
@@ -34,59 +34,59 @@ struct CellRect {
     friend constexpr bool operator==(CellRect, CellRect) = default;
 };
 
-/// A grid of cells and their palette: what a terrain is made from. Empty parts take no memory, and copies
-/// share what is alike in them.
+/// A grid of cells and their palette, from which a terrain is built. Empty parts use no memory, and copies
+/// share equal parts.
 class TileMask {
 public:
     static constexpr int kMaxSide = 65536;
     static constexpr int kMaxCells = 1 << 28;
     static constexpr int kChunkSide = 32;  ///< cells
 
-    /// Cells in rows.
+    /// Cells, row by row.
     using Chunk = std::array<MaskCell, std::size_t{kChunkSide} * kChunkSide>;
 
     TilePalette palette;
 
     TileMask() = default;
-    /// All empty. Sides below 0 count as 0, above kMaxSide as kMaxSide; rows beyond kMaxCells are left out.
+    /// All cells are empty. Sides are clamped to 0..kMaxSide; rows beyond kMaxCells are dropped.
     TileMask(int width, int height);
 
     [[nodiscard]] int width() const { return width_; }
     [[nodiscard]] int height() const { return height_; }
     [[nodiscard]] bool has(int x, int y) const { return x >= 0 && y >= 0 && x < width_ && y < height_; }
 
-    /// The cell; beyond the border, outside().
+    /// The cell; outside the grid, outside().
     [[nodiscard]] MaskCell at(int x, int y) const {
         if (!has(x, y)) return outside_;
         const Chunk* chunk = chunks_[chunkOf(x, y)].get();
         return chunk == nullptr ? MaskCell{} : (*chunk)[slot(x, y)];
     }
 
-    /// Beyond the border nothing happens.
-    /// @return whether the cell is another one now
-    /// @pre    the palette has what the cell names; one that it has not is not set
+    /// Does nothing outside the grid.
+    /// @return true if the cell changed
+    /// @pre    the cell's form, material and layers are in the palette; otherwise it is not set
     bool set(int x, int y, MaskCell cell);
 
-    /// Replaces all cells of a chunk, which begins at cell (column, row) * kChunkSide, at once. Those beyond
-    /// the border are not looked at. Chunks of one cell all over are kept once for the whole mask.
-    /// @pre the palette has what the cells name
+    /// Replaces all cells of a chunk at once; its first cell is (column, row) * kChunkSide. Cells outside the
+    /// grid are ignored. Uniform chunks with equal cells share their memory.
+    /// @pre the cells' forms, materials and layers are in the palette
     void putChunk(int column, int row, const Chunk& cells);
-    /// The same with one cell all over.
+    /// The same with equal cells.
     void putPlain(int column, int row, MaskCell cell);
     [[nodiscard]] int chunkColumns() const { return columns_; }
     [[nodiscard]] int chunkRows() const { return (height_ + kChunkSide - 1) / kChunkSide; }
-    /// Whether all its cells are empty, told without looking at them: false says nothing.
+    /// Fast check that all cells of a chunk are empty. May return false although they are.
     [[nodiscard]] bool isEmptyChunk(int column, int row) const { return chunkAt(column, row) == nullptr; }
-    /// Whether it and all around it are of one full cell, told in the same way. @return that cell, else an
-    /// empty one
+    /// The cell value if the chunk and its eight neighbours are uniformly the same full cell, otherwise an
+    /// empty cell. A fast check like isEmptyChunk(): may return an empty cell although they are.
     [[nodiscard]] MaskCell fullAround(int column, int row) const;
 
-    /// What is beyond the border: empty by default, or full, so that the map ends in walls.
+    /// The cells outside the grid: empty by default, or full, so that the map ends in walls.
     [[nodiscard]] MaskCell outside() const { return outside_; }
-    /// @pre the form is Empty or Full; others do not change it
+    /// @pre the form is Empty or Full; otherwise nothing changes
     void setOutside(MaskCell cell);
 
-    /// Copies the cells of a rectangle, row by row, with outside() where it reaches over the border.
+    /// Copies the cells of a rectangle, row by row, with outside() for those outside the grid.
     void copyTo(std::vector<MaskCell>& cells, CellRect rect) const;
 
 private:
@@ -119,8 +119,9 @@ private:
     int columns_ = 0;
     MaskCell outside_;
     std::vector<std::shared_ptr<Chunk>>
-        chunks_;                 // null: empty; shared with copies, so copied before a change
-    std::vector<Plain> plains_;  // kept here, so that they are always shared and never changed
+        chunks_;                 // null: empty. Shared with copies, so a chunk is copied before it changes
+    std::vector<Plain> plains_;  // holds a reference to each uniform chunk, so that it counts as shared and
+                                 // is never modified
 };
 
 }  // namespace plumb::physics

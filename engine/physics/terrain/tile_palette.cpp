@@ -12,7 +12,7 @@ namespace plumb::physics {
 namespace {
 
 constexpr std::int32_t kSnap = kCellUnits / 256;
-constexpr std::size_t kMaxPoints = 256;  // given, of which all but 8 are needless
+constexpr std::size_t kMaxPoints = 256;  // maximum input; at most 8 of them remain
 
 Side sideOf(GridPoint a, GridPoint b) {
     if (a.y == 0 && b.y == 0) return kTop;
@@ -22,7 +22,7 @@ Side sideOf(GridPoint a, GridPoint b) {
     return kInside;
 }
 
-/// What a solid outline fills of a side, or the point where it only touches it.
+/// The part of a side that a solid outline fills, or the point at which it touches the side.
 SideSpan spanOf(const TileOutline& outline, Side side) {
     const bool level = side == kTop || side == kBottom;
     const std::int32_t line = side == kRight || side == kBottom ? kCellUnits : 0;
@@ -36,7 +36,7 @@ SideSpan spanOf(const TileOutline& outline, Side side) {
     return span.from <= span.to ? span : SideSpan{};
 }
 
-/// Fills in what follows from the corners and `oneWay`.
+/// Computes the members that follow from the corners and `oneWay`.
 TileOutline completed(TileOutline outline) {
     outline.stops = 0;
     for (int i = 0; i < outline.count; ++i) {
@@ -59,21 +59,21 @@ std::int64_t doubleAreaOf(std::span<const GridPoint> points) {
     return sum;
 }
 
-/// Takes out corners that repeat or lie on a straight line.
+/// Removes duplicate and collinear corners.
 void dropNeedless(std::vector<GridPoint>& points) {
     for (std::size_t i = 0; i < points.size() && points.size() >= 3;) {
         const GridPoint before = points[(i + points.size() - 1) % points.size()];
         const GridPoint after = points[(i + 1) % points.size()];
         if (cross(points[i] - before, after - points[i]) == 0) {
             points.erase(points.begin() + static_cast<std::ptrdiff_t>(i));
-            i = i > 0 ? i - 1 : 0;  // the one before may be needless now
+            i = i > 0 ? i - 1 : 0;  // the corner before may be collinear now
         } else {
             ++i;
         }
     }
 }
 
-/// No corner lies outside of an edge: also false for outlines that wind around twice.
+/// True if no corner lies outside of an edge; so also false for outlines that wind around twice.
 bool isConvex(std::span<const GridPoint> points) {
     for (std::size_t i = 0; i < points.size(); ++i) {
         const GridPoint a = points[i];
@@ -84,8 +84,8 @@ bool isConvex(std::span<const GridPoint> points) {
     return true;
 }
 
-/// The outline of corners in units; count 0 when they are not convex.
-/// Starts at its topmost, then leftmost corner, so that equal forms have equal numbers.
+/// The outline of corners in units; count 0 if they are not convex. It starts at its topmost, then leftmost
+/// corner, so that equal forms have equal indices.
 TileOutline outlineFrom(std::vector<GridPoint> points, OneWay oneWay) {
     dropNeedless(points);
     if (doubleAreaOf(points) < 0) std::reverse(points.begin(), points.end());
@@ -104,7 +104,7 @@ TileOutline outlineFrom(std::vector<GridPoint> points, OneWay oneWay) {
     return completed(outline);
 }
 
-/// @return -1 when it is outside of the cell or no number
+/// @return -1 for a position outside the cell, or NaN
 std::int32_t toUnits(float part) {
     if (!(part > -1.0f && part < 2.0f)) return -1;
     const auto units = static_cast<std::int32_t>(std::floor(part * static_cast<float>(kCellUnits) + 0.5f));
@@ -161,21 +161,21 @@ Result<TileForm> TilePalette::addPolygon(std::span<const Vec2> points, OneWay on
     for (const Vec2 point : points.first(std::min(points.size(), kMaxPoints))) {
         const GridPoint corner{toUnits(point.x), toUnits(point.y)};
         if (corner.x < 0 || corner.y < 0) {
-            return Error{"TilePalette::addPolygon", "a corner is outside of the cell or no number",
-                         "give corners in parts of the cell, 0 to 1"};
+            return Error{"TilePalette::addPolygon", "a corner is outside the cell or not a number",
+                         "pass corners as fractions of the cell, 0 to 1"};
         }
         corners.push_back(corner);
     }
     const TileOutline outline = outlineFrom(std::move(corners), oneWay);
     if (outline.count == 0 || points.size() > kMaxPoints) {
         return Error{"TilePalette::addPolygon", "the points do not form a convex polygon of 3 to 8 corners",
-                     "list the corners in order, without bends inwards"};
+                     "list the corners in order, without concave corners"};
     }
     return add(outline);
 }
 
 Result<TileForm> TilePalette::flipped(TileForm form, TileCell flips) {
-    PLUMB_ASSERT(hasForm(form), "flip a form that this palette has");
+    PLUMB_ASSERT(hasForm(form), "flip a form of this palette");
     if (!hasForm(form) || form == TileForm::Empty || (flips & kTileFlips) == 0) return form;
     const TileOutline& outline = forms_[static_cast<std::size_t>(form)];
     std::vector<GridPoint> corners;
@@ -185,7 +185,7 @@ Result<TileForm> TilePalette::flipped(TileForm form, TileCell flips) {
 }
 
 Result<TileForm> TilePalette::withOneWay(TileForm form, OneWay oneWay) {
-    PLUMB_ASSERT(hasForm(form), "make a form one-way that this palette has");
+    PLUMB_ASSERT(hasForm(form), "make a form of this palette one-way");
     if (!hasForm(form) || form == TileForm::Empty) return form;
     TileOutline outline = forms_[static_cast<std::size_t>(form)];
     outline.oneWay = oneWay;

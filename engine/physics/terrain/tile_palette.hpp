@@ -11,8 +11,8 @@
 
 namespace plumb::physics {
 
-/// The outline of a cell. "Up" and "Down" are seen from left to right; Low and High are the two halves of a
-/// slope that takes two cells. What a palette adds comes after `Count`.
+/// The outline of a cell. Slopes go "Up" or "Down" from left to right; Low and High are the two halves of a
+/// slope that spans two cells. Forms that a palette adds come after `Count`.
 enum class TileForm : std::uint16_t {
     Empty,
     Full,
@@ -30,35 +30,36 @@ enum class TileForm : std::uint16_t {
     Count
 };
 
-/// The side that a one-way form stops bodies on; they pass from all others.
+/// The side on which a one-way form stops bodies; they pass from all others.
 enum class OneWay : std::uint8_t { No, Up, Right, Down, Left };
 
-/// Out of the side that stops: a ShapeDefinition::oneWayDirection. {0, 0} for No.
+/// The outward normal of the side that stops bodies, for ShapeDefinition::oneWayDirection. {0, 0} for No.
 constexpr GridPoint directionOf(OneWay side) {
     constexpr GridPoint kDirections[] = {{0, 0}, {0, -1}, {1, 0}, {0, 1}, {-1, 0}};
     return kDirections[static_cast<int>(side)];
 }
 
-/// What the surface of cells is like.
+/// The surface properties of cells.
 struct TileMaterial {
     float friction = 0.6f;      ///< Coulomb coefficient, 0..100
-    float bounciness = 0.0f;    ///< ratio of speed kept by a bounce, 0..1
+    float bounciness = 0.0f;    ///< coefficient of restitution, 0..1
     float surfaceSpeed = 0.0f;  ///< m/s along the surface, in the direction of its segments
-    std::uint32_t user = 0;     ///< the owner's own number, e.g. of a sound
+    std::uint32_t user = 0;     ///< the owner's own number, for example of a sound
 
     friend constexpr bool operator==(const TileMaterial&, const TileMaterial&) = default;
 };
 
-/// Whom cells meet, as in a ShapeDefinition.
+/// The collision filter of cells, as in a ShapeDefinition.
 struct TileLayers {
-    std::uint32_t layers = 1;          ///< bits: what they are
-    std::uint32_t mask = 0xffffffffu;  ///< bits: what they meet
+    std::uint32_t layers = 1;          ///< bits: the layers that they are on
+    std::uint32_t mask = 0xffffffffu;  ///< bits: the layers that they collide with
 
     friend constexpr bool operator==(const TileLayers&, const TileLayers&) = default;
 };
 
 /// The part of a side of a cell that a solid form fills (units, from left to right or from top to bottom).
-/// Empty where a corner only touches the side, and where nothing does: then at a corner of the cell.
+/// Empty where only a corner touches the side; also empty, and at a corner of the cell, where nothing touches
+/// it.
 struct SideSpan {
     std::int32_t from = 0;
     std::int32_t to = 0;
@@ -67,18 +68,18 @@ struct SideSpan {
     friend constexpr bool operator==(SideSpan, SideSpan) = default;
 };
 
-/// The sides of a cell, clockwise on screen as its outline runs.
+/// The sides of a cell, clockwise on screen, as its outline.
 enum Side : std::int8_t { kTop, kRight, kBottom, kLeft, kInside = -1 };
 
-/// A form in numbers: convex corners, clockwise on screen, within the cell.
+/// The geometry of a form: convex corners, clockwise on screen, within the cell.
 struct TileOutline {
     static constexpr int kMaxCorners = 8;
 
     std::array<GridPoint, kMaxCorners> corners{};
-    std::array<Side, kMaxCorners> sides{};  ///< on which the edge from each corner lies
-    std::array<SideSpan, 4> spans{};        ///< what it fills of each side; nothing where it is one-way
+    std::array<Side, kMaxCorners> sides{};  ///< by edge: the side that the edge from each corner lies on
+    std::array<SideSpan, 4> spans{};        ///< the part of each side that it fills; empty for a one-way form
     std::uint8_t count = 0;
-    std::uint8_t stops = 0;  ///< bits of the edges that stop bodies: all, but for a one-way form
+    std::uint8_t stops = 0;  ///< bits: edges that stop bodies; all except for one-way forms
     OneWay oneWay = OneWay::No;
 
     [[nodiscard]] bool isSolid() const { return count > 0 && oneWay == OneWay::No; }
@@ -90,9 +91,9 @@ struct TileOutline {
     friend bool operator==(const TileOutline&, const TileOutline&) = default;
 };
 
-/// What the cells of a terrain can be: forms, materials and layers by number. Number 0 is the empty form, the
-/// default material and the default layers. It only grows, so numbers stay valid; what it has already is
-/// found, not added again.
+/// The forms, materials and layers that the cells of a terrain refer to by index. Index 0 is the empty form,
+/// the default material and the default layers. A palette only grows, so indices stay valid; adding an
+/// existing entry returns its index.
 class TilePalette {
 public:
     static constexpr std::size_t kMaxForms = 16384;
@@ -101,17 +102,18 @@ public:
 
     TilePalette();
 
-    /// A form of a set's own, in parts of a cell (0..1 from its top-left corner), in either order. Corners
-    /// within 1/256 of a border are on it: so carelessly drawn tiles close their seams.
+    /// Adds a custom form, in fractions of a cell (0..1 from its top-left corner), clockwise or
+    /// counter-clockwise. Corners within 1/256 of a border are moved onto it, so that imprecisely drawn tiles
+    /// leave no gaps.
     /// @error not a convex polygon of 3 to 8 corners inside the cell, or too many forms
     Result<TileForm> addPolygon(std::span<const Vec2> points, OneWay oneWay = OneWay::No);
 
-    /// The form flipped as a cell of a TileGrid is. One-way forms stay solid from the same side.
+    /// The form, flipped like a cell of a TileGrid. A one-way form stays solid on the same side.
     /// @param flips  bits of kTileFlips
     /// @error too many forms
     Result<TileForm> flipped(TileForm form, TileCell flips);
 
-    /// The form, solid from one side only, or (No) from all.
+    /// The form, solid on one side only, or (No) on all sides.
     /// @error too many forms
     Result<TileForm> withOneWay(TileForm form, OneWay oneWay);
 
@@ -130,7 +132,7 @@ public:
     [[nodiscard]] bool hasMaterial(std::uint8_t number) const { return number < materials_.size(); }
     [[nodiscard]] bool hasLayers(std::uint8_t number) const { return number < layers_.size(); }
 
-    /// Whoever meets `covered` meets `cover` too.
+    /// True if everything that collides with `covered` also collides with `cover`.
     [[nodiscard]] bool covers(std::uint8_t cover, std::uint8_t covered) const;
 
 private:
