@@ -54,7 +54,7 @@ struct Builder {
     }
     void hinge(std::uint32_t a, std::uint32_t b, Vec2 at, float torque) {
         const float side = random.below(2) == 0 ? 1.0f : -1.0f, range = random.between(0.2f, 1.5f);
-        const float speed = fastest * random.between(0.3f, 1.0f);
+        const float speed = fastest * random.between(0.5f, 1.0f);
         plan.join(a, b, at,
                   {.limited = true,
                    .lower = side > 0.0f ? -0.2f : -range,
@@ -72,7 +72,7 @@ struct Builder {
                    .lower = 0.0f,
                    .upper = range,
                    .driven = true,
-                   .speed = random.between(0.1f, 0.5f),
+                   .speed = random.between(0.2f, 0.5f),
                    .maxForce = force});
         driven.push_back({a, b, true, range});
     }
@@ -80,8 +80,10 @@ struct Builder {
 
 double errorOf(const Stage& stage, const Driven& joint) {
     if (!takesPart(stage, joint.b) || !stage.has(joint.a)) return 0.0;
-    if (!joint.slides)
-        return std::fabs(stage.turnOf(joint.b) - stage.turnOf(joint.a) - static_cast<double>(joint.target));
+    if (!joint.slides) {
+        const double turn = stage.turnOf(joint.b) - stage.turnOf(joint.a) - static_cast<double>(joint.target);
+        return std::fabs(std::remainder(turn, static_cast<double>(kTau)));
+    }
     const scenes::Point a = stage.positionOf(joint.a), b = stage.positionOf(joint.b);
     const double now = std::hypot(b.x - a.x, b.y - a.y);
     const auto planned = static_cast<double>(distance(stage.startOf(joint.a), stage.startOf(joint.b)));
