@@ -1,9 +1,11 @@
 // Dominoes in a row, the first of which is pushed over.
 //
 // The first turns about its lower edge with more than the energy that takes its center over that edge. The
-// wave then runs for all spacings below the height at which what falls reaches the next one's upper half.
-// Source: J. M. J. van Leeuwen, The domino effect, 2010. In a row at rest, each leans on the next one with a
-// cosine to the vertical of thickness over pitch at most.
+// wave must then run, even if every hit took all speed: a domino of height h and thickness t that leans on
+// the next one across a gap g touches it at the height y = root (h^2 - g^2). About its edge, its weight W
+// pushes with N (y + f g) = W (g - t) / 2 or more against friction f, and the next one tips if N (y - f t) >
+// W t / 2. That is g > t (1 + (y + f g) / (y - f t)), and members keep a margin of 5 %. What leans in a row
+// at rest has a cosine of t / (t + g) to the vertical.
 
 #include <algorithm>
 #include <cmath>
@@ -63,11 +65,15 @@ Blueprint makeDominoRun(Random& random) {
     Blueprint plan;
     const int count = 8 + static_cast<int>(random.below(23));
     const float height = 0.2f * std::pow(10.0f, random.unit());  // m, 0.2 to 2
-    const float thickness = height * random.between(0.06f, 0.2f), gap = height * random.between(0.1f, 0.55f);
+    const float thickness = height * random.between(0.06f, 0.2f);
     // Dominoes slide along each other and keep to the floor. The friction of two is the root of their
     // product.
     const float friction = random.between(0.1f, 0.4f), foot = random.between(0.5f, 0.9f);
     const Material tile{.density = random.between(0.5f, 100.0f), .friction = friction};
+    constexpr float kWidest = 0.55f;  // gap over height
+    const float touch = height * std::sqrt(1.0f - kWidest * kWidest);
+    const float lever = (touch + friction * kWidest * height) / (touch - friction * thickness);
+    const float gap = random.between(1.05f * thickness * (1.0f + lever), kWidest * height);
     const float push = random.between(2.0f, 4.0f);
     plan.addFloor({.friction = foot * foot / friction});
 

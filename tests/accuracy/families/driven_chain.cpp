@@ -3,8 +3,8 @@
 //
 // A motor holds all that is outside of it at its full reach, times 3 or more: that is statics. What it takes
 // to swing at the motors' speeds is below a tenth of that: (2 rad/s)^2 x 9 m is 36 m/s2 for the tip of the
-// longest arm if all motors turn one way at once, so the fastest of them turn at 1.2 rad/s over the number of
-// rods. Each joint then reaches the limit that its motor drives to, and stays there.
+// longest arm if all motors turn in one direction at once, so the fastest of them turn at 1.2 rad/s over the
+// number of rods. Each joint then reaches the limit that its motor drives to, and stays there.
 
 #include <algorithm>
 #include <cmath>
@@ -34,7 +34,7 @@ struct Builder {
     float excess = 3.0f;   ///< of motors over statics
     float fastest = 1.0f;  ///< rad/s
     std::vector<Driven> driven;
-    std::vector<float> lengths;  ///< m: of the arm's rods, with a boom's way
+    std::vector<float> lengths;  ///< m: of the arm's rods, with the travel of a boom
     std::vector<float> masses;   ///< kg
     float tipMass = 0.0f;        ///< kg: fingers and load
 
@@ -157,8 +157,8 @@ Blueprint makeDrivenChain(Random& random) {
     }
     if (hasFingers) {
         for (const float side : {-0.4f, 0.4f}) {
-            const Vec2 way{cosine(angle + side), sine(angle + side)};
-            const std::uint32_t rod = addRod(plan, at, at + 0.4f * way, builder.width, builder.density);
+            const Vec2 direction{cosine(angle + side), sine(angle + side)};
+            const std::uint32_t rod = addRod(plan, at, at + 0.4f * direction, builder.width, builder.density);
             builder.hinge(last, rod, at, builder.excess * kGravity * finger * 0.4f);
         }
     }

@@ -20,10 +20,10 @@ constexpr auto kFamilies = std::to_array<Family>({
      "until the crowd fills three quarters of it: nothing gets out",
      makeClosingBox},
     {"domino-run",
-     "8 to 30 dominoes of 0.2 to 2 m, a 17th to a 5th as thick, a 10th to half of that apart, friction 0.1 "
-     "to "
-     "0.4 on "
-     "each other, the first pushed with 2 to 4 times the speed it takes: all fall, in their order",
+     "8 to 30 dominoes of 0.2 to 2 m, a 17th to a 5th as thick, so far apart that one that leans tips the "
+     "next, "
+     "friction 0.1 to 0.4 on each other, the first pushed with 2 to 4 times the speed it takes: all fall, in "
+     "their order",
      makeDominoRun},
     {"driven-chain",
      "arms of 2 to 6 rods with a motor of 3 to 30 times what statics asks for and limits at each hinge, "

@@ -23,12 +23,12 @@ namespace plumb::families {
 
 namespace {
 
-/// The densities of rods, from one to ten times the least.
+/// The densities of rods, from one to ten times the minimum.
 struct Densities {
     Random& random;
-    float least = 1.0f;
+    float minimum = 1.0f;
     float spread = 1.0f;  ///< of the logarithm
-    float operator()() { return least * std::pow(10.0f, spread * random.unit()); }
+    float operator()() { return minimum * std::pow(10.0f, spread * random.unit()); }
 };
 
 Vec2 arm(float length, float angle) { return {length * cosine(angle), length * sine(angle)}; }

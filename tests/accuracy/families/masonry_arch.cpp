@@ -5,9 +5,9 @@
 // joint carries the force (H, -sum w), which crosses it at a distance e from its middle:
 //   e (n.x V + n.y H) = c H + sum w x - p.x V - p.y H,   V = sum w, p the joint's middle, n its direction.
 // The arch stands if some H and c keep all e within the stones and all forces within the cones of friction.
-// Source: J. Heyman, The Stone Skeleton, 1966. For a semicircle of its own weight that gives the known least
-// thickness of 0.1075 radii. Members have at least 1.15 times the least thickness and 1.25 times the least
-// friction.
+// Source: J. Heyman, The Stone Skeleton, 1966. For a semicircle of its own weight that gives the known
+// minimum thickness of 0.1075 radii. Members have at least 1.15 times the minimum thickness and 1.25 times
+// the minimum friction.
 //
 // Contacts may overlap by the slop of 5 mm, which shortens stones of half a meter by 1 %, and lowers the
 // crown by up to 3 % of half the span: a fifth of the thinnest margin, so no member is thinner than 5 %.
@@ -23,9 +23,9 @@ namespace plumb::families {
 
 namespace {
 
-constexpr double kLeastExcess = 1.15;     // thickness over the least that stands
-constexpr double kFrictionUsed = 0.8;     // part of the friction that a joint may need
-constexpr double kLeastThickness = 0.05;  // part of half the span
+constexpr double kMinExcess = 1.15;     // thickness over the minimum that stands
+constexpr double kFrictionUsed = 0.8;   // part of the friction that a joint may need
+constexpr double kMinThickness = 0.05;  // part of half the span
 
 struct Joint {
     Vec2 middle;
@@ -133,10 +133,10 @@ bool stands(const Arch& arch, double part) {
 /// Makes it as thick as it has to be, times an excess. @return false where no thickness helps
 bool thicken(Arch& arch, float excess) {
     constexpr float kThickest = 0.5f, kFiner = 1.05f;
-    arch.thickness = static_cast<float>(kLeastThickness);
+    arch.thickness = static_cast<float>(kMinThickness);
     while (arch.thickness < kThickest && !stands(arch, 1.0)) arch.thickness *= kFiner;
     arch.thickness *= excess;
-    while (arch.thickness < kThickest && !stands(arch, 1.0 / kLeastExcess)) arch.thickness *= kFiner;
+    while (arch.thickness < kThickest && !stands(arch, 1.0 / kMinExcess)) arch.thickness *= kFiner;
     return arch.thickness < kThickest;
 }
 
@@ -147,8 +147,8 @@ Blueprint makeMasonryArch(Random& random) {
     const bool circular = random.below(2) == 0;
     const float shape = circular ? random.between(0.9f, 0.5f * kPi) : random.between(0.8f, 2.0f);
     // Stones are no shorter than half a meter: the shallowest arch is 2.3 half spans long.
-    const auto most = static_cast<std::uint32_t>(std::min(2.3f * half / 0.5f, 25.0f));
-    const int stones = 7 + 2 * static_cast<int>(random.below((most - 5) / 2));
+    const auto maxStones = static_cast<std::uint32_t>(std::min(2.3f * half / 0.5f, 25.0f));
+    const int stones = 7 + 2 * static_cast<int>(random.below((maxStones - 5) / 2));
     const float density = random.between(1.0f, 50.0f), excess = random.between(1.15f, 2.0f);
     Arch arch{circular ? circleOf(stones, shape) : catenaryOf(stones, shape)};
     arch.friction = random.between(0.5f, 1.0f);

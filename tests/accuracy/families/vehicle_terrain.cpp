@@ -5,7 +5,7 @@
 // wheels: half the weight times half the wheelbase. Between the wheels the ground rises by at most half a
 // wheelbase times the limit, which is below the axles. Where two slopes meet, the car leaves the ground with
 // up to 2 limit v, kept below 1.2 m/s: a quarter of a second of flight. So it gets along at the speed of its
-// wheels, less what it spends in the air, on longer ways over slopes and on starting: six tenths of it.
+// wheels, less what it loses in the air, by climbing along slopes and by starting: at least 0.6 of it.
 
 #include <algorithm>
 #include <cmath>
@@ -35,7 +35,7 @@ struct Ground {
     }
 };
 
-/// Flat where the car starts, and no further from y = 0 than 3 m.
+/// Flat where the car starts, and within 3 m of y = 0.
 Ground groundOf(Random& random, float pitch, float limit, float length) {
     Ground ground{.start = -10.0f, .pitch = pitch};
     float height = 0.0f;
@@ -75,7 +75,8 @@ Blueprint makeVehicleTerrain(Random& random) {
     const float radius = random.between(0.3f, 0.6f), base = radius * random.between(4.0f, 6.0f);
     const float hertz = random.between(2.5f, 6.0f), damping = random.between(0.4f, 1.0f);
     const float mass = random.between(5.0f, 500.0f), wheelShare = random.between(0.03f, 0.2f);
-    // A spring of f Hz gives way by g / (2 pi f)^2 under the chassis, and three times that where it lands.
+    // A spring of f Hz is compressed by g / (2 pi f)^2 under the chassis, and three times that where it
+    // lands.
     const float sag = 3.0f * 10.0f / ((kTau * hertz) * (kTau * hertz));
     const float limit = random.between(0.3f, 1.0f) * std::min(0.3f, (radius - sag) / (0.5f * base));
     const float speed = random.between(0.5f, 1.0f) * std::min(4.0f, 0.6f / limit);
@@ -106,10 +107,10 @@ Blueprint makeVehicleTerrain(Random& random) {
                    .hertz = hertz,
                    .dampingRatio = damping});
     }
-    const double least = 0.6 * static_cast<double>(speed) * plan.seconds;
+    const double minimum = 0.6 * static_cast<double>(speed) * plan.seconds;
     plan.goals.push_back({"gets along",
                           [=](const Stage& stage) {
-                              return takesPart(stage, chassis) ? least - stage.positionOf(chassis).x : 0.0;
+                              return takesPart(stage, chassis) ? minimum - stage.positionOf(chassis).x : 0.0;
                           },
                           0.0});
     plan.goals.push_back({"stays on the ground",
