@@ -5,6 +5,7 @@
 
 #include "tests/accuracy/families/family.hpp"
 #include "tests/accuracy/families/goals.hpp"
+#include "tests/accuracy/families/mechanism.hpp"
 
 namespace plumb::families {
 
@@ -15,25 +16,11 @@ struct Builder {
     float density = 1.0f;  // kg/m2
     std::uint32_t ground = 0;
 
-    std::uint32_t rod(Vec2 from, Vec2 to) {
-        const Vec2 span = to - from;
-        return plan.addDynamic(scenes::box({0.5f * length(span), 0.05f}), from + 0.5f * span,
-                               {.density = density, .mask = 0}, arcTangent(span.y, span.x));
-    }
+    std::uint32_t rod(Vec2 from, Vec2 to) { return addRod(plan, from, to, 0.1f, density); }
     void drive(std::uint32_t crank, Vec2 at, float speed, float torque) {
         plan.join(ground, crank, at, {.driven = true, .speed = speed, .maxForce = torque});
     }
 };
-
-/// The intersection of two circles that is on the left of the line from a to b.
-Vec2 knee(Vec2 a, float reachA, Vec2 b, float reachB) {
-    const Vec2 span = b - a;
-    const float distance = length(span);
-    const float along = (distance * distance + reachA * reachA - reachB * reachB) / (2.0f * distance);
-    const float out = std::sqrt(std::max(reachA * reachA - along * along, 0.0f));
-    const Vec2 direction = (1.0f / distance) * span;
-    return a + along * direction + out * Vec2{-direction.y, direction.x};
-}
 
 /// Crank, coupler and rocker whose crank can go round (F. Grashof, 1883), by a margin.
 std::uint32_t fourBar(Builder& builder, Random& random, float speed, float torque) {

@@ -28,6 +28,14 @@ Blueprint memberOf(const Family& family, std::uint64_t seed);
 // One function a family: families/<name>.cpp
 Blueprint makeCardHouse(Random& random);
 Blueprint makeClosingBox(Random& random);
+Blueprint makeDominoRun(Random& random);
+Blueprint makeDrivenChain(Random& random);
 Blueprint makeDrivenLinkage(Random& random);
+Blueprint makeFreeLinkage(Random& random);
+Blueprint makeMasonryArch(Random& random);
+Blueprint makeMixedPile(Random& random);
+Blueprint makeRagdollStairs(Random& random);
+Blueprint makeRopeBridge(Random& random);
+Blueprint makeVehicleTerrain(Random& random);
 
 }  // namespace plumb::families

@@ -50,4 +50,27 @@ Goal keepsJoints(double gap) {
     return {"keeps its joints", error, gap};
 }
 
+Goal rests(std::vector<std::uint32_t> bodies, double speed) {
+    const auto error = [bodies = std::move(bodies)](const Stage& stage) {
+        double fastest = 0.0;
+        for (const std::uint32_t body : bodies)
+            if (stage.has(body))
+                fastest = std::max(fastest, static_cast<double>(length(stage.velocityOf(body))));
+        return fastest;
+    };
+    return {"rests", error, speed};
+}
+
+Goal overlapsAtMost(double depth) {
+    const auto error = [](const Stage& stage) {
+        return scenes::errorOf(stage.scene()).maxPenetration /
+               static_cast<double>(stage.variation().placement.scale);
+    };
+    return {"overlaps", error, depth};
+}
+
+bool takesPart(const Stage& stage, std::uint32_t body) {
+    return stage.has(body) && stage.plan().bodies[body].setup.motion == Motion::Dynamic;
+}
+
 }  // namespace plumb::families

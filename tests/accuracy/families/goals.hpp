@@ -14,5 +14,12 @@ Goal sleeps();
 Goal staysIn(std::vector<std::uint32_t> bodies, Vec2 low, Vec2 high);
 /// "keeps its joints": no joint is open by more (m).
 Goal keepsJoints(double gap);
+/// "rests": none of these bodies is faster (m/s).
+Goal rests(std::vector<std::uint32_t> bodies, double speed);
+/// "overlaps": no two shapes overlap by more (m).
+Goal overlapsAtMost(double depth);
+
+/// False for a body that shrinking took out of the scene: goals that ask for a motion leave it out.
+bool takesPart(const Stage& stage, std::uint32_t body);
 
 }  // namespace plumb::families

@@ -69,6 +69,8 @@ constexpr auto kRelations = std::to_array<Relation>({
      nullptr, jumpOf, kMaxJump},
     {"energy", "scenes without motors and kinematic bodies gain no energy",
      "1 % of the energy that was turned over", Rule::Bound, nullptr, nullptr, gainOf, kMaxGain},
+    {"energy-at-4", "nor do they at quality 4, where joints and contacts are 16 times as stiff",
+     "1 % of the energy that was turned over", Rule::Bound, atQuality4, nullptr, gainOf, kMaxGain},
     {"sleep", "sleeping or not, the same happens", kSameShare, Rule::SameOutcome, withoutSleep},
     {"direct-joints", "joints solved all at once are never worse than one by one",
      "members that only the plain solver reaches, by no more than chance", Rule::NeverWorse, asDefault,
@@ -159,14 +161,15 @@ Verdict judge(const Relation& relation, const Family& family, const Blueprint& p
     Verdict verdict;
     verdict.relation = &relation;
     verdict.members = 1;
+    const std::uint64_t draw = drawOf(relation, seed);
     if (relation.rule == Rule::Bound) {
-        const double figure = relation.figure(plan, usual);
+        const Outcome judged = relation.vary == nullptr ? usual : play(plan, relation.vary(draw));
+        const double figure = relation.figure(plan, judged);
         note(verdict, seed, figure);
         verdict.differing = figure > relation.largest ? 1 : 0;
-        verdict.baseReached = usual.reached ? 1 : 0;
+        verdict.baseReached = judged.reached ? 1 : 0;
         return verdict;
     }
-    const std::uint64_t draw = drawOf(relation, seed);
     const Outcome base =
         relation.base == nullptr || relation.base == &asDefault ? usual : play(plan, relation.base(draw));
     const Outcome varied = relation.vary == &asDefault ? usual : play(plan, relation.vary(draw));

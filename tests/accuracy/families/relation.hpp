@@ -25,8 +25,8 @@ struct Relation {
     std::string_view what;   ///< one sentence
     std::string_view bound;  ///< of its rule, with where it comes from
     Rule rule = Rule::SameOutcome;
-    /// How a member is simulated for the comparison, from a number that is drawn for it; null where a single
-    /// outcome is judged.
+    /// How a member is simulated for the comparison, from a number that is drawn for it, or of Bound, for the
+    /// outcome that is judged; null for the default.
     Variation (*vary)(std::uint64_t draw) = nullptr;
     /// With what the varied outcome is compared; null: the default.
     Variation (*base)(std::uint64_t draw) = nullptr;
