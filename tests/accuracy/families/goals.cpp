@@ -42,6 +42,24 @@ Goal staysIn(std::vector<std::uint32_t> bodies, Vec2 low, Vec2 high) {
     return {"stays in", error, 0.0};
 }
 
+Goal overlapsAtMost(double depth) {
+    const auto error = [](const Stage& stage) {
+        return scenes::errorOf(stage.scene()).maxPenetration / static_cast<double>(stage.scale());
+    };
+    return {"overlaps", error, depth};
+}
+
+Goal rests(std::vector<std::uint32_t> bodies, double speed) {
+    const auto error = [bodies = std::move(bodies)](const Stage& stage) {
+        double fastest = 0.0;
+        for (const std::uint32_t body : bodies)
+            if (stage.has(body))
+                fastest = std::max(fastest, static_cast<double>(length(stage.velocityOf(body))));
+        return fastest;
+    };
+    return {"rests", error, speed};
+}
+
 Goal keepsJoints(double gap) {
     const auto error = [](const Stage& stage) {
         return scenes::errorOf(stage.scene()).maxJointError /

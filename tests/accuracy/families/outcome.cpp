@@ -16,8 +16,22 @@ namespace {
 
 constexpr int kStepsBetweenLooks = 30;  // exact overlaps of all pairs cost more than a step
 
-/// Energy of motion and height, and how much it grew over its lowest point so far. What touches is pushed out of
-/// an overlap of up to one slop, so the weight of everything may be lifted by that.
+/// J: of motion alone.
+double kineticEnergyOf(const physics::World& world) {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < world.bodies.size(); ++i) {
+        const physics::BodyMass& mass = world.bodies.mass[i];
+        const physics::BodyMotion& motion = world.bodies.motion[i];
+        const auto speed = static_cast<double>(length(motion.velocity));
+        const auto spin = static_cast<double>(motion.angularVelocity);
+        if (mass.inverseMass > 0.0f) sum += 0.5 * static_cast<double>(mass.mass) * speed * speed;
+        if (mass.inverseInertia > 0.0f) sum += 0.5 / static_cast<double>(mass.inverseInertia) * spin * spin;
+    }
+    return sum;
+}
+
+/// Energy of motion and height, and how much it grew over its lowest point so far. What touches is pushed out
+/// of an overlap of up to one slop, so the weight of everything may be lifted by that.
 class EnergyBook {
 public:
     void note(const physics::World& world) {
@@ -31,10 +45,13 @@ public:
         low_ = std::min(low_, now);
         gain_ = std::max(gain_, now - low_);
         high_ = std::max(high_, now);
+        // Of what goes on at the same speed nothing is lost, so that all it has is in play.
+        motion_ = std::max(motion_, kineticEnergyOf(world));
     }
-    /// Part of all the energy that was ever turned over.
+    /// Part of all the energy that was ever lost or in motion.
     [[nodiscard]] double gain() const {
-        return high_ > low_ ? std::max(gain_ - lift_, 0.0) / (high_ - low_) : 0.0;
+        const double turned = std::max(high_ - low_, motion_);
+        return turned > 0.0 ? std::max(gain_ - lift_, 0.0) / turned : 0.0;
     }
 
 private:
@@ -42,7 +59,8 @@ private:
     double low_ = 0.0;
     double high_ = 0.0;
     double gain_ = 0.0;
-    double lift_ = 0.0;  ///< J
+    double lift_ = 0.0;    ///< J
+    double motion_ = 0.0;  ///< J: the most of it
 };
 
 /// By how much bodies move further in a step than the larger of their speeds before and after it explains.
@@ -61,7 +79,7 @@ public:
     void after(const Stage& stage) {
         for (std::uint32_t body = 0; body < std::min(stage.size(), moments_.size()); ++body) {
             const Moment& moment = moments_[body];
-            if (!moment.there || !stage.has(body)) continue;
+            if (!moment.there || !stage.has(body) || stage.wasTeleported(body)) continue;
             const scenes::Point now = stage.positionOf(body);
             const double moved = std::hypot(now.x - moment.position.x, now.y - moment.position.y);
             const double speed = std::max(moment.speed, static_cast<double>(length(stage.velocityOf(body))));
@@ -90,6 +108,12 @@ std::uint64_t bitsOf(const physics::World& world) {
         for (const float value : {pose.rotation.cos, pose.rotation.sin, motion.velocity.x, motion.velocity.y,
                                   motion.angularVelocity})
             hash.add(std::uint64_t{std::bit_cast<std::uint32_t>(value)});
+    }
+    for (const physics::SoftBody& soft : world.softBodies.all) {
+        for (const physics::SoftParticle& particle : soft.particles) {
+            hash.add(std::bit_cast<std::uint64_t>(particle.place.x));
+            hash.add(std::bit_cast<std::uint64_t>(particle.place.y));
+        }
     }
     return hash.value();
 }
@@ -133,6 +157,10 @@ double now() {
 
 Outcome play(const Blueprint& plan, const Variation& variation) {
     Outcome outcome;
+    if (plan.extra && variation.peer != nullptr) {
+        outcome.missing = plan.extraNeeds;
+        return outcome;
+    }
     Stage stage{plan, variation};
     outcome.missing = stage.scene().missing();
     if (!outcome.missing.empty()) return outcome;
