@@ -51,8 +51,11 @@ struct Blueprint {
     std::function<void(Stage&)> extra;
     std::string_view extraNeeds;  ///< what others lack for it: "soft bodies"
     std::vector<Goal> goals;
-    /// No motor, kinematic body or owner adds energy.
+    /// No motor, kinematic body, field or owner adds energy.
     bool closed = true;
+    /// How many bodies lie on each other at most. Each may be pushed out of an overlap of one slop, and with
+    /// it all above: energy that the book allows.
+    int layers = 1;
 
     std::uint32_t add(const BodyPlan& plan);
     std::uint32_t add(const BodySetup& setup, const Outline& outline, const Material& material = {});

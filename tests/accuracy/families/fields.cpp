@@ -44,6 +44,7 @@ void addField(Blueprint& plan, const physics::FieldDefinition& field, Vec2 place
 
 void makePlanet(Blueprint& plan, Random& random) {
     plan.gravity = {};
+    plan.closed = false;  // the height over a planet is in no book
     plan.seconds = 10.0;
     const float radius = random.between(1.0f, 6.0f), surface = random.between(3.0f, 20.0f);  // m, m/s2
     const float pull = surface * radius * radius;
@@ -89,7 +90,6 @@ void makePlanet(Blueprint& plan, Random& random) {
                               return furthest;
                           },
                           2.0 * static_cast<double>(size) * count});
-    // Discs roll on until they meet something, so only boxes have to rest, and slowly.
     plan.goals.push_back(overlapsAtMost(0.02));
     plan.goals.push_back(
         {"keeps its orbit",

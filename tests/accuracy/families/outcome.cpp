@@ -34,12 +34,15 @@ double kineticEnergyOf(const physics::World& world) {
 /// of an overlap of up to one slop, so the weight of everything may be lifted by that.
 class EnergyBook {
 public:
+    /// @param layers  as Blueprint::layers
+    explicit EnergyBook(int layers) : layers_{layers} {}
+
     void note(const physics::World& world) {
         const double now = physics::energyOf(world);
         if (first_) {
             low_ = high_ = now;
             for (const physics::BodyMass& mass : world.bodies.mass) lift_ += static_cast<double>(mass.mass);
-            lift_ *= static_cast<double>(length(world.settings.gravity) * world.settings.slop);
+            lift_ *= layers_ * static_cast<double>(length(world.settings.gravity) * world.settings.slop);
         }
         first_ = false;
         low_ = std::min(low_, now);
@@ -55,6 +58,7 @@ public:
     }
 
 private:
+    int layers_ = 1;
     bool first_ = true;
     double low_ = 0.0;
     double high_ = 0.0;
@@ -165,7 +169,7 @@ Outcome play(const Blueprint& plan, const Variation& variation) {
     outcome.missing = stage.scene().missing();
     if (!outcome.missing.empty()) return outcome;
     const int steps = static_cast<int>(std::lround(plan.seconds / static_cast<double>(kStep)));
-    EnergyBook energy;
+    EnergyBook energy{plan.layers};
     JumpMeter jumps;
     double spent = 0.0;
     for (int i = 0; i < steps && outcome.sound; ++i) {

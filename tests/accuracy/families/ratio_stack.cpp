@@ -1,11 +1,11 @@
 // Stacks of boxes of unlike masses and sizes.
 //
-// Statics lets every member stand: a stack stands if at each face between two boxes, and between the lowest
-// and the floor, the center of mass of all above is inside the face. It is here by 30 % of the face's half
-// width. Nothing pushes sideways, so any friction does. No box is further from upright than half a slop over
-// its width allows to begin with, so a stack may be no higher than 12 times its narrowest face: each face may
-// sink in on one side by a slop of 5 mm, which tilts it by 1/80 if it is 0.4 m wide, and 3 such tilts in one
-// direction move the top by half a face.
+// Statics lets every member stand: at each face between two boxes, and between the lowest box and the floor,
+// the center of mass of all above is inside the face, by 30 % of the face's half width. Nothing pushes
+// sideways, so any friction is enough. Overlap: contacts are stiff, but not rigid, and may sink in by a slop
+// (5 mm) on one side. That tilts a face of 0.4 m by 1/80. So a stack is no higher than 12 times its narrowest
+// face: three such tilts in one direction then move its top by half a face. The top may sink by one slop for
+// each box.
 
 #include <algorithm>
 #include <cmath>
@@ -96,7 +96,8 @@ Blueprint makeRatioStack(Random& random) {
                                         {.density = unit * block.mass / area, .friction = friction}));
         top += 2.0f * block.halfHeight;
     }
-    plan.goals.push_back(staysWithin(boxes, 0.1));
+    plan.layers = static_cast<int>(boxes.size());
+    plan.goals.push_back(staysWithin(boxes, 0.05 + 0.005 * static_cast<double>(boxes.size())));
     plan.goals.push_back(overlapsAtMost(0.02));  // four slops
     plan.goals.push_back(sleeps());
     return plan;

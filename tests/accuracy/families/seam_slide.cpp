@@ -58,6 +58,7 @@ Blueprint makeSeamSlide(Random& random) {
     constexpr int kTiles = 55;  // at most
     constexpr float kGravity = 10.0f;
     Blueprint plan;
+    plan.closed = false;  // it is pushed
     const auto kind = static_cast<Slider>(random.below(static_cast<std::uint32_t>(Slider::Count)));
     const float half = 0.02f * std::pow(50.0f, random.unit());  // m
     const float speed = 0.5f * std::pow(40.0f, random.unit());  // m/s
