@@ -125,7 +125,7 @@ Blueprint makeElasticGas(Random& random) {
                               return std::fabs(end.around - start->around) /
                                      std::max(start->reach, end.reach);
                           },
-                          1e-3});
+                          5e-3});
     return plan;
 }
 

@@ -56,7 +56,7 @@ constexpr auto kFamilies = std::to_array<Family>({
      "stacks of 3 to 20 boxes with mass ratios to 1:200, unlike sizes and offsets that statics lets stand: "
      "it "
      "stands and sleeps",
-     makeRatioStack, 0.02},
+     makeRatioStack, 0.1},
     {"seam-slide",
      "a box, ball, pentagon or capsule of 0.04 to 2 m that slides or rolls at 0.5 to 20 m/s over separate "
      "boxes "

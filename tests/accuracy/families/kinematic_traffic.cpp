@@ -29,14 +29,15 @@ struct Shuttle {
     int rests = kAsleep;  // steps at each end
     int moves = 60;       // steps from end to end
     bool byTarget = true;
+    bool even = false;  ///< at one speed from its first step on, in place of a cosine
 
     [[nodiscard]] bool isMoving(int step) const { return step % (rests + moves) >= rests; }
-    /// Where it is to be after a step: the ends in turns, along a cosine.
+    /// Where it is to be after a step: the ends in turns.
     [[nodiscard]] Vec2 at(int step) const {
         const int cycle = step / (rests + moves), phase = step % (rests + moves) - rests + 1;
         float part = 0.0f;
-        if (phase > 0)
-            part = 0.5f - 0.5f * std::cos(kPi * static_cast<float>(phase) / static_cast<float>(moves));
+        if (phase > 0) part = static_cast<float>(phase) / static_cast<float>(moves);
+        if (!even) part = 0.5f - 0.5f * std::cos(kPi * part);
         if (cycle % 2 == 1) part = 1.0f - part;
         return start + part * stroke;
     }
@@ -140,21 +141,24 @@ void makeSweeper(Blueprint& plan, Random& random, bool piston) {
         area += kPi * own * own;
     }
     Shuttle pusher;
-    pusher.start = {-2.0f, 0.5f * height};
+    const float thick = 0.02f * std::pow(50.0f, random.unit());  // m: half of it
+    pusher.start = {-1.0f - thick, 0.5f * height};
     const float free = piston ? end - area / (0.6f * height) : random.between(0.5f, 1.5f) * room;
     float stroke = std::max(free, 0.2f) + 1.0f;
     // As far as the time lets it, and not faster than its speed.
-    const float seconds = std::min(0.5f * kPi * stroke / speed, piston ? 2.0f : 5.0f);
-    stroke = std::min(stroke, speed * seconds * 2.0f / kPi);
+    pusher.even = random.below(2) == 0;
+    const float highest = pusher.even ? 1.0f : 0.5f * kPi;  // speed over the mean
+    const float seconds = std::min(highest * stroke / speed, piston ? 2.0f : 5.0f);
+    stroke = std::min(stroke, speed * seconds / highest);
     // Slow ones start where they meet something.
-    pusher.start.x = std::max(-2.0f, -1.0f - 0.5f * stroke);
-    if (pusher.start.x + stroke > free - 1.0f) stroke = free - 1.0f - pusher.start.x;
+    pusher.start.x = std::max(-1.0f, -0.5f * stroke) - thick;
+    stroke = std::min(stroke, free - thick - pusher.start.x);
     pusher.stroke = {stroke, 0.0f};
     pusher.moves = std::max(static_cast<int>(seconds / kStep), 4);
     pusher.rests = piston && random.below(2) == 0 ? 5 : kAsleep;
     pusher.byTarget = random.below(2) == 0;
     pusher.body = plan.add({.motion = Motion::Kinematic, .position = pusher.start},
-                           scenes::box({1.0f, 0.5f * height - 0.01f}), stuff);
+                           scenes::box({thick, 0.5f * height - 0.01f}), stuff);
     const int strokes = piston ? 4 : 1;
     plan.seconds = std::min(static_cast<double>(kStep) * strokes * (pusher.rests + pusher.moves), 8.0);
     plan.drive = [=](Stage& stage, int step) { pusher.drive(stage, step); };
@@ -164,7 +168,8 @@ void makeSweeper(Blueprint& plan, Random& random, bool piston) {
                               for (const std::uint32_t body : crowd) {
                                   if (!stage.has(body) || !stage.has(pusher.body)) continue;
                                   const double x = stage.positionOf(body).x;
-                                  const bool ahead = x >= stage.positionOf(pusher.body).x + 1.0;
+                                  const bool ahead =
+                                      x >= stage.positionOf(pusher.body).x + static_cast<double>(thick);
                                   behind += ahead && x <= static_cast<double>(end) ? 0.0 : 1.0;
                               }
                               return behind;
@@ -204,6 +209,18 @@ void makeRotor(Blueprint& plan, Random& random) {
         crowd.push_back(plan.add(setup, crateOf(random, own), stuff));
     }
     plan.drive = [=](Stage& stage, int step) { stage.setSpin(rotor, step >= kAsleep ? spin : 0.0f); };
+    // After half a turn one of its ends has been everywhere.
+    const float turned = std::fabs(spin) * (static_cast<float>(plan.seconds) - kAsleep * kStep);
+    if (turned > kPi)
+        plan.goals.push_back({"is hit by the rotor",
+                              [=](const Stage& stage) {
+                                  double missed = 0.0;
+                                  for (const std::uint32_t body : crowd)
+                                      missed +=
+                                          stage.has(body) && stage.displacementOf(body) < 0.01 ? 1.0 : 0.0;
+                                  return missed;
+                              },
+                              0.0});
     plan.goals.push_back(staysIn(crowd, {-half, -half}, {half, half}));
     plan.goals.push_back(overlapsAtMost(0.05));
     plan.goals.push_back(

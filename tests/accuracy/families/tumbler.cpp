@@ -94,7 +94,8 @@ Blueprint makeTumbler(Random& random) {
                           },
                           // The corners of the ring.
                           static_cast<double>(radius / std::cos(kPi / static_cast<float>(sides)))});
-    plan.goals.push_back(overlapsAtMost(0.05));
+    // What meets at the speed of the rim is a quarter of that times a step in each other when it is found.
+    plan.goals.push_back(overlapsAtMost(0.05 + 0.25 * static_cast<double>(std::fabs(spin) * radius * kStep)));
     plan.goals.push_back(keepsJoints(0.05));
     return plan;
 }
