@@ -38,7 +38,7 @@ Blueprint makeBullets(Random& random) {
         const float left = static_cast<float>(room) * width, right = left + width;
         const Vec2 middle{left + 0.5f * width, 0.5f * height};
         std::vector<std::uint32_t> inside;
-        // A plate that turns about the middle of the room: on a hinge or of itself.
+        // A plate that turns about the middle of the room: on a hinge, or kinematic.
         const float reach = random.between(0.4f, 0.5f * std::min(width, height) - 2.0f * kCrate - 0.5f);
         if (spins) {
             plan.add({.motion = Motion::Kinematic, .position = middle, .spin = spin},
@@ -61,13 +61,13 @@ Blueprint makeBullets(Random& random) {
         }
         for (int i = 0; i < bullets; ++i) {
             // In a row along the left wall, in any direction to the right.
-            const float way = random.between(-1.2f, 1.2f);
+            const float heading = random.between(-1.2f, 1.2f);
             const bool round = random.below(2) == 0;
             const float y = height * (static_cast<float>(i) + 1.0f) / static_cast<float>(bullets + 1);
             inside.push_back(plan.add(
                 {.position = {left + wall + 0.3f, y},
-                 .angle = way,
-                 .velocity = {speed * std::cos(way), speed * std::sin(way)},
+                 .angle = heading,
+                 .velocity = {speed * std::cos(heading), speed * std::sin(heading)},
                  .bullet = true},
                 round ? scenes::circle(caliber) : scenes::box({1.5f * caliber, 0.6f * caliber}), lead));
         }

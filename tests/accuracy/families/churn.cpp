@@ -22,7 +22,7 @@ struct Pit {
     float speed = 5.0f;      // m/s: of pushes
     float rate = 0.2f;       // changes a step
     float heaviest = 10.0f;  // times the lightest
-    std::uint32_t most = 40;
+    std::uint32_t maxCount = 40;
     Material stuff;
 };
 
@@ -41,13 +41,13 @@ BodyPlan itemOf(Random& random, const Pit& pit) {
 
 void change(Stage& stage, Random& random, const Pit& pit, std::vector<std::uint32_t>& there) {
     const std::uint32_t kind = random.below(6);
-    if (there.empty() || (kind == 0 && there.size() < pit.most)) {
+    if (there.empty() || (kind == 0 && there.size() < pit.maxCount)) {
         there.push_back(stage.spawn(itemOf(random, pit)));
         return;
     }
     const std::size_t which = random.below(static_cast<std::uint32_t>(there.size()));
     const std::uint32_t body = there[which];
-    const float way = random.between(0.0f, kTau), speed = pit.speed * random.unit();
+    const float heading = random.between(0.0f, kTau), speed = pit.speed * random.unit();
     const BodyPlan drawn = itemOf(random, pit);
     switch (kind) {
         case 1:
@@ -57,7 +57,7 @@ void change(Stage& stage, Random& random, const Pit& pit, std::vector<std::uint3
         case 2: return stage.teleport(body, drawn.setup.position, drawn.setup.angle);
         case 3: return stage.setMass(body, 0.1f * std::pow(pit.heaviest, random.unit()));
         case 4: return stage.setSpin(body, random.between(-5.0f, 5.0f));
-        default: return stage.setVelocity(body, {speed * std::cos(way), speed * std::sin(way)});
+        default: return stage.setVelocity(body, {speed * std::cos(heading), speed * std::sin(heading)});
     }
 }
 
@@ -72,9 +72,9 @@ Blueprint makeChurn(Random& random) {
     pit.half = random.between(1.5f, 4.0f);
     pit.height = random.between(6.0f, 12.0f);
     // A third of the pit at most.
-    pit.most = 10 + random.below(31);
+    pit.maxCount = 10 + random.below(31);
     pit.size =
-        std::min(std::sqrt(2.0f * pit.half * pit.height / (9.5f * static_cast<float>(pit.most))), 0.6f);
+        std::min(std::sqrt(2.0f * pit.half * pit.height / (9.5f * static_cast<float>(pit.maxCount))), 0.6f);
     pit.speed = random.between(1.0f, 20.0f);
     pit.rate = 0.02f * std::pow(50.0f, random.unit());
     pit.heaviest = std::pow(100.0f, random.unit());

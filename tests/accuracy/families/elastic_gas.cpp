@@ -63,7 +63,8 @@ Blueprint makeElasticGas(Random& random) {
     const int columns = 2 + static_cast<int>(random.below(6));
     const float unlike = random.between(0.0f, 0.6f), density = random.between(0.2f, 20.0f);
     const float speed = 4.0f * std::pow(10.0f, random.unit());  // m/s
-    // m: of the largest one; the smallest one is 0.7 to 4, or 4 to 10, times the way of a step.
+    // m: of the largest one; the smallest one is 0.7 to 4, or 4 to 10, times the distance of a step at the
+    // mean speed.
     const bool fast = random.below(2) == 0;
     const float share = fast ? random.between(0.7f, 4.0f) : random.between(4.0f, 10.0f);
     const float radius = share * speed * kStep / (1.0f - unlike);
@@ -78,9 +79,9 @@ Blueprint makeElasticGas(Random& random) {
         const Vec2 at{(static_cast<float>(i % columns) + 0.5f) * spacing - half,
                       (static_cast<float>(i / columns) + 0.5f) * spacing - half};
         const float size = radius * (1.0f - unlike * random.unit());
-        const float way = random.between(0.0f, kTau);
+        const float heading = random.between(0.0f, kTau);
         // In the open all fly towards the middle, so that they meet.
-        Vec2 velocity{speed * std::cos(way), speed * std::sin(way)};
+        Vec2 velocity{speed * std::cos(heading), speed * std::sin(heading)};
         if (!walled) velocity = 0.3f * velocity - (speed / std::max(half, 0.1f)) * at;
         const bool isBox = random.unit() < boxes;
         const Vec2 sides{0.8f * size, random.between(0.4f, 0.6f) * size};

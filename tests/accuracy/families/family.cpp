@@ -68,7 +68,7 @@ constexpr auto kFamilies = std::to_array<Family>({
      "rests, nothing is passed through, no energy is gained",
      makeSoftAmongRigid},
     {"tumbler",
-     "drums of 4 to 12 sides that turn at 0.2 to 6 rad/s of themselves or by a motor, up to 45 % full: "
+     "drums of 4 to 12 sides that turn at 0.2 to 6 rad/s, kinematic or by a motor, up to 45 % full: "
      "nothing "
      "gets out",
      makeTumbler},

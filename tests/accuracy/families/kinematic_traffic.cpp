@@ -3,7 +3,7 @@
 //
 // What a lift carries stays on: its path is a cosine whose largest acceleration is below 0.4 friction g
 // sideways and 0.5 g upright, and crates are no higher than wide, so that they do not topple (friction 0.8 at
-// most). What a sweeper, rotor or piston meets has room to give way: the corridor is open at its end, the
+// most). What a sweeper, rotor or piston meets has room to move aside: the corridor is open at its end, the
 // rotor passes walls at 2.5 times the size of the largest crate, the cylinder is never more than 60 % full.
 
 #include <algorithm>
@@ -32,7 +32,7 @@ struct Shuttle {
     bool even = false;  ///< at one speed from its first step on, in place of a cosine
 
     [[nodiscard]] bool isMoving(int step) const { return step % (rests + moves) >= rests; }
-    /// Where it is to be after a step: the ends in turns.
+    /// Where it is to be after a step: the two ends alternate.
     [[nodiscard]] Vec2 at(int step) const {
         const int cycle = step / (rests + moves), phase = step % (rests + moves) - rests + 1;
         float part = 0.0f;

@@ -52,7 +52,7 @@ float massOf(std::uint32_t rule, std::size_t i, std::size_t count, float ratio, 
         case 0: return std::pow(ratio, part);            // heavier and heavier
         case 1: return std::pow(ratio, 1.0f - part);     // lighter and lighter
         case 2: return i + 1 == count ? ratio : 1.0f;    // one heavy box on top
-        case 3: return i % 2 == 0 ? 1.0f : ratio;        // in turns
+        case 3: return i % 2 == 0 ? 1.0f : ratio;        // alternating
         default: return std::pow(ratio, random.unit());  // any
     }
 }

@@ -1,4 +1,4 @@
-// Crowds in a drum that turns: of itself, or on a hinge with a motor.
+// Crowds in a rotating drum: kinematic, or on a hinge with a motor.
 //
 // The drum is a closed ring of boxes that overlap at its corners and is at most 45 % full, so that nothing
 // has a reason to leave or to be crushed.
