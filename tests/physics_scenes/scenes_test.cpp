@@ -15,6 +15,7 @@ namespace {
 class StillWorld final : public SceneBuilder {
 public:
     void moveTo(BodyHandle, Vec2, float, float) override {}
+    void setPosition(BodyHandle, Vec2, float) override {}
     void setSpin(BodyHandle, float) override {}
     void setMass(BodyHandle, float) override {}
     void setVelocity(BodyHandle, Vec2) override {}

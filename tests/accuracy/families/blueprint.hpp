@@ -46,9 +46,16 @@ struct Blueprint {
     std::vector<JointSetup> joints;
     /// Called before each step with its number. May be empty.
     std::function<void(Stage&, int)> drive;
+    /// What a SceneBuilder does not have: soft bodies, fields. Called once when all bodies are built, in the
+    /// engine of this repository alone; a scene with it is not played in others. May be empty.
+    std::function<void(Stage&)> extra;
+    std::string_view extraNeeds;  ///< what others lack for it: "soft bodies"
     std::vector<Goal> goals;
-    /// No motor, kinematic body or owner adds energy.
+    /// No motor, kinematic body, field or owner adds energy.
     bool closed = true;
+    /// How many bodies lie on each other at most. Each may be pushed out of an overlap of one slop, and with
+    /// it all above: energy that the book allows.
+    int layers = 1;
 
     std::uint32_t add(const BodyPlan& plan);
     std::uint32_t add(const BodySetup& setup, const Outline& outline, const Material& material = {});

@@ -26,7 +26,9 @@ const Family* findFamily(std::string_view name);
 Blueprint memberOf(const Family& family, std::uint64_t seed);
 
 // One function a family: families/<name>.cpp
+Blueprint makeBullets(Random& random);
 Blueprint makeCardHouse(Random& random);
+Blueprint makeChurn(Random& random);
 Blueprint makeClosingBox(Random& random);
 Blueprint makeDominoRun(Random& random);
 Blueprint makeDrivenChain(Random& random);
@@ -37,5 +39,13 @@ Blueprint makeMixedPile(Random& random);
 Blueprint makeRagdollStairs(Random& random);
 Blueprint makeRopeBridge(Random& random);
 Blueprint makeVehicleTerrain(Random& random);
+Blueprint makeElasticGas(Random& random);
+Blueprint makeFields(Random& random);
+Blueprint makeKinematicTraffic(Random& random);
+Blueprint makeOneWayBelt(Random& random);
+Blueprint makeRatioStack(Random& random);
+Blueprint makeSeamSlide(Random& random);
+Blueprint makeSoftAmongRigid(Random& random);
+Blueprint makeTumbler(Random& random);
 
 }  // namespace plumb::families

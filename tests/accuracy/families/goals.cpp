@@ -42,12 +42,11 @@ Goal staysIn(std::vector<std::uint32_t> bodies, Vec2 low, Vec2 high) {
     return {"stays in", error, 0.0};
 }
 
-Goal keepsJoints(double gap) {
+Goal overlapsAtMost(double depth) {
     const auto error = [](const Stage& stage) {
-        return scenes::errorOf(stage.scene()).maxJointError /
-               static_cast<double>(stage.variation().placement.scale);
+        return scenes::errorOf(stage.scene()).maxPenetration / static_cast<double>(stage.scale());
     };
-    return {"keeps its joints", error, gap};
+    return {"overlaps", error, depth};
 }
 
 Goal rests(std::vector<std::uint32_t> bodies, double speed) {
@@ -61,12 +60,12 @@ Goal rests(std::vector<std::uint32_t> bodies, double speed) {
     return {"rests", error, speed};
 }
 
-Goal overlapsAtMost(double depth) {
+Goal keepsJoints(double gap) {
     const auto error = [](const Stage& stage) {
-        return scenes::errorOf(stage.scene()).maxPenetration /
+        return scenes::errorOf(stage.scene()).maxJointError /
                static_cast<double>(stage.variation().placement.scale);
     };
-    return {"overlaps", error, depth};
+    return {"keeps its joints", error, gap};
 }
 
 bool takesPart(const Stage& stage, std::uint32_t body) {

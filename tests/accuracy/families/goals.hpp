@@ -12,12 +12,12 @@ Goal staysWithin(std::vector<std::uint32_t> bodies, double distance);
 Goal sleeps();
 /// "stays in": the center of each of these bodies is in the box.
 Goal staysIn(std::vector<std::uint32_t> bodies, Vec2 low, Vec2 high);
-/// "keeps its joints": no joint is open by more (m).
-Goal keepsJoints(double gap);
+/// "overlaps": no two shapes are deeper (m) in each other at the end.
+Goal overlapsAtMost(double depth);
 /// "rests": none of these bodies is faster (m/s).
 Goal rests(std::vector<std::uint32_t> bodies, double speed);
-/// "overlaps": no two shapes overlap by more (m).
-Goal overlapsAtMost(double depth);
+/// "keeps its joints": no joint is open by more (m).
+Goal keepsJoints(double gap);
 
 /// False for a body that shrinking took out of the scene: goals that ask for a motion leave it out.
 bool takesPart(const Stage& stage, std::uint32_t body);

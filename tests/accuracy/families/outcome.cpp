@@ -37,12 +37,15 @@ double kineticEnergyOf(const physics::World& world) {
 /// seen, of a 24 m arch that sinks into its joints when it is built, takes 1.5 s.
 class EnergyBook {
 public:
+    /// @param layers  as Blueprint::layers
+    explicit EnergyBook(int layers) : layers_{layers} {}
+
     void note(const physics::World& world) {
         const double now = physics::energyOf(world);
         if (steps_ == 0) {
             level_ = low_ = high_ = now;
             for (const physics::BodyMass& mass : world.bodies.mass) lift_ += static_cast<double>(mass.mass);
-            lift_ *= static_cast<double>(length(world.settings.gravity) * world.settings.slop);
+            lift_ *= layers_ * static_cast<double>(length(world.settings.gravity) * world.settings.slop);
         }
         gain_ = std::max(gain_, now - level_);
         recent_[steps_++ % recent_.size()] = now;
@@ -60,6 +63,7 @@ public:
     }
 
 private:
+    int layers_ = 1;
     std::array<double, 120> recent_{};  ///< J: of the last 2 s
     std::size_t steps_ = 0;
     double level_ = 0.0;
@@ -86,7 +90,7 @@ public:
     void after(const Stage& stage) {
         for (std::uint32_t body = 0; body < std::min(stage.size(), moments_.size()); ++body) {
             const Moment& moment = moments_[body];
-            if (!moment.there || !stage.has(body)) continue;
+            if (!moment.there || !stage.has(body) || stage.wasTeleported(body)) continue;
             const scenes::Point now = stage.positionOf(body);
             const double moved = std::hypot(now.x - moment.position.x, now.y - moment.position.y);
             const double speed = std::max(moment.speed, static_cast<double>(length(stage.velocityOf(body))));
@@ -115,6 +119,12 @@ std::uint64_t bitsOf(const physics::World& world) {
         for (const float value : {pose.rotation.cos, pose.rotation.sin, motion.velocity.x, motion.velocity.y,
                                   motion.angularVelocity})
             hash.add(std::uint64_t{std::bit_cast<std::uint32_t>(value)});
+    }
+    for (const physics::SoftBody& soft : world.softBodies.all) {
+        for (const physics::SoftParticle& particle : soft.particles) {
+            hash.add(std::bit_cast<std::uint64_t>(particle.place.x));
+            hash.add(std::bit_cast<std::uint64_t>(particle.place.y));
+        }
     }
     return hash.value();
 }
@@ -158,11 +168,15 @@ double now() {
 
 Outcome play(const Blueprint& plan, const Variation& variation) {
     Outcome outcome;
+    if (plan.extra && variation.peer != nullptr) {
+        outcome.missing = plan.extraNeeds;
+        return outcome;
+    }
     Stage stage{plan, variation};
     outcome.missing = stage.scene().missing();
     if (!outcome.missing.empty()) return outcome;
     const int steps = static_cast<int>(std::lround(plan.seconds / static_cast<double>(kStep)));
-    EnergyBook energy;
+    EnergyBook energy{plan.layers};
     JumpMeter jumps;
     double spent = 0.0;
     for (int i = 0; i < steps && outcome.sound; ++i) {

@@ -80,6 +80,7 @@ void Stage::build() {
     for (const std::uint32_t joint : orderOf(plan_.joints.size(), variation_.shuffle))
         make(plan_.joints[joint]);
     scene_->finish();
+    if (plan_.extra && plumb_ != nullptr) plan_.extra(*this);
 }
 
 void Stage::make(std::uint32_t body, const BodyPlan& plan) {
@@ -91,11 +92,11 @@ void Stage::make(std::uint32_t body, const BodyPlan& plan) {
     setup.sleepSpeed *= scale_;
     handles_[body] = scene_->createBody(setup);
     for (const ShapeSetup& shape : plan.shapes)
-        scene_->addShape(handles_[body], placed(shape.outline), shape.material);
+        scene_->addShape(handles_[body], placed(shape.outline), placed(shape.material));
     for (std::vector<Vec2> loop : plan.loops) {
         for (Vec2& point : loop) point = local(point);
         if (variation_.placement.mirrored) std::reverse(loop.begin(), loop.end());
-        scene_->addLoop(handles_[body], loop, plan.loopMaterial);
+        scene_->addLoop(handles_[body], loop, placed(plan.loopMaterial));
     }
     if (plan.mass > 0.0f) scene_->setMass(handles_[body], plan.mass * scale_ * scale_);
 }
@@ -147,6 +148,29 @@ Outline Stage::placed(const Outline& outline) const {
     return made;
 }
 
+Material Stage::placed(Material material) const {
+    // Along the outline, whose sense a mirror turns round.
+    material.surfaceSpeed *= sign() * scale_;
+    material.oneWayDirection.x *= sign();
+    return material;
+}
+
+physics::Place Stage::placeOf(Vec2 point) const {
+    const Vec2 at = vectorOf(point);
+    const Placement& placement = variation_.placement;
+    return physics::Place{placement.originX, placement.originY} + at;
+}
+
+Vec2 Stage::pointOf(physics::Place place) const {
+    const Placement& placement = variation_.placement;
+    return unplaced((1.0f / scale_) * (place - physics::Place{placement.originX, placement.originY}));
+}
+
+bool Stage::isAsleep(std::uint32_t body) const {
+    return plumb_ != nullptr &&
+           !physics::isAwake(std::as_const(*plumb_).world(), plumb_->idOf(handles_[body]));
+}
+
 bool Stage::has(std::uint32_t body) const {
     return body < handles_.size() && handles_[body].index != kGone.index;
 }
@@ -194,6 +218,20 @@ void Stage::moveTo(std::uint32_t body, Vec2 position, float angle) {
     if (has(body)) scene_->moveTo(handles_[body], scale_ * placed(position), placedAngle(angle), kStep);
 }
 
+void Stage::setMass(std::uint32_t body, float kilograms) {
+    if (has(body)) scene_->setMass(handles_[body], kilograms * scale_ * scale_);
+}
+
+void Stage::teleport(std::uint32_t body, Vec2 position, float angle) {
+    if (!has(body)) return;
+    scene_->setPosition(handles_[body], scale_ * placed(position), placedAngle(angle));
+    teleported_.push_back(body);
+}
+
+bool Stage::wasTeleported(std::uint32_t body) const {
+    return std::find(teleported_.begin(), teleported_.end(), body) != teleported_.end();
+}
+
 void Stage::destroy(std::uint32_t body) {
     if (!has(body)) return;
     scene_->destroy(handles_[body]);
@@ -209,6 +247,7 @@ std::uint32_t Stage::spawn(const BodyPlan& plan) {
 }
 
 void Stage::step() {
+    teleported_.clear();
     if (plan_.drive) plan_.drive(*this, steps_);
     if (plumb_ != nullptr && variation_.restoreEvery > 0 && steps_ % variation_.restoreEvery == 0) {
         physics::World copy = plumb_->world();

@@ -40,6 +40,11 @@ public:
     void setVelocity(std::uint32_t body, Vec2 velocity);
     void setSpin(std::uint32_t body, float spin);
     void moveTo(std::uint32_t body, Vec2 position, float angle);  ///< kinematic: at the end of the step
+    void setMass(std::uint32_t body, float kilograms);
+    /// Puts a body elsewhere at once.
+    void teleport(std::uint32_t body, Vec2 position, float angle);
+    /// Whether that was done in the step before.
+    [[nodiscard]] bool wasTeleported(std::uint32_t body) const;
     void destroy(std::uint32_t body);
     std::uint32_t spawn(const BodyPlan& plan);  ///< @return its index, after those of the blueprint
 
@@ -50,6 +55,16 @@ public:
     [[nodiscard]] const physics::World* world() const {
         return plumb_ == nullptr ? nullptr : &std::as_const(*plumb_).world();
     }
+    /// False in other engines. @pre has(body)
+    [[nodiscard]] bool isAsleep(std::uint32_t body) const;
+
+    // For what Blueprint::extra adds to the world of Plumb: from the blueprint to the world and back.
+
+    [[nodiscard]] physics::Place placeOf(Vec2 point) const;
+    [[nodiscard]] Vec2 pointOf(physics::Place place) const;
+    [[nodiscard]] Vec2 vectorOf(Vec2 vector) const { return scale_ * placed(vector); }
+    [[nodiscard]] float scale() const { return scale_; }
+
     /// Where a body is in the engine; @pre has(body)
     [[nodiscard]] scenes::BodyHandle handleAt(std::uint32_t body) const { return handles_[body]; }
     [[nodiscard]] std::size_t size() const { return handles_.size(); }  ///< bodies, those gone too
@@ -64,6 +79,7 @@ private:
     [[nodiscard]] Vec2 local(Vec2 point) const;  ///< of a body's frame: mirrored and scaled
     [[nodiscard]] float placedAngle(float angle) const;
     [[nodiscard]] Outline placed(const Outline& outline) const;
+    [[nodiscard]] Material placed(Material material) const;
     [[nodiscard]] float sign() const { return variation_.placement.mirrored ? -1.0f : 1.0f; }
 
     const Blueprint& plan_;
@@ -71,6 +87,7 @@ private:
     std::unique_ptr<scenes::SceneBuilder> scene_;
     scenes::PlumbWorld* plumb_ = nullptr;
     std::vector<scenes::BodyHandle> handles_;  ///< by body of the blueprint
+    std::vector<std::uint32_t> teleported_;    ///< in this step
     Rot turn_;
     float scale_ = 1.0f;
     int steps_ = 0;

@@ -28,9 +28,12 @@ physics::ShapeDefinition definitionOf(const Material& material) {
     return {.density = material.density,
             .friction = material.friction,
             .bounciness = material.bounciness,
+            .surfaceSpeed = -material.surfaceSpeed,  // its positive sense is for y down
             .layers = material.layers,
             .mask = material.mask,
             .group = material.group,
+            .oneWay = material.oneWay,
+            .oneWayDirection = material.oneWayDirection,
             .reportsContacts = material.reports};
 }
 

@@ -36,6 +36,9 @@ public:
     void setSpin(BodyHandle body, float spin) override {
         static_cast<void>(physics::setAngularVelocity(world_, at(body), spin));
     }
+    void setPosition(BodyHandle body, Vec2 position, float angle) override {
+        static_cast<void>(physics::setPosition(world_, at(body), origin_ + position, angle));
+    }
     [[nodiscard]] physics::World& world() { return world_; }
     [[nodiscard]] const physics::World& world() const { return world_; }
     [[nodiscard]] physics::BodyId idOf(BodyHandle body) const { return ids_[body.index]; }

@@ -46,6 +46,10 @@ struct Material {
     std::uint32_t mask = 0xffffffffu;
     int group = 0;         ///< two of the same group below 0 never meet
     bool reports = false;  ///< its contacts are events
+    /// m/s of a belt: what lies on its upper side is carried along +x.
+    float surfaceSpeed = 0.0f;
+    bool oneWay = false;               ///< lets through what comes along `oneWayDirection`
+    Vec2 oneWayDirection{0.0f, 1.0f};  ///< in the body's frame
 };
 
 enum class OutlineKind : std::uint8_t { Circle, Capsule, Box, Polygon, Segment, ChainSegment };
@@ -148,7 +152,9 @@ public:
     virtual void setMass(BodyHandle body, float kilograms) = 0;
     virtual void setVelocity(BodyHandle body, Vec2 velocity) = 0;  ///< m/s
     virtual void setSpin(BodyHandle body, float spin) = 0;         ///< rad/s
-    virtual void finish() {}                                       ///< everything is built
+    /// Puts a body elsewhere at once (m, rad); its velocity stays.
+    virtual void setPosition(BodyHandle body, Vec2 position, float angle) = 0;
+    virtual void finish() {}  ///< everything is built
     virtual void step(float dt) = 0;
 
     [[nodiscard]] virtual Pose poseOf(BodyHandle body) const = 0;

@@ -61,6 +61,10 @@ public:
     void setVelocity(BodyHandle body, Vec2 velocity) override {
         at(body)->SetLinearVelocity(toPeer(velocity));
     }
+    void setPosition(BodyHandle body, Vec2 position, float angle) override {
+        at(body)->SetTransform(origin_ + toPeer(position), angle);
+        at(body)->SetAwake(true);
+    }
     void step(float dt) override {
         world_.Step(dt, kVelocityIterations, kPositionIterations);
         totals_.add(world_.GetProfile());
@@ -105,6 +109,7 @@ protected:
         bodies_.push_back(world_.CreateBody(&definition));
     }
     void makeShape(BodyHandle body, const Outline& outline, const Material& material) override {
+        if (material.surfaceSpeed != 0.0f || material.oneWay) lacks("belts and one-way shapes");
         switch (outline.kind) {
             case OutlineKind::Circle: {
                 b2CircleShape shape;

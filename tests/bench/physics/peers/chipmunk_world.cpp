@@ -61,6 +61,11 @@ public:
     void setSpin(BodyHandle body, float spin) override {
         cpBodySetAngularVelocity(at(body), static_cast<double>(spin));
     }
+    void setPosition(BodyHandle body, Vec2 position, float angle) override {
+        cpBodySetPosition(at(body), toPeer(position));
+        cpBodySetAngle(at(body), static_cast<double>(angle));
+        cpSpaceReindexShapesForBody(space_, at(body));
+    }
     void finish() override {
         for (const BodyHandle body : sleepers_) cpBodySleep(at(body));
     }
@@ -108,6 +113,7 @@ protected:
         if (!setup.awake) sleepers_.push_back(body);
     }
     void makeShape(BodyHandle body, const Outline& outline, const Material& material) override {
+        if (material.surfaceSpeed != 0.0f || material.oneWay) lacks("belts and one-way shapes");
         const auto radius = static_cast<double>(outline.radius);
         const cpVect first = toPeer(outline.points[0]);
         const cpVect second = toPeer(outline.points[1]);
