@@ -20,7 +20,8 @@ void drawVelocities(const Picture& picture) {
     });
 }
 
-// As predictTransform(), but seen from the view, so that it is exact far from the world's origin too.
+// As predictTransform(), but relative to the view's origin, so that it is exact far from the world's origin
+// too.
 void drawPaths(const Picture& picture) {
     const World& world = picture.world;
     picture.forBodies([&](std::uint32_t body) {
