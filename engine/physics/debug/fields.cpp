@@ -7,7 +7,7 @@ namespace plumb::physics {
 
 namespace {
 
-constexpr float kFlowLength = 0.2f;   // s: metres drawn for 1 m/s of wind or current
+constexpr float kFlowLength = 0.2f;   // s: meters drawn for 1 m/s of wind or current
 constexpr float kLevelWidth = 4.0f;   // m: half the drawn width of an unbounded fluid's surface
 constexpr float kPullRadius = 0.25f;  // m: size of the symbol of an attractor
 constexpr float kSpringEnd = 0.06f;   // m

@@ -5,7 +5,7 @@ namespace plumb::physics {
 
 namespace {
 
-constexpr float kVelocityLength = 0.1f;  // s: metres drawn for 1 m/s
+constexpr float kVelocityLength = 0.1f;  // s: meters drawn for 1 m/s
 constexpr float kPathTime = 1.0f;        // s
 constexpr int kPathLines = 20;
 

@@ -10,7 +10,7 @@ namespace {
 struct End {
     Place place;  // m
     Vec2 velocity;
-    Vec2 arm;  // m, from the centre of mass
+    Vec2 arm;  // m, from the center of mass
     float inverseMass = 0.0f;
     float inverseInertia = 0.0f;
 };

@@ -21,8 +21,8 @@ struct JointView {
     const JointTiming& timing;
     Rot turnA;
     Rot turnB;
-    Vec2 between;   ///< m: from A's centre of mass to B's
-    Vec2 toTarget;  ///< m: from JointDefinition::target to B's centre of mass
+    Vec2 between;   ///< m: from A's center of mass to B's
+    Vec2 toTarget;  ///< m: from JointDefinition::target to B's center of mass
 };
 
 /// Larger than any impulse: stands for "unlimited".
@@ -47,7 +47,7 @@ struct ValueParts {
 /// A joint in terms of the constraints that the solver implements. Its block kind decides which of them
 /// apply.
 struct JointParts {
-    Vec2 armA;  ///< m, world, from the centre of mass
+    Vec2 armA;  ///< m, world, from the center of mass
     Vec2 armB;
     Vec2 apart;  ///< m: from A's anchor to B's
     Grip grip;   ///< soft constraint parameters of the point constraint

@@ -26,7 +26,7 @@ struct GripLanes {
     float most[kLanes];     ///< N s or N m s: maximum impulse per substep
 };
 
-/// The two bodies of eight joints of one colour.
+/// The two bodies of eight joints of one color.
 struct JointBodies {
     std::int32_t a[kLanes];  ///< slots
     std::int32_t b[kLanes];
@@ -38,7 +38,7 @@ struct JointBodies {
 
 /// Two anchors, with the arms of the start of the step.
 struct AnchorLanes {
-    float armAX[kLanes];  ///< m, world, from the centre of mass
+    float armAX[kLanes];  ///< m, world, from the center of mass
     float armAY[kLanes];
     float armBX[kLanes];
     float armBY[kLanes];

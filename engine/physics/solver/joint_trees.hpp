@@ -52,7 +52,7 @@ struct Link {
     std::int32_t parent = -1;  ///< in JointTrees::limbs; -1 for a static or kinematic body
     std::uint32_t ground = 0;  ///< in that case: the body
     // At the start of the step.
-    Vec2 limbArm;  ///< m, world, from the centre of mass
+    Vec2 limbArm;  ///< m, world, from the center of mass
     Vec2 parentArm;
     Vec2 apart;          ///< m: from the parent's anchor to the limb's
     Vec2 axis;           ///< sliding axis

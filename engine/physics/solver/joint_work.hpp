@@ -35,7 +35,7 @@ struct JointWork {
     JointTrees trees;
     std::vector<std::uint8_t> leverages;  ///< by joint: leverageOf()
     bool someLeverage = false;            ///< some are above 0
-    std::vector<std::int32_t> counts;     ///< by group, colour and kind
+    std::vector<std::int32_t> counts;     ///< by group, color and kind
     std::vector<std::int32_t> keys;       ///< by index in Joints::awake
     std::vector<BreakableJoint> breakables;
 };
