@@ -8,6 +8,7 @@
 #include "reflect/component_json.hpp"
 #include "reflect/field_json.hpp"
 #include "reflect/json.hpp"
+#include "reflect/json_members.hpp"
 #include "reflect/json_text.hpp"
 #include "scene/components/prefab_instance.hpp"
 #include "scene/world_field_context.hpp"
@@ -22,9 +23,7 @@ class PrefabText {
 public:
     PrefabText(Document& document, PrefabLibrary& prefabs, Json file)
         : document_{document}, prefabs_{prefabs}, file_(std::move(file)) {  // braces would make it a list
-        const Json& root = file_["entities"].front();
-        if (const auto id = root.find("id"); id != root.end() && id->is_string())
-            rootId_ = parseHex(id->get_ref<const std::string&>()).value_or(Prefab::kRootPart);
+        if (const std::uint64_t id = hexIdIn(root(), "id")) rootId_ = id;
     }
 
     /// Puts what one entity has for itself into its place. @return how many values
@@ -85,40 +84,34 @@ private:
         changeReferences(document_.types(), components, partId);
         fields = Json::object();
         for (const auto& [key, value] : components.begin()->items()) {
-            if (value.dump().find(hexText(kOutside)) == std::string::npos) fields[key] = value;
+            if (compactText(value).find(hexText(kOutside)) == std::string::npos) fields[key] = value;
         }
     }
 
     /// Where the file speaks of an entity: among its own, or among what it changes of a prefab inside it.
     Json& placeOf(const InstancePart& part) {
         const std::uint64_t wanted = part.base().part;
-        bool first = true;
         for (Json& entity : file_["entities"]) {
-            const std::uint64_t id = std::exchange(first, false) ? Prefab::kRootPart : idOf(entity);
+            if (!entity.is_object()) continue;
+            const std::uint64_t id = &entity == &root() ? Prefab::kRootPart : hexIdIn(entity, "id");
             if (id == wanted) return entity;
-            const auto inner = entity.find("prefab");
-            if (inner == entity.end() || !inner->is_string()) continue;
-            const Result<const Prefab*> nested = prefabs_.find(inner->get_ref<const std::string&>());
+            const std::string* inner = findText(entity, "prefab");
+            if (inner == nullptr) continue;
+            const Result<const Prefab*> nested = prefabs_.find(*inner);
             if (!nested) continue;
             for (const PrefabEntity& below : (*nested)->entities) {
                 if (combinedId(id, below.part) == wanted)
-                    return objectIn(objectIn(entity, "children"), hexText(below.part));
+                    return makeObject(makeObject(entity, "children"), hexText(below.part));
             }
         }
-        return file_["entities"].front();
+        return root();
     }
 
-    /// A member that is an object, whatever it was.
-    static Json& objectIn(Json& json, const std::string& key) {
-        Json& member = json[key];
-        if (!member.is_object()) member = Json::object();
-        return member;
-    }
-
-    [[nodiscard]] static std::uint64_t idOf(const Json& entity) {
-        const auto id = entity.find("id");
-        const bool text = id != entity.end() && id->is_string();
-        return text ? parseHex(id->get_ref<const std::string&>()).value_or(0) : 0;
+    /// The first entity; what is none is left out by the reader of prefabs, too.
+    Json& root() {
+        Json& entities = file_["entities"];
+        return *std::find_if(entities.begin(), entities.end(),
+                             [](const Json& one) { return one.is_object(); });
     }
 
     /// Whether the entity's own lines are all there is; else a prefab inside stands below them.
@@ -127,7 +120,7 @@ private:
     }
 
     static void erase(Json& entity, const std::string& type) {
-        if (entity.contains("components")) objectIn(entity, "components").erase(type);
+        if (Json* components = findObject(entity, "components")) components->erase(type);
         if (isPlain(entity)) return;
         Json& without = entity["without"];
         if (!without.is_array()) without = Json::array();
@@ -135,9 +128,9 @@ private:
     }
 
     void merge(Json& entity, const TypeInfo& type, const Json& fields) const {
-        Json& components = objectIn(entity, "components");
+        Json& components = makeObject(entity, "components");
         const bool fresh = !components.contains(std::string{type.name});
-        Json& there = objectIn(components, std::string{type.name});
+        Json& there = makeObject(components, type.name);
         // What is there keeps its place, so that the file changes in few lines.
         const std::size_t before = there.size();
         for (const auto& [key, value] : fields.items()) {
@@ -146,7 +139,7 @@ private:
         if (isPlain(entity)) dropDefaults(type, fields, there);
         if (there.size() > before) there = ordered(there, type);
         if (fresh) components = ordered(components);
-        if (const auto without = entity.find("without"); without != entity.end() && without->is_array()) {
+        if (Json* without = findArray(entity, "without")) {
             for (std::size_t i = without->size(); i-- > 0;) {
                 if ((*without)[i] == type.name) without->erase(i);
             }
@@ -255,8 +248,9 @@ Result<Done> applyToPrefab(const PrefabEdit& edit, ObjectId id, const PrefabScop
     if (!text) return text.error();
     Result<Json> json = parseJson(*text, path);
     if (!json) return json.error();
-    if (!json->is_object() || !json->contains("entities") || !(*json)["entities"].is_array() ||
-        (*json)["entities"].empty())
+    const Json* entities = findArray(*json, "entities");
+    if (entities == nullptr || std::none_of(entities->begin(), entities->end(),
+                                            [](const Json& entity) { return entity.is_object(); }))
         return Error{path, "this is no prefab any more", "bring the file back"};
 
     PrefabText made{edit.document, *edit.prefabs, *std::move(json)};

@@ -9,6 +9,7 @@
 #include "editor/model/prefab_root.hpp"
 #include "reflect/field_json.hpp"
 #include "reflect/json.hpp"
+#include "reflect/json_members.hpp"
 #include "reflect/json_text.hpp"
 #include "scene/components/prefab_instance.hpp"
 #include "scene/components/scene_entity.hpp"
@@ -19,11 +20,6 @@ namespace {
 
 constexpr std::string_view kMark = "plumbEntities";
 
-ObjectId idFrom(const Json& json) {
-    if (!json.is_string()) return {};
-    return {parseHex(json.get_ref<const std::string&>()).value_or(0)};
-}
-
 ComponentState componentFrom(const TypeInfo& type, const Json& json, WorldFieldContext& context) {
     ComponentState state = defaultComponent(type);
     if (!json.is_object()) return state;
@@ -31,7 +27,7 @@ ComponentState componentFrom(const TypeInfo& type, const Json& json, WorldFieldC
         const auto found = json.find(std::string{field.name});
         if (found == json.end()) continue;
         if (field.kind == FieldKind::Entity) {
-            const ObjectId id = idFrom(*found);
+            const ObjectId id{hexIdOf(*found)};
             std::memcpy(field.in(static_cast<void*>(state.bytes.data())), &id, sizeof id);
         } else if (!(field.kind == FieldKind::List && field.element == FieldKind::Entity)) {
             static_cast<void>(fieldFromJson(field, state.bytes.data(), *found, context).ok());
@@ -42,16 +38,13 @@ ComponentState componentFrom(const TypeInfo& type, const Json& json, WorldFieldC
 
 EntityState entityFrom(const Document& document, const Json& json, WorldFieldContext& context) {
     EntityState state;
-    const Json none;
-    const auto member = [&](const char* key) -> const Json& {
-        const auto found = json.find(key);
-        return found == json.end() ? none : *found;
-    };
-    state.id = idFrom(member("id"));
-    state.parent = idFrom(member("parent"));
+    state.id = {hexIdIn(json, "id")};
+    state.parent = {hexIdIn(json, "parent")};
     SceneEntity part;
     state.components.push_back({&document.types().of<SceneEntity>(), FieldValue::of(part).bytes});
-    for (const auto& [name, fields] : member("components").items()) {
+    const Json* components = findObject(json, "components");
+    if (components == nullptr) return state;
+    for (const auto& [name, fields] : components->items()) {
         const TypeInfo* type = document.types().find(name);
         if (type != nullptr && type->key != typeKey<SceneEntity>()) {
             state.components.push_back(componentFrom(*type, fields, context));
@@ -155,12 +148,11 @@ Pasted pasteFromText(const PrefabEdit& edit, std::string_view text) {
     Document& document = edit.document;
     Pasted pasted;
     const Result<Json> json = parseJson(text, "clipboard");
-    if (!json || !json->is_object() || !json->contains(std::string{kMark})) return pasted;
-    const Json& list = (*json)[std::string{kMark}];
-    if (!list.is_array() || list.empty()) return pasted;
+    const Json* list = json ? findArray(*json, kMark) : nullptr;
+    if (list == nullptr) return pasted;
     WorldFieldContext context{document.world};
     std::vector<EntityState> states;
-    for (const Json& entity : list) {
+    for (const Json& entity : *list) {
         if (entity.is_object()) states.push_back(entityFrom(document, entity, context));
     }
     if (states.empty()) return pasted;

@@ -7,6 +7,7 @@
 #include "reflect/component_json.hpp"
 #include "reflect/field_json.hpp"
 #include "reflect/json.hpp"
+#include "reflect/json_members.hpp"
 #include "reflect/json_text.hpp"
 #include "scene/world_field_context.hpp"
 
@@ -19,8 +20,8 @@ constexpr std::string_view kMark = "plumbComponent";
 Result<ComponentState> componentFromText(Workspace& workspace, const TypeInfo& type, std::string_view text) {
     const Result<Json> json = parseJson(text, "clipboard");
     if (!json) return json.error();
-    const auto fields = json->find("fields");
-    if (fields == json->end()) return Error{"clipboard", "the component has no \"fields\"", "copy it again"};
+    const Json* fields = findMember(*json, "fields");
+    if (fields == nullptr) return Error{"clipboard", "the component has no \"fields\"", "copy it again"};
     WorldFieldContext context{workspace.shownWorld()};
     ComponentState scratch = defaultComponent(type);
     std::vector<FieldProblem> problems;

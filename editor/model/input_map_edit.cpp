@@ -9,6 +9,7 @@
 #include "editor/model/commands/write_asset.hpp"
 #include "editor/model/key_words.hpp"
 #include "editor/model/played_keys.hpp"
+#include "reflect/json_members.hpp"
 #include "reflect/json_text.hpp"
 
 namespace plumb::editor {
@@ -34,22 +35,10 @@ std::string counted(std::size_t count, std::string_view what) {
     return format("{} {}{}", count, what, count == 1 ? "" : "s");
 }
 
-/// A value inside of an object; null when there is none.
-const Json* inside(const Json& json, std::string_view key) {
-    if (!json.is_object()) return nullptr;
-    const auto found = json.find(std::string{key});
-    return found == json.end() ? nullptr : &*found;
-}
 bool isNamed(const Json& project, Kind kind, const std::string& name) {
-    const Json* input = inside(project, "input");
-    const Json* list = input == nullptr ? nullptr : inside(*input, keyOf(kind));
-    return list != nullptr && inside(*list, name) != nullptr;
-}
-/// An object inside of an object, made when there is none.
-Json& made(Json& json, const std::string& key) {
-    Json& value = json[key];
-    if (!value.is_object()) value = Json::object();
-    return value;
+    const Json* input = findMember(project, "input");
+    const Json* list = input == nullptr ? nullptr : findMember(*input, keyOf(kind));
+    return list != nullptr && findMember(*list, name) != nullptr;
 }
 
 bool isDefault(Kind kind, std::string_view name) {
@@ -74,7 +63,7 @@ const std::string& InputMapEdit::refresh() {
         return problem_;
     }
     project_ = *json;
-    const Json* input = inside(project_, "input");
+    const Json* input = findMember(project_, "input");
     std::vector<Error> problems;
     const ActionMap map =
         actionMapFromJson(input == nullptr ? Json::object() : *input, "project.json: input", problems);
@@ -150,7 +139,7 @@ Result<Done> InputMapEdit::add(Kind kind, std::string_view name) {
     if (Result<Done> can = ready(); !can) return can;
     if (Result<Done> good = checkName(kind, name); !good) return good;
     Json project = project_;
-    Json& item = made(made(project, "input"), keyOf(kind))[std::string{name}];
+    Json& item = makeObject(makeObject(project, "input"), keyOf(kind))[std::string{name}];
     item = Json::array();
     if (kind == Kind::Axis) {
         item = Json::object();
@@ -194,7 +183,7 @@ Result<Done> InputMapEdit::remove(Kind kind, const std::string& name) {
     if (!isNamed(project_, kind, name))
         return Error{name, "every game has this one", "take its keys away instead"};
     Json project = project_;
-    project["input"][keyOf(kind)].erase(name);
+    makeObject(makeObject(project, "input"), keyOf(kind)).erase(name);
     return write(
         isDefault(kind, name) ? format("reset keys of {}", name) : format("remove {} {}", nameOf(kind), name),
         std::move(project));
@@ -202,11 +191,11 @@ Result<Done> InputMapEdit::remove(Kind kind, const std::string& name) {
 
 Json InputMapEdit::withList(const Place& place, const std::vector<Binding>& bindings) const {
     Json project = project_;
-    Json& all = made(made(project, "input"), keyOf(place.kind));
+    Json& all = makeObject(makeObject(project, "input"), keyOf(place.kind));
     if (place.kind == Kind::Action) {
         all[place.name] = listOf(bindings);
     } else {
-        made(all, place.name)[place.part] = listOf(bindings);
+        makeObject(all, place.name)[place.part] = listOf(bindings);
     }
     return project;
 }

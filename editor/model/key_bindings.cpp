@@ -6,6 +6,7 @@
 #include "core/text.hpp"
 #include "editor/model/actions.hpp"
 #include "reflect/json.hpp"
+#include "reflect/json_members.hpp"
 
 namespace plumb::editor {
 namespace {
@@ -135,7 +136,7 @@ KeyBindings KeyBindings::fromJson(const Json& json, const std::string& where, st
         }
         std::vector<Shortcut> keys;
         for (const Json& text : texts) {
-            const auto one = text.is_string() ? shortcutFromText(text.get<std::string>()) : std::nullopt;
+            const auto one = shortcutFromText(textOrEmpty(text));
             if (one) {
                 keys.push_back(*one);
             } else {

@@ -6,6 +6,7 @@
 #include "core/text.hpp"
 #include "reflect/json.hpp"
 #include "reflect/json_fields.hpp"
+#include "reflect/json_members.hpp"
 
 namespace plumb::editor {
 namespace {
@@ -161,21 +162,19 @@ std::optional<PaneLayout> PaneLayout::fromJson(const Json& json, const std::stri
         const Json* tabs = fields.array(kDockNames[i]);
         for (std::size_t t = 0; tabs != nullptr && t < std::min(tabs->size(), kMostTabs); ++t) {
             const Json& tab = (*tabs)[t];
-            if (tab.is_string()) {
-                layout.panes_[i].tabs.push_back(tab.get<std::string>());
+            if (const std::string* name = jsonText(tab)) {
+                layout.panes_[i].tabs.push_back(*name);
             } else {
                 fields.warn(kDockNames[i], format("expected the name of a panel, found {}", tab.type_name()),
                             "it is left out");
             }
         }
-        const std::string dock{kDockNames[i]};
-        if (fronts != nullptr && fronts->is_object() && fronts->contains(dock) && (*fronts)[dock].is_string())
-            layout.panes_[i].front = (*fronts)[dock].get<std::string>();
+        const std::string* front = fronts == nullptr ? nullptr : findText(*fronts, kDockNames[i]);
+        if (front != nullptr) layout.panes_[i].front = *front;
     }
     if (const Json* closed = fields.find("closed"); closed != nullptr && closed->is_object()) {
         for (const auto& [panel, from] : closed->items()) {
-            const auto name = std::find(kDockNames.begin(), kDockNames.end(),
-                                        from.is_string() ? from.get<std::string>() : "");
+            const auto name = std::find(kDockNames.begin(), kDockNames.end(), textOrEmpty(from));
             const auto dock =
                 name == kDockNames.end() ? Dock::Bottom : static_cast<Dock>(name - kDockNames.begin());
             layout.closed_.push_back({panel, dock == Dock::Center ? Dock::Bottom : dock});

@@ -10,6 +10,7 @@
 #include "editor/model/prefab_root.hpp"
 #include "editor/model/tree_edit.hpp"
 #include "reflect/json.hpp"
+#include "reflect/json_members.hpp"
 #include "reflect/json_text.hpp"
 #include "scene/components/prefab_instance.hpp"
 #include "scene/scene_file.hpp"
@@ -30,14 +31,15 @@ public:
 
     [[nodiscard]] const std::map<ObjectId, std::uint64_t>& parts() const { return parts_; }
 
-    [[nodiscard]] std::string text() const {
+    /// @error the scene holds an entity whose text is no JSON
+    [[nodiscard]] Result<std::string> text() const {
         const Document& document = edit_.document;
         const SceneContext context{document.types(), edit_.prefabs, edit_.root};
         const Result<Json> scene = parseJson(sceneToJson(document.world, context, document.scene), "scene");
+        if (!scene) return scene.error();
         std::map<std::uint64_t, const Json*> known;
-        for (const Json& entity : (*scene)["entities"]) {
-            if (const auto id = entity.find("id"); id != entity.end() && id->is_string())
-                known[parseHex(id->get_ref<const std::string&>()).value_or(0)] = &entity;
+        if (const Json* all = findArray(*scene, "entities")) {
+            for (const Json& entity : *all) known[hexIdIn(entity, "id")] = &entity;
         }
         Json entities = Json::array();
         for (const ObjectId id : withDescendants(document, {root_})) {
@@ -68,27 +70,27 @@ private:
         json["id"] = hexText(idInPrefab(id.value));
         if (id == root_) {
             json.erase("parent");
-        } else if (const auto parent = json.find("parent"); parent != json.end() && parent->is_string()) {
-            *parent = hexText(idInPrefab(parseHex(parent->get_ref<const std::string&>()).value_or(0)));
+        } else if (findText(json, "parent") != nullptr) {
+            json["parent"] = hexText(idInPrefab(hexIdIn(json, "parent")));
         }
         localize(json);
-        if (const auto children = json.find("children"); children != json.end() && children->is_object()) {
+        if (Json* children = findObject(json, "children")) {
             for (auto& [part, overrides] : children->items()) localize(overrides);
         }
         // An instance stands where it stands.
-        if (id != root_ || !json.contains("components") || !json["components"].contains("Transform"))
-            return json;
-        Json& transform = json["components"]["Transform"];
-        transform.erase("position");
-        transform.erase("rotation");
-        if (transform.empty() && json.contains("prefab")) json["components"].erase("Transform");
+        Json* components = findObject(json, "components");
+        Json* transform = components == nullptr ? nullptr : findObject(*components, "Transform");
+        if (id != root_ || transform == nullptr) return json;
+        transform->erase("position");
+        transform->erase("rotation");
+        if (transform->empty() && json.contains("prefab")) components->erase("Transform");
         return json;
     }
 
     /// Leaves out references that lead out of the prefab.
     void localize(Json& entity) const {
-        const auto components = entity.find("components");
-        if (components == entity.end() || !components->is_object()) return;
+        Json* components = findObject(entity, "components");
+        if (components == nullptr) return;
         changeReferences(edit_.document.types(), *components,
                          [this](std::uint64_t id) { return idInPrefab(id); });
         const std::string outside = hexText(kOutside);
@@ -96,7 +98,7 @@ private:
             if (!fields.is_object()) continue;
             Json kept = Json::object();
             for (const auto& [key, value] : fields.items()) {
-                if (value.dump().find(outside) == std::string::npos) kept[key] = value;
+                if (compactText(value).find(outside) == std::string::npos) kept[key] = value;
             }
             fields = std::move(kept);
         }
@@ -135,8 +137,10 @@ Result<ObjectId> make(Workspace& workspace, const std::vector<ObjectId>& members
     const ObjectId root =
         members.size() == 1 ? members.front() : groupEntities(document, workspace.undo, members);
     const PrefabMaker made{workspace.prefabs(), root};
+    const Result<std::string> text = made.text();
+    if (!text) return text.error();
     PrefabLibrary tried{document.types(), workspace.project.root};
-    tried.add(path, made.text());
+    tried.add(path, *text);
     const Result<const Prefab*> read = tried.find(path);
     if (!read) return read.error();
     if (!(*read)->problems.empty()) return (*read)->problems.front();
@@ -144,7 +148,7 @@ Result<ObjectId> make(Workspace& workspace, const std::vector<ObjectId>& members
     std::error_code failed;
     std::filesystem::create_directories(file.parent_path(), failed);
     workspace.undo.push(std::make_unique<WriteAsset>(format("write {}", path), workspace.project.root,
-                                                     workspace.assets, path, made.text()));
+                                                     workspace.assets, path, *text));
     if (!std::filesystem::exists(file, failed))
         return Error{path, "the file cannot be written", "the console says why"};
     workspace.undo.push(

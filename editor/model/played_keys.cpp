@@ -6,6 +6,7 @@
 #include "editor/model/workspace.hpp"
 #include "input/input.hpp"
 #include "reflect/json.hpp"
+#include "reflect/json_members.hpp"
 #include "reflect/json_text.hpp"
 
 namespace plumb::editor {
@@ -31,7 +32,7 @@ const TypeInfo& keysType() {
 }
 
 FieldValue valueOf(const ActionMap& keys) {
-    const std::string text = toJson(keys).dump();
+    const std::string text = compactText(toJson(keys));
     const auto* bytes = reinterpret_cast<const std::byte*>(text.data());
     return {std::vector<std::byte>(bytes, bytes + text.size())};
 }

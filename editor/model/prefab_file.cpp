@@ -6,11 +6,13 @@
 #include <vector>
 
 #include "assets/asset_store.hpp"
+#include "core/guarded.hpp"
 #include "core/text.hpp"
 #include "editor/model/field_value.hpp"
 #include "editor/model/prefab_instance.hpp"
 #include "reflect/field_json.hpp"
 #include "reflect/json.hpp"
+#include "reflect/json_members.hpp"
 #include "reflect/json_text.hpp"
 #include "reflect/type_registry.hpp"
 #include "scene/components/prefab_instance.hpp"
@@ -36,27 +38,14 @@ const std::string& rootText() {
     return kText;
 }
 
-std::uint64_t idIn(const Json& entity, const char* key) {
-    const auto found = entity.find(key);
-    const auto* text = found == entity.end() ? nullptr : found->get_ptr<const std::string*>();
-    return text == nullptr ? 0 : parseHex(*text).value_or(0);
-}
-
-/// A member of an object; null when there is none, or it is no object itself.
-Json* objectIn(Json& json, const char* key) {
-    const auto found = json.find(key);
-    return found == json.end() || !found->is_object() ? nullptr : &*found;
-}
-
 Json* transformOf(Json& entity) {
-    Json* components = objectIn(entity, "components");
-    return components == nullptr ? nullptr : objectIn(*components, "Transform");
+    Json* components = findObject(entity, "components");
+    return components == nullptr ? nullptr : findObject(*components, "Transform");
 }
 
 bool lists(const Json& note, const char* key, const Json& value) {
-    const auto list = note.find(key);
-    return list != note.end() && list->is_array() &&
-           std::find(list->begin(), list->end(), value) != list->end();
+    const Json* list = findArray(note, key);
+    return list != nullptr && std::find(list->begin(), list->end(), value) != list->end();
 }
 
 /// The same object with a key at its front.
@@ -73,11 +62,11 @@ Json withFront(const char* key, Json value, const Json& object) {
 void changeId(const TypeRegistry& types, Json& entity, std::uint64_t from, std::uint64_t to) {
     if (from == to) return;
     const auto change = [&](std::uint64_t id) { return id == from ? to : id; };
-    if (Json* components = objectIn(entity, "components")) changeReferences(types, *components, change);
-    Json* children = objectIn(entity, "children");
+    if (Json* components = findObject(entity, "components")) changeReferences(types, *components, change);
+    Json* children = findObject(entity, "children");
     if (children == nullptr) return;
     for (auto& [part, overrides] : children->items()) {
-        if (Json* components = overrides.is_object() ? objectIn(overrides, "components") : nullptr)
+        if (Json* components = overrides.is_object() ? findObject(overrides, "components") : nullptr)
             changeReferences(types, *components, change);
     }
 }
@@ -86,8 +75,8 @@ void changeId(const TypeRegistry& types, Json& entity, std::uint64_t from, std::
 /// that are the default; null stands for all others.
 Json saidOf(World& world, const TypeRegistry& types, const Json& entity) {
     Json said = Json::object();
-    const auto components = entity.find("components");
-    if (components == entity.end() || !components->is_object()) return said;
+    const Json* components = findObject(entity, "components");
+    if (components == nullptr) return said;
     const WorldFieldContext context{world};
     for (const auto& [name, fields] : components->items()) {
         Json& keys = said[name] = Json::object();
@@ -146,7 +135,7 @@ private:
     Json made(Json entity, bool isRoot) {
         if (isRoot) {
             if (const auto id = entity.find("id"); id != entity.end()) note_[kId] = *id;
-            rootId_ = idIn(entity, "id") == 0 ? Prefab::kRootPart : idIn(entity, "id");
+            rootId_ = hexIdIn(entity, "id") == 0 ? Prefab::kRootPart : hexIdIn(entity, "id");
             note_[kSaid][rootText()] = saidOf(world_, types_, entity);
             entity = withFront("id", rootText(), entity);
             entity.erase("parent");
@@ -156,10 +145,11 @@ private:
                 }
             }
         } else {
-            const Json id = entity.value("id", Json());
-            if (id.is_string()) note_[kSaid][id.get<std::string>()] = saidOf(world_, types_, entity);
+            const Json* found = findMember(entity, "id");
+            const Json id = found == nullptr ? Json() : *found;
+            if (const std::string* text = jsonText(id)) note_[kSaid][*text] = saidOf(world_, types_, entity);
             if (!entity.contains("parent")) note_[kNoParent].push_back(id);
-            if (!entity.contains("parent") || idIn(entity, "parent") == rootId_)
+            if (!entity.contains("parent") || hexIdIn(entity, "parent") == rootId_)
                 entity["parent"] = rootText();
             const Json* transform = transformOf(entity);
             if (transform == nullptr || !transform->contains("position")) note_[kNoPlace].push_back(id);
@@ -183,8 +173,8 @@ public:
     }
 
     Json make(Json scene) {
-        if (const Json* note = objectIn(scene, std::string{kPrefabFileNote}.c_str())) note_ = *note;
-        rootId_ = idIn(note_, kId) == 0 ? Prefab::kRootPart : idIn(note_, kId);
+        if (const Json* note = findObject(scene, kPrefabFileNote)) note_ = *note;
+        rootId_ = hexIdIn(note_, kId) == 0 ? Prefab::kRootPart : hexIdIn(note_, kId);
         Json file = Json::object();
         file["format"] = Prefab::kFormat;
         for (const auto& [key, value] : scene.items()) {
@@ -193,7 +183,7 @@ public:
             if (!own && !ofScenes) file[key] = value;
         }
         Json& entities = scene["entities"];
-        for (std::size_t i = 0; i < entities.size(); ++i) places_[idIn(entities[i], "id")] = i;
+        for (std::size_t i = 0; i < entities.size(); ++i) places_[hexIdIn(entities[i], "id")] = i;
         putWithId(entities, Prefab::kRootPart);
         for (std::size_t i = 0; i < entities.size(); ++i) put(entities, i);
         file["entities"] = std::move(made_);
@@ -210,28 +200,27 @@ private:
         if (!done_.insert(place).second) return;
         Json& entity = entities[place];
         if (!entity.is_object()) return made_.push_back(entity);
-        if (const std::uint64_t parent = idIn(entity, "parent")) putWithId(entities, parent);
+        if (const std::uint64_t parent = hexIdIn(entity, "parent")) putWithId(entities, parent);
         made_.push_back(made(entity));
     }
 
     [[nodiscard]] Json made(Json entity) const {
-        const std::uint64_t id = idIn(entity, "id");
+        const std::uint64_t id = hexIdIn(entity, "id");
         changeId(types_, entity, Prefab::kRootPart, rootId_);
-        const Json idText = entity.value("id", Json());
+        const Json* found = findMember(entity, "id");
+        const Json idText = found == nullptr ? Json() : *found;
         if (id == Prefab::kRootPart) {
             if (note_.contains(kId)) {
                 entity["id"] = note_[kId];
             } else if (!note_.empty()) {
                 entity.erase("id");
             }
-        } else if (idIn(entity, "parent") == Prefab::kRootPart || !entity.contains("parent")) {
+        } else if (hexIdIn(entity, "parent") == Prefab::kRootPart || !entity.contains("parent")) {
             entity["parent"] = hexText(rootId_);
             if (lists(note_, kNoParent, idText)) entity.erase("parent");
         }
         dropPlaces(entity, id, idText);
-        sayAgain(entity, id == Prefab::kRootPart ? rootText()
-                         : idText.is_string()    ? idText.get<std::string>()
-                                                 : "");
+        sayAgain(entity, id == Prefab::kRootPart ? rootText() : textOrEmpty(idText));
         return entity;
     }
 
@@ -240,9 +229,10 @@ private:
         Json* transform = transformOf(entity);
         if (transform == nullptr) return;
         for (const char* field : {"position", "rotation"}) {
-            const bool drops = id == Prefab::kRootPart ? !lists(note_, kOwnPlace, field)
-                                                       : lists(note_, kNoPlace, idText) &&
-                                                             transform->value(field, Json()) == kOrigin;
+            const Json* value = findMember(*transform, field);
+            const bool drops = id == Prefab::kRootPart
+                                   ? !lists(note_, kOwnPlace, field)
+                                   : lists(note_, kNoPlace, idText) && value != nullptr && *value == kOrigin;
             if (drops) transform->erase(field);
         }
         // An instance that says nothing of its own says nothing at all.
@@ -252,13 +242,14 @@ private:
     }
 
     void sayAgain(Json& entity, const std::string& id) const {
-        const auto all = note_.find(kSaid);
-        Json* components = objectIn(entity, "components");
-        if (all == note_.end() || !all->contains(id) || components == nullptr) return;
-        const Json& said = (*all)[id];
-        *components = inOrderOf(said, *components, false);
+        const Json* all = findMember(note_, kSaid);
+        const Json* said = all == nullptr ? nullptr : findMember(*all, id);
+        Json* components = findObject(entity, "components");
+        if (said == nullptr || components == nullptr) return;
+        *components = inOrderOf(*said, *components, false);
         for (auto& [name, fields] : components->items()) {
-            if (said.contains(name) && fields.is_object()) fields = inOrderOf(said[name], fields, true);
+            const Json* order = findMember(*said, name);
+            if (order != nullptr && fields.is_object()) fields = inOrderOf(*order, fields, true);
         }
     }
 
@@ -281,16 +272,17 @@ Result<LoadReport> loadFileText(World& world, const SceneContext& context, std::
     if (!isPrefabFile(path)) return loadScene(world, context, path, text);
     const Result<Json> file = parseJson(text, path);
     if (!file) return file.error();
-    const auto entities = file->is_object() ? file->find("entities") : file->end();
-    if (!file->is_object() || entities == file->end() || !entities->is_array() || entities->empty() ||
-        !entities->front().is_object())
+    const Json* entities = findArray(*file, "entities");
+    if (entities == nullptr || entities->empty() || !entities->front().is_object())
         return Error{std::string{path}, "expected a prefab with at least one entity",
                      R"(write {"format": 1, "entities": [...]} with the root as the first entity)"};
-    if (const auto number = file->find("format"); number != file->end() && *number != Prefab::kFormat)
+    if (const Json* number = findMember(*file, "format"); number != nullptr && *number != Prefab::kFormat)
         return Error{std::string{path},
-                     format("expected the format {}, found {}", Prefab::kFormat, number->dump()),
+                     format("expected the format {}, found {}", Prefab::kFormat, compactText(*number)),
                      "open it with the version of the engine that wrote it"};
-    return loadScene(world, context, path, writeJson(SceneOfPrefab{world, context.types}.make(*file)));
+    return guarded(path, [&] {
+        return loadScene(world, context, path, writeJson(SceneOfPrefab{world, context.types}.make(*file)));
+    });
 }
 
 Result<LoadReport> readFileText(World& world, const SceneContext& context, const std::string& path,
@@ -342,10 +334,10 @@ bool isInside(const Path& root, std::string_view prefab, std::string_view outer)
         const Result<Path> file = pathInside(root, next);
         const Result<std::string> text = file ? readFile(*file) : Result<std::string>{file.error()};
         const Result<Json> json = text ? parseJson(*text, next) : Result<Json>{text.error()};
-        if (!json || !json->is_object() || !json->contains("entities")) continue;
-        for (const Json& entity : (*json)["entities"]) {
-            const auto inner = entity.find("prefab");
-            if (inner != entity.end() && inner->is_string()) open.push_back(inner->get<std::string>());
+        const Json* entities = json ? findArray(*json, "entities") : nullptr;
+        if (entities == nullptr) continue;
+        for (const Json& entity : *entities) {
+            if (const std::string* inner = findText(entity, "prefab")) open.push_back(*inner);
         }
     }
     return false;

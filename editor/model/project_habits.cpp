@@ -1,6 +1,7 @@
 #include "editor/model/project_habits.hpp"
 
 #include <array>
+#include <optional>
 
 #include "core/log.hpp"
 #include "editor/model/safety/backups.hpp"
@@ -8,6 +9,7 @@
 #include "math/angle.hpp"
 #include "reflect/json.hpp"
 #include "reflect/json_fields.hpp"
+#include "reflect/json_members.hpp"
 #include "reflect/json_text.hpp"
 
 namespace plumb::editor {
@@ -34,12 +36,12 @@ Json toJson(const GridSettings& grid) {
 template <std::size_t Count>
 bool readNumbers(JsonFields& fields, const char* key, std::array<float, Count>& numbers, float least,
                  float most) {
-    const Json* list = fields.find(key);
-    if (list == nullptr || !list->is_array() || list->size() != Count) return false;
+    const Json* list = fields.array(key);
+    if (list == nullptr || list->size() != Count) return false;
     for (std::size_t i = 0; i < Count; ++i) {
-        if (!(*list)[i].is_number()) return false;
-        numbers[i] = (*list)[i].template get<float>();
-        if (!(numbers[i] >= least && numbers[i] <= most)) return false;
+        const std::optional<float> number = floatOf((*list)[i]);
+        if (!number || !(*number >= least && *number <= most)) return false;
+        numbers[i] = *number;
     }
     return true;
 }
@@ -119,7 +121,8 @@ std::vector<std::string> recentChoices(const Workspace& workspace, std::size_t m
     const Json json = read(workspace, kRecentFile);
     if (!json.is_array()) return choices;
     for (const Json& choice : json) {
-        if (choice.is_string() && choices.size() < most) choices.push_back(choice.get<std::string>());
+        if (const std::string* text = jsonText(choice); text != nullptr && choices.size() < most)
+            choices.push_back(*text);
     }
     return choices;
 }

@@ -6,6 +6,7 @@
 #include "core/text.hpp"
 #include "platform/paths.hpp"
 #include "reflect/json.hpp"
+#include "reflect/json_members.hpp"
 #include "reflect/json_text.hpp"
 
 namespace plumb::editor {
@@ -67,8 +68,11 @@ Result<Done> rename(const Path& folder, std::string_view name) {
     if (!text) return text.error();
     Result<Json> json = parseJson(*text, "project.json");
     if (!json) return json.error();
+    if (!json->is_object())
+        return Error{(folder / "project.json").string(), "the template's project is no object",
+                     "reinstall Plumb"};
     (*json)["name"] = std::string{name};
-    if (json->contains("window") && (*json)["window"].is_object()) (*json)["window"].erase("title");
+    if (Json* window = findObject(*json, "window")) window->erase("title");
     return writeFile(folder / "project.json", writeJson(*json));
 }
 
@@ -148,8 +152,7 @@ std::string projectNameOf(const Path& folder) {
     const Result<std::string> text = readFile(folder / "project.json");
     if (text) {
         const Result<Json> json = parseJson(*text, "project.json");
-        if (json && json->is_object() && json->contains("name") && (*json)["name"].is_string())
-            return (*json)["name"].get<std::string>();
+        if (const std::string* name = json ? findText(*json, "name") : nullptr) return *name;
     }
     return folder.filename().string();
 }

@@ -4,9 +4,11 @@
 #include <array>
 #include <cstdlib>
 
+#include "core/guarded.hpp"
 #include "core/log.hpp"
 #include "reflect/json.hpp"
 #include "reflect/json_fields.hpp"
+#include "reflect/json_members.hpp"
 #include "reflect/json_text.hpp"
 
 namespace plumb::editor {
@@ -19,8 +21,9 @@ constexpr std::size_t kMostLayouts = 64;
 void readRecent(JsonFields& fields, Settings& settings) {
     const Json* recent = fields.array("recent");
     for (std::size_t i = 0; recent != nullptr && i < recent->size(); ++i) {
-        if ((*recent)[i].is_string() && settings.recent.size() < Settings::kMostRecent)
-            settings.recent.push_back((*recent)[i].get<std::string>());
+        const std::string* project = jsonText((*recent)[i]);
+        if (project != nullptr && settings.recent.size() < Settings::kMostRecent)
+            settings.recent.push_back(*project);
     }
 }
 
@@ -38,6 +41,27 @@ void readLayouts(JsonFields& fields, Settings& settings, std::vector<Error>& pro
         if (read && !name.empty() && settings.layouts.size() < kMostLayouts)
             settings.layouts.push_back({name, *read});
     }
+}
+
+Result<Settings> readSettings(std::string_view text, std::vector<Error>& problems) {
+    Settings settings;
+    const Result<Json> json = parseJson(text, "settings.json", &problems);
+    if (!json) return json.error();
+    if (!json->is_object())
+        return Error{"settings.json", format("expected an object, found {}", json->type_name()),
+                     "the editor starts as at first"};
+    JsonFields fields{*json, "settings.json", problems};
+    static_cast<void>(fields.acceptFormat(kFormat));
+    settings.theme = static_cast<Theme>(fields.choice("theme", 0, kThemeNames));
+    settings.scale = fields.number("scale", 1.0f, Settings::kLeastScale, Settings::kMostScale);
+    settings.textSize = fields.number("textSize", 14.0f, 10.0f, 24.0f);
+    settings.rightErases = fields.flag("rightErases", false);
+    settings.welcome = fields.flag("welcome", true);
+    readRecent(fields, settings);
+    if (const Json* keys = fields.find("keys"))
+        settings.keys = KeyBindings::fromJson(*keys, "settings.json: keys", problems);
+    readLayouts(fields, settings, problems);
+    return settings;
 }
 
 Path fromEnvironment(const char* name) {
@@ -81,23 +105,7 @@ std::string Settings::toText() const {
 }
 
 Result<Settings> Settings::fromText(std::string_view text, std::vector<Error>& problems) {
-    Settings settings;
-    const Result<Json> json = parseJson(text, "settings.json", &problems);
-    if (!json) return json.error();
-    if (!json->is_object())
-        return Error{"settings.json", format("expected an object, found {}", json->type_name()), ""};
-    JsonFields fields{*json, "settings.json", problems};
-    static_cast<void>(fields.acceptFormat(kFormat));
-    settings.theme = static_cast<Theme>(fields.choice("theme", 0, kThemeNames));
-    settings.scale = fields.number("scale", 1.0f, kLeastScale, kMostScale);
-    settings.textSize = fields.number("textSize", 14.0f, 10.0f, 24.0f);
-    settings.rightErases = fields.flag("rightErases", false);
-    settings.welcome = fields.flag("welcome", true);
-    readRecent(fields, settings);
-    if (const Json* keys = fields.find("keys"))
-        settings.keys = KeyBindings::fromJson(*keys, "settings.json: keys", problems);
-    readLayouts(fields, settings, problems);
-    return settings;
+    return guarded("settings.json", [&] { return readSettings(text, problems); });
 }
 
 Path configFolder() {

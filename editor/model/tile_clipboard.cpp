@@ -3,6 +3,7 @@
 #include <cstdint>
 
 #include "reflect/json.hpp"
+#include "reflect/json_members.hpp"
 #include "reflect/json_text.hpp"
 #include "scene/tiles_json.hpp"
 
@@ -24,8 +25,9 @@ std::string tilesAsText(const TileStamp& stamp) {
 std::optional<TileStamp> tilesFromText(std::string_view text) {
     if (text.find("\"tiles\"") == std::string_view::npos) return std::nullopt;
     const Result<Json> json = parseJson(text, "clipboard");
-    if (!json || !json->is_object() || json->find("tiles") == json->end()) return std::nullopt;
-    const Result<ReadTiles> read = tilesFromJson((*json)["tiles"]);
+    const Json* tiles = json ? findMember(*json, "tiles") : nullptr;
+    if (tiles == nullptr) return std::nullopt;
+    const Result<ReadTiles> read = tilesFromJson(*tiles);
     if (!read) return std::nullopt;
     const TileGrid& grid = read->grid;
     const std::int64_t count = std::int64_t{grid.width()} * grid.height();

@@ -9,6 +9,7 @@
 #include "editor/model/tile_layers.hpp"
 #include "editor/model/workspace.hpp"
 #include "reflect/json.hpp"
+#include "reflect/json_members.hpp"
 #include "reflect/json_text.hpp"
 #include "scene/components/tile_layer.hpp"
 
@@ -88,7 +89,7 @@ void setProperty(Tileset& tileset, std::span<const int> tiles, std::string_view 
 std::string propertyJson(std::string_view typed) {
     if (typed.empty()) return "true";
     const Result<Json> json = parseJson(typed, "property");
-    return json ? json->dump() : Json(std::string{typed}).dump();
+    return compactText(json ? *json : Json(std::string{typed}));
 }
 
 std::vector<int> tilesFound(const Tileset& tileset, std::string_view words) {

@@ -3,6 +3,7 @@
 #include "core/text.hpp"
 #include "editor/model/safety/backups.hpp"
 #include "reflect/json.hpp"
+#include "reflect/json_members.hpp"
 #include "reflect/json_text.hpp"
 
 namespace plumb::editor {
@@ -16,11 +17,10 @@ Json toJson(const std::set<ObjectId>& ids) {
 
 template <class F>
 void eachId(const Json& file, const char* key, F&& use) {
-    const auto list = file.find(key);
-    if (list == file.end() || !list->is_array()) return;
+    const Json* list = findArray(file, key);
+    if (list == nullptr) return;
     for (const Json& id : *list) {
-        if (!id.is_string()) continue;
-        if (const auto value = parseHex(id.get_ref<const std::string&>())) use(ObjectId{*value});
+        if (const std::uint64_t value = hexIdOf(id)) use(ObjectId{value});
     }
 }
 

@@ -118,13 +118,26 @@ void Workspace::showStart() {
     }
 }
 
+/// Whatever the outcome, it is said: a save that does nothing in silence loses work.
 Result<Done> Workspace::save() {
+    const Result<Done> saved = write();
+    notice = saved ? format("Saved {}", document.scenePath) : saved.error().text();
+    if (saved) {
+        logNote("Editor", "{}", notice);
+    } else {
+        logError("Editor", saved.error());
+    }
+    return saved;
+}
+
+Result<Done> Workspace::write() {
     if (document.scenePath.empty()) {
         return Error{"save", "no scene is open", "open a scene first"};
     }
     undo.endGesture();
     safety.lookAtFile();
     if (safety.onDisk() == FileWatch::State::Changed) {
+        safety.refuse();
         return Error{document.scenePath, "another program has changed it", "choose which one to keep"};
     }
     safety.saving();
@@ -137,19 +150,12 @@ Result<Done> Workspace::save() {
     }
     const Result<Path> file = pathInside(project.root, document.scenePath);
     safety.finish();
-    const Result<Done> saved = prefab
-                                   ? savePrefab(document.world, context(), document.scene, document.scenePath)
-                               : file ? writeFile(*file, written)
-                                      : Result<Done>{file.error()};
-    if (saved) {
-        undo.markSaved();
-        safety.saved();
-        notice = format("Saved {}", document.scenePath);
-        logNote("Editor", "{}", notice);
-    } else {
-        notice = saved.error().text();
-        logError("Editor", saved.error());
-    }
+    Result<Done> saved = prefab ? savePrefab(document.world, context(), document.scene, document.scenePath)
+                         : file ? writeFile(*file, written)
+                                : Result<Done>{file.error()};
+    if (!saved) return saved;
+    undo.markSaved();
+    safety.saved();
     return saved;
 }
 

@@ -192,6 +192,7 @@ public:
 private:
     [[nodiscard]] SceneContext context() const;
     Result<LoadReport> load(const std::string& path, const std::string* text);
+    Result<Done> write();
 
     PrefabLibrary* prefabs_;
     std::vector<std::unique_ptr<Tool>> tools_;

@@ -434,7 +434,13 @@ void EditorWindow::drawUnsaved() {
         next_();
     };
     const ImVec2 button{ui_.px(110.0f), 0.0f};
-    if (ImGui::Button("Save", button) && workspace_.save()) leave();
+    if (ImGui::Button("Save", button)) {
+        if (workspace_.save()) {
+            leave();
+        } else if (workspace_.safety.onDisk() == FileWatch::State::Changed) {
+            ImGui::CloseCurrentPopup();  // which one to keep is asked first
+        }
+    }
     widgets_.mark("Unsaved/Save");
     ImGui::SameLine();
     if (ImGui::Button("Discard", button)) leave();

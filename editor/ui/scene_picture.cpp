@@ -9,7 +9,7 @@ constexpr Color kBackground{23, 24, 28, 255};
 
 }  // namespace
 
-std::uintptr_t ScenePicture::draw(World& world, AssetStore* assets, const View& view, PixelSize size,
+std::uintptr_t ScenePicture::draw(const World& world, AssetStore* assets, const View& view, PixelSize size,
                                   float alpha, bool asGame, const PhysicsShown& physics) {
     if (size != size_) {
         device_.destroyTarget(target_);

@@ -34,7 +34,7 @@ public:
     ///                are where the scene has them
     /// @param physics  what of it is drawn over the scene
     /// @return the graphics card's name of the texture
-    std::uintptr_t draw(World& world, AssetStore* assets, const View& view, PixelSize size, float alpha,
+    std::uintptr_t draw(const World& world, AssetStore* assets, const View& view, PixelSize size, float alpha,
                         bool asGame, const PhysicsShown& physics = {});
 
     /// What only the editor's own look at a scene has.

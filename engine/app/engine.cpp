@@ -1,6 +1,8 @@
 #include "app/engine.hpp"
 
+#include <cstdio>
 #include <cstdlib>
+#include <span>
 
 #include "app/game_loop.hpp"
 #include "app/screen.hpp"
@@ -9,30 +11,42 @@
 #include "core/log.hpp"
 #include "core/text.hpp"
 #include "platform/paths.hpp"
+#include "scene/game_random.hpp"
 
 namespace plumb {
 namespace {
 
-/// The options that a code game is started with: its main() passes none, so they come from the environment.
-Result<PlayerOptions> optionsFromEnvironment() {
+/// Those of PLUMB_OPTIONS, then those of the command line: the last one counts.
+/// @param words  of the command line, the program first
+Result<PlayerOptions> readGameOptions(std::span<const std::string> words) {
+    std::vector<std::string> all;
     const char* text = std::getenv("PLUMB_OPTIONS");
-    std::vector<std::string> words;
     for (const std::string_view word : split(text != nullptr ? text : "", ' ')) {
-        if (!word.empty()) words.emplace_back(word);
+        if (!word.empty()) all.emplace_back(word);
     }
+    if (!words.empty()) all.insert(all.end(), words.begin() + 1, words.end());
     std::vector<const char*> arguments;
-    for (const std::string& word : words) {
+    for (const std::string& word : all) {
         arguments.push_back(word.c_str());
     }
-    return parsePlayerOptions(arguments);
+    return parseGameOptions(arguments);
+}
+
+/// "hello-code" of "build/bin/hello-code".
+Path programOf(std::span<const std::string> words) {
+    return words.empty() ? Path{} : Path{words.front()}.stem();
 }
 
 }  // namespace
 
 Engine::Engine() : game_{std::make_unique<Game>()} {}
 
-Engine::Engine(std::string title, int width, int height)
-    : title_{std::move(title)}, width_{width}, height_{height}, game_{std::make_unique<Game>()} {}
+Engine::Engine(std::string title, int width, int height, int count, const char* const* words)
+    : title_{std::move(title)},
+      width_{width},
+      height_{height},
+      words_(words, words + count),
+      game_{std::make_unique<Game>()} {}
 
 Engine::~Engine() = default;
 
@@ -44,27 +58,40 @@ void Engine::fixedUpdate([[maybe_unused]] float dt) {
     tickGame(*game_, InputFrame{});
 }
 
-int Engine::open() {
-    Result<PlayerOptions> options = optionsFromEnvironment();
+std::optional<int> Engine::open() {
+    Result<PlayerOptions> options = readGameOptions(words_);
     if (!options) {
-        logError("Engine", options.error());
+        std::fprintf(stderr, "%s: %s\n", title_.c_str(), options.error().text().c_str());
         return 2;
     }
     options_ = *options;
-    if (options_.headless) return 0;
-    const Vec2 picture{static_cast<float>(width_), static_cast<float>(height_)};
-    Result<std::unique_ptr<Screen>> screen =
-        Screen::open({title_, width_, height_, options_.fullscreen, picture, WindowScale::Fit});
+    if (options_.help) {
+        std::fputs(gameUsage(programOf(words_).string()).c_str(), stdout);
+        return 0;
+    }
+    if (options_.headless) return std::nullopt;
+    ScreenSettings settings;
+    settings.title = title_;
+    PixelSize window{width_, height_};
+    if (options_.scale > 0) window = {width_ * options_.scale, height_ * options_.scale};
+    if (options_.window != PixelSize{}) window = options_.window;
+    settings.windowWidth = window.width;
+    settings.windowHeight = window.height;
+    settings.fullscreen = options_.fullscreen;
+    settings.picture = {static_cast<float>(width_), static_cast<float>(height_)};
+    settings.scaling = WindowScale::Fit;
+    Result<std::unique_ptr<Screen>> screen = Screen::open(settings);
     if (!screen) {
         logError("Engine", screen.error());
         return 1;
     }
     screen_ = std::move(*screen);
-    return 0;
+    return std::nullopt;
 }
 
 int Engine::loop() {
-    game_->assets = AssetStore{std::filesystem::current_path(), engineAssets()};
+    game_->assets = AssetStore{codeGameFolder(programOf(words_)), engineAssets()};
+    game_->world.resource<GameRandom>().random = Random::seeded(options_.seed);
     useSystemOrder(game_->world);
     game_->onCreate();
     if (game_->world.systemNames().empty()) addAllSystems(game_->world);

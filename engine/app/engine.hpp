@@ -1,9 +1,11 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <type_traits>
 #include <utility>
+#include <vector>
 
 #include "app/game.hpp"
 #include "app/player_options.hpp"
@@ -20,12 +22,13 @@ public:
 
     /// @param title          of the window and of the game
     /// @param width, height  of the window and of the game's picture (px)
-    Engine(std::string title, int width, int height);
+    /// @param count, words   what main() was given, for the options of the command line; --help lists them
+    Engine(std::string title, int width, int height, int count = 0, const char* const* words = nullptr);
     ~Engine();
 
-    /// Creates the game and runs it until it is closed. The variable PLUMB_OPTIONS may hold the player's
-    /// options, e.g. "--headless --frames 600 --hash".
-    /// @return the program's exit code
+    /// Creates the game and runs it until it is closed. The variable PLUMB_OPTIONS may hold options too, e.g.
+    /// "--headless --frames 600 --hash"; those of the command line come after them.
+    /// @return the program's exit code, for main() to return: 2 where an option is wrong
     template <class G, class... Arguments>
     int run(Arguments&&... arguments) {
         static_assert(std::is_base_of_v<Game, G>, "a game derives from plumb::Game");
@@ -44,16 +47,18 @@ public:
 private:
     template <class Make>
     int runMade(Make make) {
-        if (const int failed = open()) return failed;
+        if (const std::optional<int> ended = open()) return *ended;
         game_ = make();
         return loop();
     }
-    int open();
+    /// @return the exit code where there is nothing to play
+    std::optional<int> open();
     int loop();
 
     std::string title_ = "Plumb";
     int width_ = 1280;
     int height_ = 720;
+    std::vector<std::string> words_;  ///< of the command line, the program first
     PlayerOptions options_;
     std::unique_ptr<Screen> screen_;
     std::unique_ptr<Game> game_;

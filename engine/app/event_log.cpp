@@ -23,7 +23,7 @@ std::string titleOf(std::string_view path) {
 
 }  // namespace
 
-std::string displayName(World& world, EntityId entity) {
+std::string displayName(const World& world, EntityId entity) {
     if (const auto* name = world.find<const Name>(entity); name != nullptr && !name->text.empty()) {
         return std::string{world.texts().find(name->text)};
     }
@@ -42,8 +42,8 @@ std::string displayName(World& world, EntityId entity) {
     return count > 1 ? format("{}[{}]", title, number) : title;
 }
 
-void EventLog::write(World& world) {
-    const Entity player = world.first<const PlayerController>();
+void EventLog::write(const World& world) {
+    const Entity player = world.query<const PlayerController>().first();
     if (!player) return;
     for (const ContactBegan& contact : world.events<ContactBegan>()) {
         if (contact.a != player.id() && contact.b != player.id()) continue;

@@ -1,5 +1,6 @@
 #include "app/player_options.hpp"
 
+#include <algorithm>
 #include <array>
 #include <string_view>
 
@@ -65,9 +66,8 @@ bool setPhysicsView(PlayerOptions& options, std::string_view text) {
     return true;
 }
 
-constexpr std::array kOptions{
-    Row{"--scene", "NAME", "start with this scene",
-        [](PlayerOptions& o, std::string_view v) { return setText(v, o.scene); }},
+/// Of every game.
+constexpr std::array kGameOptions{
     Row{"--headless", "", "no window, no GL, no audio: as fast as it can",
         [](PlayerOptions& o, std::string_view) { return o.headless = true; }},
     Row{"--frames", "N", "stop after N ticks; of the benchmark: measure N frames",
@@ -84,13 +84,8 @@ constexpr std::array kOptions{
         [](PlayerOptions& o, std::string_view v) { return setText(v, o.record); }},
     Row{"--replay", "FILE", "play recorded input",
         [](PlayerOptions& o, std::string_view v) { return setText(v, o.replay); }},
-    Row{"--effects", "", "list what the scene calls for, and what it costs",
-        [](PlayerOptions& o, std::string_view) { return o.effects = true; }},
     Row{"--all-effects", "", "run every effect, called for or not, to compare",
         [](PlayerOptions& o, std::string_view) { return o.allEffects = true; }},
-    Row{"--benchmark", "", "measure 10,000 moving, colliding, drawn entities",
-        [](PlayerOptions& o, std::string_view) { return o.benchmark = true; }},
-    Row{"--entities", "N", "so many in the benchmark, 1..1000000", &setEntities},
     Row{"--seed", "N", "seed of the game's random numbers", &setSeed},
     Row{"--scale", "N", "window size in multiples of the game's resolution, 1..16", &setScale},
     Row{"--window", "WxH", "window size in px, e.g. 1280x720", &setWindow},
@@ -104,13 +99,31 @@ constexpr std::array kOptions{
     Row{"--help", "", "this text", [](PlayerOptions& o, std::string_view) { return o.help = true; }},
 };
 
+/// Of the player, which plays projects.
+constexpr std::array kProjectOptions{
+    Row{"--scene", "NAME", "start with this scene",
+        [](PlayerOptions& o, std::string_view v) { return setText(v, o.scene); }},
+    Row{"--effects", "", "list what the scene calls for, and what it costs",
+        [](PlayerOptions& o, std::string_view) { return o.effects = true; }},
+    Row{"--benchmark", "", "measure 10,000 moving, colliding, drawn entities",
+        [](PlayerOptions& o, std::string_view) { return o.benchmark = true; }},
+    Row{"--entities", "N", "so many in the benchmark, 1..1000000", &setEntities},
+};
+
+constexpr auto kPlayerOptions = [] {
+    std::array<Row, kProjectOptions.size() + kGameOptions.size()> all{};
+    std::copy(kGameOptions.begin(), kGameOptions.end(),
+              std::copy(kProjectOptions.begin(), kProjectOptions.end(), all.begin()));
+    return all;
+}();
+
 }  // namespace
 
 Result<PlayerOptions> parsePlayerOptions(std::span<const char* const> arguments) {
     PlayerOptions options;
     bool hasProject = false;
-    const Result<Done> read =
-        readOptions<PlayerOptions>(kOptions, arguments, options, [&](std::string_view word) -> Result<Done> {
+    const Result<Done> read = readOptions<PlayerOptions>(
+        kPlayerOptions, arguments, options, [&](std::string_view word) -> Result<Done> {
             if (hasProject)
                 return Error{"command line", format("\"{}\" is a second project", word), "name one project"};
             options.project = word;
@@ -122,7 +135,21 @@ Result<PlayerOptions> parsePlayerOptions(std::span<const char* const> arguments)
 }
 
 std::string playerUsage() {
-    return "usage: plumb-player [PROJECT] [options]\n\n" + optionLines(helpOf<PlayerOptions>(kOptions));
+    return "usage: plumb-player [PROJECT] [options]\n\n" + optionLines(helpOf<PlayerOptions>(kPlayerOptions));
+}
+
+Result<PlayerOptions> parseGameOptions(std::span<const char* const> arguments) {
+    PlayerOptions options;
+    const Result<Done> read = readOptions<PlayerOptions>(
+        kGameOptions, arguments, options, [](std::string_view word) -> Result<Done> {
+            return Error{"command line", format("\"{}\" is no option", word), "write --help to see them"};
+        });
+    if (!read) return read.error();
+    return options;
+}
+
+std::string gameUsage(std::string_view program) {
+    return format("usage: {} [options]\n\n", program) + optionLines(helpOf<PlayerOptions>(kGameOptions));
 }
 
 }  // namespace plumb

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <span>
 #include <string>
+#include <string_view>
 
 #include "core/result.hpp"
 #include "platform/window.hpp"
@@ -38,5 +39,12 @@ struct PlayerOptions {
 Result<PlayerOptions> parsePlayerOptions(std::span<const char* const> arguments);
 
 std::string playerUsage();
+
+/// Those of a game in code: all but the options that are about scenes and projects.
+/// @error as parsePlayerOptions; a word that belongs to no option
+Result<PlayerOptions> parseGameOptions(std::span<const char* const> arguments);
+
+/// @param program  its name
+std::string gameUsage(std::string_view program);
 
 }  // namespace plumb

@@ -1,10 +1,14 @@
 #include "app/project.hpp"
 
 #include <array>
+#include <optional>
 #include <utility>
 
+#include "core/guarded.hpp"
 #include "core/text.hpp"
 #include "reflect/json.hpp"
+#include "reflect/json_fields.hpp"
+#include "reflect/json_members.hpp"
 #include "reflect/json_text.hpp"
 
 namespace plumb {
@@ -24,7 +28,7 @@ public:
 
     void text(std::string_view key, std::string& value) {
         if (const Json* found = find(key, "a text", "\"My Game\"", &Json::is_string))
-            value = found->get<std::string>();
+            value = textOrEmpty(*found);
     }
     void flag(std::string_view key, bool& value) {
         if (const Json* found = find(key, "true or false", "true", &Json::is_boolean))
@@ -33,11 +37,11 @@ public:
     void number(std::string_view key, float& value, float least, float most) {
         const Json* found = find(key, "a number", shortestText(value), &Json::is_number);
         if (found == nullptr) return;
-        const auto given = found->get<float>();
-        if (given >= least && given <= most) {
-            value = given;
+        const std::optional<float> given = floatOf(*found);
+        if (given && *given >= least && *given <= most) {
+            value = *given;
         } else {
-            warn(key, format("is {}, which is outside {}..{}", given, least, most),
+            warn(key, format("is {}, which is outside {}..{}", briefText(*found), least, most),
                  format("using {}", value));
         }
     }
@@ -49,9 +53,12 @@ public:
     void pair(std::string_view key, float& first, float& second) {
         const Json* found = find(key, "two numbers", "[320, 180]", &Json::is_array);
         if (found == nullptr) return;
-        if (found->size() == 2 && (*found)[0].is_number() && (*found)[1].is_number()) {
-            first = (*found)[0].get<float>();
-            second = (*found)[1].get<float>();
+        const bool two = found->size() == 2;
+        const std::optional<float> one = two ? floatOf((*found)[0]) : std::nullopt;
+        const std::optional<float> other = two ? floatOf((*found)[1]) : std::nullopt;
+        if (one && other) {
+            first = *one;
+            second = *other;
         } else {
             warn(key, "expected two numbers", "write them as [320, 180]");
         }
@@ -67,7 +74,7 @@ public:
                      "write e.g. [\"ground\", \"player\"]; \"\" leaves one out");
                 return;
             }
-            values.push_back(name.get<std::string>());
+            values.push_back(textOrEmpty(name));
         }
     }
     const Json* object(std::string_view key) { return find(key, "an object", "{}", &Json::is_object); }
@@ -79,9 +86,9 @@ public:
 private:
     const Json* find(std::string_view key, std::string_view expected, std::string_view example,
                      bool (Json::*is)() const noexcept) {
-        const auto at = json_.find(std::string{key});
-        if (at == json_.end()) return nullptr;
-        if (((*at).*is)()) return &*at;
+        const Json* at = findMember(json_, key);
+        if (at == nullptr) return nullptr;
+        if ((at->*is)()) return at;
         warn(key, format("expected {}, found {}", expected, at->type_name()),
              format("write e.g. {}", example));
         return nullptr;
@@ -138,7 +145,9 @@ Result<Project> loadProject(const Path& path) {
     return projectFromText(*text, root, "project.json");
 }
 
-Result<Project> projectFromText(std::string_view text, const Path& root, const std::string& where) {
+namespace {
+
+Result<Project> readProject(std::string_view text, const Path& root, const std::string& where) {
     Project project;
     project.root = root;
     Result<Json> json = parseJson(text, where, &project.warnings);
@@ -170,6 +179,12 @@ Result<Project> projectFromText(std::string_view text, const Path& root, const s
         project.actions = actionMapFromJson(*input, where + ": input", project.warnings);
     }
     return project;
+}
+
+}  // namespace
+
+Result<Project> projectFromText(std::string_view text, const Path& root, const std::string& where) {
+    return guarded(where, [&] { return readProject(text, root, where); });
 }
 
 std::string scenePath(std::string_view name) {

@@ -49,7 +49,7 @@ void Screen::drawNothing() {
     drawCalls_ = 0;
 }
 
-void Screen::draw(World& world, AssetStore& assets, float alpha, const PhysicsShown& physics) {
+void Screen::draw(const World& world, AssetStore& assets, float alpha, const PhysicsShown& physics) {
     Effects* const effects = world.service<Effects>();
     const bool draws = effects == nullptr || effects->runs(world, "picture");
     device_->setWindowSize(window_->drawableSize());

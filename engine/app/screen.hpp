@@ -31,7 +31,7 @@ public:
 
     /// Draws the world into the window; `swap` shows it.
     /// @param physics  what of it is drawn over the scene
-    void draw(World& world, AssetStore& assets, float alpha, const PhysicsShown& physics = {});
+    void draw(const World& world, AssetStore& assets, float alpha, const PhysicsShown& physics = {});
     void swap() { window_->swap(); }
     /// What was drawn, before the swap.
     [[nodiscard]] Image picture();

@@ -12,7 +12,7 @@ void SoundOutput::stopMusic() {
     hasMusic_ = false;
 }
 
-void SoundOutput::listen(World& world) {
+void SoundOutput::listen(const World& world) {
     if (Effects* effects = world.service<Effects>()) {
         if (mixer_.isOpen() && !std::exchange(counted_, true)) effects->count("sound");
         const Pin pin = effects->pinOf(effects->table().find("sound"));
@@ -23,10 +23,10 @@ void SoundOutput::listen(World& world) {
         queue_.add({sound.tick, sound.sound, sound.volume, 0.0f});
     }
     // An overlay without music of its own keeps that of what it pauses.
-    Entity entity = world.first<const Music>();
+    Entity entity = world.query<const Music>().first();
     if (!entity) entity = world.query<const Music>(withPaused).first();
     if (entity) {
-        const auto& music = std::as_const(world).get<Music>(entity);
+        const auto& music = world.get<Music>(entity);
         mixer_.playMusic(music.sound, music.volume);
         hasMusic_ = true;
     } else {

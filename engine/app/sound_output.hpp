@@ -16,7 +16,7 @@ public:
         : mixer_{assets, std::move(open)} {}
 
     /// After every tick: gathers what the tick asked for.
-    void listen(World& world);
+    void listen(const World& world);
     /// Once a frame: plays what was gathered.
     void play() { mixer_.play(queue_); }
     void setPaused(bool paused) { mixer_.setPaused(paused); }

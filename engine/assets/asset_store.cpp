@@ -4,6 +4,7 @@
 #include <iterator>
 #include <utility>
 
+#include "core/guarded.hpp"
 #include "core/log.hpp"
 #include "core/text.hpp"
 #include "platform/image_file.hpp"
@@ -59,7 +60,7 @@ Result<Done> AssetStore::readEntry(AssetEntry<T>& entry) {
     ++loads_;
     const Result<std::string> bytes = readFile(entry.file);
     if (!bytes) return Error{entry.path, bytes.error().what, bytes.error().remedy};
-    return readBytes(*bytes, entry.path, entry.value);
+    return guarded(entry.path, [&] { return readBytes(*bytes, entry.path, entry.value); });
 }
 
 template <class T>

@@ -20,6 +20,7 @@ foreach(line IN LISTS table)
     install(DIRECTORY ${folder}/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/plumb/${include_name}
         FILES_MATCHING PATTERN "*.hpp")
 endforeach()
+install(FILES public/plumb_physics.hpp DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/plumb)
 if(NOT PLUMB_PHYSICS_ALONE)
     install(DIRECTORY public/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/plumb FILES_MATCHING PATTERN "*.hpp")
     install(DIRECTORY ${PROJECT_SOURCE_DIR}/assets/ DESTINATION ${CMAKE_INSTALL_DATADIR}/plumb/assets)

@@ -1,6 +1,9 @@
 #include <algorithm>
+#include <bit>
 #include <cstring>
-#include <numeric>
+#include <functional>
+#include <utility>
+#include <vector>
 
 #include "core/assert.hpp"
 #include "ecs/storage.hpp"
@@ -11,78 +14,117 @@ namespace {
 
 /// Entities with the same components.
 struct Group {
-    std::uint64_t mask = 0;
-    std::uint64_t rank = 0;  ///< the mask with its bits in the order of the types' names
+    std::uint64_t mask = 0;            ///< of the pools that have a bit of their own
+    std::vector<std::uint64_t> names;  ///< hashes of the names of its components' types, largest first
+    std::uint32_t first = 0;           ///< the lowest index of its entities
     std::uint32_t count = 0;
     std::uint32_t next = 0;  ///< where its next entity goes
 };
 
-/// Moves the bits of a mask into the order of the types' names: pool ordinals depend on what a program
-/// happened to use first.
-std::uint64_t rankOf(std::uint64_t mask, const std::vector<std::uint32_t>& rankOfOrdinal) {
-    std::uint64_t rank = 0;
-    for (; mask != 0; mask &= mask - 1) {
-        rank |= std::uint64_t{1} << rankOfOrdinal[static_cast<std::size_t>(std::countr_zero(mask))];
-    }
-    return rank;
-}
-
-std::vector<std::uint32_t> ranks(std::span<const std::unique_ptr<Pool>> pools) {
-    const std::size_t count = std::min<std::size_t>(pools.size(), 63);
-    std::vector<std::uint32_t> order(count);
-    std::iota(order.begin(), order.end(), 0u);
-    std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
-        return pools[a]->type->nameHash != pools[b]->type->nameHash
-                   ? pools[a]->type->nameHash < pools[b]->type->nameHash
-                   : a < b;
-    });
-    std::vector<std::uint32_t> rank(64, 63);
-    for (std::uint32_t i = 0; i < count; ++i) rank[order[i]] = i;
-    return rank;
-}
-
-/// Sorts entity indices by (rank of their mask, index) with one counting pass.
-std::vector<std::uint32_t> clusteredOrder(const Storage& storage) {
-    const EntityRecord* records = storage.records();
-    const std::uint32_t used = storage.usedIndices();
-    std::vector<Group> groups;
-    std::vector<std::uint32_t> groupOf(used + 1);
-    const std::vector<std::uint32_t> rank = ranks(storage.pools());
-    std::vector<std::pair<std::uint64_t, std::uint32_t>> known;  // mask -> group, sorted
-    std::uint32_t last = 0;
-    for (std::uint32_t index = 1; index <= used; ++index) {
-        const std::uint64_t mask = records[index].mask;
-        if (mask == 0) continue;
-        if (groups.empty() || groups[last].mask != mask) {
-            const auto at = std::lower_bound(known.begin(), known.end(), std::pair{mask, 0u});
-            if (at != known.end() && at->first == mask) {
-                last = at->second;
-            } else {
-                last = static_cast<std::uint32_t>(groups.size());
-                known.insert(at, {mask, last});
-                groups.push_back({mask, rankOf(mask, rank), 0, 0});
-            }
+/// The entities of a storage, grouped by which components they have.
+class Grouping {
+public:
+    explicit Grouping(const Storage& storage)
+        : storage_{storage}, records_{storage.records()}, groupOf_(storage.usedIndices() + 1) {
+        groupByMask();
+        bool parted = false;
+        for (const std::unique_ptr<Pool>& pool : storage_.pools()) {
+            if (pool->bit != Storage::kOverflowBit || pool->count == 0) continue;
+            split(*pool);
+            parted = true;
         }
-        groupOf[index] = last;
-        ++groups[last].count;
+        if (parted) countAgain();
+        nameGroups();
     }
-    std::vector<std::uint32_t> byRank(groups.size());
-    std::iota(byRank.begin(), byRank.end(), 0u);
-    // Entities with more components first: those that most queries match then start where the columns start,
-    // on a line of the cache.
-    std::sort(byRank.begin(), byRank.end(),
-              [&](std::uint32_t a, std::uint32_t b) { return groups[a].rank > groups[b].rank; });
-    std::uint32_t total = 0;
-    for (const std::uint32_t group : byRank) {
-        groups[group].next = total;
-        total += groups[group].count;
+
+    /// All entity indices, group by group.
+    ///
+    /// The order of iteration is a part of the simulation, so it depends on nothing but the state: on names
+    /// and entity indices. The number of a pool says which type the program asked for first, and a program
+    /// with a window asks for other types than one without.
+    [[nodiscard]] std::vector<std::uint32_t> order() {
+        std::vector<Group*> sorted;
+        sorted.reserve(groups_.size());
+        for (Group& group : groups_) sorted.push_back(&group);
+        std::sort(sorted.begin(), sorted.end(), [](const Group* a, const Group* b) {
+            return a->names != b->names ? a->names > b->names : a->first < b->first;
+        });
+        std::uint32_t total = 0;
+        for (Group* group : sorted) {
+            group->next = total;
+            total += group->count;
+        }
+        std::vector<std::uint32_t> order(total);
+        for (std::uint32_t index = 1; index < groupOf_.size(); ++index) {
+            if (records_[index].mask != 0) order[groups_[groupOf_[index]].next++] = index;
+        }
+        return order;
     }
-    std::vector<std::uint32_t> order(total);
-    for (std::uint32_t index = 1; index <= used; ++index) {
-        if (records[index].mask != 0) order[groups[groupOf[index]].next++] = index;
+
+private:
+    void groupByMask() {
+        std::vector<std::pair<std::uint64_t, std::uint32_t>> known;  // mask -> group, sorted
+        std::uint32_t last = 0;
+        for (std::uint32_t index = 1; index < groupOf_.size(); ++index) {
+            if (records_[index].mask == 0) continue;
+            // The overflow bit stays when the last such component is removed: it may say nothing.
+            const std::uint64_t mask = records_[index].mask & ~Storage::kOverflowBit;
+            if (groups_.empty() || groups_[last].mask != mask) {
+                const auto at = std::lower_bound(known.begin(), known.end(), std::pair{mask, 0u});
+                if (at != known.end() && at->first == mask) {
+                    last = at->second;
+                } else {
+                    last = static_cast<std::uint32_t>(groups_.size());
+                    known.insert(at, {mask, last});
+                    groups_.push_back({mask, {}, index, 0, 0});
+                }
+            }
+            groupOf_[index] = last;
+            ++groups_[last].count;
+        }
     }
-    return order;
-}
+
+    /// Parts the entities that have a component of a pool without a bit from those of their group that have
+    /// none.
+    void split(const Pool& pool) {
+        constexpr std::uint32_t kNone = ~0u;
+        std::vector<std::uint32_t> partOf(groups_.size(), kNone);
+        for (std::uint32_t position = 0; position < pool.count; ++position) {
+            const std::uint32_t index = pool.dense[position];
+            const std::uint32_t whole = groupOf_[index];
+            if (partOf[whole] == kNone) {
+                partOf[whole] = static_cast<std::uint32_t>(groups_.size());
+                groups_.push_back({groups_[whole].mask, groups_[whole].names, 0, 0, 0});
+                groups_.back().names.push_back(pool.type->nameHash);
+            }
+            groupOf_[index] = partOf[whole];
+        }
+    }
+
+    void countAgain() {
+        for (Group& group : groups_) group.count = 0;
+        for (std::uint32_t index = 1; index < groupOf_.size(); ++index) {
+            if (records_[index].mask == 0) continue;
+            Group& group = groups_[groupOf_[index]];
+            if (group.count++ == 0) group.first = index;
+        }
+    }
+
+    void nameGroups() {
+        for (Group& group : groups_) {
+            for (std::uint64_t rest = group.mask; rest != 0; rest &= rest - 1) {
+                const auto ordinal = static_cast<std::size_t>(std::countr_zero(rest));
+                group.names.push_back(storage_.pools()[ordinal]->type->nameHash);
+            }
+            std::sort(group.names.begin(), group.names.end(), std::greater{});
+        }
+    }
+
+    const Storage& storage_;
+    const EntityRecord* records_;
+    std::vector<Group> groups_;
+    std::vector<std::uint32_t> groupOf_;  // by entity index
+};
 
 /// Puts a pool into the given order; `scratch` holds its column meanwhile. Tags have none.
 void reorder(Pool& pool, const std::vector<std::uint32_t>& order, std::vector<std::byte>& scratch) {
@@ -105,7 +147,7 @@ void reorder(Pool& pool, const std::vector<std::uint32_t>& order, std::vector<st
 void Storage::cluster() {
     PLUMB_ASSERT(iterating_ == 0, "cluster() moves components; call it when no query is running");
     if (iterating_ != 0) return;
-    const std::vector<std::uint32_t> order = clusteredOrder(*this);
+    const std::vector<std::uint32_t> order = Grouping{*this}.order();
     for (const std::unique_ptr<Pool>& pool : pools_) {
         pool->disorder = 0;
         if (pool->count == 0) continue;

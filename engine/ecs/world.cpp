@@ -187,6 +187,25 @@ void World::restore(const Snapshot& snapshot) {
     commands_.clear();
 }
 
+namespace {
+
+/// Adds the components of a pool in the order of their entities.
+void addTo(Hasher& hasher, const Storage& storage, const Pool& pool) {
+    for (std::uint32_t index = 1; index <= storage.usedIndices(); ++index) {
+        if (!pool.holds(index)) continue;
+        hasher.add(std::uint64_t{index});
+        hashComponent(hasher, pool.type->info, pool.at(pool.sparse[index].position));
+    }
+}
+
+std::uint64_t hashOf(const Storage& storage, const Pool& pool) {
+    Hasher hasher;
+    addTo(hasher, storage, pool);
+    return hasher.value();
+}
+
+}  // namespace
+
 std::uint64_t World::hash() const {
     Hasher hasher;
     hasher.add(tick);
@@ -199,17 +218,14 @@ std::uint64_t World::hash() const {
     for (const auto& pool : storage_.pools()) {
         if (pool->size() > 0) pools.push_back(pool.get());
     }
-    std::sort(pools.begin(), pools.end(), [](const Pool* a, const Pool* b) {
+    // Two types may have one name, e.g. those of two unnamed namespaces; then their components decide.
+    std::sort(pools.begin(), pools.end(), [this](const Pool* a, const Pool* b) {
         return a->type->nameHash != b->type->nameHash ? a->type->nameHash < b->type->nameHash
-                                                      : a->ordinal < b->ordinal;
+                                                      : hashOf(storage_, *a) < hashOf(storage_, *b);
     });
     for (const Pool* pool : pools) {
         hasher.add(pool->type->nameHash);
-        for (std::uint32_t index = 1; index <= storage_.usedIndices(); ++index) {
-            if (!pool->holds(index)) continue;
-            hasher.add(std::uint64_t{index});
-            hashComponent(hasher, pool->type->info, pool->at(pool->sparse[index].position));
-        }
+        addTo(hasher, storage_, *pool);
     }
     tiles_.addTo(hasher);
     resources_.addTo(hasher);

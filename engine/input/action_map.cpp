@@ -8,6 +8,7 @@
 #include "core/text.hpp"
 #include "reflect/json.hpp"
 #include "reflect/json_fields.hpp"
+#include "reflect/json_members.hpp"
 
 namespace plumb {
 namespace {
@@ -43,7 +44,7 @@ Named* itemFor(std::vector<Named>& items, std::string_view name, std::size_t lim
 
 void readBinding(const Json& json, const std::string& where, std::vector<Binding>& bindings,
                  std::vector<Error>& problems) {
-    const std::string text = json.is_string() ? json.get<std::string>() : briefText(json);
+    const std::string text = json.is_string() ? textOrEmpty(json) : briefText(json);
     const std::optional<Binding> binding = json.is_string() ? bindingFromText(text) : std::nullopt;
     if (binding) {
         bindings.push_back(*binding);

@@ -74,7 +74,7 @@ enum ContactFlag : std::uint16_t {
     kGone = 1024,       ///< in this step its bounds parted
     kPassing = 2048,    ///< of a one-way shape that lets the other through until they part
     kAlongAxes = 4096,  ///< two boxes along the axes of the world, of bodies that stay so
-    kEasing = 0xe000    ///< a number: how much of an overlap is still left alone, see easing.hpp
+    kInitialOverlap = 8192  ///< some of its overlap is hidden from the solver: initial_overlaps.hpp
 };
 
 /// What happened between two shapes in a step.

@@ -5,8 +5,9 @@
 #include <utility>
 
 #include "physics/broadphase/overlap.hpp"
-#include "physics/easing.hpp"
+#include "physics/initial_overlaps.hpp"
 #include "physics/narrowphase/collide.hpp"
+#include "physics/narrowphase/sweep.hpp"
 #include "physics/narrowphase/upright.hpp"
 #include "physics/solver/kernels.hpp"
 #include "physics/workspace.hpp"
@@ -161,19 +162,39 @@ void keepDeepest(Manifold& manifold) {
     manifold.count = 1;
 }
 
+/// What comes so fast that its sweep finds it in this step is left to that, which knows the moment of the
+/// hit: the solver would keep it at the surface for the rest of the step.
+bool isLeftToSweep(const World& world, const Contact& contact, const Manifold& manifold,
+                   const Encounter& now) {
+    if ((contact.flags & (kTouching | kTriggered)) != 0 || !world.settings.continuous) return false;
+    const auto isBullet = [&](std::uint32_t body) { return (world.bodies.info[body].flags & kBullet) != 0; };
+    const bool isB = (contact.flags & kFixedA) != 0 || isBullet(contact.bodyB);
+    if (!isB && !isBullet(contact.bodyA)) return false;
+    const std::uint32_t swept = isB ? contact.bodyB : contact.bodyA;
+    float gap = manifold.points[0].separation;
+    if (manifold.count == 2) gap = std::min(gap, manifold.points[1].separation);
+    if (gap <= kSweptGap + 2.0f * kSweepTolerance) return false;
+    const std::vector<BodyMotion>& motion = world.bodies.motion;
+    const Vec2 speed = motion[contact.bodyB].velocity - motion[contact.bodyA].velocity;
+    const float closing =
+        std::min(-dot(rotate(now.turnA, manifold.normal), speed), length(motion[swept].velocity));
+    // Its core then passes the surface, and it moves far enough to be swept at all.
+    return closing * world.stepLength > gap + kSweptCore * world.bodies.info[swept].reach;
+}
+
 /// Takes note of what was found.
 void take(const World& world, Contact& contact, const Encounter& now, Manifold manifold,
           DetectionCounts& counts) {
     if ((contact.flags & kUnturned) != 0) keepDeepest(manifold);
-    if (manifold.count == 0) {
+    if (manifold.count == 0 || isLeftToSweep(world, contact, manifold, now)) {
         ++counts.apartByAxes;
         forgetPoints(contact);
         return;
     }
     ++counts.touching;
     takeManifold(world, contact, manifold, now);
-    if ((contact.flags & kTouching) == 0) noteOverlap(world, contact);
-    if ((contact.flags & kEasing) != 0) ease(world, contact);
+    if ((contact.flags & kTouching) == 0) return markInitialOverlap(world, contact);
+    if ((contact.flags & kInitialOverlap) != 0) hideInitialOverlap(world, contact);
 }
 
 /// Where something round touches wanders while it rolls, and the normal turns with it. The step holds on to
@@ -196,7 +217,7 @@ bool takeHalfway(const World& world, Contact& contact, const Encounter& now, flo
     ++counts.touching;
     takeManifold(world, contact, manifold, then);
     contact.separation0 = separationOf(now, contact.anchors[0], unrotate(now.turnA, contact.normal));
-    if ((contact.flags & kEasing) != 0) ease(world, contact);
+    if ((contact.flags & kInitialOverlap) != 0) hideInitialOverlap(world, contact);
     return true;
 }
 
@@ -243,7 +264,7 @@ void touchUpright(const World& world, Contact& contact, DetectionCounts& counts)
     if (slideUpright(contact, pair, world.settings.speculativeDistance)) {
         ++counts.recycled;
         ++counts.touching;
-        if ((contact.flags & kEasing) != 0) ease(world, contact);
+        if ((contact.flags & kInitialOverlap) != 0) hideInitialOverlap(world, contact);
         return;
     }
     const Manifold manifold = manifoldOf(world, pair);
@@ -261,7 +282,7 @@ bool isSettled(const World& world, Contact& contact, const Encounter& now, Detec
     if (recycle(contact, now, world.settings)) {
         ++counts.recycled;
         ++counts.touching;
-        if ((contact.flags & kEasing) != 0) ease(world, contact);
+        if ((contact.flags & kInitialOverlap) != 0) hideInitialOverlap(world, contact);
         return true;
     }
     if (!touch(world.shapes.bounds[contact.shapeA], world.shapes.bounds[contact.shapeB])) {
@@ -366,7 +387,7 @@ void copyMaterials(const World& world, Contact& contact) {
     const bool upright = unturned && staysUpright(world, contact.bodyA, outlineA) &&
                          staysUpright(world, contact.bodyB, outlineB);
     if (contact.friction == 0.0f) contact.frictionImpulse = 0.0f;
-    const int kept = contact.flags & (kTouching | kBegan | kDisabled | kPassing | kEasing);
+    const int kept = contact.flags & (kTouching | kBegan | kDisabled | kPassing | kInitialOverlap);
     contact.flags = static_cast<std::uint16_t>(
         kept | (triggered ? kTriggered : 0) | (reports ? kReports : 0) |
         ((a.flags & kOneWay) != 0 ? kOneWayA : 0) | ((b.flags & kOneWay) != 0 ? kOneWayB : 0) |
@@ -428,6 +449,15 @@ void findTouches(const World& world, std::span<Contact> contacts, float dt, Dete
         }
     }
     boxes.finish();
+}
+
+void findTouch(const World& world, Contact& contact, float distance) {
+    const Encounter now = encounterOf(world.bodies.pose[contact.bodyA], world.bodies.pose[contact.bodyB]);
+    Manifold manifold = collide(world.shapes.geometry[contact.shapeA], world.shapes.geometry[contact.shapeB],
+                                world.shapes.corners, frameInA(world, contact, now), distance);
+    if ((contact.flags & kUnturned) != 0) keepDeepest(manifold);
+    contact.count = 0;
+    if (manifold.count > 0) takeManifold(world, contact, manifold, now);
 }
 
 Vec2 pointOf(const World& world, const Contact& contact, int point) {

@@ -23,6 +23,13 @@ void copyMaterials(const World& world, Contact& contact);
 /// @param dt  s: of the step that is about to be done
 void findTouches(const World& world, std::span<Contact> contacts, float dt, struct DetectionCounts& counts);
 
+/// Finds where the shapes of a new contact are to each other now, up to `distance` (m) apart.
+void findTouch(const World& world, Contact& contact, float distance);
+
+/// Takes note that the shapes of a contact touch from now on.
+/// @param index  in World::contacts
+void beginContact(World& world, struct Workspace& work, std::size_t index);
+
 /// m from A's centre of mass, in A's frame: where they touch.
 /// @param point  below Contact::count
 [[nodiscard]] Vec2 pointOf(const World& world, const Contact& contact, int point);

@@ -13,6 +13,7 @@ struct DetectionCounts {
     std::uint32_t apartByAxes = 0;     ///< the outlines themselves are apart
     std::uint32_t touching = 0;
     std::uint32_t recycled = 0;  ///< of those that touch: moved too little to be looked at again
+    std::uint32_t swept = 0;     ///< besides: pairs of shapes that were tested along the path of a fast body
 
     DetectionCounts& operator+=(const DetectionCounts& more) {
         pairs += more.pairs;
@@ -21,6 +22,7 @@ struct DetectionCounts {
         apartByAxes += more.apartByAxes;
         touching += more.touching;
         recycled += more.recycled;
+        swept += more.swept;
         return *this;
     }
 };

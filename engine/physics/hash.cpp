@@ -176,8 +176,10 @@ std::uint64_t hashOf(const World& world) {
     addAll(hash, world.awake, world.moved, world.contacts);
     addAll(hash, sleepers.islands, sleepers.freeIslands, sleepers.contacts, sleepers.nextContact,
            sleepers.freeContacts, sleepers.nextBody, sleepers.islandOf);
+    for (const auto& [pair, hidden] : world.initialOverlaps) Values{hash}(pair, hidden);
     // Events belong to the last step: the next one does not depend on them.
-    Values{hash}(world.qualityCallers, world.newJoints, world.filtersStale, world.islandsStale, world.steps);
+    Values{hash}(world.qualityCallers, world.newJoints, world.filtersStale, world.islandsStale,
+                 world.islandsAge, world.gravityOfLastStep, world.steps);
     hash.addBytes(&world.manifest, sizeof world.manifest);
     return hash.value();
 }

@@ -16,13 +16,20 @@ namespace plumb::physics {
 
 namespace {
 
+Result<Done> checkDirection(const ShapeDefinition& definition) {
+    if (!definition.oneWay || definition.oneWayDirection != Vec2{}) return Done{};
+    return wrong("ShapeDefinition.oneWayDirection", "expected a direction, found (0, 0)",
+                 "point it out of the solid side, as (0, -1) does where y points down");
+}
+
 Result<Done> check(const ShapeDefinition& definition) {
     return firstOf(checkNumber("ShapeDefinition.density", definition.density, 0.0, 1.0e9),
                    checkNumber("ShapeDefinition.friction", definition.friction, 0.0, kRoughest),
                    checkNumber("ShapeDefinition.bounciness", definition.bounciness, 0.0, 1.0),
                    checkNumber("ShapeDefinition.rollingResistance", definition.rollingResistance, 0.0, 100.0),
                    checkNumber("ShapeDefinition.surfaceSpeed", definition.surfaceSpeed, -kFastest, kFastest),
-                   checkVector("ShapeDefinition.oneWayDirection", definition.oneWayDirection, kLargest));
+                   checkVector("ShapeDefinition.oneWayDirection", definition.oneWayDirection, kLargest),
+                   checkDirection(definition));
 }
 
 /// Polygons are not in World::corners before createPolygon() puts them there.

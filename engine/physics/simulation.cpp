@@ -6,6 +6,7 @@
 #include <iterator>
 
 #include "core/profile.hpp"
+#include "physics/sleeping.hpp"
 #include "physics/stages.hpp"
 
 namespace plumb::physics {
@@ -76,6 +77,12 @@ bool nothingToDo(const World& world) {
            !world.manifest.runs(Effect::Explosion) && !world.manifest.runs(Effect::SoftBodies);
 }
 
+/// What rests under one gravity may fall under another.
+void wakeForGravity(World& world) {
+    if (world.steps > 1 && world.gravityOfLastStep != world.settings.gravity) wakeAll(world);
+    world.gravityOfLastStep = world.settings.gravity;
+}
+
 /// The effects of this step.
 std::uint32_t effectsOf(const World& world) {
     std::uint32_t effects = world.manifest.running();
@@ -129,6 +136,7 @@ void step(World& world, float dt, const StepOptions& options) {
     if (!(dt > 0.0f) || !std::isfinite(dt)) return;
     bringIntoRange(world.settings);
     ++world.steps;
+    wakeForGravity(world);
     if (nothingToDo(world)) return;
     world.stepLength = dt;
     StepContext context{world, world.work.get(), dt, options.pool, options.hooks, effectsOf(world)};

@@ -171,6 +171,13 @@ void wake(World& world, std::uint32_t body) {
     world.bodies.motion[body].restTime = 0.0f;
 }
 
+void wakeAll(World& world) {
+    for (std::uint32_t island = 0; island < world.sleepers.islands.size(); ++island) {
+        const std::uint32_t body = world.sleepers.islands[island].firstBody;
+        if (body != kNone) wake(world, body);
+    }
+}
+
 void wakeTouching(World& world, std::uint32_t body) {
     wake(world, body);
     if (world.bodies.info[body].kind == BodyKind::Dynamic) return;
@@ -262,6 +269,7 @@ void rebuildIslands(World& world) {
             joinIslands(world, joint.bodyA, joint.bodyB);
     }
     world.islandsStale = false;
+    world.islandsAge = 0.0f;
 }
 
 }  // namespace plumb::physics

@@ -17,6 +17,8 @@ void removeAwake(World& world, std::uint32_t body);
 
 /// Wakes the whole island of a body; one that is awake stays so for another Settings::sleepTime.
 void wake(World& world, std::uint32_t body);
+/// Wakes every body.
+void wakeAll(World& world);
 /// Wakes everything that touches a body or is joined to it, and the body itself.
 void wakeTouching(World& world, std::uint32_t body);
 /// Wakes a body that is about to move; if it stood still, what lies on it and hangs from it too.

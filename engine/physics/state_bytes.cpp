@@ -24,8 +24,8 @@ std::size_t stateBytes(const World& world) {
                 shapes.extras.free, shapes.free, shapes.dying, shapes.corners) +
         bytesOf(joints.hot, joints.definition, joints.awake, joints.free) +
         bytesOf(world.fields.all, world.fields.free, world.softBodies.all, world.softBodies.free) +
-        bytesOf(world.awake, world.moved, world.contacts, world.events, world.brokenJoints,
-                world.quarantined) +
+        bytesOf(world.awake, world.moved, world.contacts, world.initialOverlaps, world.events,
+                world.brokenJoints, world.quarantined) +
         bytesOf(sleepers.islands, sleepers.freeIslands, sleepers.contacts, sleepers.nextContact,
                 sleepers.freeContacts, sleepers.nextBody, sleepers.islandOf);
     for (const std::vector<std::uint32_t>& free : shapes.freeCorners) bytes += bytesOf(free);

@@ -4,12 +4,13 @@
 #include <cstdint>
 #include <limits>
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include "physics/broadphase/broad_phase.hpp"
 #include "physics/detection_counts.hpp"
 #include "physics/effects/flyers.hpp"
-#include "physics/narrowphase/sweep.hpp"
+#include "physics/narrowphase/path_hit.hpp"
 #include "physics/pair_set.hpp"
 #include "physics/soft_meetings.hpp"
 #include "physics/soft_obstacles.hpp"
@@ -136,6 +137,16 @@ struct EnergyAccount {
     Vec2 middle;            ///< m/s
 };
 
+/// Paths of fast bodies as input of a broad phase, by index in Workspace::swept.
+struct SweptProxies {
+    std::unique_ptr<BroadPhase> search;
+    std::vector<AABB> bounds;
+    std::vector<Filter> filters;
+    std::vector<ProxyMotion> motions;
+
+    [[nodiscard]] Proxies view() const { return {bounds, filters, motions}; }
+};
+
 /// Memory of a step, reused by the next one. Everything in it follows from the world.
 struct Workspace {
     std::unique_ptr<BroadPhase> broadPhase;
@@ -195,10 +206,14 @@ struct Workspace {
     std::vector<std::vector<std::uint32_t>> fastOfPiece;
     std::vector<std::vector<std::uint32_t>> brokenOfPiece;
     std::vector<std::uint32_t> fastBodies;  ///< those that may have passed through something in this step
-    std::vector<Sweep> sweeps;              ///< of fastBodies
-    std::vector<std::vector<std::uint32_t>> sweptPast;  ///< per piece of work: shapes near a sweep
-    std::vector<std::uint32_t> candidates;              ///< of the current query
-    bool sleepy = false;                                ///< some body has rested long enough to sleep
+    std::vector<SweptBody> swept;           ///< these, and what they hit
+    SweptProxies sweptProxies;              ///< of `swept`, if they may hit each other
+    std::vector<std::pair<float, std::uint32_t>> dueHits;   ///< heap: fraction of the step, index in `swept`
+    std::vector<Contact> madeHits;                          ///< in the order of the hits
+    std::vector<std::pair<PairKey, std::size_t>> hitOrder;  ///< indices in `madeHits`
+    std::vector<std::vector<std::uint32_t>> sweptPast;      ///< per piece of work: shapes near a sweep
+    std::vector<std::uint32_t> candidates;                  ///< of the current query
+    bool sleepy = false;                                    ///< some body has rested long enough to sleep
     DetectionCounts counts;
     std::array<std::uint64_t, kMaxStages> stageRuns{};  ///< by stage: see runsOf()
     std::uint32_t effectsRun = 0;                       ///< bits of effects whose code ran in this step

@@ -250,6 +250,12 @@ struct SoftBodies {
     std::vector<std::uint32_t> free;
 };
 
+/// An overlap that no motion explains, see initial_overlaps.hpp.
+struct InitialOverlap {
+    PairKey pair = 0;
+    float hidden = 0.0f;  ///< m: of it, which the solver does not see yet
+};
+
 /// Everything that is simulated, as plain data: copy = snapshot. Indices and generations, no addresses.
 struct World {
     Settings settings;
@@ -262,14 +268,17 @@ struct World {
     std::vector<std::uint32_t> moved;  ///< shapes that have to be looked up by the broad phase: kLeftBounds
     std::vector<Contact> contacts;     ///< of which at least one body is awake
     Sleepers sleepers;
-    std::vector<ContactEvent> events;   ///< of the last step
-    std::vector<JointId> brokenJoints;  ///< in the last step
-    std::vector<BodyId> quarantined;    ///< whose numbers went bad in the last step: stopped where they were
-    std::uint32_t qualityCallers = 0;   ///< bodies and joints with a quality of their own
-    bool newJoints = false;             ///< some joint has no colour yet
-    bool filtersStale = false;  ///< a filter or a joint is new: contacts are asked whether they may be
-    bool islandsStale = false;  ///< a contact or joint ended: islands may be larger than need be
+    std::vector<InitialOverlap> initialOverlaps;  ///< by pair
+    std::vector<ContactEvent> events;             ///< of the last step
+    std::vector<JointId> brokenJoints;            ///< in the last step
+    std::vector<BodyId> quarantined;   ///< whose numbers went bad in the last step: stopped where they were
+    std::uint32_t qualityCallers = 0;  ///< bodies and joints with a quality of their own
+    bool newJoints = false;            ///< some joint has no colour yet
+    bool filtersStale = false;         ///< a filter or a joint is new: contacts are asked whether they may be
+    bool islandsStale = false;         ///< a contact or joint ended: islands may be larger than need be
+    float islandsAge = 0.0f;           ///< s for which they have been stale
     Manifest manifest;
+    Vec2 gravityOfLastStep;  ///< m/s2: a change wakes everything
     std::uint64_t steps = 0;
     float stepLength = 1.0f / 60.0f;  ///< s: of the step that contacts have their impulses of
     WorkspaceHolder work;             ///< follows from the rest: neither copied nor hashed

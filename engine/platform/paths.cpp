@@ -47,6 +47,17 @@ const Path& engineAssets() {
     return folder;
 }
 
+Path codeGameFolder(const Path& program) {
+    const Path beside = executableFolder();
+    const Path inTree = beside / "../../../projects" / program;  // build/<preset>/bin/hello-code
+    std::error_code ignored;
+    for (const Path& candidate : {beside, inTree}) {
+        if (!program.empty() && std::filesystem::is_directory(candidate / "assets", ignored))
+            return std::filesystem::weakly_canonical(candidate, ignored);
+    }
+    return std::filesystem::current_path(ignored);
+}
+
 Path settingsFolder() {
     Path folder = takePath(SDL_GetPrefPath("", "plumb"));
     return folder.empty() ? Path{"."} : folder;

@@ -12,6 +12,11 @@ Path executableFolder();
 /// in.
 const Path& engineAssets();
 
+/// The folder of a game in code, which holds its assets/: the program's own, that of the project in the tree
+/// it was built in, else the current one.
+/// @param program  its name, as its project's folder is called
+Path codeGameFolder(const Path& program);
+
 /// Where the person's settings belong; made when missing. `$XDG_DATA_HOME/plumb` on Linux.
 Path settingsFolder();
 

@@ -2,12 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <optional>
 #include <utility>
 
 #include "core/text.hpp"
 #include "reflect/import_notes.hpp"
 #include "reflect/json.hpp"
+#include "reflect/json_members.hpp"
 #include "reflect/json_text.hpp"
 
 namespace plumb {
@@ -16,15 +17,6 @@ namespace {
 const Json& emptyObject() {
     static const Json empty = Json::object();
     return empty;
-}
-
-/// A number that a float can hold.
-bool isUsable(const Json& json) {
-    return json.is_number() && std::abs(json.get<double>()) <= std::numeric_limits<float>::max();
-}
-
-std::string compactText(const Json& json) {
-    return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
 }  // namespace
@@ -47,16 +39,13 @@ JsonFields::JsonFields(const Json& object, std::string where, std::vector<Error>
 
 const Json* JsonFields::find(std::string_view key) {
     asked_.push_back(key);
-    for (const auto& [name, value] : *object_->get_ptr<const Json::object_t*>()) {
-        if (name == key) return &value;
-    }
-    return nullptr;
+    return findMember(*object_, key);
 }
 
 std::string JsonFields::text(std::string_view key, std::string_view fallback) {
     const Json* json = find(key);
     if (json == nullptr) return std::string{fallback};
-    if (json->is_string()) return json->get<std::string>();
+    if (const std::string* found = jsonText(*json)) return *found;
     warn(key, "expected a text, found " + briefText(*json), "put it in double quotes");
     return std::string{fallback};
 }
@@ -82,9 +71,8 @@ int JsonFields::whole(std::string_view key, int fallback, int min, int max) {
 float JsonFields::number(std::string_view key, float fallback, float min, float max) {
     const Json* json = find(key);
     if (json == nullptr) return fallback;
-    if (isUsable(*json)) {
-        if (const auto value = json->get<float>(); value >= min && value <= max) return value;
-    }
+    if (const std::optional<float> value = floatOf(*json); value && *value >= min && *value <= max)
+        return *value;
     warn(key, format("expected a number from {} to {}, found {}", min, max, briefText(*json)), "correct it");
     return fallback;
 }
@@ -92,8 +80,10 @@ float JsonFields::number(std::string_view key, float fallback, float min, float 
 Vec2 JsonFields::vec2(std::string_view key, Vec2 fallback) {
     const Json* json = find(key);
     if (json == nullptr) return fallback;
-    if (json->is_array() && json->size() == 2 && isUsable((*json)[0]) && isUsable((*json)[1])) {
-        return {(*json)[0].get<float>(), (*json)[1].get<float>()};
+    if (json->is_array() && json->size() == 2) {
+        const std::optional<float> x = floatOf((*json)[0]);
+        const std::optional<float> y = floatOf((*json)[1]);
+        if (x && y) return {*x, *y};
     }
     warn(key, "expected two numbers, found " + briefText(*json), "write [x, y]");
     return fallback;
@@ -103,7 +93,7 @@ std::size_t JsonFields::choice(std::string_view key, std::size_t fallback,
                                std::span<const std::string_view> names) {
     const Json* json = find(key);
     if (json == nullptr) return fallback;
-    const std::string word = json->is_string() ? json->get<std::string>() : std::string{};
+    const std::string word = textOrEmpty(*json);
     if (const auto at = std::find(names.begin(), names.end(), word); at != names.end()) {
         return static_cast<std::size_t>(at - names.begin());
     }

@@ -3,59 +3,58 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
+#include <cmath>
 #include <utility>
+#include <vector>
 
+#include "core/text.hpp"
+#include "render/glyph_outline.hpp"
+
+// Only its drawing of outlines is used: its readers trust the file. What it asserts holds up to the rounding
+// of outlines as they should be, not of damaged ones; it stays inside the picture in any case.
 #define STB_TRUETYPE_IMPLEMENTATION
 #define STBTT_STATIC
+#define STBTT_assert(condition) static_cast<void>(0)
 #include <stb_truetype.h>
 
 namespace plumb {
 namespace {
 
 constexpr char32_t kCommonLetters = 128;
+constexpr char32_t kFirstShown = 32;
 constexpr std::uint8_t kHalfCovered = 128;
+/// em^2 that one letter may cover: about five times the widest ligature of Unicode, which takes 12 by 1.
+constexpr double kLargestLetter = 64.0;
+constexpr float kFlatness = 0.35f;  // px between a curve and its lines
 
-/// True when no outline of the letter has a slanted or bent edge. One outline says it for the whole font.
-bool hasOnlyStraightEdges(const stbtt_fontinfo& font, int codepoint) {
-    stbtt_vertex* edges = nullptr;
-    const int count = stbtt_GetCodepointShape(&font, codepoint, &edges);
-    bool straight = count > 0;
-    for (int i = 1; i < count; ++i) {
-        const stbtt_vertex& edge = edges[i];
-        if (edge.type == STBTT_vmove) continue;
-        straight =
-            straight && edge.type == STBTT_vline && (edge.x == edges[i - 1].x || edge.y == edges[i - 1].y);
+/// True when the letter has edges, but none that is slanted or bent. One outline says it for the whole font.
+bool hasOnlyStraightEdges(const GlyphOutline& outline) {
+    using Kind = OutlineStep::Kind;
+    for (std::size_t i = 1; i < outline.steps.size(); ++i) {
+        const OutlineStep& step = outline.steps[i];
+        const OutlineStep& last = outline.steps[i - 1];
+        if (step.kind != Kind::Move && (step.kind != Kind::Line || (step.x != last.x && step.y != last.y)))
+            return false;
     }
-    stbtt_FreeShape(&font, edges);
-    return straight;
+    return !outline.steps.empty();
 }
 
-std::uint32_t numberAt(std::string_view bytes, std::size_t at, std::size_t size) {
-    std::uint32_t number = 0;
-    for (std::size_t i = 0; i < size; ++i) number = number << 8 | static_cast<unsigned char>(bytes[at + i]);
-    return number;
-}
-
-/// True when the table of contents names nothing outside the file: stb_truetype trusts what it is given.
-bool hasSoundContents(std::string_view bytes) {
-    constexpr std::size_t kHeader = 12;
-    constexpr std::size_t kRecord = 16;
-    if (bytes.size() < kHeader) return false;
-    const std::size_t tables = numberAt(bytes, 4, 2);
-    if (tables == 0 || bytes.size() < kHeader + tables * kRecord) return false;
-    for (std::size_t i = 0; i < tables; ++i) {
-        const std::size_t record = kHeader + i * kRecord;
-        const std::size_t end = std::size_t{numberAt(bytes, record + 8, 4)} + numberAt(bytes, record + 12, 4);
-        if (end > bytes.size()) return false;
+std::vector<stbtt_vertex> verticesOf(const GlyphOutline& outline) {
+    static constexpr std::array kTypes{STBTT_vmove, STBTT_vline, STBTT_vcurve, STBTT_vcubic};
+    std::vector<stbtt_vertex> vertices;
+    vertices.reserve(outline.steps.size());
+    for (const OutlineStep& step : outline.steps) {
+        const auto type = static_cast<unsigned char>(kTypes[static_cast<std::size_t>(step.kind)]);
+        vertices.push_back({step.x, step.y, step.cx, step.cy, step.cx1, step.cy1, type, 0});
     }
-    return true;
+    return vertices;
 }
 
 }  // namespace
 
 struct Font::Parts {
     std::string bytes;
-    stbtt_fontinfo info{};
+    FontTables tables;
     std::uint32_t id = 0;
     float scale = 1.0f;  ///< font units to a size of 1 px
     float ascent = 1.0f;
@@ -72,21 +71,23 @@ Font& Font::operator=(Font&&) noexcept = default;
 Result<Font> Font::fromBytes(std::string bytes, const std::string& where) {
     auto parts = std::make_unique<Parts>();
     parts->bytes = std::move(bytes);
-    const auto* data = reinterpret_cast<const unsigned char*>(parts->bytes.data());
-    const int offset = hasSoundContents(parts->bytes) ? stbtt_GetFontOffsetForIndex(data, 0) : -1;
-    if (offset < 0 || stbtt_InitFont(&parts->info, data, offset) == 0) {
-        return Error{where, "not a TrueType or OpenType font", "use a .ttf or .otf file"};
-    }
-    int ascent = 0;
-    int descent = 0;
-    int gap = 0;
-    stbtt_GetFontVMetrics(&parts->info, &ascent, &descent, &gap);
-    parts->scale = stbtt_ScaleForMappingEmToPixels(&parts->info, 1.0f);
-    parts->ascent = static_cast<float>(ascent) * parts->scale;
-    parts->lineHeight = std::max(static_cast<float>(ascent - descent + gap) * parts->scale, 1.0f);
-    parts->pixelFont = hasOnlyStraightEdges(parts->info, 'A') && hasOnlyStraightEdges(parts->info, 'O');
+    const Result<FontTables> tables = FontTables::read(parts->bytes, where);
+    if (!tables) return tables.error();
+    parts->tables = *tables;
+    parts->scale = 1.0f / static_cast<float>(tables->unitsPerEm);
+    parts->ascent = static_cast<float>(tables->ascent) * parts->scale;
+    const int lineHeight = tables->ascent - tables->descent + tables->lineGap;
+    parts->lineHeight = std::max(static_cast<float>(lineHeight) * parts->scale, 1.0f);
+    parts->pixelFont = true;
     for (char32_t letter = 0; letter < kCommonLetters; ++letter) {
-        parts->commonGlyphs[letter] = stbtt_FindGlyphIndex(&parts->info, static_cast<int>(letter));
+        const int glyph = parts->commonGlyphs[letter] = tables->glyphOf(letter);
+        GlyphOutline outline;
+        if (letter >= kFirstShown && !readOutline(*tables, glyph, outline)) {
+            return Error{where, format("the outline of its letter {} is damaged", static_cast<int>(letter)),
+                         "use another copy of the .ttf or .otf file"};
+        }
+        if (letter == U'A' || letter == U'O')
+            parts->pixelFont = parts->pixelFont && hasOnlyStraightEdges(outline);
     }
     static std::atomic<std::uint32_t> lastId{0};
     parts->id = ++lastId;
@@ -95,18 +96,16 @@ Result<Font> Font::fromBytes(std::string bytes, const std::string& where) {
 
 int Font::glyphOf(char32_t codepoint) const {
     if (codepoint < kCommonLetters) return parts_->commonGlyphs[codepoint];
-    return stbtt_FindGlyphIndex(&parts_->info, static_cast<int>(codepoint));
+    return parts_->tables.glyphOf(codepoint);
 }
 
 float Font::advance(int glyph) const {
-    int width = 0;
-    stbtt_GetGlyphHMetrics(&parts_->info, glyph, &width, nullptr);
-    return static_cast<float>(width) * parts_->scale;
+    return static_cast<float>(parts_->tables.advance(glyph)) * parts_->scale;
 }
 
 float Font::kerning(int left, int right) const {
     if (parts_->pixelFont) return 0.0f;  // letters stay on their grid
-    return static_cast<float>(stbtt_GetGlyphKernAdvance(&parts_->info, left, right)) * parts_->scale;
+    return static_cast<float>(parts_->tables.kerning(left, right)) * parts_->scale;
 }
 
 float Font::ascent() const { return parts_->ascent; }
@@ -115,22 +114,28 @@ bool Font::isPixelFont() const { return parts_->pixelFont; }
 std::uint32_t Font::id() const { return parts_->id; }
 
 Font::Glyph Font::draw(int glyph, int size) const {
-    const float scale = parts_->scale * static_cast<float>(size);
-    int left = 0;
-    int top = 0;
-    int right = 0;
-    int bottom = 0;
-    stbtt_GetGlyphBitmapBox(&parts_->info, glyph, scale, scale, &left, &top, &right, &bottom);
     Glyph drawn;
-    drawn.left = left;
-    drawn.top = top;
-    if (right <= left || bottom <= top) return drawn;
-    const auto width = static_cast<std::size_t>(right - left);
-    const auto height = static_cast<std::size_t>(bottom - top);
-    std::vector<std::uint8_t> coverage(width * height);
-    stbtt_MakeGlyphBitmap(&parts_->info, coverage.data(), right - left, bottom - top, right - left, scale,
-                          scale, glyph);
-    drawn.image = {right - left, bottom - top, {}};
+    GlyphOutline outline;
+    if (!readOutline(parts_->tables, glyph, outline)) return drawn;
+    const float scale = parts_->scale * static_cast<float>(size);
+    const auto below = [scale](int units) {
+        return static_cast<int>(std::floor(static_cast<float>(units) * scale));
+    };
+    const auto above = [scale](int units) {
+        return static_cast<int>(std::ceil(static_cast<float>(units) * scale));
+    };
+    drawn.left = below(outline.left);
+    drawn.top = below(-outline.top);
+    const int columns = above(outline.right) - drawn.left;
+    const int rows = above(-outline.bottom) - drawn.top;
+    const double area = static_cast<double>(columns) * rows;
+    if (columns <= 0 || rows <= 0 || area > kLargestLetter * size * size) return drawn;
+    std::vector<std::uint8_t> coverage(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows));
+    std::vector<stbtt_vertex> vertices = verticesOf(outline);
+    stbtt__bitmap picture{columns, rows, columns, coverage.data()};
+    stbtt_Rasterize(&picture, kFlatness, vertices.data(), static_cast<int>(vertices.size()), scale, scale,
+                    0.0f, 0.0f, drawn.left, drawn.top, 1, nullptr);
+    drawn.image = {columns, rows, {}};
     drawn.image.rgba.reserve(coverage.size() * 4);
     for (std::uint8_t covered : coverage) {
         if (parts_->pixelFont) covered = covered >= kHalfCovered ? 255 : 0;

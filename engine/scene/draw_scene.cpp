@@ -34,7 +34,8 @@ Rect sourceOf(const Sprite& sprite) {
 }
 
 /// The sprite as a quad at a pose. A negative scale mirrors.
-[[gnu::always_inline]] inline SpriteQuad quadOf(const Sprite& sprite, const Pose& pose, const TextureRegion& picture) {
+[[gnu::always_inline]] inline SpriteQuad quadOf(const Sprite& sprite, const Pose& pose,
+                                                const TextureRegion& picture) {
     const Vec2 size{static_cast<float>(sprite.width) * pose.scale.x,
                     static_cast<float>(sprite.height) * pose.scale.y};
     SpriteQuad quad;
@@ -147,7 +148,7 @@ bool isSeen(const World& world, EntityId entity, const SceneView& how) {
 
 }  // namespace
 
-View cameraView(World& world, Vec2 picture, float alpha, int place) {
+View cameraView(const World& world, Vec2 picture, float alpha, int place) {
     View view;
     view.size = picture;
     view.center = picture * 0.5f;
@@ -178,7 +179,7 @@ SceneRenderer::SceneRenderer(RenderDevice& device, AssetStore& assets, TextureFi
       far_{device},
       canvas_{device} {}
 
-void SceneRenderer::draw(World& world, Vec2 picture, float alpha, const Viewport& viewport,
+void SceneRenderer::draw(const World& world, Vec2 picture, float alpha, const Viewport& viewport,
                          LabelText labelText) {
     RenderDevice& device = renderer_.device();
     const int factor = device.drawsInSoftware() ? wholeFactor(picture, viewport) : 1;
@@ -204,7 +205,7 @@ void SceneRenderer::draw(World& world, Vec2 picture, float alpha, const Viewport
     if (shrink > 1) device.show(canvas.target, viewport);
 }
 
-void SceneRenderer::drawInto(World& world, Vec2 picture, SceneView& how, const Viewport& viewport) {
+void SceneRenderer::drawInto(const World& world, Vec2 picture, SceneView& how, const Viewport& viewport) {
     const float pixelScale = picture.x > 0.0f ? static_cast<float>(viewport.width) / picture.x : 1.0f;
     how.view = snappedToPixels(cameraView(world, picture, how.alpha, how.place), pixelScale);
     // An overlay lets what is below be seen, so it has no backdrop of its own to draw first.
@@ -222,7 +223,7 @@ void SceneRenderer::drawInto(World& world, Vec2 picture, SceneView& how, const V
     }
 }
 
-void SceneRenderer::drawPhysics(World& world, const PhysicsShown& shown, const SceneView& how,
+void SceneRenderer::drawPhysics(const World& world, const PhysicsShown& shown, const SceneView& how,
                                 const Viewport& viewport) {
     if (shown.any() == 0) return;
     const float lines = static_cast<float>(viewport.height);
@@ -238,7 +239,7 @@ void SceneRenderer::drawPhysics(World& world, const PhysicsShown& shown, const S
     renderer_.draw(list_, viewport);
 }
 
-void SceneRenderer::collect(World& world, const SceneView& how, DrawList& list) {
+void SceneRenderer::collect(const World& world, const SceneView& how, DrawList& list) {
     textures_.refresh();
     if (how.place <= 0) tiles_.beginFrame(static_cast<double>(world.tick) * kSecondsPerTick + how.ahead);
     anyPaused_ = world.count<Paused>() > 0;
@@ -310,7 +311,7 @@ void SceneRenderer::add(const SpriteQuad& quad, float y, const SceneView& how, D
     list.sprite(drawn);
 }
 
-void SceneRenderer::collectSprites(World& world, const SceneView& how, DrawList& list) {
+void SceneRenderer::collectSprites(const World& world, const SceneView& how, DrawList& list) {
     const Sight sight{visibleBox(how.view), !how.parallax || layers_.empty()};
     TextureId lastTexture;
     TextureRegion picture = textures_.regionOf(lastTexture);
@@ -336,7 +337,7 @@ void SceneRenderer::collectSprites(World& world, const SceneView& how, DrawList&
             });
 }
 
-void SceneRenderer::collectBackdrops(World& world, const SceneView& how, DrawList& list) {
+void SceneRenderer::collectBackdrops(const World& world, const SceneView& how, DrawList& list) {
     const AABB seen = visibleBox(how.view);
     const Vec2 moved = topLeftOf(how.view) - how.parallaxOrigin;
     for (auto [entity, sprite, backdrop] :
@@ -368,7 +369,7 @@ void SceneRenderer::collectBackdrops(World& world, const SceneView& how, DrawLis
     }
 }
 
-void SceneRenderer::collectTiles(World& world, const SceneView& how, DrawList& list) {
+void SceneRenderer::collectTiles(const World& world, const SceneView& how, DrawList& list) {
     const Vec2 moved = topLeftOf(how.view) - how.parallaxOrigin;
     for (auto [entity, layer] : world.query<const TileLayer>(without<Hidden>, withPaused)) {
         if (!isSeen(world, entity, how)) continue;
@@ -412,7 +413,7 @@ void SceneRenderer::collectParticles(const World& world, const SceneView& how, D
     }
 }
 
-void SceneRenderer::collectLabels(World& world, const SceneView& how, DrawList& list) {
+void SceneRenderer::collectLabels(const World& world, const SceneView& how, DrawList& list) {
     const Vec2 corner = how.parallax ? topLeftOf(how.view) : Vec2{};
     for (auto [entity, label] : world.query<const Label>(without<Hidden>, withPaused)) {
         if (!isSeen(world, entity, how)) continue;

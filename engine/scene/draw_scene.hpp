@@ -24,7 +24,7 @@ inline constexpr int kEveryScene = -1;
 /// whose top-left corner is the world's origin.
 /// @param picture  px, size of the game's picture
 /// @param place    in the stack of scenes: only a camera of that scene
-View cameraView(World& world, Vec2 picture, float alpha, int place = kEveryScene);
+View cameraView(const World& world, Vec2 picture, float alpha, int place = kEveryScene);
 
 /// How a world is looked at.
 struct SceneView {
@@ -50,18 +50,19 @@ public:
     SceneRenderer(RenderDevice& device, AssetStore& assets, TextureFilter filter = TextureFilter::Nearest);
 
     /// Fills `list` with what `how` sees of the world.
-    void collect(World& world, const SceneView& how, DrawList& list);
+    void collect(const World& world, const SceneView& how, DrawList& list);
 
     /// Collects and draws each scene by its own camera, overlays over those below. Where no graphics card
     /// helps, what can be drawn small and enlarged without showing it is: backdrops, and everything in large
     /// windows.
     /// @param picture  px of the game's picture
-    void draw(World& world, Vec2 picture, float alpha, const Viewport& viewport,
+    void draw(const World& world, Vec2 picture, float alpha, const Viewport& viewport,
               LabelText labelText = nullptr);
 
     /// Draws the physics over what is there already, with a legend.
     /// @param how  as the scene was looked at
-    void drawPhysics(World& world, const PhysicsShown& shown, const SceneView& how, const Viewport& viewport);
+    void drawPhysics(const World& world, const PhysicsShown& shown, const SceneView& how,
+                     const Viewport& viewport);
     /// How the last draw looked at the lowest scene.
     [[nodiscard]] const SceneView& sceneView() const { return sceneView_; }
 
@@ -69,7 +70,7 @@ public:
     [[nodiscard]] Renderer& renderer() { return renderer_; }
 
 private:
-    void drawInto(World& world, Vec2 picture, SceneView& how, const Viewport& viewport);
+    void drawInto(const World& world, Vec2 picture, SceneView& how, const Viewport& viewport);
     void readLayers(const World& world, const SceneView& how);
     /// What is paused stands where its last tick left it.
     [[nodiscard]] float alphaOf(const World& world, EntityId entity, const SceneView& how) const;
@@ -82,11 +83,11 @@ private:
     [[nodiscard]] const SceneLayer* layerOf(int order) const;
     /// Adds a sprite as its layer wants it. @param y  px, world: where it stands, for layers sorted by y
     void add(const SpriteQuad& quad, float y, const SceneView& how, DrawList& list) const;
-    void collectSprites(World& world, const SceneView& how, DrawList& list);
-    void collectBackdrops(World& world, const SceneView& how, DrawList& list);
-    void collectTiles(World& world, const SceneView& how, DrawList& list);
+    void collectSprites(const World& world, const SceneView& how, DrawList& list);
+    void collectBackdrops(const World& world, const SceneView& how, DrawList& list);
+    void collectTiles(const World& world, const SceneView& how, DrawList& list);
     void collectParticles(const World& world, const SceneView& how, DrawList& list);
-    void collectLabels(World& world, const SceneView& how, DrawList& list);
+    void collectLabels(const World& world, const SceneView& how, DrawList& list);
 
     AssetStore& assets_;
     Renderer renderer_;

@@ -239,7 +239,7 @@ void PhysicsDrawing::choose(const PhysicsState& state, std::span<const EntityId>
         [](const SoftLinkage& link) { return link.body; }, chosenSoft_);
 }
 
-void PhysicsDrawing::draw(World& world, const PhysicsShown& shown, float behind, float pixel,
+void PhysicsDrawing::draw(const World& world, const PhysicsShown& shown, float behind, float pixel,
                           DrawList& list) {
     auto* running = world.findResource<PhysicsState>();
     const PhysicsState* state = lowestPhysics(world);

@@ -22,7 +22,7 @@ class PhysicsDrawing {
 public:
     /// @param behind  s: how long before the end of the last tick
     /// @param pixel   px of the list's picture that a px of the screen is: lines are equally thin everywhere
-    void draw(World& world, const PhysicsShown& shown, float behind, float pixel, DrawList& list);
+    void draw(const World& world, const PhysicsShown& shown, float behind, float pixel, DrawList& list);
 
 private:
     void choose(const PhysicsState& state, std::span<const EntityId> selected);
@@ -37,7 +37,7 @@ private:
 
 /// Says what the colours of those layers stand for, and the times and counts that are among them.
 /// @param list  looks at the screen: its picture is as large as what it is drawn to
-void drawPhysicsPanel(World& world, const PhysicsShown& shown, LabelDrawing& labels, DrawList& list);
+void drawPhysicsPanel(const World& world, const PhysicsShown& shown, LabelDrawing& labels, DrawList& list);
 
 /// Gives a world that nobody steps the bodies of its components, so that they can be drawn.
 void previewPhysics(World& world);

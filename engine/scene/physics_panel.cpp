@@ -209,7 +209,7 @@ void writeCounts(const physics::World& world, const physics::Workspace* last, Pa
 
 }  // namespace
 
-void drawPhysicsPanel(World& world, const PhysicsShown& shown, LabelDrawing& labels, DrawList& list) {
+void drawPhysicsPanel(const World& world, const PhysicsShown& shown, LabelDrawing& labels, DrawList& list) {
     if (shown.any() == 0) return;
     Panel legend, numbers;
     for (const PhysicsColor& row : physicsColors()) {

@@ -1,13 +1,14 @@
 #include "scene/prefab.hpp"
 
 #include <algorithm>
-#include <optional>
 #include <utility>
 
+#include "core/guarded.hpp"
 #include "core/hash.hpp"
 #include "core/limits.hpp"
 #include "core/text.hpp"
 #include "reflect/field_json.hpp"
+#include "reflect/json_members.hpp"
 #include "reflect/json_text.hpp"
 #include "reflect/type_registry.hpp"
 
@@ -17,32 +18,23 @@ namespace {
 constexpr std::string_view kRemedyForPrefab =
     "write {\"format\": 1, \"entities\": [...]} with the root as the first entity";
 
-std::optional<std::uint64_t> idIn(const Json& object, const char* key) {
-    const auto found = object.find(key);
-    const auto* text = found == object.end() ? nullptr : found->get_ptr<const std::string*>();
-    const std::optional<std::uint64_t> id = text == nullptr ? std::nullopt : parseHex(*text);
-    return id == std::uint64_t{0} ? std::nullopt : id;
-}
-
-std::string_view textIn(const Json& object, const char* key) {
-    const auto found = object.find(key);
-    const auto* text = found == object.end() ? nullptr : found->get_ptr<const std::string*>();
+std::string_view textIn(const Json& object, std::string_view key) {
+    const std::string* text = findText(object, key);
     return text == nullptr ? std::string_view{} : std::string_view{*text};
 }
 
 /// Puts the overrides of an instance over what its prefab says.
 void mergeEntity(PrefabEntity& base, const Json& overrides) {
     if (const auto name = textIn(overrides, "name"); !name.empty()) base.name = name;
-    if (const auto without = overrides.find("without"); without != overrides.end() && without->is_array()) {
+    if (const Json* without = findArray(overrides, "without")) {
         for (const Json& type : *without) {
-            if (type.is_string()) base.components.erase(type.get<std::string>());
+            if (const std::string* name = jsonText(type)) base.components.erase(*name);
         }
     }
-    const auto components = overrides.find("components");
-    if (components == overrides.end() || !components->is_object()) return;
+    const Json* components = findObject(overrides, "components");
+    if (components == nullptr) return;
     for (const auto& [type, fields] : components->items()) {
-        Json& merged = base.components[type];
-        if (!merged.is_object()) merged = Json::object();
+        Json& merged = makeObject(base.components, type);
         if (!fields.is_object()) continue;
         for (const auto& [key, value] : fields.items()) merged[key] = value;
     }
@@ -55,16 +47,17 @@ public:
 
     void addEntity(const Json& entity, const std::string& where, const Prefab* nested) {
         const bool isRoot = prefab_.entities.empty();
-        const std::optional<std::uint64_t> id = idIn(entity, "id");
-        if (isRoot) rootId_ = id.value_or(Prefab::kRootPart);
-        if (!id && !isRoot)
+        const std::uint64_t id = hexIdIn(entity, "id");
+        if (isRoot) rootId_ = id == 0 ? Prefab::kRootPart : id;
+        if (id == 0 && !isRoot)
             return skip(where + ".id", "expected the id of the entity", "write 16 hex digits in quotes");
-        const std::uint64_t part = isRoot ? Prefab::kRootPart : *id;
+        const std::uint64_t part = isRoot ? Prefab::kRootPart : id;
         if (prefab_.find(part) != nullptr)
             return skip(where + ".id", "another entity has this id", "write a new one");
         std::uint64_t parent = 0;
         if (!isRoot) {
-            parent = partOf(idIn(entity, "parent").value_or(rootId_));
+            const std::uint64_t said = hexIdIn(entity, "parent");
+            parent = partOf(said == 0 ? rootId_ : said);
             if (prefab_.find(parent) == nullptr) {
                 return skip(where + ".parent", "no entity before this one has the id",
                             "write the parent first");
@@ -75,7 +68,7 @@ public:
             mergeEntity(made, localized(entity));
             prefab_.entities.push_back(std::move(made));
         } else {
-            addNested(*nested, part, parent, entity);
+            addNested(*nested, part, parent, entity, where);
         }
     }
 
@@ -97,8 +90,12 @@ private:
         return entity;
     }
 
-    void addNested(const Prefab& nested, std::uint64_t part, std::uint64_t parent, const Json& entity) {
-        const auto children = entity.find("children");
+    void addNested(const Prefab& nested, std::uint64_t part, std::uint64_t parent, const Json& entity,
+                   const std::string& where) {
+        const Json* children = findMember(entity, "children");
+        if (children != nullptr && !children->is_object())
+            ignore(where + ".children", "an object", *children,
+                   "write {\"<part>\": {\"components\": {...}}}");
         for (const PrefabEntity& inner : nested.entities) {
             PrefabEntity made = inner;
             made.part = combinedId(part, inner.part);
@@ -107,16 +104,35 @@ private:
                              [part](std::uint64_t id) { return combinedId(part, id); });
             if (inner.part == Prefab::kRootPart) {
                 mergeEntity(made, localized(entity));
-            } else if (children != entity.end() && children->is_object()) {
-                const auto overrides = children->find(hexText(inner.part));
-                if (overrides != children->end()) {
-                    if (overrides->value("removed", false)) continue;
-                    mergeEntity(made, localized(*overrides));
-                }
+            } else if (children != nullptr) {
+                const std::string key = hexText(inner.part);
+                const Json* overrides = findMember(*children, key);
+                if (overrides != nullptr && !override(made, *overrides, format("{}.children.{}", where, key)))
+                    continue;
             }
             if (made.parent == 0 || prefab_.find(made.parent) != nullptr)
                 prefab_.entities.push_back(std::move(made));
         }
+    }
+
+    /// @return false when the part is left out
+    bool override(PrefabEntity& part, const Json& overrides, const std::string& where) {
+        const Json* removed = findMember(overrides, "removed");
+        if (!overrides.is_object()) {
+            ignore(where, "an object", overrides, "write {\"components\": {...}}");
+        } else if (removed != nullptr && !removed->is_boolean()) {
+            ignore(where + ".removed", "true or false", *removed, "write true to leave the part out");
+        } else if (removed != nullptr && *removed == true) {
+            return false;
+        }
+        mergeEntity(part, localized(overrides));
+        return true;
+    }
+
+    void ignore(std::string where, std::string_view expected, const Json& found, std::string remedy) {
+        prefab_.problems.push_back({std::move(where),
+                                    format("expected {}, found {}", expected, foundText(found)),
+                                    std::move(remedy) + "; it counts as missing"});
     }
 
     const TypeRegistry& types_;
@@ -125,9 +141,7 @@ private:
 };
 
 void changeReference(Json& value, const std::function<std::uint64_t(std::uint64_t)>& change) {
-    const auto* text = value.get_ptr<const std::string*>();
-    const std::optional<std::uint64_t> id = text == nullptr ? std::nullopt : parseHex(*text);
-    if (id && *id != 0) value = hexText(change(*id));
+    if (const std::uint64_t id = hexIdOf(value)) value = hexText(change(id));
 }
 
 }  // namespace
@@ -179,7 +193,7 @@ Result<const Prefab*> PrefabLibrary::find(std::string_view path) {
         if (prefab.path == path) return &prefab;
     }
     std::vector<std::string> open;
-    Result<Prefab> read = this->read(path, open);
+    Result<Prefab> read = guarded(path, [&] { return this->read(path, open); });
     if (!read) return read.error();
     known_.push_back(std::move(*read));
     return &known_.back();
@@ -209,11 +223,11 @@ Result<Prefab> PrefabLibrary::read(std::string_view path, std::vector<std::strin
     if (!text) return text.error();
     Result<Json> json = parseJson(*text, path);
     if (!json) return json.error();
-    const auto entities = json->is_object() ? json->find("entities") : json->end();
-    if (!json->is_object() || entities == json->end() || !entities->is_array() || entities->empty()) {
+    const Json* entities = findArray(*json, "entities");
+    if (entities == nullptr || entities->empty()) {
         return Error{name, "expected a prefab with at least one entity", std::string{kRemedyForPrefab}};
     }
-    if (const auto number = json->find("format"); number != json->end() && *number != Prefab::kFormat) {
+    if (const Json* number = findMember(*json, "format"); number != nullptr && *number != Prefab::kFormat) {
         return Error{name + ": format", format("expected {}, found {}", Prefab::kFormat, foundText(*number)),
                      "open it with the version of the engine that wrote it"};
     }

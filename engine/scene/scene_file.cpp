@@ -4,12 +4,14 @@
 #include <limits>
 
 #include "assets/asset_store.hpp"
+#include "core/guarded.hpp"
 #include "core/limits.hpp"
 #include "core/text.hpp"
 #include "ecs/hierarchy.hpp"
 #include "ecs/paused.hpp"
 #include "reflect/cbor.hpp"
 #include "reflect/field_json.hpp"
+#include "reflect/json_members.hpp"
 #include "reflect/json_text.hpp"
 #include "reflect/type_registry.hpp"
 #include "scene/components/persistent.hpp"
@@ -96,7 +98,7 @@ Result<Done> readHeads(SceneReader& reader, std::string_view text, const Slices&
         if (!name) return name.error();
         Result<Json> json = parseSlice(text, slice, reader.path());
         if (!json) return json.error();
-        heads.emplace_back(name->get<std::string>(), std::move(*json));
+        heads.emplace_back(textOrEmpty(*name), std::move(*json));
         const std::string& last = heads.back().first;
         const bool known =
             std::any_of(heads.begin(), heads.end() - 1, [&](const auto& head) { return head.first == last; });
@@ -111,10 +113,8 @@ Result<Done> readHeads(SceneReader& reader, std::string_view text, const Slices&
     return Done{};
 }
 
-}  // namespace
-
-Result<LoadReport> loadScene(World& world, const SceneContext& context, std::string_view path,
-                             std::string_view text) {
+Result<LoadReport> readText(World& world, const SceneContext& context, std::string_view path,
+                            std::string_view text) {
     if (text.size() > limits::kFileBytes) return brokenText(path, text);
     if (startsWith(text, "\xef\xbb\xbf")) text.remove_prefix(3);
     const auto slices = sliceObject(text);
@@ -144,40 +144,28 @@ Result<LoadReport> loadScene(World& world, const SceneContext& context, std::str
     return reader.finish();
 }
 
-std::string sceneToJson(const World& world, const SceneContext& context, SceneId scene) {
-    const LoadedScenes* scenes = world.findResource<LoadedScenes>();
-    const LoadedScene* found = scenes == nullptr ? nullptr : const_cast<LoadedScenes*>(scenes)->find(scene);
-    PLUMB_ASSERT(found != nullptr, "only a scene that was loaded or added can be written");
-    const LoadedScene empty;
-    return SceneWriter{const_cast<World&>(world), context, found == nullptr ? empty : *found}.write();
-}
-
-Result<LoadReport> loadSceneBinary(World& world, const SceneContext& context, std::string_view path,
-                                   std::string_view bytes) {
+Result<LoadReport> readBinary(World& world, const SceneContext& context, std::string_view path,
+                              std::string_view bytes) {
     Result<Json> json = readCbor(bytes, path);
     if (!json) return json.error();
     if (!json->is_object()) return noScene(path, "expected a scene, found " + foundText(*json));
-    const auto entities = json->find("entities");
-    if (entities != json->end() && !entities->is_array()) return noScene(path, "entities is no list");
-    if (auto count = checkCount(path, entities == json->end() ? 0 : entities->size()); !count)
+    Json* entities = findMember(*json, "entities");
+    if (entities != nullptr && !entities->is_array()) return noScene(path, "entities is no list");
+    if (auto count = checkCount(path, entities == nullptr ? 0 : entities->size()); !count)
         return count.error();
 
     SceneReader reader{world, context, path};
-    const auto number = json->find("format");
-    if (auto read = readFormat(reader, number == json->end() ? nullptr : &*number); !read)
-        return read.error();
+    if (auto read = readFormat(reader, findMember(*json, "format")); !read) return read.error();
     for (auto& [key, value] : *json->get_ptr<Json::object_t*>()) {
         if (key != "entities") readHead(reader, key, std::move(value));
     }
-    if (entities == json->end()) {
+    if (entities == nullptr) {
         reader.problem("entities", "the key is missing", "reading it as a scene without entities");
         return reader.finish();
     }
     int place = 0;
     for (Json& entity : *entities) {
-        const auto* text = entity.is_object() && entity.size() == 1 && entity.contains(kTextKey)
-                               ? entity[kTextKey].get_ptr<const std::string*>()
-                               : nullptr;
+        const std::string* text = entity.size() == 1 ? findText(entity, kTextKey) : nullptr;
         if (text == nullptr) {
             reader.readEntity(std::move(entity), place, {});
         } else if (Result<Json> parsed = parseJson(*text, path)) {
@@ -188,6 +176,26 @@ Result<LoadReport> loadSceneBinary(World& world, const SceneContext& context, st
         ++place;
     }
     return reader.finish();
+}
+
+}  // namespace
+
+Result<LoadReport> loadScene(World& world, const SceneContext& context, std::string_view path,
+                             std::string_view text) {
+    return guarded(path, [&] { return readText(world, context, path, text); });
+}
+
+Result<LoadReport> loadSceneBinary(World& world, const SceneContext& context, std::string_view path,
+                                   std::string_view bytes) {
+    return guarded(path, [&] { return readBinary(world, context, path, bytes); });
+}
+
+std::string sceneToJson(const World& world, const SceneContext& context, SceneId scene) {
+    const LoadedScenes* scenes = world.findResource<LoadedScenes>();
+    const LoadedScene* found = scenes == nullptr ? nullptr : const_cast<LoadedScenes*>(scenes)->find(scene);
+    PLUMB_ASSERT(found != nullptr, "only a scene that was loaded or added can be written");
+    const LoadedScene empty;
+    return SceneWriter{const_cast<World&>(world), context, found == nullptr ? empty : *found}.write();
 }
 
 std::string sceneToBinary(const World& world, const SceneContext& context, SceneId scene) {

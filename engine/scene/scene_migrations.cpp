@@ -1,6 +1,7 @@
 #include <array>
 
 #include "reflect/json.hpp"
+#include "reflect/json_members.hpp"
 #include "scene/scene_reader.hpp"
 
 namespace plumb {
@@ -8,13 +9,11 @@ namespace {
 
 /// Format 0 had the position beside the components, before there was a Transform.
 void moveIntoTransform(Json& entity) {
-    const auto position = entity.find("position");
-    if (position == entity.end()) return;
+    const Json* position = findMember(entity, "position");
+    if (position == nullptr) return;
     Json value = *position;
     entity.erase("position");
-    Json& components = entity["components"];
-    if (!components.is_object()) components = Json::object();
-    components["Transform"]["position"] = std::move(value);
+    makeObject(makeObject(entity, "components"), "Transform")["position"] = std::move(value);
 }
 
 struct Migration {

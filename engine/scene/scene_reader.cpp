@@ -7,6 +7,7 @@
 #include "ecs/hierarchy.hpp"
 #include "reflect/field_json.hpp"
 #include "reflect/import_notes.hpp"
+#include "reflect/json_members.hpp"
 #include "reflect/json_text.hpp"
 #include "reflect/type_registry.hpp"
 #include "scene/components/name.hpp"
@@ -16,11 +17,6 @@
 
 namespace plumb {
 namespace {
-
-std::uint64_t idOf(const Json& json) {
-    const auto* text = json.get_ptr<const std::string*>();
-    return text == nullptr ? 0 : parseHex(*text).value_or(0);
-}
 
 /// What scenes and entities may carry beside what the engine reads: values of the game's own, and what an
 /// importer could not say in components. Kept and written back like all other keys, but meant to be there.
@@ -143,7 +139,7 @@ bool SceneReader::readId(const Json& json, int place, std::string_view text, std
                 format("it got \"{}\"; save to keep it", hexText(id)));
         return true;
     }
-    id = idOf(*found);
+    id = hexIdOf(*found);
     if (id == 0) {
         skipEntity(
             place, keptText(text, json),
@@ -283,25 +279,41 @@ void SceneReader::readChildren(const Json& value, EntityId root, std::uint64_t i
         const std::uint64_t part = parseHex(key).value_or(0);
         const std::uint64_t partId = combinedId(id, part);
         const EntityId entity = part <= Prefab::kRootPart ? EntityId{} : fields_.entity(partId);
-        if (!entity || entity == root || !overrides.is_object()) {
-            problem(format("{}.{}", where, key), "the prefab has no such part",
-                    "it is kept as it stands; remove it");
+        const bool isPart = entity && entity != root;
+        if (!isPart || !overrides.is_object()) {
+            problem(
+                format("{}.{}", where, key),
+                isPart ? "expected an object, found " + foundText(overrides) : "the prefab has no such part",
+                "it is kept as it stands; remove it");
             kept(id).fields.push_back({"", key, overrides, Json()});
             continue;
         }
-        if (overrides.value("removed", false)) {
-            world_.destroy(entity);
-            continue;
-        }
+        if (!readRemoved(overrides, entity, partId, format("{}.{}.removed", where, key))) continue;
         readKeys(
             [&said = overrides] {
                 Json copy = said;
                 copy["prefab"] = "";  // overrides of a part may say what overrides of a root may
                 copy.erase("children");
+                copy.erase("removed");
                 return copy;
             }(),
             entity, partId, format("{}.{}", where, key));
     }
+}
+
+bool SceneReader::readRemoved(const Json& overrides, EntityId entity, std::uint64_t id,
+                              const std::string& where) {
+    const Json* removed = findMember(overrides, "removed");
+    if (removed == nullptr) return true;
+    if (*removed == true) {
+        world_.destroy(entity);
+        return false;
+    }
+    if (!removed->is_boolean())
+        problem(where, "expected true or false, found " + foundText(*removed),
+                "it is kept as it stands, and the part is there; write true to leave it out");
+    kept(id).keys.emplace_back("removed", *removed);
+    return true;
 }
 
 void SceneReader::readComponents(const Json& value, EntityId entity, std::uint64_t id,
@@ -381,7 +393,7 @@ LoadReport SceneReader::finish() {
             readComponent(*item.type, item.json, item.entity, item.id, item.where, false);
     }
     for (const ParentLink& link : parents_) {
-        const std::uint64_t id = idOf(link.parent);
+        const std::uint64_t id = hexIdOf(link.parent);
         const EntityId parent = id == 0 ? EntityId{} : fields_.entity(id);
         if (parent && setParent(world_, link.child, parent)) continue;
         kept(link.id).parent = link.parent;

@@ -78,6 +78,8 @@ private:
     void readName(const Json& value, EntityId entity, std::uint64_t id, const std::string& where);
     void readWithout(const Json& value, EntityId entity, std::uint64_t id, const std::string& where);
     void readChildren(const Json& value, EntityId root, std::uint64_t id, const std::string& where);
+    /// @return false when an instance leaves this part of its prefab out
+    bool readRemoved(const Json& overrides, EntityId entity, std::uint64_t id, const std::string& where);
     void readComponents(const Json& value, EntityId entity, std::uint64_t id, const std::string& where);
     void readComponent(const TypeInfo& type, const Json& json, EntityId entity, std::uint64_t id,
                        const std::string& where, bool mayWait);

@@ -47,8 +47,7 @@ class PlatformerGame : public Game {
     }
 };
 
-int main() {
-    Engine engine("My Platformer", 800, 600);
-    engine.run<PlatformerGame>();
-    return 0;
+int main(int count, char** words) {
+    Engine engine("My Platformer", 800, 600, count, words);
+    return engine.run<PlatformerGame>();
 }

@@ -148,7 +148,7 @@ int main(int argc, char** argv) {
         return 0;
     }
     if (options.stability) return stability::runStability(options.otherWords);
-    if (options.families) return families::runFamilyCommand(options.otherWords, comparedPeers());
+    if (options.families) return families::runFamilyCommand(options.otherWords, comparedPeers(), options.out);
 
     const std::vector<scenes::Engine> peers = options.peers ? comparedPeers() : std::vector<scenes::Engine>{};
 

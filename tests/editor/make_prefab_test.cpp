@@ -206,5 +206,22 @@ TEST_F(MakingPrefabs, byHandItIsNamedListedAndReverted) {
     hands.click("Overrides/Close");
 }
 
+TEST_F(MakingPrefabs, anEntityWhoseTransformIsNoObjectIsMadeOrRefused) {
+    putFile(kScene, R"({"format": 1, "effects": {}, "layers": [], "entities": [
+        {"id": "a1", "name": "odd", "components": {"Transform": 5}}, 7]})");
+    ASSERT_TRUE(workspace.open(kScene).ok());
+    const Result<ObjectId> made = makePrefab(workspace, {named("odd")}, prefabPath("odd"));
+    EXPECT_TRUE(made.ok() || !made.error().what.empty());
+}
+
+TEST_F(MakingPrefabs, aSceneWithAnEntityThatIsNoJsonIsRefused) {
+    putFile(kScene, R"({"format": 1, "effects": {}, "layers": [], "entities": [
+        {"id": "a1", "name": "whole", "components": {}}, {"id": nonsense}]})");
+    ASSERT_TRUE(workspace.open(kScene).ok());
+    const Result<ObjectId> made = makePrefab(workspace, {named("whole")}, prefabPath("whole"));
+    ASSERT_FALSE(made.ok());
+    EXPECT_FALSE(made.error().remedy.empty());
+}
+
 }  // namespace
 }  // namespace plumb::editor

@@ -287,6 +287,14 @@ TEST(BadInput, thingsWithoutASizeAreRefused) {
     EXPECT_EQ(hashOf(patient.world), before);
 }
 
+TEST(BadInput, aOneWayShapeNeedsADirection) {
+    Patient patient;
+    const auto made =
+        createShape(patient.world, patient.body, circle(1.0f), {.oneWay = true, .oneWayDirection = {}});
+    ASSERT_FALSE(made.ok());
+    EXPECT_NE(made.error().text().find("oneWayDirection"), std::string::npos);
+}
+
 TEST(BadInput, messagesHaveNumbersAsTheyWereWritten) {
     Patient patient;
     const auto made = createShape(patient.world, patient.body, circle(0.00003f));

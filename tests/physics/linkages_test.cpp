@@ -134,9 +134,8 @@ TEST_P(Linkages, aRopeHungAtBothEndsTurnsWhereItIsDriven) {
     EXPECT_LT(scene.turn(1.0f, turned), 0.2f) << "m: a joint opened";
 }
 
-INSTANTIATE_TEST_SUITE_P(BothWays, Linkages, testing::Bool(), [](const auto& param) {
-    return param.param ? "Direct" : "ByTurns";
-});
+INSTANTIATE_TEST_SUITE_P(BothWays, Linkages, testing::Bool(),
+                         [](const auto& param) { return param.param ? "Direct" : "ByTurns"; });
 
 }  // namespace
 }  // namespace plumb::physics

@@ -202,6 +202,14 @@ TEST(Sleep, aKinematicTriggerSeesASleeper) {
     EXPECT_FALSE(isAwake(scene.world, crate)) << "a trigger stops nothing";
 }
 
+TEST(Sleep, aChangeOfGravityWakesEverything) {
+    Playground scene;
+    const BodyId crate = scene.sleeper();
+    scene.world.settings.gravity = {0.0f, 10.0f};
+    scene.run(60);
+    EXPECT_GT(scene.y(crate), 5.0);
+}
+
 TEST(Sleep, aBodyMadeAsleepWaitsToBeHit) {
     Sleepy scene;
     const Result<BodyId> hanging = createBody(scene.world, {.position = {0.0, 5.0}, .awake = false});

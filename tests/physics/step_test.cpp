@@ -202,6 +202,18 @@ TEST(Step, aKinematicBodyCarriesWhatStandsOnIt) {
     EXPECT_NEAR(scene.y(crate), scene.y(lift) + 1.0, 0.01);
 }
 
+TEST(Step, noBodyMovesFurtherThanTheMaxSpeedAllows) {
+    // The speed is limited at the end of the step; the substeps before would carry it thousands of
+    // kilometers.
+    Playground scene;
+    scene.world.settings.quality = 0;
+    const BodyId ball = scene.ball({0.0, 0.0});
+    ASSERT_TRUE(applyForce(scene.world, ball, {1.0e12f, 0.0f}).ok());
+    scene.run(1);
+    EXPECT_LE(scene.x(ball), static_cast<double>(scene.world.settings.maxSpeed * kTick) * 1.0001);
+    EXPECT_GT(scene.x(ball), 1.0);
+}
+
 TEST(Step, aConveyorCarriesAtItsSpeed) {
     Playground scene;
     scene.floor({.friction = 0.6f, .surfaceSpeed = 2.0f});

@@ -100,9 +100,9 @@ TEST(SweepFastBodies, stopsAtTheTimeOfImpact) {
         step(world, kTick);
         EXPECT_NEAR(centreOf(world, bullet).x, 29.995 - 0.02, 1.0e-3) << speed;
         EXPECT_LE(centreOf(world, bullet).x, 29.995 - 0.02) << speed;
-        EXPECT_EQ(velocityOf(world, bullet).x, speed);
+        EXPECT_NEAR(velocityOf(world, bullet).x, 0.0f, 1e-6f * speed);
         step(world, kTick);
-        EXPECT_LE(std::fabs(velocityOf(world, bullet).x), 0.3f);
+        EXPECT_NEAR(velocityOf(world, bullet).x, 0.0f, 1e-6f * speed);
     }
 }
 
@@ -172,7 +172,7 @@ TEST(SweepFastBodies, onlyBulletsMeetMovingBodies) {
         static_cast<void>(createShape(world, crate, box({0.1f, 2.0f})));
         step(world, kTick);
         step(world, kTick);
-        EXPECT_EQ(centreOf(world, shot).x < 0.0, asBullet);
+        EXPECT_EQ(centreOf(world, shot).x < centreOf(world, crate).x, asBullet);
         EXPECT_EQ(velocityOf(world, crate).x > 0.1f, asBullet);
     }
 }

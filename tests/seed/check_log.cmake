@@ -2,7 +2,7 @@ cmake_minimum_required(VERSION 3.22)
 
 # Runs the sample game for a moment and looks for the lines that the seed shows, in its order.
 #
-#   cmake -D PROGRAM=hello-code -P check_log.cmake
+#   cmake -D PROGRAM=seed_sample -P check_log.cmake
 
 set(ENV{PLUMB_OPTIONS} "--frames 150 --replay hello.replay")
 execute_process(COMMAND ${PROGRAM} OUTPUT_VARIABLE output RESULT_VARIABLE code TIMEOUT 60)

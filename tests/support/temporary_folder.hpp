@@ -10,10 +10,9 @@ namespace plumb::test {
 /// A folder of its own for one test, removed with everything in it at the end.
 class TemporaryFolder {
 public:
-    TemporaryFolder() {
+    explicit TemporaryFolder(const std::filesystem::path& where = std::filesystem::temp_directory_path()) {
         static std::atomic<int> count{0};
-        path = std::filesystem::temp_directory_path() /
-               ("plumb_test_" + std::to_string(::getpid()) + "_" + std::to_string(count++));
+        path = where / ("plumb_test_" + std::to_string(::getpid()) + "_" + std::to_string(count++));
         std::filesystem::create_directories(path);
     }
     ~TemporaryFolder() {
@@ -25,5 +24,12 @@ public:
 
     std::filesystem::path path;
 };
+
+/// Where writing a file waits for no disk, for tests that write thousands.
+inline std::filesystem::path memoryFolder() {
+    const std::filesystem::path memory = "/dev/shm";
+    std::error_code failed;
+    return std::filesystem::is_directory(memory, failed) ? memory : std::filesystem::temp_directory_path();
+}
 
 }  // namespace plumb::test

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "reflect/json.hpp"
+#include "reflect/json_members.hpp"
 
 namespace plumb::editor {
 namespace {
@@ -62,7 +63,7 @@ private:
 };
 
 std::string quoted(std::string_view text) {
-    const std::string json = Json(text).dump();
+    const std::string json = compactText(Json(text));
     return json.substr(1, json.size() - 2);
 }
 

@@ -7,6 +7,7 @@
 #include "core/text.hpp"
 #include "editor/model/assets/renamed_fields.hpp"
 #include "reflect/json.hpp"
+#include "reflect/json_members.hpp"
 #include "reflect/json_text.hpp"
 
 namespace plumb::editor {
@@ -21,12 +22,12 @@ Result<std::string> projectWith(const std::string& text, const std::string& list
     if (!json) return json.error();
     const Error missing{kProject, format("there is no \"{}\" in its input map any more", from),
                         "look at it again"};
-    if (!json->is_object() || !json->contains("input") || !(*json)["input"].contains(list)) return missing;
-    Json& items = (*json)["input"][list];
-    if (!items.is_object() || !items.contains(from)) return missing;
+    Json* input = findObject(*json, "input");
+    Json* items = input == nullptr ? nullptr : findObject(*input, list);
+    if (items == nullptr || !items->contains(from)) return missing;
     Json renamed = Json::object();
-    for (const auto& [name, value] : items.items()) renamed[name == from ? to : name] = value;
-    items = std::move(renamed);
+    for (const auto& [name, value] : items->items()) renamed[name == from ? to : name] = value;
+    *items = std::move(renamed);
     return writeJson(*json);
 }
 

@@ -2,21 +2,22 @@
 
 #include "core/text.hpp"
 #include "reflect/json.hpp"
+#include "reflect/json_members.hpp"
 #include "reflect/json_text.hpp"
 
 namespace plumb::editor {
 namespace {
 
-std::string textIn(const Json& object, const char* key) {
-    const auto found = object.find(key);
-    return found == object.end() || !found->is_string() ? std::string{} : found->get<std::string>();
+std::string textIn(const Json& object, std::string_view key) {
+    const std::string* text = findText(object, key);
+    return text == nullptr ? std::string{} : *text;
 }
 
 /// An object within an object; an empty one when there is none.
-const Json& objectIn(const Json& object, const char* key) {
+const Json& objectIn(const Json& object, std::string_view key) {
     static const Json kNone = Json::object();
-    const auto found = object.find(key);
-    return found == object.end() || !found->is_object() ? kNone : *found;
+    const Json* found = findObject(object, key);
+    return found == nullptr ? kNone : *found;
 }
 
 /// "crate (0000000000000004)", as people and other tools find it.
@@ -31,9 +32,8 @@ std::string whoIs(const Json& entity) {
 void AssetNames::read(const std::string& file, std::string_view text) {
     std::vector<Error> repeated;  // told by who opens it
     const Result<Json> json = parseJson(text, file, &repeated);
-    if (!json || !json->is_object()) return;
-    const auto entities = json->find("entities");
-    if (entities == json->end() || !entities->is_array()) return;
+    const Json* entities = json ? findArray(*json, "entities") : nullptr;
+    if (entities == nullptr) return;
     for (const Json& entity : *entities) {
         if (entity.is_object()) readEntity(file, entity, whoIs(entity));
     }
@@ -60,9 +60,9 @@ void AssetNames::add(const FieldInfo& field, const Json& value, const std::strin
         item.kind = FieldKind::Asset;
         for (const Json& one : value) add(item, one, who);
     }
-    if (field.kind != FieldKind::Asset || !value.is_string() || value.get_ref<const std::string&>().empty())
-        return;
-    Named& named = named_[value.get<std::string>()];
+    const std::string* path = jsonText(value);
+    if (field.kind != FieldKind::Asset || path == nullptr || path->empty()) return;
+    Named& named = named_[*path];
     named.kind = field.asset;
     named.by.push_back(who);
 }

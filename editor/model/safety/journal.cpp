@@ -7,6 +7,7 @@
 #include "editor/model/safety/backups.hpp"
 #include "editor/model/safety/file_times.hpp"
 #include "reflect/json.hpp"
+#include "reflect/json_members.hpp"
 #include "reflect/json_text.hpp"
 
 namespace plumb::editor {
@@ -22,7 +23,7 @@ std::string headerOf(std::string_view scene) {
     Json json = Json::object();
     json["journal"] = 1;
     json["scene"] = scene;
-    return json.dump() + "\n";
+    return compactText(json) + "\n";
 }
 
 std::optional<LostWork> readJournal(const Path& path) {
@@ -31,10 +32,9 @@ std::optional<LostWork> readJournal(const Path& path) {
     const std::size_t line = text->find('\n');
     if (line == std::string::npos) return std::nullopt;
     const Result<Json> header = parseJson(std::string_view{*text}.substr(0, line), "journal");
-    if (!header || !header->is_object()) return std::nullopt;
-    const auto scene = header->find("scene");
-    if (scene == header->end() || !scene->is_string()) return std::nullopt;
-    return LostWork{scene->get<std::string>(), text->substr(line + 1), whenWritten(path), path};
+    const std::string* scene = header ? findText(*header, "scene") : nullptr;
+    if (scene == nullptr) return std::nullopt;
+    return LostWork{*scene, text->substr(line + 1), whenWritten(path), path};
 }
 
 Path sessionFolder(const Path& project, int session) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "editor/model/safety/backups.hpp"
@@ -41,6 +42,8 @@ public:
     /// Whether the open file is still the one that was opened or saved.
     [[nodiscard]] FileWatch::State onDisk() const { return onDisk_; }
     void lookAtFile();
+    /// Whether saving was refused since the last call because the file had changed.
+    [[nodiscard]] bool takeRefusal() { return std::exchange(refused_, false); }
     /// Opens what is on the disk; what was here becomes a backup.
     void takeTheirs();
     /// The next save writes over it; what is on the disk becomes a backup then.
@@ -51,6 +54,8 @@ public:
     /// The scene is about to be closed; what was not saved becomes a backup.
     void leaving();
     void opened();
+    /// The file is another program's: the person is asked which one to keep.
+    void refuse() { refused_ = true; }
     void saving();
     void saved();
 
@@ -65,6 +70,7 @@ private:
     std::vector<LostWork> lost_;
     double now_ = 0.0;     // s
     double looked_ = 0.0;  // s, when the file was last looked at
+    bool refused_ = false;
 };
 
 }  // namespace plumb::editor

@@ -4,6 +4,7 @@
 
 #include "core/text.hpp"
 #include "reflect/json.hpp"
+#include "reflect/json_members.hpp"
 #include "reflect/json_text.hpp"
 
 namespace plumb::editor {
@@ -12,7 +13,7 @@ namespace {
 constexpr std::size_t kLongestValue = 48;  // characters
 
 std::string shortText(const Json& value) {
-    std::string text = value.dump(-1, ' ', false, Json::error_handler_t::replace);
+    std::string text = compactText(value);
     if (text.size() <= kLongestValue) return text;
     text.resize(kLongestValue);
     while (!text.empty() && !isUtf8(text)) text.pop_back();
@@ -53,20 +54,19 @@ private:
 };
 
 std::string nameOf(const Json& entity, const std::string& id) {
-    const auto name = entity.find("name");
-    return name != entity.end() && name->is_string() ? name->get<std::string>() : id;
+    const std::string* name = findText(entity, "name");
+    return name != nullptr ? *name : id;
 }
 
 std::map<std::string, Json> entitiesOf(Json& scene) {
     std::map<std::string, Json> found;
-    const auto list = scene.find("entities");
-    if (list == scene.end() || !list->is_array()) return found;
+    Json* list = findArray(scene, "entities");
+    if (list == nullptr) return found;
     for (Json& entity : *list) {
-        const auto id = entity.is_object() ? entity.find("id") : entity.end();
-        if (entity.is_object() && id != entity.end() && id->is_string()) {
-            std::string key = id->get<std::string>();
-            found.emplace(std::move(key), std::move(entity));
-        }
+        const std::string* id = findText(entity, "id");
+        if (id == nullptr) continue;
+        std::string key = *id;
+        found.emplace(std::move(key), std::move(entity));
     }
     scene.erase("entities");
     return found;

@@ -1,6 +1,7 @@
 #include "editor/ui/dialogs/safety_dialogs.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "core/text.hpp"
 #include "editor/model/safety/save_beside.hpp"
@@ -33,9 +34,44 @@ bool accentButton(const char* label, ImVec2 size) {
 }  // namespace
 
 void SafetyDialogs::draw(Ui& ui) {
+    ask(ui);
     drawRecovery(ui);
     drawChanged(ui);
     drawBackups(ui);
+}
+
+SafetyDialogs::Question SafetyDialogs::nextQuestion(Ui& ui) const {
+    const SafetyNet& safety = ui.workspace.safety;
+    if (!safety.lost().empty() && !later_) return Question::Recovery;
+    const bool changed = safety.onDisk() == FileWatch::State::Changed;
+    const bool disturbs = ui.workspace.play.running() && !refused_;
+    return changed && !waits_ && !disturbs ? Question::Changed : Question::None;
+}
+
+void SafetyDialogs::ask(Ui& ui) {
+    SafetyNet& safety = ui.workspace.safety;
+    if (safety.onDisk() != FileWatch::State::Changed) waits_ = refused_ = false;
+    if (safety.takeRefusal()) refused_ = true, waits_ = false;
+    const auto title = [](Question question) {
+        return question == Question::Recovery ? kRecovery : kChanged;
+    };
+    if (open_ != Question::None && !ImGui::IsPopupOpen(title(open_))) {
+        const Question closed = std::exchange(open_, Question::None);
+        differences_.clear();
+        // Displaced by another dialog it comes back after that; closed by Esc it waits.
+        if (!anyPopupOpen()) {
+            if (closed == Question::Recovery) later_ = true;
+            if (closed == Question::Changed) {
+                waits_ = true;
+                ui.workspace.notice =
+                    format("{} was changed by another program; saving asks which one to keep",
+                           ui.workspace.document.scenePath);
+            }
+        }
+    }
+    if (anyPopupOpen()) return;
+    open_ = nextQuestion(ui);
+    if (open_ != Question::None) ImGui::OpenPopup(title(open_));
 }
 
 void SafetyDialogs::compare(std::string_view file, std::string_view other) {
@@ -87,17 +123,12 @@ void SafetyDialogs::drawBackups(Ui& ui) {
 
 void SafetyDialogs::drawRecovery(Ui& ui) {
     SafetyNet& safety = ui.workspace.safety;
-    if (safety.lost().empty() || later_) return;
-    if (!recovering_) ImGui::OpenPopup(kRecovery);
-    recovering_ = true;
+    if (open_ != Question::Recovery) return;
     const float rows = std::min(static_cast<float>(safety.lost().size()), 6.0f);
     const float list = differences_.empty() ? 0.0f : kListHeight;
     const ImVec2 size{ui.px(620.0f), ui.px(150.0f + 34.0f * rows + list)};
     centerNext(size);
-    if (!ImGui::BeginPopupModal(kRecovery, nullptr, kFixed)) {
-        later_ = true;
-        return;
-    }
+    if (!ImGui::BeginPopupModal(kRecovery, nullptr, kFixed)) return;
     ImGui::TextWrapped(
         "The editor ended without saving. The files are as you saved them last; this is newer:");
     ImGui::Spacing();
@@ -142,16 +173,17 @@ void SafetyDialogs::drawRecovery(Ui& ui) {
     if (ImGui::Button("Later", {ui.px(110.0f), 0.0f})) later_ = true;
     ui.widgets.mark("Recovery/later");
     tooltip("Asks again when the project is opened the next time.");
-    if (later_ || safety.lost().empty()) ImGui::CloseCurrentPopup();
-    recovering_ = !later_ && !safety.lost().empty();
+    if (later_ || safety.lost().empty()) {
+        differences_.clear();
+        open_ = Question::None;
+        ImGui::CloseCurrentPopup();
+    }
     ImGui::EndPopup();
 }
 
 void SafetyDialogs::drawChanged(Ui& ui) {
     Workspace& workspace = ui.workspace;
-    if (workspace.safety.onDisk() != FileWatch::State::Changed || workspace.play.running() || recovering_)
-        return;
-    if (!ImGui::IsPopupOpen(kChanged)) ImGui::OpenPopup(kChanged);
+    if (open_ != Question::Changed) return;
     const ImVec2 size{ui.px(580.0f), ui.px(170.0f + (differences_.empty() ? 0.0f : kListHeight))};
     centerNext(size);
     if (!ImGui::BeginPopupModal(kChanged, nullptr, kFixed)) return;
@@ -192,6 +224,7 @@ void SafetyDialogs::drawChanged(Ui& ui) {
     if (mine) workspace.safety.keepMine();
     if (theirs || mine || beside) {
         differences_.clear();
+        open_ = Question::None;
         ImGui::CloseCurrentPopup();
     }
     ImGui::EndPopup();

@@ -15,6 +15,12 @@ public:
     void chooseBackup(Ui& ui);
 
 private:
+    /// What a person is asked; one question at a time.
+    enum class Question : unsigned char { None, Recovery, Changed };
+
+    /// Opens the next question when no other dialog is open, and notices when one was closed unanswered.
+    void ask(Ui& ui);
+    [[nodiscard]] Question nextQuestion(Ui& ui) const;
     void drawRecovery(Ui& ui);
     void drawChanged(Ui& ui);
     void drawBackups(Ui& ui);
@@ -25,8 +31,10 @@ private:
 
     std::vector<Backup> backups_;
     std::vector<std::string> differences_;  ///< empty until they were asked for
-    bool recovering_ = false;
-    bool later_ = false;  ///< Esc: asked again when the project is opened the next time
+    Question open_ = Question::None;        ///< on the screen
+    bool later_ = false;    ///< the recovery is asked for again when the project is opened the next time
+    bool waits_ = false;    ///< which file to keep is asked again when the scene is saved
+    bool refused_ = false;  ///< the scene could not be saved: the question comes also while a game plays
 };
 
 }  // namespace plumb::editor::ui

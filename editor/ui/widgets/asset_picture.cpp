@@ -7,6 +7,7 @@
 #include "editor/model/assets/sheet_part.hpp"
 #include "editor/ui/scene_picture.hpp"
 #include "editor/ui/ui_compat.hpp"
+#include "reflect/json_members.hpp"
 #include "scene/prefab.hpp"
 
 namespace plumb::editor::ui {
@@ -80,10 +81,9 @@ void drawSheet(ImDrawList& list, const Ui& ui, const AABB& box, ImU32 color, con
 
 /// The path that a field of a component names; empty when it does not.
 std::string namedBy(const PrefabEntity& entity, const char* component, const char* field) {
-    const auto found = entity.components.find(component);
-    if (found == entity.components.end() || !found->is_object()) return {};
-    const auto path = found->find(field);
-    return path != found->end() && path->is_string() ? path->get<std::string>() : std::string{};
+    const Json* found = findMember(entity.components, component);
+    const std::string* path = found == nullptr ? nullptr : findText(*found, field);
+    return path == nullptr ? std::string{} : *path;
 }
 
 /// What its first part that can be seen looks like. @return whether there is one

@@ -79,12 +79,12 @@ Result<Sheet> parseSheet(std::string_view text, std::string_view where, std::vec
     JsonFields fields{*json, std::string{where}, warnings};
     const Json* frames = fields.find("frames");
     const Json* meta = fields.find("meta");
-    if (frames == nullptr || frames->empty() || meta == nullptr) {
-        return Error{std::string{where}, "this is no sheet of Aseprite",
+    Sheet sheet;
+    if (frames != nullptr && meta != nullptr) readFrames(fields, *frames, sheet, warnings);
+    if (sheet.frames.empty()) {
+        return Error{std::string{where}, "this is no sheet of Aseprite: it has no list of frames",
                      "export it with File, Export Sprite Sheet, Output: JSON Data"};
     }
-    Sheet sheet;
-    readFrames(fields, *frames, sheet, warnings);
     fields.warnUnknown();
     JsonFields about{*meta, format("{}: meta", where), warnings};
     sheet.image = about.text("image");

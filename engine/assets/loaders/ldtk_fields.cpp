@@ -4,6 +4,7 @@
 
 #include "core/text.hpp"
 #include "reflect/json_fields.hpp"
+#include "reflect/json_members.hpp"
 
 namespace plumb {
 namespace {
@@ -15,15 +16,14 @@ bool isUsable(const Json& json) { return json.is_number() && std::abs(json.get<d
 }  // namespace
 
 const Json* LdtkFields::find(std::string_view key) const {
-    if (!object_->is_object()) return nullptr;
-    const auto found = object_->find(std::string{key});
-    return found == object_->end() || found->is_null() ? nullptr : &*found;
+    const Json* found = findMember(*object_, key);
+    return found == nullptr || found->is_null() ? nullptr : found;
 }
 
 std::string LdtkFields::text(std::string_view key, std::string_view fallback) const {
     const Json* json = find(key);
     if (json == nullptr) return std::string{fallback};
-    if (json->is_string()) return json->get<std::string>();
+    if (const std::string* found = jsonText(*json)) return *found;
     warn(key, "expected a text, found " + briefText(*json), "save the project again in LDtk");
     return std::string{fallback};
 }

@@ -7,6 +7,7 @@
 #include "assets/loaders/ldtk_keys.hpp"
 #include "core/limits.hpp"
 #include "core/text.hpp"
+#include "reflect/json_members.hpp"
 #include "reflect/json_text.hpp"
 
 namespace plumb {
@@ -29,10 +30,11 @@ std::vector<ldtk::Field> readFields(const LdtkFields& owner) {
 std::optional<ldtk::TileRect> readTileRect(const Json* json) {
     if (json == nullptr || !json->is_object()) return {};
     const auto number = [&](const char* key) {
-        const auto found = json->find(key);
-        return found != json->end() && found->is_number() ? found->get<float>() : 0.0f;
+        const Json* found = findMember(*json, key);
+        return found == nullptr ? 0.0f : floatOf(*found).value_or(0.0f);
     };
-    return ldtk::TileRect{static_cast<int>(number("tilesetUid")),
+    const Json* uid = findMember(*json, "tilesetUid");
+    return ldtk::TileRect{uid == nullptr ? 0 : wholeOf(*uid).value_or(0),
                           {number("x"), number("y"), number("w"), number("h")}};
 }
 
@@ -49,7 +51,7 @@ ldtk::Entity readEntity(const LdtkFields& from) {
     entity.color = from.color("__smartColor", Color{});
     if (const Json* tags = from.find("__tags"); tags != nullptr && tags->is_array()) {
         for (const Json& tag : *tags) {
-            if (tag.is_string()) entity.tags.push_back(tag.get<std::string>());
+            if (const std::string* text = jsonText(tag)) entity.tags.push_back(*text);
         }
     }
     entity.fields = readFields(from);
@@ -73,7 +75,7 @@ void readTiles(const LdtkFields& from, std::string_view key, std::vector<ldtk::T
 void readValues(const LdtkFields& from, ldtk::Layer& layer) {
     const std::size_t count = static_cast<std::size_t>(layer.columns) * static_cast<std::size_t>(layer.rows);
     if (const Json* csv = from.find("intGridCsv"); csv != nullptr && csv->is_array() && !csv->empty()) {
-        for (const Json& value : *csv) layer.values.push_back(value.is_number() ? value.get<int>() : 0);
+        for (const Json& value : *csv) layer.values.push_back(wholeOf(value).value_or(0));
         if (layer.values.size() != count)
             from.warn("intGridCsv",
                       format("{} cells are there, the size says {}", layer.values.size(), count),
@@ -129,8 +131,7 @@ void readBackground(const LdtkFields& from, ldtk::Level& level) {
     const Json* crop = fields.find("cropRect");
     if (crop != nullptr && crop->is_array() && crop->size() == 4) {
         std::array<float, 4> sides{};
-        for (std::size_t i = 0; i < 4; ++i)
-            sides[i] = (*crop)[i].is_number() ? (*crop)[i].get<float>() : 0.0f;
+        for (std::size_t i = 0; i < 4; ++i) sides[i] = floatOf((*crop)[i]).value_or(0.0f);
         level.imageCrop = {sides[0], sides[1], sides[2], sides[3]};
     }
 }

@@ -2,6 +2,7 @@
 
 #include "core/text.hpp"
 #include "reflect/json.hpp"
+#include "reflect/json_members.hpp"
 #include "reflect/json_text.hpp"
 
 namespace plumb {
@@ -35,16 +36,16 @@ bool isIn(std::string_view word, const List& list) {
 }
 
 std::string scalarText(const Json& value) {
-    if (value.is_string()) return value.get<std::string>();
+    if (const std::string* text = jsonText(value)) return *text;
     if (value.is_boolean()) return value.get<bool>() ? "1" : "0";
-    if (value.is_number_integer()) return value.dump();
+    if (value.is_number_integer()) return compactText(value);
     if (value.is_number()) return shortestText(value.get<double>());
     return {};
 }
 
 std::string memberText(const Json& object, std::string_view key) {
-    const auto found = object.find(std::string{key});
-    return found == object.end() ? std::string{} : scalarText(*found);
+    const Json* found = findMember(object, key);
+    return found == nullptr ? std::string{} : scalarText(*found);
 }
 
 void addAttribute(XmlElement& element, std::string_view name, std::string value) {
@@ -85,9 +86,9 @@ void addProperty(XmlElement& property, const Json& value, std::string_view type)
     } else if (value.is_array()) {
         addAttribute(property, "type", "list");
         for (const Json& item : value) {
-            const bool wrapped = item.is_object() && item.contains("value");
-            addProperty(addChild(property, "item"), wrapped ? item.at("value") : item,
-                        wrapped ? memberText(item, "type") : std::string{});
+            const Json* wrapped = findMember(item, "value");
+            addProperty(addChild(property, "item"), wrapped != nullptr ? *wrapped : item,
+                        wrapped != nullptr ? memberText(item, "type") : std::string{});
         }
     } else {
         const std::string_view found = value.is_boolean()          ? "bool"
@@ -131,10 +132,10 @@ void addPoints(XmlElement& element, std::string_view name, const Json& points) {
 }
 
 void fillData(XmlElement& element, const Json& data, const Json& owner) {
-    if (data.is_string()) {
+    if (const std::string* text = jsonText(data)) {
         addAttribute(element, "encoding", memberText(owner, "encoding"));
         addAttribute(element, "compression", memberText(owner, "compression"));
-        element.text = data.get<std::string>();
+        element.text = *text;
     } else {
         addAttribute(element, "encoding", "csv");
         element.text = numberList(data);
@@ -144,17 +145,16 @@ void fillData(XmlElement& element, const Json& data, const Json& owner) {
 void addChunks(XmlElement& layer, const Json& chunks, const Json& owner) {
     XmlElement& data = addChild(layer, "data");
     for (const Json& chunk : chunks) {
-        if (!chunk.is_object() || !chunk.contains("data")) continue;
+        const Json* cells = findMember(chunk, "data");
+        if (cells == nullptr) continue;
         XmlElement& element = addChild(data, "chunk");
         for (const std::string_view key : {"x", "y", "width", "height"})
             addAttribute(element, key, memberText(chunk, key));
-        fillData(element, chunk.at("data"), owner);
+        fillData(element, *cells, owner);
     }
-    addAttribute(data, "encoding",
-                 chunks.empty() || !chunks[0].is_object() || !chunks[0].contains("data") ||
-                         chunks[0].at("data").is_array()
-                     ? std::string{"csv"}
-                     : memberText(owner, "encoding"));
+    const Json* cells = chunks.empty() ? nullptr : findMember(*chunks.begin(), "data");
+    const bool isText = cells != nullptr && !cells->is_array();
+    addAttribute(data, "encoding", isText ? memberText(owner, "encoding") : std::string{"csv"});
     addAttribute(data, "compression", memberText(owner, "compression"));
 }
 
@@ -191,7 +191,7 @@ bool addKnownMember(XmlElement& element, const std::string& key, const Json& val
     if (key == "layers") return addLayers(element, value), true;
     if (key == "properties") return addProperties(element, value), true;
     if (key == "data") return fillData(addChild(element, "data"), value, object), true;
-    if (key == "chunks") return addChunks(element, value, object), true;
+    if (key == "chunks" && value.is_array()) return addChunks(element, value, object), true;
     if (key == "image") return addImage(element, object), true;
     if (key == "polygon" || key == "polyline") return addPoints(element, key, value), true;
     if (key == "wangid" && value.is_array()) return addAttribute(element, key, numberList(value)), true;

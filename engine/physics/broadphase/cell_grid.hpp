@@ -30,7 +30,7 @@ public:
 
     [[nodiscard]] bool areNear(std::uint32_t a, std::uint32_t b) const {
         return b < sorted_ && cells_[a].level == cells_[b].level && cells_[a].y == cells_[b].y &&
-               static_cast<std::uint32_t>(cells_[b].x - cells_[a].x) <= kNearCells;
+               static_cast<std::uint32_t>(cells_[b].x) - static_cast<std::uint32_t>(cells_[a].x) <= kNearCells;
     }
     /// Calls visit(begin, end) with ranges of places, from `from` on, where all are that the box may overlap.
     template <class Visit>

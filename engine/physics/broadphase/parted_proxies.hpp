@@ -72,9 +72,9 @@ public:
     void rebuild(const Proxies& proxies) {
         for (Part& part : parts) part.clear();
         places_.assign(proxies.bounds.size(), kNoPlace);
-        std::vector<std::uint32_t> all(proxies.bounds.size());
-        std::iota(all.begin(), all.end(), 0u);
-        update(proxies, all);
+        all_.resize(proxies.bounds.size());
+        std::iota(all_.begin(), all_.end(), 0u);
+        update(proxies, all_);
     }
 
     void update(const Proxies& proxies, std::span<const std::uint32_t> changed) {
@@ -149,6 +149,7 @@ private:
     static constexpr std::uint32_t kNobody = 0xffffffffu;
 
     std::vector<ProxyPlace> places_;                ///< by proxy
+    std::vector<std::uint32_t> all_;                ///< of rebuild(), which may be a part of each step
     std::array<std::uint32_t, kParts> arranged_{};  ///< how many arrange() was last given; or kNobody
     std::array<std::vector<std::uint32_t>, kParts> arrivals_;
     std::array<std::vector<std::uint64_t>, kParts> marks_;  ///< bits, by place; all 0 between calls

@@ -51,16 +51,16 @@ void drawCentres(const Picture& picture) {
 void drawSweeps(const Picture& picture) {
     const World& world = picture.world;
     const Workspace* work = picture.choice.lastStep;
-    if (work == nullptr || world.awake.empty() || work->sweeps.size() != work->fastBodies.size()) return;
-    for (std::size_t i = 0; i < work->sweeps.size(); ++i) {
-        const std::uint32_t body = work->fastBodies[i];
-        const Sweep& sweep = work->sweeps[i];
+    if (work == nullptr || world.awake.empty()) return;
+    for (const SweptBody& swept : work->swept) {
+        const std::uint32_t body = swept.body;
         if (!picture.isDynamic(body) || !picture.shows(body)) continue;
+        const BodyPose from = swept.sweep.at(swept.sweep.begin);
         for (std::uint32_t s = world.bodies.info[body].firstShape; s != kNone; s = world.shapes.info[s].next)
-            drawOutline(picture.canvas, picture.outline(s), picture.frame(sweep.at(0.0f)), DebugRole::Sweep);
-        const Vec2 stop = picture.seen(sweep.at(sweep.end).centre);
-        picture.canvas.line(picture.seen(sweep.start), stop, DebugRole::Sweep);
-        if (sweep.end < 1.0f) picture.canvas.circle(stop, kPointRadius, DebugRole::Impact);
+            drawOutline(picture.canvas, picture.outline(s), picture.frame(from), DebugRole::Sweep);
+        const Vec2 start = picture.seen(from.centre);
+        picture.canvas.line(start, picture.seen(swept.sweep.at(1.0f).centre), DebugRole::Sweep);
+        if (swept.hits > 0) picture.canvas.circle(start, kPointRadius, DebugRole::Impact);
     }
 }
 

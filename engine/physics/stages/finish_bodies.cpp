@@ -36,6 +36,15 @@ void limitSpeed(BodyMotion& motion, float most) {
     if (square > most * most) motion.velocity *= most / std::sqrt(square);
 }
 
+/// Substeps may be faster than the speed that is left at the end of the step, and would carry a body as far.
+void limitDisplacement(Float4& shift, float most) {
+    const float square = shift.x * shift.x + shift.y * shift.y;
+    if (square <= most * most) return;
+    const float part = most / std::sqrt(square);
+    shift.x *= part;
+    shift.y *= part;
+}
+
 /// No point of a body is faster than bodies may be. Spins that nothing limits would grow until they are no
 /// numbers, where joints have arms of many times a body's size.
 void limitSpin(BodyMotion& motion, float reach, float most) {
@@ -96,12 +105,13 @@ bool takeAlong(StepContext& step, std::size_t slot, std::uint32_t body) {
     Bodies& bodies = step.world.bodies;
     BodyMotion& motion = bodies.motion[body];
     const Float4& velocity = step.work.velocity[slot];
-    const Float4& shift = step.work.shift[slot];
+    Float4& shift = step.work.shift[slot];
     if (!isFinite(velocity) || !isFinite(shift)) {
         motion.velocity = {};
         motion.angularVelocity = 0.0f;
         return false;
     }
+    limitDisplacement(shift, step.world.settings.maxSpeed * step.dt);
     const Vec2 before = motion.velocity;
     motion.velocity = unsigned0({velocity.x, velocity.y});
     motion.angularVelocity = velocity.z + 0.0f;
@@ -142,9 +152,8 @@ void finish(StepContext& step, std::size_t slot, std::uint32_t body, Findings& f
         motion.restTime += step.dt;
         found.sleepy = found.sleepy || motion.restTime >= world.settings.sleepTime;
     }
-    if (info.kind == BodyKind::Dynamic && world.settings.continuous && isFast(step.work.shift[slot], info)) {
-        found.fast.push_back(body);
-    }
+    const bool isSwept = info.kind == BodyKind::Dynamic ? isFast(shift, info) : moved;
+    if (isSwept && world.settings.continuous) found.fast.push_back(body);
     updateShapes(world, body, found);
 }
 

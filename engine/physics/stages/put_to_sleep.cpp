@@ -8,8 +8,9 @@ namespace plumb::physics {
 
 namespace {
 
-/// Ties that ended keep islands larger than need be; to look for them each step is not worth it.
-constexpr std::uint64_t kStepsBetweenRebuilds = 16;
+/// Part of Settings::sleepTime: contacts and joints that ended keep islands larger than need be for so long. A
+/// rebuild looks at every contact; an island that fell apart sleeps late by this at most.
+constexpr float kRebuildPart = 0.5f;
 
 /// What a moving platform carries or pulls stays awake, however slow it is: it could be left in the air.
 void keepCarriedAwake(World& world, std::vector<std::uint32_t>& verdict) {
@@ -29,10 +30,10 @@ void keepCarriedAwake(World& world, std::vector<std::uint32_t>& verdict) {
         keepAwake(world.joints.hot[j].bodyA, world.joints.hot[j].bodyB);
 }
 
-/// What is still being eased out of another one (easing.hpp) is slow, but not at rest.
-void keepEasedAwake(World& world, std::vector<std::uint32_t>& verdict) {
+/// What comes out of an overlap that it was put into (initial_overlaps.hpp) is slow, but not at rest.
+void keepOverlappingAwake(World& world, std::vector<std::uint32_t>& verdict) {
     for (const Contact& contact : world.contacts) {
-        if ((contact.flags & kTouching) == 0 || (contact.flags & kEasing) == 0) continue;
+        if ((contact.flags & kTouching) == 0 || (contact.flags & kInitialOverlap) == 0) continue;
         for (const std::uint32_t body : {contact.bodyA, contact.bodyB}) {
             if (world.bodies.info[body].kind == BodyKind::Dynamic) verdict[islandOf(world, body)] = kNone;
         }
@@ -52,8 +53,9 @@ void keepStrainedAwake(World& world, std::vector<std::uint32_t>& verdict) {
 
 void putToSleep(StepContext& step) {
     World& world = step.world;
+    if (world.islandsStale) world.islandsAge += step.dt;
     if (!step.work.sleepy) return;
-    if (world.islandsStale && world.steps % kStepsBetweenRebuilds == 0) rebuildIslands(world);
+    if (world.islandsAge >= kRebuildPart * world.settings.sleepTime) rebuildIslands(world);
     // An island sleeps when the most restless of its bodies has rested long enough.
     std::vector<std::uint32_t>& verdict = step.work.bodyScratch;  // by root
     verdict.assign(world.bodies.size(), kIslandToBe);
@@ -63,7 +65,7 @@ void putToSleep(StepContext& step) {
             verdict[islandOf(world, body)] = kNone;
     }
     if (world.manifest.runs(Effect::Kinematics)) keepCarriedAwake(world, verdict);
-    keepEasedAwake(world, verdict);
+    keepOverlappingAwake(world, verdict);
     keepStrainedAwake(world, verdict);
     const bool some = std::any_of(world.awake.begin(), world.awake.end(), [&](std::uint32_t body) {
         return world.bodies.info[body].kind == BodyKind::Dynamic && verdict[islandOf(world, body)] != kNone;

@@ -1,15 +1,11 @@
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <utility>
+#include <functional>
 
 #include "physics/bounds.hpp"
 #include "physics/broadphase_update.hpp"
 #include "physics/contacts.hpp"
-#include "physics/effects/one_way.hpp"
-#include "physics/joints.hpp"
-#include "physics/narrowphase/sweep.hpp"
-#include "physics/shapes/shape_types.hpp"
+#include "physics/solver/impact.hpp"
 #include "physics/stages.hpp"
 
 namespace plumb::physics {
@@ -17,268 +13,418 @@ namespace plumb::physics {
 namespace {
 
 constexpr int kGrain = 8;
-/// Part of a slop that is left between what meets: as good as touching, and the direction is certain.
-constexpr float kGap = 0.1f;
 
-/// How much of an outline may not pass. What slides along a floor dips into it a little and is not to be
-/// stopped for that: only what reaches deep could come out on the other side. Of outlines that are that deep
-/// already, spinning or pressed, ever smaller cores are held back.
-constexpr float kCores[] = {0.5f, 0.25f, 0.1f, 0.02f};
+/// Hits that change the path of a body within one step; at one more it stops, and the next step goes on with
+/// it. What comes into a corner of an angle of a leaves it after at most 1 + pi / a elastic hits: 5 are
+/// enough for 45 degrees.
+constexpr int kMostHits = 5;
 
-/// Who gets no further than this part of its way is wedged: it reaches into something already, and turns
+/// What gets no further than this part of its path is wedged: it reaches into something already, and turns
 /// under it faster than its contact can follow. Else it would stay there at full speed.
 constexpr float kWedged = 0.02f;
-/// Of its speeds.
-constexpr float kKeptWhenWedged = 0.5f;
+constexpr float kKeptWhenWedged = 0.5f;  // of its speeds
 
-class Core {
-public:
-    Core(const Geometry& geometry, std::span<const Corner> pool, float part)
-        : convex_{convexOf(geometry, pool)} {
-        for (std::size_t i = 0; i < convex_.corners().size(); ++i) {
-            const Corner& corner = convex_.corners()[i];
-            corners_[i] = {convex_.centre + part * (corner.point - convex_.centre), corner.normal};
-        }
-        convex_.pool = corners_.data();
-        convex_.radius *= part;
-    }
-    Core(const Core&) = delete;
-    Core& operator=(const Core&) = delete;
-
-    [[nodiscard]] const Convex& outline() const { return convex_; }
-
-private:
-    Convex convex_;
-    std::array<Corner, kMaxCorners> corners_;
-};
+/// Layers of Workspace::sweptProxies: what is looked for by whom.
+constexpr std::uint32_t kBulletLayer = 1, kFastLayer = 2, kKinematicLayer = 4;
 
 Rot turnOf(const Float4& shift) { return normalized(Rot{1.0f + shift.w, shift.z}); }
 
-/// How a body has come through this step, but for the angle by which it turned: from where it is now and how
-/// far it was shifted.
-Sweep wayOf(const StepContext& step, std::uint32_t body) {
-    const BodyPose& pose = step.world.bodies.pose[body];
-    const Float4& shift = step.work.shift[static_cast<std::size_t>(step.work.slots[body])];
-    Sweep sweep;
-    sweep.way = {shift.x, shift.y};
-    sweep.start = pose.centre + -sweep.way;
-    sweep.rotation = normalized(inverse(turnOf(shift)) * pose.rotation);
-    sweep.localCentre = pose.localCentre;
-    return sweep;
+bool isDynamic(const World& world, std::uint32_t body) {
+    return world.bodies.info[body].kind == BodyKind::Dynamic;
 }
-
-void addTurn(const StepContext& step, std::uint32_t body, Sweep& sweep) {
-    const auto slot = static_cast<std::size_t>(step.work.slots[body]);
-    const float angle = angleOf(turnOf(step.work.shift[slot]));
-    const float turns = (step.work.velocity[slot].z * step.dt - angle) / kTau;
-    sweep.turn = angle + kTau * static_cast<float>(floorToInt(turns + 0.5f));
-}
-
-/// A shape and its way.
-struct Mover {
-    std::uint32_t shape;
-    const Sweep& sweep;
-};
-
-/// True for a target that lets the mover through because of where it comes from.
-bool opensFor(const World& world, const Mover& mover, const Mover& target) {
-    const Geometry& outline = world.shapes.geometry[target.shape];
-    if ((world.shapes.info[target.shape].flags & kOneWay) != 0) {
-        const std::uint32_t body = world.shapes.info[mover.shape].body;
-        if ((world.bodies.info[body].flags & kDropsThrough) != 0) return true;
-        if (passesThrough(world, target.shape, mover.sweep.way)) return true;
-    }
-    if (outline.kind != ShapeKind::ChainSegment) return false;
-    const BodyPose pose = target.sweep.at(0.0f), from = mover.sweep.at(0.0f);
-    const Vec2 normal = rotate(pose.rotation, normalOfChain(outline));
-    const Vec2 start = rotate(pose.rotation, outline.a - pose.localCentre);
-    const Convex own = convexOf(world.shapes.geometry[mover.shape], world.shapes.corners);
-    const Vec2 centre = rotate(from.rotation, own.centre - from.localCentre) + (from.centre - pose.centre);
-    return dot(normal, centre - start) < 0.0f;
-}
-
-bool mayMeet(const World& world, std::uint32_t a, std::uint32_t b) {
-    const Shapes& shapes = world.shapes;
-    if (((shapes.info[a].flags | shapes.info[b].flags) & kTrigger) != 0) return false;
-    if (!meet(shapes.filter[a], shapes.filter[b]) || !comesTo(world, a, b)) return false;
-    const std::uint32_t bodyA = shapes.info[a].body, bodyB = shapes.info[b].body;
-    return world.bodies.info[bodyA].firstJoint == kNone || !keptApart(world, bodyA, bodyB);
-}
-
-/// The part of the way at which the mover has to stop, or `latest`. Outlines that touched from the start are
-/// held by their contact, until even a core would pass.
-float stopAt(const World& world, const Mover& mover, const Mover& target, float latest) {
-    if (!mayMeet(world, mover.shape, target.shape) || opensFor(world, mover, target)) return latest;
-    const Geometry& geometry = world.shapes.geometry[mover.shape];
-    const Convex theirs = convexOf(world.shapes.geometry[target.shape], world.shapes.corners);
-    const SweptOutline other{theirs, target.sweep};
-    const auto impactOf = [&](const Convex& outline, float gap) {
-        return firstImpact(other, {outline, mover.sweep}, gap, latest);
-    };
-    for (const float part : kCores) {
-        const auto deep = impactOf(Core{geometry, world.shapes.corners, part}.outline(), 0.0f);
-        if (!deep) return latest;
-        if (deep->part == 0.0f) continue;
-        latest = deep->part;
-        const auto touch = impactOf(convexOf(geometry, world.shapes.corners), kGap * world.settings.slop);
-        return touch && touch->part > 0.0f ? touch->part : latest;
-    }
-    return latest;
-}
-
-/// Where the shapes of the body stop at shapes that come into question.
-float stopOfBody(const World& world, const Sweep& sweep, std::uint32_t body, const Mover& target,
-                 float latest) {
-    for (std::uint32_t s = world.bodies.info[body].firstShape; s != kNone; s = world.shapes.info[s].next) {
-        latest = stopAt(world, {s, sweep}, target, latest);
-    }
-    return latest;
-}
-
-/// Shapes near the way of a body, in the order of their numbers: where it stops depends on whom it asks
-/// first, and a broad phase gives them in an order of its own.
-void findOnWay(const StepContext& step, const Sweep& sweep, std::uint32_t body, Among among,
-               std::vector<std::uint32_t>& found) {
-    const Vec2 from = toVec2(sweep.start);
-    const float rounding = 5.0e-7f * std::max(std::fabs(from.x), std::fabs(from.y));
-    const float reach =
-        step.world.bodies.info[body].reach + rounding + step.world.settings.speculativeDistance;
-    found.clear();
-    step.work.broadPhase->cast(proxiesOf(step.world), from, sweep.way, {reach, reach}, 0xffffffffu, found,
-                               among);
-    std::sort(found.begin(), found.end());
-}
-
-/// Lets a sweep end at the first shape that never yields.
-void stopAtFixed(const StepContext& step, std::uint32_t body, Sweep& sweep,
-                 std::vector<std::uint32_t>& found) {
-    const World& world = step.world;
-    findOnWay(step, sweep, body, world.manifest.runs(Effect::Kinematics) ? Among::All : Among::Static, found);
-    if (found.empty()) return;
-    addTurn(step, body, sweep);
-    float latest = 1.0f;
-    for (const std::uint32_t shape : found) {
-        const ProxyMotion motion = world.shapes.motion[shape];
-        if (motion != ProxyMotion::Static && motion != ProxyMotion::Kinematic) continue;
-        const Sweep stays = resting(world.bodies.pose[world.shapes.info[shape].body]);
-        latest = stopOfBody(world, sweep, body, {shape, stays}, latest);
-    }
-    sweep.end = latest;
-}
-
-/// Takes from a body what it gained by falling over the part of its way that it is set back by. Else it would
-/// be faster than its height explains: small balls would bounce higher and higher.
-/// @param part  of the way of this step
-void takeBackGain(StepContext& step, std::uint32_t body, Vec2 way, float part) {
-    const Workspace& work = step.work;
-    const auto slot = static_cast<std::size_t>(work.slots[body]);
-    const Float4& flight = work.flight[slot];
-    const bool tied = step.world.bodies.info[body].firstJoint != kNone;
-    const bool held = tied || (flight.x == 0.0f && flight.y == 0.0f);
-    const Vec2 pull{work.drive[slot].x, work.drive[slot].y};
-    Vec2& velocity = step.world.bodies.motion[body].velocity;
-    if (held) {
-        // What else pulls at it is not known: as much energy goes as the way back gives.
-        const float gain = 2.0f * part * dot(pull, way), before = lengthSquared(velocity);
-        if (gain > 0.0f) velocity *= std::sqrt(std::max(before - gain, 0.0f) / std::max(before, gain));
-    } else if (const bool dragged = !work.keep.empty() && work.keep[slot].x != 1.0f; !dragged) {
-        velocity -= (part * step.dt) * pull;
-    }
-}
-
-/// Takes a body back along its way, from a part of it to the end of the sweep.
-void setBack(StepContext& step, std::uint32_t body, const Sweep& sweep, float from) {
-    World& world = step.world;
-    takeBackGain(step, body, sweep.way, from - sweep.end);
-    if (sweep.end < kWedged) {
-        world.bodies.motion[body].velocity *= kKeptWhenWedged;
-        world.bodies.motion[body].angularVelocity *= kKeptWhenWedged;
-    }
-    world.bodies.pose[body] = sweep.at(sweep.end);
-    Shapes& shapes = world.shapes;
-    for (std::uint32_t s = world.bodies.info[body].firstShape; s != kNone; s = shapes.info[s].next) {
-        shapes.bounds[s] = grown(tightBounds(world, s), shapes.info[s].margin);
-        noteChanged(world, s);
-        noteMoved(world, s);
-    }
-}
-
 bool isBullet(const World& world, std::uint32_t body) {
     return (world.bodies.info[body].flags & kBullet) != 0;
 }
+/// By contacts or joints.
+bool isHeld(const StepContext& step, std::uint32_t body) { return step.work.colourMasks[body] != 0; }
 
-/// Bodies that have moved far themselves are met on their way, both at one time; all others where they are.
-/// @param places  in Workspace::fastBodies, by body
-void sweepBullet(StepContext& step, std::uint32_t place, const std::vector<std::uint32_t>& places) {
-    World& world = step.world;
-    Workspace& work = step.work;
-    const std::uint32_t bullet = work.fastBodies[place];
-    Sweep& sweep = work.sweeps[place];
-    float latest = sweep.end;
-    std::uint32_t met = kNone;
-    findOnWay(step, sweep, bullet, Among::All, work.candidates);
-    for (const std::uint32_t shape : work.candidates) {
-        const std::uint32_t body = world.shapes.info[shape].body;
-        const ProxyMotion motion = world.shapes.motion[shape];
-        const bool fixed = motion == ProxyMotion::Static || motion == ProxyMotion::Kinematic;
-        if (fixed || places[body] != kNone) continue;
-        const Sweep stays = resting(world.bodies.pose[body]);
-        latest = stopOfBody(world, sweep, bullet, {shape, stays}, latest);
-    }
-    for (std::uint32_t other = 0; other < work.sweeps.size(); ++other) {
-        if (other == place) continue;
-        const std::uint32_t body = work.fastBodies[other];
-        for (std::uint32_t s = world.bodies.info[body].firstShape; s != kNone;
-             s = world.shapes.info[s].next) {
-            const float stop = stopOfBody(world, sweep, bullet, {s, work.sweeps[other]}, latest);
-            if (stop < latest) latest = stop, met = other;
-        }
-    }
-    if (latest == sweep.end) return;
-    const float before = std::exchange(sweep.end, latest);
-    setBack(step, bullet, sweep, before);
-    if (met == kNone || work.sweeps[met].end <= latest) return;
-    const float otherBefore = std::exchange(work.sweeps[met].end, latest);
-    setBack(step, work.fastBodies[met], work.sweeps[met], otherBefore);
+/// How a body has come through this step: from where it is now and how far it was shifted.
+Sweep pathOf(const StepContext& step, std::uint32_t body) {
+    const BodyPose& pose = step.world.bodies.pose[body];
+    const auto slot = static_cast<std::size_t>(step.work.slots[body]);
+    const Float4& shift = step.work.shift[slot];
+    const Vec2 way{shift.x, shift.y};
+    Sweep sweep{pose.centre + -way, way, pose.rotation, 0.0f, pose.localCentre};
+    if (shift.z == 0.0f && step.work.velocity[slot].z == 0.0f) return sweep;
+    const float angle = angleOf(turnOf(shift));
+    const float turns = (step.work.velocity[slot].z * step.dt - angle) / kTau;
+    sweep.turn = angle + kTau * static_cast<float>(floorToInt(turns + 0.5f));
+    sweep.rotation = normalized(inverse(turnOf(shift)) * pose.rotation);
+    return sweep;
 }
 
-void sweepBullets(StepContext& step) {
-    Workspace& work = step.work;
-    std::vector<std::uint32_t>& places = work.bodyScratch;
-    places.assign(step.world.bodies.size(), kNone);
-    for (std::uint32_t i = 0; i < work.fastBodies.size(); ++i) places[work.fastBodies[i]] = i;
-    for (std::uint32_t i = 0; i < work.fastBodies.size(); ++i) {
-        if (isBullet(step.world, work.fastBodies[i])) sweepBullet(step, i, places);
+/// The path of what may be in the way. What does not move or is held is slow: it is met where it is.
+Sweep pathOfMet(const StepContext& step, std::uint32_t body) {
+    const Workspace& work = step.work;
+    if (const std::uint32_t place = work.bodyScratch[body]; place != kNone) return work.swept[place].sweep;
+    const bool stays = !isDynamic(step.world, body) || work.slots[body] < 0 || isHeld(step, body);
+    return stays ? resting(step.world.bodies.pose[body]) : pathOf(step, body);
+}
+
+SweptBody sweptBodyOf(const StepContext& step, std::uint32_t body) {
+    SweptBody swept;
+    swept.body = body;
+    swept.sweep = pathOf(step, body);
+    swept.isHeld = isDynamic(step.world, body) && isHeld(step, body);
+    if (!isDynamic(step.world, body) || swept.isHeld) return swept;
+    // Its path would be longer at the velocity of its end, by what made it faster.
+    const Vec2 velocity = step.world.bodies.motion[body].velocity;
+    swept.pull = (2.0f / step.dt) * (velocity - (1.0f / step.dt) * swept.sweep.way);
+    return swept;
+}
+
+// To find hits.
+
+/// Half the side of a square that contains the body at any angle, and the gap that it keeps (m).
+float reachOf(const StepContext& step, const SweptBody& swept) {
+    const Vec2 from = toVec2(swept.sweep.start);
+    const float rounding = 5.0e-7f * std::max(std::fabs(from.x), std::fabs(from.y));
+    return step.world.bodies.info[swept.body].reach + rounding + step.world.settings.speculativeDistance;
+}
+Vec2 beginOf(const Sweep& sweep) { return toVec2(sweep.start + sweep.way * sweep.begin); }
+Vec2 wayLeft(const Sweep& sweep) { return sweep.way * std::max(1.0f - sweep.begin, 0.0f); }
+
+int hitsOf(const Workspace& work, std::uint32_t body) {
+    const std::uint32_t place = work.bodyScratch[body];
+    return place == kNone ? 0 : work.swept[place].hits;
+}
+
+/// Finds what a body hits next. Searches give what is near in an order of their own; of two hits at one time
+/// that of the lower number counts.
+void findNext(const StepContext& step, std::size_t place, std::vector<std::uint32_t>& found,
+              DetectionCounts& counts) {
+    const World& world = step.world;
+    const Workspace& work = step.work;
+    SweptBody& swept = step.work.swept[place];
+    const Sweep& sweep = swept.sweep;
+    swept.next = {};
+    if (!isDynamic(world, swept.body) || swept.hits > kMostHits || sweep.begin >= 1.0f) return;
+    const auto meetAll = [&](std::uint32_t shape) {
+        if (shape == swept.passed) return;
+        const Sweep path = pathOfMet(step, world.shapes.info[shape].body);
+        for (std::uint32_t s = world.bodies.info[swept.body].firstShape; s != kNone;
+             s = world.shapes.info[s].next) {
+            ++counts.swept;
+            meetOnPath(world, {s, sweep, !swept.isHeld}, {shape, path}, swept.next);
+        }
+    };
+    const float reach = reachOf(step, swept);
+    const bool all = isBullet(world, swept.body);
+    found.clear();
+    work.broadPhase->cast(proxiesOf(world), beginOf(sweep), wayLeft(sweep), {reach, reach}, 0xffffffffu,
+                          found, all || world.manifest.runs(Effect::Kinematics) ? Among::All : Among::Static);
+    std::sort(found.begin(), found.end());
+    for (const std::uint32_t shape : found) {
+        const std::uint32_t body = world.shapes.info[shape].body;
+        if (work.bodyScratch[body] == kNone && (all || !isDynamic(world, body))) meetAll(shape);
     }
+    if (work.sweptProxies.bounds.empty()) return;
+    // Bullets meet everything. What a hit sent another way meets the bullets, which looked at its first path.
+    const std::uint32_t layers =
+        kKinematicLayer | (all || swept.hits > 0 ? kBulletLayer : 0) | (all ? kFastLayer : 0);
+    found.clear();
+    work.sweptProxies.search->cast(work.sweptProxies.view(), beginOf(sweep), wayLeft(sweep), {reach, reach},
+                                   layers, found, Among::All);
+    std::sort(found.begin(), found.end());
+    for (const std::uint32_t other : found) {
+        for (std::uint32_t s = world.bodies.info[work.swept[other].body].firstShape; s != kNone;
+             s = world.shapes.info[s].next)
+            meetAll(s);
+    }
+    if (swept.next.met != kNone) swept.next.metHits = hitsOf(work, world.shapes.info[swept.next.met].body);
+}
+
+// What happens at a hit.
+
+/// Whether the solver has to see the hit, together with what else holds or moves the body.
+bool needsSolver(const StepContext& step, std::uint32_t body) {
+    if (!isDynamic(step.world, body)) return false;
+    return step.work.slots[body] < 0 || isHeld(step, body) || hitsOf(step.work, body) >= kMostHits ||
+           (step.world.bodies.info[body].flags & (kLockX | kLockY)) != 0;
+}
+
+/// Takes from a held body the energy that it gained on the part of its path that it is set back by, as far as
+/// is known: what holds it pulls too.
+void takeBackGain(StepContext& step, const SweptBody& swept, float part) {
+    const Float4& drive = step.work.drive[static_cast<std::size_t>(step.work.slots[swept.body])];
+    Vec2& velocity = step.world.bodies.motion[swept.body].velocity;
+    const float gain = 2.0f * part * dot({drive.x, drive.y}, swept.sweep.way);
+    const float before = lengthSquared(velocity);
+    if (gain > 0.0f) velocity *= std::sqrt(std::max(before - gain, 0.0f) / std::max(before, gain));
+}
+
+/// Leaves a body where it is at a part of the step, with the velocity that it has there.
+void stop(StepContext& step, std::uint32_t body, const PathHit& hit) {
+    const float part = hit.part;
+    const std::uint32_t place = step.work.bodyScratch[body];
+    if (place == kNone || !isDynamic(step.world, body)) return;
+    SweptBody& swept = step.work.swept[place];
+    BodyMotion& motion = step.world.bodies.motion[body];
+    if (swept.isHeld) takeBackGain(step, swept, 1.0f - part);
+    motion.velocity -= ((1.0f - part) * step.dt) * swept.pull;
+    if (hit.isPressed && part - swept.sweep.begin < kWedged) {
+        motion.velocity *= kKeptWhenWedged;
+        motion.angularVelocity *= kKeptWhenWedged;
+    }
+    swept.sweep = resting(swept.sweep.at(part), part);
+    swept.hits = kMostHits + 1;
+}
+
+/// s: how long before the end of the step a body was at the place where it hits a surface that does not
+/// yield. Its path is straight and its flight was not: along the normal it was there at another moment.
+float timeLeft(const SweptBody& swept, Vec2 velocity, Vec2 normal, float left, float dt) {
+    const float way = (left / dt) * dot(swept.sweep.way, normal), speed = dot(velocity, normal);
+    const float square = speed * speed - 2.0f * dot(swept.pull, normal) * way;
+    const float sum = speed + std::copysign(std::sqrt(std::max(square, 0.0f)), speed);
+    return sum * way > 0.0f ? std::min(2.0f * way / sum, (1.0f - swept.sweep.begin) * dt) : left;
+}
+
+/// A body at the moment of a hit, so many s before the end of the step.
+ImpactBody bodyAt(const StepContext& step, std::uint32_t body, const Sweep& sweep, float part, float left) {
+    const World& world = step.world;
+    if (!isDynamic(world, body))
+        return {sweep.at(part), {(1.0f / step.dt) * sweep.way, sweep.turn / step.dt}, {}};
+    ImpactBody found{sweep.at(part), world.bodies.motion[body], world.bodies.mass[body]};
+    found.motion.velocity -= left * step.work.swept[step.work.bodyScratch[body]].pull;
+    return found;
+}
+
+/// Sends a body on after a hit.
+/// @param out  of what it hit if that never yields, else 0: what is pulled onto a surface that it does not
+///             leave any more in this step stays there
+void sendOn(StepContext& step, std::uint32_t body, const ImpactBody& after, float left, Vec2 out) {
+    if (!isDynamic(step.world, body)) return;
+    SweptBody& swept = step.work.swept[step.work.bodyScratch[body]];
+    const Vec2 velocity = after.motion.velocity;
+    const float pull = dot(swept.pull, out);
+    if (pull < 0.0f && dot(velocity, out) < -pull * left) swept.pull -= pull * out;
+    BodyMotion& motion = step.world.bodies.motion[body];
+    motion.velocity = velocity + left * swept.pull + Vec2{};
+    motion.angularVelocity = after.motion.angularVelocity + 0.0f;
+    swept.sweep =
+        sweepThrough(after.pose, 1.0f - left / step.dt, step.dt * (velocity + (0.5f * left) * swept.pull),
+                     step.dt * motion.angularVelocity);
+    ++swept.hits;
+}
+
+/// The contact of a hit, at its moment.
+Contact contactOf(StepContext& step, const PathHit& hit, std::uint32_t own, std::uint32_t met) {
+    World& world = step.world;
+    Contact contact = makeContact(world, hit.shape, hit.met);
+    std::vector<BodyPose>& poses = world.bodies.pose;
+    const BodyPose kept[] = {poses[own], poses[met]};
+    poses[own] = pathOfMet(step, own).at(hit.part);
+    poses[met] = pathOfMet(step, met).at(hit.part);
+    findTouch(world, contact, world.bodies.info[own].reach);
+    poses[own] = kept[0];
+    poses[met] = kept[1];
+    if (hit.isPressed) contact.bounciness = 0.0f;
+    return contact;
+}
+
+std::uint32_t layerOf(const World& world, std::uint32_t body) {
+    if (!isDynamic(world, body)) return kKinematicLayer;
+    return isBullet(world, body) ? kBulletLayer : kFastLayer;
+}
+
+AABB boundsOf(const StepContext& step, const SweptBody& swept) {
+    const float reach = reachOf(step, swept);
+    const Vec2 from = beginOf(swept.sweep), to = from + wayLeft(swept.sweep), half{reach, reach};
+    return {min(from, to) - half, max(from, to) + half};
+}
+
+void addProxy(const StepContext& step, const SweptBody& swept) {
+    SweptProxies& proxies = step.work.sweptProxies;
+    proxies.bounds.push_back(boundsOf(step, swept));
+    proxies.filters.push_back({.layers = layerOf(step.world, swept.body)});
+    proxies.motions.push_back(ProxyMotion::Awake);
+}
+
+/// Whether the owner of the world lets these two pass each other.
+bool isRefused(const StepContext& step, const PathHit& hit, const Contact& contact) {
+    const World& world = step.world;
+    const ContactHooks& hooks = step.hooks;
+    const auto id = [&](std::uint32_t shape) { return ShapeId{shape, world.shapes.info[shape].generation}; };
+    return (hooks.filter != nullptr && !hooks.filter(hooks.context, world, id(hit.shape), id(hit.met))) ||
+           (hooks.preSolve != nullptr && !hooks.preSolve(hooks.context, world, contact));
+}
+
+/// Lets a body hit what comes next on its path.
+void hitNext(StepContext& step, std::uint32_t own, std::uint32_t met, const PathHit& hit) {
+    Workspace& work = step.work;
+    Contact contact = contactOf(step, hit, own, met);
+    if (hitsOf(work, own) < kMostHits && isRefused(step, hit, contact)) {
+        SweptBody& swept = work.swept[work.bodyScratch[own]];
+        swept.passed = hit.met;
+        swept.sweep.begin = hit.part;
+        ++swept.hits;
+        return;
+    }
+    if (contact.count == 0 || needsSolver(step, own) || needsSolver(step, met)) {
+        stop(step, own, hit);
+        stop(step, met, hit);
+        return;
+    }
+    const bool fixed = !isDynamic(step.world, met);
+    if (work.bodyScratch[met] == kNone && !fixed) {
+        work.bodyScratch[met] = static_cast<std::uint32_t>(work.swept.size());
+        work.swept.push_back(sweptBodyOf(step, met));
+        addProxy(step, work.swept.back());
+    }
+    const SweptBody& swept = work.swept[work.bodyScratch[own]];
+    float left = (1.0f - hit.part) * step.dt;
+    if (fixed) left = timeLeft(swept, step.world.bodies.motion[own].velocity, contact.normal, left, step.dt);
+    ImpactBody a = bodyAt(step, contact.bodyA, pathOfMet(step, contact.bodyA), hit.part, left);
+    ImpactBody b = bodyAt(step, contact.bodyB, pathOfMet(step, contact.bodyB), hit.part, left);
+    exchangeImpulses(contact, a, b, left, step.world.settings);
+    const Vec2 out = fixed ? contact.normal : Vec2{};  // what never yields is A
+    sendOn(step, contact.bodyA, a, left, {});
+    sendOn(step, contact.bodyB, b, left, out);
+    if (!hit.isPressed) work.madeHits.push_back(contact);
+}
+
+/// Looks for the next hit of a body on its new path.
+void lookAgain(StepContext& step, std::uint32_t place) {
+    Workspace& work = step.work;
+    if (place < work.sweptProxies.bounds.size()) {
+        work.sweptProxies.bounds[place] = boundsOf(step, work.swept[place]);
+        work.sweptProxies.search->update(work.sweptProxies.view(), {&place, 1});
+    }
+    findNext(step, place, work.candidates, work.counts);
+}
+
+void note(Workspace& work, std::uint32_t place) {
+    if (work.swept[place].next.met == kNone) return;
+    work.dueHits.emplace_back(work.swept[place].next.part, place);
+    std::push_heap(work.dueHits.begin(), work.dueHits.end(), std::greater{});
+}
+
+/// All hits of the step, one after the other.
+void goThroughHits(StepContext& step) {
+    Workspace& work = step.work;
+    work.dueHits.clear();
+    work.madeHits.clear();
+    for (std::uint32_t i = 0; i < work.swept.size(); ++i) note(work, i);
+    while (!work.dueHits.empty()) {
+        std::pop_heap(work.dueHits.begin(), work.dueHits.end(), std::greater{});
+        const auto [part, place] = work.dueHits.back();
+        work.dueHits.pop_back();
+        const PathHit hit = work.swept[place].next;
+        if (hit.part != part) continue;  // it has hit something else meanwhile
+        const std::uint32_t own = work.swept[place].body, met = step.world.shapes.info[hit.met].body;
+        const bool isCurrent = hit.metHits == hitsOf(work, met);
+        if (isCurrent) hitNext(step, own, met, hit);
+        lookAgain(step, place);
+        if (const std::uint32_t other = work.bodyScratch[met]; isCurrent && other != kNone) {
+            lookAgain(step, other);
+            note(work, other);
+        }
+        note(work, place);
+    }
+}
+
+/// Contacts of hits are events, and the next step knows of them.
+void beginHits(StepContext& step) {
+    World& world = step.world;
+    Workspace& work = step.work;
+    auto& order = work.hitOrder;
+    order.clear();
+    for (std::size_t i = 0; i < work.madeHits.size(); ++i)
+        order.emplace_back(pairKey(work.madeHits[i].shapeA, work.madeHits[i].shapeB), i);
+    if (order.empty()) return;
+    std::sort(order.begin(), order.end());
+    const auto begin = [&](std::size_t index, const Contact& contact) {
+        world.contacts[index] = contact;
+        while (work.contactKeys.size() < world.contacts.size())
+            work.contactKeys.push_back(keyOf(world.contacts[work.contactKeys.size()]));
+        beginContact(world, work, index);
+        work.contactKeys[index] = keyOf(world.contacts[index]);
+    };
+    for (std::size_t i = 0; i < world.contacts.size(); ++i) {
+        const Contact& contact = world.contacts[i];
+        if (work.bodyScratch[contact.bodyB] == kNone || (contact.flags & kTouching) != 0) continue;
+        const std::pair pair{pairKey(contact.shapeA, contact.shapeB), std::size_t{0}};
+        const auto hit = std::lower_bound(order.begin(), order.end(), pair);
+        if (hit != order.end() && hit->first == pair.first) begin(i, work.madeHits[hit->second]);
+    }
+    for (const auto& [pair, place] : order) {
+        if (work.pairs.has(pair)) continue;
+        work.pairs.add(pair);
+        world.contacts.emplace_back();
+        begin(world.contacts.size() - 1, work.madeHits[place]);
+    }
+}
+
+/// Where the bodies that hit something are at the end of the step.
+void placeHitBodies(StepContext& step) {
+    World& world = step.world;
+    Shapes& shapes = world.shapes;
+    for (const SweptBody& swept : step.work.swept) {
+        if (swept.hits == 0) continue;
+        world.bodies.pose[swept.body] = swept.sweep.at(1.0f);
+        for (std::uint32_t s = world.bodies.info[swept.body].firstShape; s != kNone;
+             s = shapes.info[s].next) {
+            shapes.bounds[s] = grown(tightBounds(world, s), shapes.info[s].margin);
+            noteChanged(world, s);
+            noteMoved(world, s);
+        }
+    }
+}
+
+/// Takes the fast bodies of the step. What they may meet while it moves too is found by the bounds of its
+/// path.
+/// @param together  whether there is any such
+void fillSwept(StepContext& step, bool together) {
+    Workspace& work = step.work;
+    work.bodyScratch.assign(step.world.bodies.size(), kNone);
+    work.swept.clear();
+    for (const std::uint32_t body : work.fastBodies) {
+        work.bodyScratch[body] = static_cast<std::uint32_t>(work.swept.size());
+        work.swept.push_back(sweptBodyOf(step, body));
+    }
+    SweptProxies& proxies = work.sweptProxies;
+    proxies.bounds.clear();
+    proxies.filters.clear();
+    proxies.motions.clear();
+    if (!together) return;
+    for (const SweptBody& swept : work.swept) addProxy(step, swept);
+    if (proxies.search == nullptr) proxies.search = makeBroadPhase(BroadPhaseKind::Tree);
+    proxies.search->rebuild(proxies.view());
 }
 
 }  // namespace
 
-// Sweeps go from where a body was to where it is; those that meet something are set back to just before. They
-// keep the velocity that they had there: the next step finds the contact, and stops or bounces them.
+// Bodies that have moved fast are taken along their paths once more. Where one that flies freely hits
+// something that never yields, or a bullet hits another that flies freely, both get the impulses of the
+// impact at that moment and go on for the rest of the step. What something holds stops at that place with the
+// velocity that it has there: the solver has to see the hit together with what holds it, which is in the next
+// step.
 void sweepFastBodies(StepContext& step) {
     World& world = step.world;
     Workspace& work = step.work;
-    const auto count = work.fastBodies.size();
-    if (count == 0 || !step.runs(Effect::Contacts)) return;  // nothing can stop them
-    const bool bullets = std::any_of(work.fastBodies.begin(), work.fastBodies.end(),
-                                     [&](std::uint32_t body) { return isBullet(world, body); });
-    if (bullets || step.runs(Effect::Kinematics)) updateBroadPhase(world, work);
-    work.sweeps.resize(count);
-    const auto pieces = static_cast<std::size_t>(piecesOf(static_cast<int>(count), kGrain));
+    work.swept.clear();
+    const auto some = [&](auto&& is) {
+        return std::any_of(work.fastBodies.begin(), work.fastBodies.end(), is);
+    };
+    const bool moves = some([&](std::uint32_t body) { return isDynamic(world, body); });
+    if (!moves || !step.runs(Effect::Contacts)) return;  // nothing can be stopped, or stop it
+    const bool together = some([&](std::uint32_t body) { return layerOf(world, body) != kFastLayer; });
+    if (together || step.runs(Effect::Kinematics)) updateBroadPhase(world, work);
+    fillSwept(step, together);
+    const int count = static_cast<int>(work.swept.size());
+    const auto pieces = static_cast<std::size_t>(piecesOf(count, kGrain));
     if (work.sweptPast.size() < pieces) work.sweptPast.resize(pieces);
-    forPieces(step, static_cast<int>(count), kGrain, [&](int begin, int end, int piece) {
-        for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i) {
-            work.sweeps[i] = wayOf(step, work.fastBodies[i]);
-            if (bullets) addTurn(step, work.fastBodies[i], work.sweeps[i]);
-            stopAtFixed(step, work.fastBodies[i], work.sweeps[i],
-                        work.sweptPast[static_cast<std::size_t>(piece)]);
-        }
+    if (work.countsOfPiece.size() < pieces) work.countsOfPiece.resize(pieces);
+    std::fill(work.countsOfPiece.begin(), work.countsOfPiece.end(), DetectionCounts{});
+    forPieces(step, count, kGrain, [&](int begin, int end, int piece) {
+        const auto p = static_cast<std::size_t>(piece);
+        for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i)
+            findNext(step, i, work.sweptPast[p], work.countsOfPiece[p]);
     });
-    for (std::size_t i = 0; i < count; ++i) {
-        if (work.sweeps[i].end < 1.0f) setBack(step, work.fastBodies[i], work.sweeps[i], 1.0f);
-    }
-    if (bullets) sweepBullets(step);
+    for (const DetectionCounts& counts : work.countsOfPiece) work.counts += counts;
+    goThroughHits(step);
+    placeHitBodies(step);
+    beginHits(step);
 }
 
 }  // namespace plumb::physics

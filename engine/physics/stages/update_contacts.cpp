@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "physics/contacts.hpp"
+#include "physics/initial_overlaps.hpp"
 #include "physics/joints.hpp"
 #include "physics/sleeping.hpp"
 #include "physics/stages.hpp"
@@ -96,18 +97,6 @@ void end(World& world, Workspace& work, Contact& contact) {
     }
 }
 
-void begin(World& world, Workspace& work, std::size_t index) {
-    world.contacts[index].flags |= kTouching | kBegan;
-    const std::uint32_t bodyA = world.contacts[index].bodyA, bodyB = world.contacts[index].bodyB;
-    const bool pushesA = pushableA(world.contacts[index]) != kNone;
-    if ((world.contacts[index].flags & kTriggered) == 0) {
-        world.contacts[index].colour = takeColour(work, pushableA(world.contacts[index]), bodyB);
-        if (pushesA && world.bodies.info[bodyA].place == kNone) wake(world, bodyA);
-        if (world.bodies.info[bodyB].place == kNone) wake(world, bodyB);
-    }
-    if (pushesA) joinIslands(world, bodyA, bodyB);
-}
-
 /// Contacts whose bounds parted, or whose shapes are gone, make room. From the last on, so that the others
 /// keep their numbers until they are looked at.
 void removeGone(World& world, Workspace& work) {
@@ -149,10 +138,25 @@ void endContactsOfDead(StepContext& step) {
 
 }  // namespace
 
+void beginContact(World& world, Workspace& work, std::size_t index) {
+    world.contacts[index].flags |= kTouching | kBegan;
+    if ((world.contacts[index].flags & kInitialOverlap) != 0)
+        addInitialOverlap(world, world.contacts[index]);
+    const std::uint32_t bodyA = world.contacts[index].bodyA, bodyB = world.contacts[index].bodyB;
+    const bool pushesA = pushableA(world.contacts[index]) != kNone;
+    if ((world.contacts[index].flags & kTriggered) == 0) {
+        world.contacts[index].colour = takeColour(work, pushableA(world.contacts[index]), bodyB);
+        if (pushesA && world.bodies.info[bodyA].place == kNone) wake(world, bodyA);
+        if (world.bodies.info[bodyB].place == kNone) wake(world, bodyB);
+    }
+    if (pushesA) joinIslands(world, bodyA, bodyB);
+}
+
 void updateContacts(StepContext& step) {
     World& world = step.world;
     Workspace& work = step.work;
     if (!world.shapes.dying.empty() || !world.bodies.dying.empty()) endContactsOfDead(step);
+    fadeInitialOverlaps(world, step.dt);
     lookAtAll(step);
     for (const std::vector<std::uint32_t>& changed : work.changedContacts) {
         for (const std::uint32_t i : changed) {
@@ -160,7 +164,7 @@ void updateContacts(StepContext& step) {
             if ((contact.flags & kGone) != 0 || !touches(contact)) {
                 end(world, work, contact);
             } else {
-                begin(world, work, i);
+                beginContact(world, work, i);
             }
             work.contactKeys[i] = keyOf(world.contacts[i]);
         }

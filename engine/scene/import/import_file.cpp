@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <array>
 
+#include "core/guarded.hpp"
 #include "core/text.hpp"
 #include "reflect/json.hpp"
+#include "reflect/json_members.hpp"
 #include "reflect/json_text.hpp"
 #include "scene/import/import_aseprite.hpp"
 #include "scene/import/import_ldtk.hpp"
@@ -31,8 +33,9 @@ ImportKind kindOfJson(const Path& file) {
     if (json->contains("frames") && json->contains("meta")) return ImportKind::Aseprite;
     if (json->contains("jsonVersion") && json->contains("defs")) return ImportKind::Ldtk;
     if (json->contains("layers") && json->contains("tilewidth")) return ImportKind::TiledMap;
-    return json->contains("maps") && json->value("type", "") == "world" ? ImportKind::TiledWorld
-                                                                        : ImportKind::None;
+    const std::string* type = findText(*json, "type");
+    const bool isWorld = json->contains("maps") && type != nullptr && *type == "world";
+    return isWorld ? ImportKind::TiledWorld : ImportKind::None;
 }
 
 std::string stemOf(const Path& file) {
@@ -44,6 +47,20 @@ std::string stemOf(const Path& file) {
         if (!plain) c = '_';
     }
     return name.empty() ? "imported" : name;
+}
+
+Result<ImportReport> importOf(ImportKind kind, const Path& file, const Path& to) {
+    switch (kind) {
+        case ImportKind::TiledMap: return importTiled(file, to);
+        case ImportKind::TiledWorld: return importTiledWorld(file, to);
+        case ImportKind::Ldtk: return importLdtk(file, to);
+        case ImportKind::Aseprite: return importAseprite(file, to);
+        case ImportKind::None: break;
+    }
+    return Error{
+        file.generic_string(), "this is no file that can be imported",
+        "choose a map of Tiled (.tmx, .tmj, .world), a project of LDtk (.ldtk) or a sheet of Aseprite "
+        "(.json)"};
 }
 
 }  // namespace
@@ -77,17 +94,7 @@ Result<ImportReport> importFile(const Path& file, const Path& target, const Path
         return Error{file.generic_string(), "there is no such file", "check the path"};
     const ImportKind kind = importKindOf(file);
     const Path to = target.empty() ? importTarget(file, kind, project) : target;
-    switch (kind) {
-        case ImportKind::TiledMap: return importTiled(file, to);
-        case ImportKind::TiledWorld: return importTiledWorld(file, to);
-        case ImportKind::Ldtk: return importLdtk(file, to);
-        case ImportKind::Aseprite: return importAseprite(file, to);
-        case ImportKind::None: break;
-    }
-    return Error{
-        file.generic_string(), "this is no file that can be imported",
-        "choose a map of Tiled (.tmx, .tmj, .world), a project of LDtk (.ldtk) or a sheet of Aseprite "
-        "(.json)"};
+    return guarded(file.generic_string(), [&] { return importOf(kind, file, to); });
 }
 
 }  // namespace plumb

@@ -6,6 +6,7 @@
 #include "assets/terrain.hpp"
 #include "assets/tileset.hpp"
 #include "core/text.hpp"
+#include "reflect/json_members.hpp"
 
 namespace plumb {
 namespace {
@@ -13,7 +14,7 @@ namespace {
 constexpr std::size_t kMostTerrains = 255;  // of a tileset
 
 TerrainMode modeOf(const Json& set) {
-    const std::string type = set["type"].get<std::string>();
+    const std::string type = textOrEmpty(set["type"]);
     if (type == "corner") return TerrainMode::Corners;
     return type == "edge" ? TerrainMode::Edges : TerrainMode::Blob;
 }
@@ -30,17 +31,19 @@ std::uint8_t maskOf(const Json& ids, int color, TerrainMode mode) {
 }
 
 /// "#rrggbb" of "#aarrggbb", which Tiled also writes.
-std::string opaque(const std::string& color) { return color.size() == 9 ? format("#{}", color.substr(3)) : color; }
+std::string opaque(const std::string& color) {
+    return color.size() == 9 ? format("#{}", color.substr(3)) : color;
+}
 
 /// @param number  of the color, from 1 on
 Json terrainOf(const Json& set, int number) {
     const Json& color = set["colors"][static_cast<std::size_t>(number - 1)];
     const TerrainMode mode = modeOf(set);
-    const std::string name = color["name"].get<std::string>();
+    const std::string name = textOrEmpty(color["name"]);
     Json terrain = Json::object();
     terrain["name"] = name.empty() ? set["name"] : Json(name);
     terrain["mode"] = std::string{terrainModeNames()[static_cast<std::size_t>(mode)]};
-    if (const std::string shown = color["color"].get<std::string>(); !shown.empty())
+    if (const std::string shown = textOrEmpty(color["color"]); !shown.empty())
         terrain["color"] = opaque(shown);
     terrain["tiles"] = Json::array();
     for (const Json& tile : set["tiles"]) {

@@ -1,8 +1,10 @@
 #include "scene/import/ldtk_entities.hpp"
 
 #include <algorithm>
+#include <optional>
 
 #include "core/text.hpp"
+#include "reflect/json_members.hpp"
 #include "scene/import/tiled_json.hpp"
 
 namespace plumb {
@@ -21,8 +23,8 @@ std::string_view itemType(std::string_view type) {
 Json pointJson(const Json& value, int grid) {
     Json json = value;
     const auto cell = [&](const char* key) {
-        const auto found = value.find(key);
-        return found != value.end() && found->is_number() ? found->get<double>() : 0.0;
+        const Json* found = findMember(value, key);
+        return found == nullptr ? 0.0 : double{floatOf(*found).value_or(0.0f)};
     };
     json["position"] = Json::array({(cell("cx") + 0.5) * grid, (cell("cy") + 0.5) * grid});
     return json;
@@ -38,9 +40,9 @@ Json valueJson(const Json& value, std::string_view type, const ldtk::Project& pr
     if (type == "Point") return pointJson(value, grid);
     if (type == "Tile") {
         Json json = value;
-        const auto uid = value.find("tilesetUid");
-        const ldtk::Tileset* tileset =
-            uid != value.end() && uid->is_number() ? project.tileset(uid->get<int>()) : nullptr;
+        const Json* member = findMember(value, "tilesetUid");
+        const std::optional<int> uid = member == nullptr ? std::nullopt : wholeOf(*member);
+        const ldtk::Tileset* tileset = uid ? project.tileset(*uid) : nullptr;
         if (tileset != nullptr) json["tileset"] = tileset->name;
         return json;
     }
@@ -150,8 +152,8 @@ void addLdtkEntity(const ldtk::Entity& entity, const ldtk::Layer& layer, const l
 }
 
 void linkEntities(Json& properties, const LdtkIds& ids) {
-    if (properties.is_object() && properties.contains("entityIid") && properties["entityIid"].is_string()) {
-        const auto found = ids.find(properties["entityIid"].get<std::string>());
+    if (const std::string* iid = findText(properties, "entityIid")) {
+        const auto found = ids.find(*iid);
         if (found != ids.end()) properties["entity"] = found->second;
         return;
     }

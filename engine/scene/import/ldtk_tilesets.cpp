@@ -6,6 +6,8 @@
 #include "assets/tileset.hpp"
 #include "core/text.hpp"
 #include "platform/image_file.hpp"
+#include "reflect/json_fields.hpp"
+#include "reflect/json_members.hpp"
 #include "reflect/json_text.hpp"
 #include "scene/import/tiled_json.hpp"
 
@@ -55,17 +57,42 @@ Image valuesPicture(const std::vector<ldtk::IntGridValue>& values, int side) {
     return image;
 }
 
+const Json& listIn(const Json& json, std::string_view key) {
+    static const Json kNone = Json::array();
+    const Json* list = findArray(json, key);
+    return list == nullptr ? kNone : *list;
+}
+
 /// Enum tags and data that LDtk has about tiles, as properties of each tile.
-Json tilesJson(const ldtk::Tileset& tileset) {
+Json tilesJson(const ldtk::Tileset& tileset, std::vector<Error>& problems) {
     std::map<int, Json> byTile;
-    for (const Json& item : tileset.notes.value("customData", Json::array())) {
-        if (item.is_object() && item.contains("tileId") && item["tileId"].is_number())
-            byTile[item["tileId"].get<int>()]["data"] = item.value("data", "");
+    const auto tell = [&](std::string_view list, const Json& found, std::string_view form) {
+        problems.push_back({format("tileset {}: {}", tileset.name, list),
+                            format("expected {}, found {}", form, briefText(found)),
+                            "save the project again in LDtk; what is wrong is left out"});
+    };
+    for (const Json& item : listIn(tileset.notes, "customData")) {
+        const Json* id = findMember(item, "tileId");
+        const std::optional<int> tile = id == nullptr ? std::nullopt : wholeOf(*id);
+        const std::string* data = findText(item, "data");
+        if (tile && data != nullptr) {
+            byTile[*tile]["data"] = *data;
+        } else {
+            tell("customData", item, "the number of a tile and a text");
+        }
     }
-    for (const Json& tag : tileset.notes.value("enumTags", Json::array())) {
-        if (!tag.is_object() || !tag.contains("tileIds")) continue;
-        for (const Json& id : tag["tileIds"]) {
-            if (id.is_number()) byTile[id.get<int>()]["tags"].push_back(tag.value("enumValueId", ""));
+    for (const Json& tag : listIn(tileset.notes, "enumTags")) {
+        const std::string* value = findText(tag, "enumValueId");
+        if (value == nullptr || findArray(tag, "tileIds") == nullptr) {
+            tell("enumTags", tag, "the name of a value and a list of tiles");
+            continue;
+        }
+        for (const Json& id : listIn(tag, "tileIds")) {
+            if (const std::optional<int> tile = wholeOf(id)) {
+                byTile[*tile]["tags"].push_back(*value);
+            } else {
+                tell("enumTags.tileIds", id, "the number of a tile");
+            }
         }
     }
     Json tiles = Json::array();
@@ -138,7 +165,8 @@ std::string LdtkTilesets::file(int uid, int grid) {
     }
     json["columns"] = tileset->columns();
     json["count"] = count;
-    if (Json tiles = tilesJson(*tileset); !tiles.empty()) json["tiles"] = std::move(tiles);
+    if (Json tiles = tilesJson(*tileset, draft_.report.problems); !tiles.empty())
+        json["tiles"] = std::move(tiles);
     Json notes = Json::object();
     notes["name"] = tileset->name;
     for (const auto& [key, value] : tileset->notes.items()) notes[key] = value;

@@ -1,9 +1,11 @@
 #include "scene/import/scene_draft.hpp"
 
 #include <algorithm>
+#include <optional>
 
 #include "core/text.hpp"
 #include "ecs/world.hpp"
+#include "reflect/json_members.hpp"
 #include "reflect/json_text.hpp"
 #include "reflect/type_registry.hpp"
 #include "scene/import/tiled_json.hpp"
@@ -32,11 +34,12 @@ Vec2 pictureOf(const Path& project) {
     const Result<std::string> text = readFile(project / "project.json");
     if (!text) return kUsualPicture;
     const Result<Json> json = parseJson(*text, "project.json");
-    if (!json || !json->is_object()) return kUsualPicture;
-    const auto found = json->find("resolution");
-    const bool pair = found != json->end() && found->is_array() && found->size() == 2 &&
-                      (*found)[0].is_number() && (*found)[1].is_number();
-    return pair ? Vec2{(*found)[0].get<float>(), (*found)[1].get<float>()} : kUsualPicture;
+    if (!json) return kUsualPicture;
+    const Json* found = findArray(*json, "resolution");
+    if (found == nullptr || found->size() != 2) return kUsualPicture;
+    const std::optional<float> width = floatOf((*found)[0]);
+    const std::optional<float> height = floatOf((*found)[1]);
+    return width && height ? Vec2{*width, *height} : kUsualPicture;
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include <unistd.h>
 
 #include "core/text.hpp"
+#include "tests/accuracy/families/costs.hpp"
 #include "tests/accuracy/families/report.hpp"
 
 namespace plumb::families {
@@ -22,16 +23,18 @@ constexpr std::string_view kUsage =
     "  --seed S       of the first member (1)\n"
     "  --threads T    members at a time (all processors)\n"
     "  --no-peers     Plumb alone\n"
+    "  --costs        instead: what twice as many of each kind of thing cost, on a quiet machine\n"
     "  --shrink       leaves out bodies of the worst member of each failure until it holds\n"
     "  --out DIR      where families.csv and families.html go (build/accuracy)\n"
     "  --docs DIR     where families.md goes as well\n";
 
 struct Options {
     RunOptions run;
-    Path out = Path{"."};
+    Path out;
     Path docs;
     bool shrinks = false;
     bool peers = true;
+    bool costs = false;
     bool help = false;
 };
 
@@ -84,6 +87,8 @@ std::string read(std::span<const std::string_view> words, Options& options) {
             options.help = true;
         } else if (words[i] == "--no-peers") {
             options.peers = false;
+        } else if (words[i] == "--costs") {
+            options.costs = true;
         } else if (words[i] == "--shrink") {
             options.shrinks = true;
         } else {
@@ -142,10 +147,20 @@ bool write(const Path& path, std::string_view text) {
     return written.ok();
 }
 
+int printCosts() {
+    const std::vector<CostRow> rows = measureCosts();
+    std::printf("%s", textOf(rows).c_str());
+    const bool flat = std::all_of(rows.begin(), rows.end(),
+                                  [](const CostRow& row) { return row.exponent() <= kMaxExponent; });
+    return flat ? 0 : 1;
+}
+
 }  // namespace
 
-int runFamilyCommand(std::span<const std::string_view> words, std::vector<scenes::Engine> peers) {
+int runFamilyCommand(std::span<const std::string_view> words, std::vector<scenes::Engine> peers,
+                     const Path& out) {
     Options options;
+    options.out = out;
     options.run.threads = static_cast<int>(std::clamp(std::thread::hardware_concurrency(), 1u, 256u));
     if (const std::string wrong = read(words, options); !wrong.empty()) {
         std::fprintf(stderr, "plumb accuracy --families: %s\n", wrong.c_str());
@@ -156,6 +171,7 @@ int runFamilyCommand(std::span<const std::string_view> words, std::vector<scenes
                     namesOf(allFamilies()).c_str(), namesOf(allRelations()).c_str());
         return 0;
     }
+    if (options.costs) return printCosts();
     if (options.peers) options.run.peers = std::move(peers);
     ProgressLine line;
     const double start = seconds();

@@ -4,13 +4,16 @@
 #include <string_view>
 #include <vector>
 
+#include "core/file.hpp"
 #include "tests/bench/physics/measure.hpp"
 
 namespace plumb::families {
 
 /// ./plumb accuracy --families N …; `words` are those behind --families.
 /// @param peers  other engines to compare with
+/// @param out    folder of families.csv and families.html, unless the words name another
 /// @return an exit code: 0 if every relation holds in every family
-int runFamilyCommand(std::span<const std::string_view> words, std::vector<scenes::Engine> peers);
+int runFamilyCommand(std::span<const std::string_view> words, std::vector<scenes::Engine> peers,
+                     const Path& out);
 
 }  // namespace plumb::families

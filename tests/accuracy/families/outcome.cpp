@@ -16,8 +16,8 @@ namespace {
 
 constexpr int kStepsBetweenLooks = 30;  // exact overlaps of all pairs cost more than a step
 
-/// Energy of motion and height, and how much it grew over its lowest point so far. What touches is pushed out of
-/// an overlap of up to one slop, so the weight of everything may be lifted by that.
+/// Energy of motion and height, and how much it grew over its lowest point so far. What touches is pushed out
+/// of an overlap of up to one slop, so the weight of everything may be lifted by that.
 class EnergyBook {
 public:
     void note(const physics::World& world) {

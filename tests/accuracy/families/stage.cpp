@@ -65,6 +65,7 @@ void Stage::open() {
     settings.directJoints = variation_.directJoints;
     settings.continuous = variation_.continuous;
     settings.broadPhase = variation_.broadPhase;
+    if (variation_.tune) variation_.tune(settings);
     scaleSettings(settings, scale_);
     if (variation_.allEffects) plumb_->world().manifest.pinnedOn = ~0u >> (32 - physics::kEffects);
     for (int i = 0; i < variation_.delay; ++i) plumb_->step(kStep);

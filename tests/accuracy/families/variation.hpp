@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 #include "physics/settings.hpp"
@@ -30,8 +31,9 @@ struct Variation {
     int delay = 0;              ///< steps of the empty world before the scene is built
     std::uint64_t shuffle = 0;  ///< seed of the order in which bodies and joints are made; 0: as planned
     Placement placement;
-    std::vector<bool> dropped;             ///< by body: left out; may be shorter
-    const scenes::Engine* peer = nullptr;  ///< another engine, at its defaults
+    std::function<void(physics::Settings&)> tune;  ///< may change any setting, before the scene is scaled
+    std::vector<bool> dropped;                     ///< by body: left out; may be shorter
+    const scenes::Engine* peer = nullptr;          ///< another engine, at its defaults
 };
 
 }  // namespace plumb::families

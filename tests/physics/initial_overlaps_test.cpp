@@ -1,6 +1,6 @@
-#include <gtest/gtest.h>
-
 #include <algorithm>
+
+#include <gtest/gtest.h>
 
 #include "tests/physics/world_of_bodies.hpp"
 
@@ -13,7 +13,7 @@ float fastestOf(const World& world) {
     return fastest;
 }
 
-TEST(Easing, bodiesThatArePutIntoEachOtherAreEasedApart) {
+TEST(InitialOverlaps, openSlowly) {
     for (const float depth : {0.05f, 0.2f, 0.4f}) {
         for (const Quality quality : {Quality{0}, Quality{2}, Quality{4}}) {
             SCOPED_TRACE(testing::Message() << depth << " m, quality " << int{quality});
@@ -29,13 +29,12 @@ TEST(Easing, bodiesThatArePutIntoEachOtherAreEasedApart) {
             }
             EXPECT_GT(fastest, 0.0f);
             EXPECT_LT(fastest, 1.0f);
-            EXPECT_GT(scene.x(right) - scene.x(left),
-                      1.0 - double{scene.world.settings.slop});
+            EXPECT_GT(scene.x(right) - scene.x(left), 1.0 - double{scene.world.settings.slop});
         }
     }
 }
 
-TEST(Easing, nobodyFallsAsleepBeforeItIsOver) {
+TEST(InitialOverlaps, keepTheirBodiesAwake) {
     Playground scene;
     scene.world.settings.sleeping = true;
     scene.floor();
@@ -44,7 +43,7 @@ TEST(Easing, nobodyFallsAsleepBeforeItIsOver) {
     EXPECT_NEAR(scene.y(crate), 0.5, 0.01);
 }
 
-TEST(Easing, ofWhatFallsDeepIntoTheGroundNothingIsLetBe) {
+TEST(InitialOverlaps, areNoneWhereMotionExplainsTheDepth) {
     Playground scene;
     scene.world.settings.continuous = false;
     scene.floor();
@@ -55,7 +54,7 @@ TEST(Easing, ofWhatFallsDeepIntoTheGroundNothingIsLetBe) {
     EXPECT_NEAR(scene.y(crate), 0.5, 0.02);
 }
 
-TEST(Easing, aHeavyBodyThatIsPutIntoALightOneComesToRestOnIt) {
+TEST(InitialOverlaps, ofAHeavyBodyInALightOneOpenToo) {
     Playground scene;
     scene.world.settings.automaticQuality = true;
     scene.floor();

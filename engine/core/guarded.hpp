@@ -1,0 +1,28 @@
+#pragma once
+
+#include <exception>
+#include <string>
+#include <string_view>
+
+#include "core/result.hpp"
+
+namespace plumb {
+
+/// The second line of defense around a reader of data from outside. A reader refuses what it cannot read by
+/// an Error; an exception that leaves it, of a library or for want of memory, is a defect of the reader, and
+/// must not end a program that has unsaved work.
+///
+///     return guarded(path, [&] { return readScene(text); });
+///
+/// @param where  the file that is read
+template <class Read>
+auto guarded(std::string_view where, Read read) -> decltype(read()) {
+    try {
+        return read();
+    } catch (const std::exception& thrown) {
+        return Error{std::string{where}, std::string{"the reader of this file failed: "} + thrown.what(),
+                     "undo the last change of the file, and report the defect with the file"};
+    }
+}
+
+}  // namespace plumb

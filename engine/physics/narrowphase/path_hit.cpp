@@ -1,0 +1,98 @@
+#include "physics/narrowphase/path_hit.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include "physics/contacts.hpp"
+#include "physics/effects/one_way.hpp"
+#include "physics/joints.hpp"
+#include "physics/shapes/shape_types.hpp"
+
+namespace plumb::physics {
+
+namespace {
+
+/// Parts of an outline that may not pass, of those that touch from the start: where one is that deep already,
+/// spinning or pressed, the next one counts.
+constexpr float kCores[] = {kSweptCore, 0.25f, 0.1f, 0.02f};
+
+class Core {
+public:
+    Core(const Geometry& geometry, std::span<const Corner> pool, float part)
+        : convex_{convexOf(geometry, pool)} {
+        for (std::size_t i = 0; i < convex_.corners().size(); ++i) {
+            const Corner& corner = convex_.corners()[i];
+            corners_[i] = {convex_.centre + part * (corner.point - convex_.centre), corner.normal};
+        }
+        convex_.pool = corners_.data();
+        convex_.radius *= part;
+    }
+    Core(const Core&) = delete;
+    Core& operator=(const Core&) = delete;
+
+    [[nodiscard]] const Convex& outline() const { return convex_; }
+
+private:
+    Convex convex_;
+    std::array<Corner, kMaxCorners> corners_;
+};
+
+/// True for a target that lets the mover through because of where it comes from.
+bool opensFor(const World& world, const Mover& mover, const Mover& target) {
+    const Geometry& outline = world.shapes.geometry[target.shape];
+    if ((world.shapes.info[target.shape].flags & kOneWay) != 0) {
+        const std::uint32_t body = world.shapes.info[mover.shape].body;
+        if ((world.bodies.info[body].flags & kDropsThrough) != 0) return true;
+        if (passesThrough(world, target.shape, mover.sweep.way)) return true;
+    }
+    if (outline.kind != ShapeKind::ChainSegment) return false;
+    const float begin = std::max(mover.sweep.begin, target.sweep.begin);
+    const BodyPose pose = target.sweep.at(begin), from = mover.sweep.at(begin);
+    const Vec2 normal = rotate(pose.rotation, normalOfChain(outline));
+    const Vec2 start = rotate(pose.rotation, outline.a - pose.localCentre);
+    const Convex own = convexOf(world.shapes.geometry[mover.shape], world.shapes.corners);
+    const Vec2 centre = rotate(from.rotation, own.centre - from.localCentre) + (from.centre - pose.centre);
+    return dot(normal, centre - start) < 0.0f;
+}
+
+bool mayMeet(const World& world, std::uint32_t a, std::uint32_t b) {
+    const Shapes& shapes = world.shapes;
+    if (((shapes.info[a].flags | shapes.info[b].flags) & kTrigger) != 0) return false;
+    if (!meet(shapes.filter[a], shapes.filter[b]) || !comesTo(world, a, b)) return false;
+    const std::uint32_t bodyA = shapes.info[a].body, bodyB = shapes.info[b].body;
+    return world.bodies.info[bodyA].firstJoint == kNone || !keptApart(world, bodyA, bodyB);
+}
+
+}  // namespace
+
+void meetOnPath(const World& world, const Mover& mover, const Mover& target, PathHit& next) {
+    if (!mayMeet(world, mover.shape, target.shape) || opensFor(world, mover, target)) return;
+    const Geometry& geometry = world.shapes.geometry[mover.shape];
+    const std::span<const Corner> corners = world.shapes.corners;
+    const Convex theirs = convexOf(world.shapes.geometry[target.shape], corners);
+    const auto impactOf = [&](const Convex& outline, float gap, float latest) {
+        return firstImpact({theirs, target.sweep}, {outline, mover.sweep}, gap, latest);
+    };
+    const float begin = std::max(mover.sweep.begin, target.sweep.begin), latest = std::min(next.part, 1.0f);
+    float part = impactOf(convexOf(geometry, corners), kSweptGap, latest);
+    const bool isPressed = part <= begin;
+    if (isPressed) {
+        for (const float core : kCores) {
+            part = impactOf(Core{geometry, corners, core}.outline(), 0.0f, latest);
+            if (part > begin) break;
+        }
+    }
+    if (part >= next.part || part <= begin) return;
+    if (!isPressed) {
+        // Head-on, or along it? Its core tells, in this step or, where it goes on after the hit, within its
+        // own length of path after that.
+        const float way = length(mover.sweep.way - target.sweep.way);
+        const float size = 2.0f * world.bodies.info[world.shapes.info[mover.shape].body].reach;
+        const float further = mover.goesOn ? (way > size ? size / way : 1.0f) : 0.0f;
+        const Core core{geometry, corners, kSweptCore};
+        if (impactOf(core.outline(), 0.0f, std::max(part + further, 1.0f)) == kNever) return;
+    }
+    next = {part, mover.shape, target.shape, 0, isPressed};
+}
+
+}  // namespace plumb::physics

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "render/font_tables.hpp"
+
+namespace plumb {
+
+/// A step along the outline of a letter, in font units, y up.
+struct OutlineStep {
+    enum class Kind : std::uint8_t { Move, Line, Quadratic, Cubic } kind;
+    std::int16_t x, y;
+    std::int16_t cx = 0, cy = 0;    ///< the first control point
+    std::int16_t cx1 = 0, cy1 = 0;  ///< the second one of a cubic
+};
+
+struct GlyphOutline {
+    /// A letter of more has not been seen; a damaged file may ask for any number.
+    static constexpr std::size_t kMaxSteps = std::size_t{1} << 16;
+
+    std::vector<OutlineStep> steps;
+    int left = 0;
+    int bottom = 0;
+    int right = 0;
+    int top = 0;
+};
+
+/// The outline of a letter: of quadratic curves from "glyf", or of cubic ones from "CFF ".
+/// @return false when the file is damaged there; a letter without outline, as the space, is an empty one
+bool readOutline(const FontTables& tables, int glyph, GlyphOutline& outline);
+
+/// The two kinds; use `readOutline`.
+bool readGlyfOutline(const FontTables& tables, int glyph, GlyphOutline& outline);
+bool readCffOutline(FontBytes cff, int glyph, GlyphOutline& outline);
+
+}  // namespace plumb

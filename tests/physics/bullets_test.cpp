@@ -1,0 +1,62 @@
+#include <array>
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "core/task_pool.hpp"
+#include "world_of_bodies.hpp"
+
+namespace plumb::physics {
+namespace {
+
+/// Balls that fly without a wall, each in a cell of its own on the average: as many of them as asked for,
+/// over an area that grows with their number.
+World makeFlight(int balls, int bullets, std::uint64_t seed) {
+    World world;
+    world.settings.gravity = {};
+    Random random = Random::seeded(seed);
+    constexpr float kCell = 3.0f;  // m
+    const float half = 0.5f * kCell * std::sqrt(static_cast<float>(balls + bullets));
+    const auto add = [&](float radius, float speed, bool bullet) {
+        BodyDefinition definition;
+        definition.position = {random.between(-half, half), random.between(-half, half)};
+        definition.velocity = rotate(rotFromAngle(random.between(-3.14f, 3.14f)), {speed, 0.0f});
+        definition.bullet = bullet;
+        static_cast<void>(createShape(world, *createBody(world, definition), circle(radius)));
+    };
+    for (int i = 0; i < balls; ++i) add(0.2f, 30.0f, false);
+    for (int i = 0; i < bullets; ++i) add(0.05f, 300.0f, true);
+    return world;
+}
+
+std::uint32_t sweptPairs(int balls, int bullets) {
+    World world = makeFlight(balls, bullets, 7);
+    step(world, kTick);
+    return detectionOf(world).swept;
+}
+
+}  // namespace
+
+// 5 m of path (300 m/s) by the width of a ball's own path (0.5 m) among one body on 9 m2: 1 to 3 bodies are
+// near the path of a bullet, and of another one both look. Among n bodies without a search it would be n.
+TEST(Bullets, areTestedAgainstWhatIsNearTheirPathOnly) {
+    for (const auto& [balls, bullets] : {std::array{2000, 50}, {2000, 400}, {0, 800}, {8000, 100}}) {
+        EXPECT_LE(sweptPairs(balls, bullets), static_cast<std::uint32_t>(6 * bullets))
+            << bullets << " among " << balls;
+        EXPECT_GT(sweptPairs(balls, bullets), 0u);
+    }
+}
+
+TEST(Bullets, areTestedEquallyOftenWithAnyNumberOfThreads) {
+    World one = makeFlight(500, 100, 3);
+    World several = one;
+    TaskPool pool{3};
+    for (int i = 0; i < 10; ++i) {
+        step(one, kTick);
+        step(several, kTick, {.pool = &pool});
+        EXPECT_EQ(detectionOf(one).swept, detectionOf(several).swept);
+        EXPECT_EQ(hashOf(one), hashOf(several));
+    }
+}
+
+}  // namespace plumb::physics

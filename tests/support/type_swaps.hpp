@@ -1,0 +1,117 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstdlib>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "core/text.hpp"
+#include "reflect/json.hpp"
+#include "reflect/json_text.hpp"
+
+namespace plumb::test {
+
+/// All files that differ from a good one in a single value, which has another type.
+class TypeSwaps {
+public:
+    explicit TypeSwaps(std::string_view text) {
+        Result<Json> json = parseJson(text, "sample");
+        EXPECT_TRUE(json.ok()) << (json ? "" : json.error().text());
+        if (!json) return;
+        file_ = *std::move(json);
+        collect(file_, "");
+    }
+    TypeSwaps(const TypeSwaps&) = delete;
+    TypeSwaps(TypeSwaps&&) = delete;
+
+    [[nodiscard]] std::size_t count() const { return values_.size() * kStrangers.size(); }
+    /// "entities[3].id = [7]"
+    [[nodiscard]] std::string name(std::size_t index) const {
+        return format("{} = {}", values_[index / kStrangers.size()].where,
+                      std::string{kStrangers[index % kStrangers.size()]});
+    }
+    [[nodiscard]] std::string text(std::size_t index) {
+        Json& value = *values_[index / kStrangers.size()].json;
+        Json kept = std::exchange(value, *parseJson(kStrangers[index % kStrangers.size()], "stranger"));
+        std::string text = writeJson(file_);
+        value = std::move(kept);
+        return text;
+    }
+
+private:
+    /// Every type; lists and objects with and without members, and a number that no int or float can hold.
+    static constexpr std::array<std::string_view, 9> kStrangers{"null", "true", "7",  "-1e300",    "\"x\"",
+                                                                "[]",   "[7]",  "{}", "{\"x\": 7}"};
+    struct Value {
+        Json* json;
+        std::string where;
+    };
+
+    void collect(Json& json, const std::string& where) {
+        values_.push_back({&json, where});
+        std::size_t index = 0;
+        for (auto& item : json.items()) {
+            if (!json.is_structured()) break;
+            collect(item.value(),
+                    json.is_array() ? format("{}[{}]", where, index) : where + "." + item.key());
+            ++index;
+        }
+    }
+
+    Json file_;
+    std::vector<Value> values_;
+};
+
+/// How many files of each kind are read; PLUMB_TYPE_SWAPS says so, and 0 means all that there are.
+inline std::size_t typeSwapLimit(std::size_t usual) {
+    const char* wanted = std::getenv("PLUMB_TYPE_SWAPS");
+    if (wanted == nullptr) return usual;
+    const auto limit = static_cast<std::size_t>(std::strtoull(wanted, nullptr, 10));
+    return limit == 0 ? ~std::size_t{0} : limit;
+}
+
+/// The place of the `index`th of `wanted` that are spread over `all`.
+inline std::size_t placeOf(std::size_t index, std::size_t wanted, std::size_t all) {
+    return wanted == all ? index : index * all / wanted;
+}
+
+/// Reads swapped files, spread evenly over all there are of these samples: `read(sample, text)`.
+/// @param usual  how many where the environment says nothing
+template <class Read>
+void eachTypeSwap(const std::vector<std::string>& samples, std::size_t usual, Read read) {
+    std::size_t all = 0;
+    for (const std::string& sample : samples) all += TypeSwaps{sample}.count();
+    ASSERT_GT(all, 0u);
+    const std::size_t wanted = std::min(typeSwapLimit(usual), all);
+    std::size_t first = 0;  // of this sample, counted through all
+    std::size_t next = 0;
+    for (std::size_t i = 0; i < samples.size(); ++i) {
+        TypeSwaps swaps{samples[i]};
+        for (; next < wanted && placeOf(next, wanted, all) < first + swaps.count(); ++next) {
+            const std::size_t index = placeOf(next, wanted, all) - first;
+            SCOPED_TRACE(format("sample {}: {}", i, swaps.name(index)));
+            read(i, swaps.text(index));
+            if (testing::Test::HasFailure()) return;
+        }
+        first += swaps.count();
+    }
+    testing::Test::RecordProperty("files", std::to_string(wanted));
+}
+
+/// A refusal says where, what and what to do, and none of it was left to the last line of defense.
+inline void expectToldWell(const Error& error) {
+    EXPECT_FALSE(error.where.empty()) << error.text();
+    EXPECT_FALSE(error.what.empty()) << error.text();
+    EXPECT_FALSE(error.remedy.empty()) << error.text();
+    EXPECT_EQ(error.what.find("the reader of this file failed"), std::string::npos) << error.text();
+}
+inline void expectToldWell(const std::vector<Error>& errors) {
+    for (const Error& error : errors) expectToldWell(error);
+}
+
+}  // namespace plumb::test
