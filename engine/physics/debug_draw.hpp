@@ -32,7 +32,7 @@ enum class DebugRole : std::uint8_t {
     Island,  ///< bodies that move or sleep together
     Rest,    ///< how close a body is to falling asleep
     Sweep,   ///< path of a fast body in the step
-    Impact,  ///< where something stopped it
+    Impact,  ///< where it hit something
     Field,
     Count
 };
@@ -72,7 +72,7 @@ enum DebugPart : std::uint32_t {
     kDrawCentres = 1 << 9,
     kDrawIslands = 1 << 10,  ///< the shapes of dynamic bodies again, with the number of their island
     kDrawRest = 1 << 11,  ///< the same, scaled by how close they are to sleep; in full size while they sleep
-    kDrawSweeps = 1 << 12,  ///< paths of fast bodies in the last step, and where they were stopped
+    kDrawSweeps = 1 << 12,  ///< paths of fast bodies in the last step, and where they hit something
     kDrawFields = 1 << 13,  ///< their regions and directions
     kDrawBounds = 1 << 14,
     kDrawBroadPhase = 1 << 15,  ///< enlarged bounds, and the tree or grid they are in
