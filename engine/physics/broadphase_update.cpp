@@ -8,7 +8,7 @@ namespace plumb::physics {
 
 namespace {
 
-/// Fills what follows from the world, after it was written over or made.
+/// Recomputes what follows from a world that was created or overwritten.
 void refill(World& world, Workspace& work) {
     work.pairs.clear();
     countSurfaces(world, work);
@@ -28,7 +28,7 @@ Proxies proxiesOf(const World& world) {
 }
 
 void updateBroadPhase(World& world, Workspace& work) {
-    refreshColours(world, work);  // while it is known to be stale
+    refreshColours(world, work);  // before the flag is reset
     const bool stale = world.work.takeStale();
     work.isChanged.resize(world.shapes.size());
     work.isMoved.resize(world.shapes.size());

@@ -5,11 +5,11 @@
 
 namespace plumb::physics {
 
-/// The world's shapes as its broad phase sees them.
+/// The shapes of a world as the broad phase reads them.
 [[nodiscard]] Proxies proxiesOf(const World& world);
 
-/// Tells the broad phase of all that changed since it was last told; fills the workspace anew after the world
-/// was written over. Steps and queries begin with it. It changes nothing that a step's outcome depends on.
+/// Updates the broad phase with all changes since the last update; refills the workspace after the world was
+/// overwritten. Steps and queries begin with it. The result of a step does not depend on it.
 void updateBroadPhase(World& world, Workspace& work);
 
 }  // namespace plumb::physics

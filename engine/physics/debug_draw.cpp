@@ -11,7 +11,7 @@ struct Part {
     void (*draw)(const Picture& picture);
 };
 
-/// What is large first, so that what is small lies over it.
+/// Large elements first, so that small ones are drawn over them.
 constexpr Part kParts[] = {
     {kDrawFields, drawFields},     {kDrawBroadPhase, drawBroadPhase},
     {kDrawBounds, drawBounds},     {kDrawIslands, drawIslands},

@@ -10,7 +10,7 @@ namespace plumb::physics {
 
 namespace {
 
-/// How far a length or an angle is from where it is held, and beyond its limits.
+/// Deviation of a length or an angle from where it is held, or excess over its limits.
 float missOf(const ValueParts& parts, float value) {
     float miss = parts.held && !parts.springs ? std::fabs(value - parts.rest) : 0.0f;
     if (parts.limited) miss = std::max({miss, parts.lower - value, value - parts.upper});

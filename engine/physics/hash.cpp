@@ -6,7 +6,8 @@ namespace plumb::physics {
 
 namespace {
 
-/// True when the members are all there is: no padding, whose bytes mean nothing, and no member forgotten.
+/// True if a type consists of these members alone: without padding, whose bytes are undefined, or a forgotten
+/// member.
 template <class T, class... Members>
 constexpr bool isDense(Members T::*...) {
     return (sizeof(Members) + ...) == sizeof(T);
@@ -48,7 +49,7 @@ static_assert(isDense(&SleepingIsland::firstBody, &SleepingIsland::firstContact)
 static_assert(isDense(&Manifest::callers, &Manifest::pinnedOn, &Manifest::pinnedOff));
 static_assert(isDense(&JointId::index, &JointId::generation));
 
-/// Adds values one by one: for types with padding.
+/// Adds values one by one, for types with padding.
 class Values {
 public:
     explicit Values(LaneHasher& hash) : hash_{hash} {}
@@ -83,7 +84,7 @@ void addAll(LaneHasher& hash, const std::vector<T>&... arrays) {
     (add(hash, arrays), ...);
 }
 
-// A member that comes to one of these types has to be named here, or it does not compile.
+// These bind every member: a new member that is not named here does not compile.
 
 void add(LaneHasher& hash, const Settings& settings) {
     const auto& [gravity, integrator, broadPhase, quality, iterations, automaticQuality, tolerance,
@@ -94,7 +95,7 @@ void add(LaneHasher& hash, const Settings& settings) {
                  contactStiffness, jointStiffness, contactDampingRatio, jointDampingRatio, pushSpeed,
                  deepPushRate, slop, speculativeDistance, recycleDistance, boundsMargin, bounceSpeed,
                  sleepTime, maxSpeed, continuous, sleeping, stayEvents);
-    // Worlds without one have the number they always had.
+    // Worlds without a tolerance keep the hash that they had before it existed.
     if (tolerance != 0.0f) Values{hash}(tolerance);
 }
 
@@ -133,7 +134,7 @@ void add(LaneHasher& hash, const SoftLink& link) {
 }
 
 void add(LaneHasher& hash, const SoftBody& soft) {
-    // Its edges are always the same links.
+    // Edges follow from the links and never change.
     const auto& [particles, links, edges, ring, area, areaCompliance, radius, damping, friction, layers, mask,
                  generation, substeps, isAlive] = soft;
     for (const SoftParticle& particle : particles) add(hash, particle);
@@ -163,7 +164,7 @@ std::uint64_t hashOf(const World& world) {
     add(hash, world.settings);
     addAll(hash, bodies.pose, bodies.motion, bodies.mass, bodies.info, bodies.drives.rows, bodies.drives.free,
            bodies.free, bodies.dying);
-    // As with the tolerance itself: an empty list would count as one.
+    // Skipped where empty, as the tolerance above: even an empty list changes the hash.
     if (!bodies.efforts.empty()) add(hash, bodies.efforts);
     if (!bodies.energies.empty()) add(hash, bodies.energies);
     add(hash, world.shapes);
@@ -176,7 +177,7 @@ std::uint64_t hashOf(const World& world) {
     addAll(hash, sleepers.islands, sleepers.freeIslands, sleepers.contacts, sleepers.nextContact,
            sleepers.freeContacts, sleepers.nextBody, sleepers.islandOf);
     for (const auto& [pair, hidden] : world.initialOverlaps) Values{hash}(pair, hidden);
-    // Events are of the step before: nothing follows from them.
+    // Events belong to the last step: the next one does not depend on them.
     Values{hash}(world.qualityCallers, world.newJoints, world.filtersStale, world.islandsStale,
                  world.islandsAge, world.gravityOfLastStep, world.steps);
     hash.addBytes(&world.manifest, sizeof world.manifest);

@@ -10,7 +10,7 @@ namespace plumb::physics {
 
 namespace {
 
-/// The islands of now, found anew: the world's own may be larger than need be, and looking changes them.
+/// Islands recomputed from scratch: the world's own may be larger than needed, and lookups change them.
 class Forest {
 public:
     explicit Forest(const World& world) : world_{world}, parent_(world.bodies.size()) {
@@ -43,7 +43,7 @@ private:
     std::vector<std::uint32_t> parent_;
 };
 
-/// Of a body alone, in the last step.
+/// Of a single body, in the last step.
 Quality qualityOf(const World& world, std::uint32_t body) {
     const std::vector<Effort>& efforts = world.bodies.efforts;
     if (body < efforts.size() && efforts[body].quality != kQualityOfWorld) return efforts[body].quality;
@@ -59,7 +59,7 @@ std::vector<std::uint32_t> indicesOf(const World& world, Forest& forest, std::ve
     for (std::uint32_t body = 0; body < indices.size(); ++body) {
         if (!forest.isPushed(body)) continue;
         std::uint32_t& index = indices[forest.firstOf(body)];
-        if (index == kNone) {  // the first itself: none is lower
+        if (index == kNone) {  // the first body itself: none is lower
             index = static_cast<std::uint32_t>(islands.size());
             islands.emplace_back().first = {body, world.bodies.info[body].generation};
         }
@@ -79,7 +79,7 @@ void addBodies(const World& world, const std::vector<std::uint32_t>& indices,
     }
 }
 
-/// That of whichever of the two can be pushed.
+/// Index of whichever of the two is dynamic.
 std::uint32_t indexOf(const std::vector<std::uint32_t>& indices, std::uint32_t a, std::uint32_t b) {
     return indices[b] != kNone ? indices[b] : indices[a];
 }

@@ -4,18 +4,18 @@
 
 namespace plumb::physics {
 
-// What tells how well a world is simulated. Computed when asked for: a step does not pay for it.
+// Measures of the quality of a simulation. Computed on request: a step does not pay for them.
 
-/// J: of motion, in the world's gravity, in springs and linear attractors, of all dynamic bodies. A world
-/// without friction, drag and motors keeps it; what it gains or loses is the fault of the simulation.
+/// J: of all dynamic bodies, kinetic and in the world's gravity, springs and linear attractors. A world
+/// without friction, drag and motors conserves it; any change is an error of the simulation.
 [[nodiscard]] double energyOf(const World& world);
 
-/// m: how deep two solid shapes are in each other at most, when the last step began; 0 where none are. What
+/// m: maximum overlap of two solid shapes at the start of the last step; 0 if there is none. What
 /// initial_overlaps.hpp hides does not count.
 [[nodiscard]] float deepestOverlapOf(const World& world);
 
-/// m: how far a body of `world` is at most from where the same body of `other` is. Bodies that only one of
-/// them has are left out.
+/// m: maximum distance of a dynamic body of `world` from the same body of `other`. Bodies that only one of
+/// them has are ignored.
 [[nodiscard]] double largestDistanceOf(const World& world, const World& other);
 
 }  // namespace plumb::physics

@@ -49,7 +49,8 @@ Result<RigidBody*> Physics::createBody(const BodyDefinition& definition) {
 Result<Done> Physics::add(std::unique_ptr<Collider> collider, RigidBody* body) {
     const ColliderSettings& settings = collider->settings_;
     if (body != nullptr && &body->world_ != &world_)
-        return Error{"Physics::create", "the body belongs to another Physics", "make both by the same one"};
+        return Error{"Physics::create", "the body belongs to another Physics",
+                     "create both with the same Physics"};
     if (body == nullptr) {
         const Result<BodyId> ground = physics::createBody(
             world_, {.kind = BodyKind::Static, .position = settings.position, .angle = settings.angle});
@@ -96,7 +97,7 @@ Collider* Physics::find(ShapeId shape) const {
     return gone != gone_.end() ? gone->get() : nullptr;
 }
 
-/// Not of those that were destroyed, were never put into a world, or are in another one.
+/// False for colliders that are destroyed, were never added, or belong to another Physics.
 bool Physics::has(const Collider& collider) const {
     return !collider.destroyed_ && find(collider.shape_) == &collider;
 }
@@ -120,7 +121,8 @@ void Physics::tell(Collider& to, Collider& other, ContactPhase phase) {
     }
 }
 
-/// Who was destroyed by an earlier call is met no more; who was met leaves in the update after that.
+/// A collider that an earlier callback destroyed gets no more calls. What it touched gets its exit in the
+/// next update.
 void Physics::call(const Call& now) {
     const PairKey pair = pairKey(now.a->shape_.index, now.b->shape_.index);
     if (now.phase == ContactPhase::Ended) {

@@ -10,14 +10,14 @@
 
 namespace plumb::physics {
 
-// The library as objects, for those who come from other engines: bodies that move, colliders that touch, and
-// virtual functions that are called when they do. Everything is owned by a Physics; who wants more than is
-// here takes its world() and the functions of bodies.hpp, shapes.hpp and joints.hpp.
+// The library as objects: bodies that move, colliders that touch, and virtual functions that are called when
+// they do. A Physics owns everything. For all else there are its world() and the functions of bodies.hpp,
+// shapes.hpp and joints.hpp.
 
 class Collider;
 class Physics;
 
-/// Something that forces and contacts move. Made by Physics::createBody().
+/// A body that forces and contacts move. Created by Physics::createBody().
 class RigidBody {
 public:
     RigidBody(const RigidBody&) = delete;
@@ -31,15 +31,15 @@ public:
     /// m/s2
     [[nodiscard]] Vec2 acceleration() const { return world_.bodies.driveOf(id_.index).acceleration; }
     [[nodiscard]] float mass() const { return massOf(world_, id_); }  ///< kg
-    /// N: what was added since the last update, without gravity and contacts.
+    /// N: sum of what was added since the last update, without gravity and contacts.
     [[nodiscard]] Vec2 netForce() const { return world_.bodies.driveOf(id_.index).force; }
-    /// Where it would be after dt (s) if nothing got in its way.
+    /// Transform after dt (s) if nothing is in the way.
     [[nodiscard]] Frame predictTransform(float dt) const {
         return physics::predictTransform(world_, id_, dt);
     }
 
-    // All refuse what is not finite, and change nothing then.
-    Result<Done> setPosition(Place position);               ///< m; a jump that keeps its angle
+    // Setters refuse values that are not finite, and then change nothing.
+    Result<Done> setPosition(Place position);               ///< m; teleports, keeps the angle
     Result<Done> setPosition(Place position, float angle);  ///< m, rad
     Result<Done> setVelocity(Vec2 velocity) { return physics::setVelocity(world_, id_, velocity); }
     Result<Done> setAngularVelocity(float velocity) {
@@ -63,32 +63,32 @@ private:
 };
 
 struct ColliderSettings {
-    Vec2 centre{};  ///< m, in the frame of its body, or from `position` of a static object
+    Vec2 centre{};  ///< m, in the frame of its body; without a body relative to `position`
     float bounciness = 0.0f;
     float friction = 0.6f;
     float density = 1.0f;    ///< kg/m2
-    bool isTrigger = false;  ///< overlaps instead of repelling
-    Place position{};        ///< m: where a collider without a body is
-    float angle = 0.0f;      ///< rad: of one without a body
+    bool isTrigger = false;  ///< reports overlaps and does not collide
+    Place position{};        ///< m: of a collider without a body
+    float angle = 0.0f;      ///< rad: of a collider without a body
 };
 
-/// What touches. One with a body moves with it, one without is a static object. Derive from its kinds to be
-/// told of collisions, and make them by Physics::create().
+/// A shape that touches others. With a body it moves with that, without one it is static. Derive from its
+/// subclasses to receive collision callbacks, and create it with Physics::create().
 class Collider {
 public:
     virtual ~Collider() = default;
     Collider(const Collider&) = delete;
     Collider& operator=(const Collider&) = delete;
 
-    // Called after the step, with triggers too. They may create and destroy whatever they like, themselves
-    // too: what is destroyed hears nothing more, and stays in memory to the end of the next update. Nobody is
-    // told to stay while both sleep.
+    // Called after the step, for triggers too. Callbacks may create and destroy anything, their own collider
+    // included: a destroyed collider gets no more calls, and stays in memory until the end of the next
+    // update. onCollisionStay() is not called while both are asleep.
     virtual void onCollisionEnter(Collider* other) { static_cast<void>(other); }
     virtual void onCollisionStay(Collider* other) { static_cast<void>(other); }
     virtual void onCollisionExit(Collider* other) { static_cast<void>(other); }
 
     [[nodiscard]] const ColliderSettings& settings() const { return settings_; }
-    [[nodiscard]] RigidBody* body() const { return body_; }  ///< none for a static object
+    [[nodiscard]] RigidBody* body() const { return body_; }  ///< null for a static collider
     [[nodiscard]] ShapeId shape() const { return shape_; }
     [[nodiscard]] bool destroyed() const { return destroyed_; }
 
@@ -102,7 +102,7 @@ private:
     Geometry geometry_;
     ColliderSettings settings_;
     RigidBody* body_ = nullptr;
-    BodyId own_;  // of a static object
+    BodyId own_;  // body of a static collider
     ShapeId shape_;
     bool destroyed_ = false;
 };
@@ -117,7 +117,7 @@ using SphereCollider = CircleCollider;
 
 class BoxCollider : public Collider {
 public:
-    /// @param extents  m: half its size
+    /// @param extents  m: half sizes
     explicit BoxCollider(Vec2 extents, const ColliderSettings& settings = {})
         : Collider{box(extents, settings.centre), settings} {}
 };
@@ -132,11 +132,11 @@ public:
 
     /// @error a number that is not finite
     Result<RigidBody*> createBody(Place position, float angle = 0.0f);
-    /// One of any kind, e.g. a kinematic one that moves by its velocity and is pushed by nobody.
+    /// A body of any kind, e.g. a kinematic one, which moves by its velocity alone.
     Result<RigidBody*> createBody(const BodyDefinition& definition);
 
-    /// Makes a collider of a class of one's own or of the library's, from its constructor's arguments.
-    /// @param body  that it moves with; none for a static object
+    /// Creates a collider of a derived class or of the library's, from the arguments of its constructor.
+    /// @param body  with which it moves; null for a static collider
     /// @error a size that is not positive, a number that is not finite, a body of another Physics
     template <std::derived_from<Collider> Kind, class... Arguments>
     Result<Kind*> create(RigidBody* body,
@@ -148,33 +148,33 @@ public:
         return kind;
     }
 
-    /// The same of a class that is made from its size and its settings, which may then be written in braces.
+    /// The same for classes that are constructed from a size and settings, which may then be a braced list.
     template <std::derived_from<Collider> Kind, class Size>
     Result<Kind*> create(RigidBody* body, Size&& size, const ColliderSettings& settings) requires
         std::constructible_from<Kind, Size, const ColliderSettings&> {
         return create<Kind, Size, const ColliderSettings&>(body, std::forward<Size>(size), settings);
     }
 
-    /// Removes a body with its colliders. Those who touched it hear of it in the next update. What is in
-    /// another Physics, or in none, is left alone.
+    /// Destroys a body with its colliders. What touched them gets onCollisionExit() in the next update.
+    /// Ignores objects of another Physics, or of none.
     void destroy(RigidBody& body);
     void destroy(Collider& collider);
 
-    /// Moves everything on by dt (s), then calls the colliders. Time that is not finite or not above 0 does
-    /// not pass: nobody moves and nobody is called. Nor does any when a collider that is called asks for it.
-    /// @param options  threads to share the work with, where to measure, who may touch whom
+    /// Advances the world by dt (s), then calls the colliders. Does nothing if dt is not finite or not
+    /// positive, or if a callback calls it.
+    /// @param options  threads, profile, filters of contacts
     void update(float dt, const StepOptions& options = {});
 
-    /// True while both touch, as of the last update. Takes the same time however many touch.
+    /// True while both touch, as of the last update. Takes constant time.
     [[nodiscard]] bool isTouching(const Collider& a, const Collider& b) const;
 
-    /// Whose a shape is, e.g. of what a query hit; null for one that is gone.
+    /// The collider of a shape, e.g. of a query's hit; null if it no longer exists.
     [[nodiscard]] Collider* colliderOf(ShapeId shape) const { return find(shape); }
-    /// For everything that has no object here: joints, queries, fields, …
+    /// For everything without an object here: joints, queries, fields, …
     [[nodiscard]] World& world() { return world_; }
 
 private:
-    /// What one event tells.
+    /// A callback to be made.
     struct Call {
         Collider* a;
         Collider* b;
@@ -192,7 +192,7 @@ private:
     std::vector<std::unique_ptr<RigidBody>> bodies_;      // by BodyId::index
     std::vector<std::unique_ptr<Collider>> colliders_;    // by ShapeId::index
     std::vector<std::unique_ptr<Collider>> leaving_;      // destroyed since the last update
-    std::vector<std::unique_ptr<Collider>> gone_;         // before it
+    std::vector<std::unique_ptr<Collider>> gone_;         // destroyed before the current one
     std::vector<std::unique_ptr<RigidBody>> goneBodies_;  // destroyed since the last update
     std::vector<Call> calls_;
     PairSet touching_;

@@ -7,7 +7,7 @@ namespace plumb::physics {
 
 namespace {
 
-/// m: how much further than their motion says particles may come within a step.
+/// m: margin for particles that move further within a step than their velocities predict.
 constexpr double kSlack = 0.01;
 
 SoftBox boxOf(const SoftParticle& p, float dt) {
@@ -49,7 +49,7 @@ void join(SoftMeetings& meetings, std::uint32_t a, std::uint32_t b) {
     meetings.leaders[std::max(first, second)] = std::min(first, second);
 }
 
-/// One body's particles against another's edges.
+/// Finds the potential contacts of one body's particles with another's edges.
 class Finder {
 public:
     Finder(const World& world, float dt, std::uint32_t body, std::uint32_t other, SoftMeetings& meetings)
@@ -100,8 +100,8 @@ private:
         }
     }
 
-    /// Of a particle that is inside of the other one's ring.
-    /// @return false if it is not
+    /// For a particle inside the other's ring: the nearest edge.
+    /// @return false if it is not inside
     bool findWayOut(const SoftParticle& p, std::uint32_t particle) {
         const std::vector<std::uint32_t>& ring = other_.ring;
         bool inside = false;
@@ -121,7 +121,7 @@ private:
             nearest = i;
         }
         if (!inside) return false;
-        // What is inside lies to the left of the edges of an area above 0.
+        // The interior is to the left of the edges if the area is positive.
         meet(particle, ring[nearest], ring[(nearest + 1) % ring.size()], other_.area > 0.0f ? -1.0f : 1.0f,
              true);
         return true;
@@ -143,15 +143,15 @@ private:
     double reach_;  // m
     SoftMeeting ids_;
     SoftMeetings& meetings_;
-    double widest_ = 0.0;  // m: of the edges
+    double widest_ = 0.0;  // m: maximum width of the edges
 };
 
-/// A particle, the point of an edge that is nearest to it, and the direction in which they part.
+/// A particle, the closest point of an edge, and the direction in which they separate.
 struct Meeting {
     SoftParticle& p;
     SoftParticle& a;
     SoftParticle& b;
-    float t = 0.0f;  // of the way from a to b
+    float t = 0.0f;  // position on the edge, from a to b
     Vec2 normal{};
 
     [[nodiscard]] Vec2 between(Place SoftParticle::*when) const {
@@ -167,7 +167,7 @@ struct Meeting {
     }
 };
 
-/// @return false where there is no direction
+/// @return false if the direction is undefined
 bool aim(const SoftMeeting& which, Meeting& meeting) {
     const Vec2 edge = meeting.b.place - meeting.a.place;
     const float square = lengthSquared(edge);
@@ -175,7 +175,7 @@ bool aim(const SoftMeeting& which, Meeting& meeting) {
     meeting.t = std::clamp(dot(meeting.p.place - meeting.a.place, edge) / square, 0.0f, 1.0f);
     meeting.normal = (which.side / std::sqrt(square)) * perpendicular(edge);
     if (which.inside || (meeting.t > 0.0f && meeting.t < 1.0f)) return true;
-    const Vec2 way = meeting.between(&SoftParticle::place);  // round its end
+    const Vec2 way = meeting.between(&SoftParticle::place);  // around its end
     const float size = length(way);
     if (!(size > 0.0f)) return false;
     meeting.normal = way / size;
@@ -234,7 +234,7 @@ void keepSoftApart(World& world, float h, std::span<const SoftMeeting> meetings)
         SoftBody& other = world.softBodies.all[which.other];
         Meeting meeting{own.particles[which.particle], other.particles[which.a], other.particles[which.b]};
         if (!aim(which, meeting)) continue;
-        // Who was too near before is not thrown out at once.
+        // An overlap from before the substep is pushed out at a limited speed.
         const float before = dot(meeting.between(&SoftParticle::before), meeting.normal);
         const float apart = std::min(own.radius + other.radius, before + world.settings.pushSpeed * h);
         const float depth = apart - dot(meeting.between(&SoftParticle::place), meeting.normal);

@@ -8,24 +8,24 @@
 
 namespace plumb::physics {
 
-// How soft bodies keep out of each other: particles of one off the edges of another, both ways. An edge is a
-// link of SoftBody::edges with the widths of both.
+// Contacts between soft bodies: particles of one against the edges of another, and vice versa. An edge is a
+// link of SoftBody::edges, with the radii of both bodies.
 
-/// Where something may be within a step, m.
+/// Bounds over a step, m.
 struct SoftBox {
     Place min;
     Place max;
 };
 
-/// A particle that an edge of another soft body may come near to in this step.
+/// A particle that an edge of another soft body may touch in this step.
 struct SoftMeeting {
-    std::uint32_t body = 0;  ///< in SoftBodies::all: whose particle
+    std::uint32_t body = 0;  ///< in SoftBodies::all: body of the particle
     std::uint32_t particle = 0;
-    std::uint32_t other = 0;  ///< whose edge
-    std::uint32_t a = 0;      ///< particles of that: its ends
+    std::uint32_t other = 0;  ///< body of the edge
+    std::uint32_t a = 0;      ///< ends of the edge: particles of `other`
     std::uint32_t b = 0;
-    float side = 1.0f;    ///< of the edge on which the particle belongs: 1 or -1
-    bool inside = false;  ///< it is in the other one's ring, and this is the shortest way out
+    float side = 1.0f;    ///< side of the edge on which the particle belongs: 1 or -1
+    bool inside = false;  ///< the particle is inside the other's ring, and this edge is the nearest one
 };
 
 struct SoftEdge {
@@ -33,22 +33,23 @@ struct SoftEdge {
     std::uint32_t link = 0;
 };
 
-/// Of a step, in Workspace.
+/// Data of a step, in Workspace.
 struct SoftMeetings {
     std::vector<SoftBox> boxes;  ///< by index of the soft body
     std::vector<std::uint32_t>
-        leaders;                       ///< by index: the first of those that it may meet, through others too
-    std::vector<std::uint32_t> order;  ///< living ones, those with one leader together
+        leaders;  ///< by index: lowest index among those that it may touch, directly or through others
+    std::vector<std::uint32_t> order;  ///< existing soft bodies, sorted by leader
     std::vector<SoftEdge> edges;       ///< of one soft body near another, from left to right
     std::vector<SoftMeeting> all;      ///< of one group
 };
 
-/// Puts those that may meet within a step of dt seconds, or push one body, beside each other in `order`.
+/// Sorts soft bodies so that those that may touch within a step of dt seconds, or push the same rigid body,
+/// are adjacent in `order`.
 void groupSoftBodies(const World& world, float dt, std::span<const SoftNeighbour> neighbours,
                      SoftMeetings& meetings);
-/// Finds all meetings within a group of `order`.
+/// Finds all potential contacts within a group of `order`.
 void findMeetings(const World& world, float dt, std::span<const std::uint32_t> group, SoftMeetings& meetings);
-/// Pushes those apart who are too near at the end of a substep of h seconds. Keeps momentum.
+/// Separates what is too close at the end of a substep of h seconds. Conserves momentum.
 void keepSoftApart(World& world, float h, std::span<const SoftMeeting> meetings);
 
 }  // namespace plumb::physics

@@ -53,7 +53,7 @@ void findNeighbours(const World& world, SoftSurroundings& around) {
               });
 }
 
-/// Contacts that push and have a neighbour of a soft body.
+/// Contacts that push and have a body near a soft body.
 void findContacts(const World& world, SoftSurroundings& around) {
     around.contacts.clear();
     if (around.neighbours.empty()) return;
@@ -140,7 +140,7 @@ SoftSupport supportOf(const Contact& contact, const std::vector<SoftObstacle>& a
     return support;
 }
 
-/// What cannot be pushed holds obstacles, and they hold each other. Others are too far away.
+/// Contacts of obstacles with static or kinematic bodies and with each other. Other bodies are too far away.
 void findSupports(const StepContext& step, SoftSurroundings& around) {
     const World& world = step.world;
     std::vector<SoftObstacle>& all = around.obstacles;
@@ -262,9 +262,9 @@ void rouse(const StepContext& step, SoftObstacle& obstacle) {
     takeMass(step.world, obstacle);
 }
 
-/// A kick and a steady push that together leave the body where it was foreseen, as fast as it was. Steady
-/// ones meet gravity and what holds the body up in the solver: a kick alone would lift what rests, step by
-/// step.
+/// A change of velocity and a constant acceleration that together give the predicted position and velocity.
+/// In the solver, gravity and supports act against the acceleration, whereas a change of velocity alone would
+/// lift resting bodies, step by step.
 void pushBodies(StepContext& step) {
     for (const SoftObstacle& o : step.work.softSurroundings.obstacles) {
         if (o.gained == Vec2{} && o.spun == 0.0f) continue;

@@ -10,33 +10,34 @@ namespace plumb::physics {
 
 struct StepContext;
 
-// Bodies as soft bodies meet them. Soft bodies move before the solver does and in substeps of their own, so
-// the bodies near them are foreseen: each goes on from where it is, under gravity, stopped by what it stands
-// on. It gives way to every push at once, and the solver is told the sum. Source for the pushes: M. Mueller
-// et al., "Detailed Rigid Body Simulation with Extended Position Based Dynamics", SCA 2020, 3.2 to 3.5.
+// Rigid bodies as obstacles of soft bodies. Soft bodies move before the rigid solver runs, in substeps of
+// their own, so the rigid bodies near them are predicted: under gravity, stopped by what they stand on. A
+// predicted body responds to each impulse at once, and the rigid solver receives the sum. Source for the
+// impulses: M. Mueller et al., "Detailed Rigid Body Simulation with Extended Position Based Dynamics", SCA
+// 2020, 3.2 to 3.5.
 
-/// A body near a soft body, as foreseen in the substeps of one group.
+/// A rigid body near a soft body, as predicted in the substeps of one group.
 struct SoftObstacle {
     std::uint32_t body = 0;
-    float inverseInertia = 0.0f;  ///< 1/(kg m2); 0 for what cannot be turned
-    Vec2 inverseMass;             ///< 1/kg along x and y; 0 where it is locked or cannot be pushed
+    float inverseInertia = 0.0f;  ///< 1/(kg m2); 0 if it cannot rotate
+    Vec2 inverseMass;             ///< 1/kg along x and y; 0 if it is locked or not dynamic
     Place centre;                 ///< m
     Rot rotation;
     Vec2 localCentre;        ///< m, as BodyPose
     Vec2 velocity;           ///< m/s
     float spin = 0.0f;       ///< rad/s
-    Vec2 acceleration;       ///< m/s2, of gravity and its owner
+    Vec2 acceleration;       ///< m/s2, by gravity and applied forces
     Vec2 moved;              ///< m, in this substep
     float turned = 0.0f;     ///< rad, in this substep
-    Vec2 gained;             ///< m/s, from soft bodies in this step
-    float spun = 0.0f;       ///< rad/s
-    Vec2 early;              ///< m/s: the sum of each gain times the part of the step that was left
+    Vec2 gained;             ///< m/s: change by soft bodies in this step
+    float spun = 0.0f;       ///< rad/s: the same of the rotation
+    Vec2 early;              ///< m/s: sum of the changes, each times the fraction of the step that was left
     float earlySpun = 0.0f;  ///< rad/s
-    bool rests = false;      ///< it is asleep
+    bool rests = false;      ///< asleep
 
-    /// m: how far the point at an arm from its centre came in this substep.
+    /// m: displacement, in this substep, of the point at an arm from its center.
     [[nodiscard]] Vec2 way(Vec2 arm) const { return moved + cross(turned, arm); }
-    /// 1/kg against a push along a direction.
+    /// 1/kg: inverse effective mass of that point along a direction.
     [[nodiscard]] float weight(Vec2 arm, Vec2 direction) const {
         const float lever = cross(arm, direction);
         return inverseMass.x * direction.x * direction.x + inverseMass.y * direction.y * direction.y +
@@ -44,9 +45,9 @@ struct SoftObstacle {
     }
 };
 
-/// Where an obstacle touches another one, or what cannot be pushed.
+/// A contact of an obstacle with another one, or with a static or kinematic body.
 struct SoftSupport {
-    std::uint32_t a = 0;  ///< in the list of obstacles
+    std::uint32_t a = 0;  ///< index in the list of obstacles
     std::uint32_t b = 0;
     Vec2 normal;   ///< from a to b
     Vec2 armA[2];  ///< m
@@ -57,27 +58,27 @@ struct SoftSupport {
     float surfaceSpeed = 0.0f;  ///< m/s, as Contact
 };
 
-/// What soft bodies push a body with all step long.
+/// Acceleration of a body by soft bodies, constant over the step.
 struct SoftPush {
     std::uint32_t body = 0;
     Vec2 acceleration;    ///< m/s2
     float spinUp = 0.0f;  ///< rad/s2
 };
 
-/// A soft body that comes near a body that can be pushed.
+/// A soft body near a dynamic body.
 struct SoftNeighbour {
     std::uint32_t body = 0;
     std::uint32_t soft = 0;  ///< in SoftBodies::all
 };
 
-/// Of a step, in Workspace.
+/// Data of a step, in Workspace.
 struct SoftSurroundings {
-    std::vector<std::uint32_t> shapes;      ///< near soft bodies, one soft body after the other
-    std::vector<std::uint32_t> ends;        ///< by soft body: where its shapes end
-    std::vector<SoftNeighbour> neighbours;  ///< by body, rising
-    std::vector<std::uint32_t> contacts;    ///< of bodies among them
-    std::vector<std::uint8_t> isNear;       ///< by body: 1 for neighbours while contacts are looked for
-    std::vector<SoftObstacle> obstacles;    ///< of one group, by body, rising
+    std::vector<std::uint32_t> shapes;      ///< near soft bodies, in the order of these
+    std::vector<std::uint32_t> ends;        ///< by soft body: end of its shapes
+    std::vector<SoftNeighbour> neighbours;  ///< sorted by body
+    std::vector<std::uint32_t> contacts;    ///< of the bodies in `neighbours`
+    std::vector<std::uint8_t> isNear;       ///< by body: 1 for neighbors, while contacts are collected
+    std::vector<SoftObstacle> obstacles;    ///< of one group, sorted by body
     std::vector<SoftSupport> supports;      ///< of one group
     std::vector<SoftPush> pushes;
 
@@ -88,20 +89,20 @@ struct SoftSurroundings {
     SoftObstacle& obstacleOf(std::uint32_t body);
 };
 
-/// Finds the shapes near all soft bodies, and who shares a body with whom.
+/// Finds the shapes near all soft bodies, and the soft bodies that share a rigid body.
 void findSurroundings(StepContext& step);
-/// The obstacles of a group and what holds them.
+/// Sets up the obstacles of a group and their supports.
 void foresee(StepContext& step, std::span<const std::uint32_t> group);
-/// Takes the obstacles on by a substep of h seconds.
+/// Advances the obstacles by a substep of h seconds.
 void moveObstacles(SoftSurroundings& around, float h);
 /// @param push  kg m: an impulse times the substep of h seconds
-/// @param left  ratio of the step that is left in the middle of this substep
+/// @param left  fraction of the step that is left in the middle of this substep
 void pushObstacle(SoftObstacle& obstacle, Vec2 arm, Vec2 push, float h, float left);
 /// Stops obstacles that move into what they touch.
 void holdObstacles(SoftSurroundings& around, float h);
-/// Wakes one that rests.
+/// Wakes an obstacle that is asleep.
 void rouse(const StepContext& step, SoftObstacle& obstacle);
-/// Gives the bodies of a group what pushed them.
+/// Passes the effect of soft bodies on the obstacles of a group to the rigid solver.
 void pushBodies(StepContext& step);
 
 }  // namespace plumb::physics

@@ -14,11 +14,11 @@ struct SoftParticle {
     Place place;               ///< m
     Place before;              ///< m: at the start of the substep
     Vec2 velocity;             ///< m/s
-    float inverseMass = 0.0f;  ///< 1/kg; 0 for one that is pinned
+    float inverseMass = 0.0f;  ///< 1/kg; 0 if it is pinned
     float mass = 0.0f;         ///< kg
 };
 
-/// Keeps two particles at a distance.
+/// Distance constraint between two particles.
 struct SoftLink {
     std::uint32_t a = 0;
     std::uint32_t b = 0;
@@ -26,13 +26,13 @@ struct SoftLink {
     float compliance = 0.0f;  ///< m/N
 };
 
-/// A rope, a cloth or a jelly. Particles and their constraints.
+/// A rope, cloth or jelly: particles and their constraints.
 struct SoftBody {
     std::vector<SoftParticle> particles;
     std::vector<SoftLink> links;
-    std::vector<std::uint32_t> edges;  ///< links that particles of others do not pass
+    std::vector<std::uint32_t> edges;  ///< links with which particles of other soft bodies collide
     std::vector<std::uint32_t> ring;   ///< particles around the area that is kept; empty for none
-    float area = 0.0f;                 ///< m2, with the sign of the ring's sense
+    float area = 0.0f;                 ///< m2, at rest; positive or negative as the ring's orientation
     float areaCompliance = 0.0f;
     float radius = 0.0f;   ///< m
     float damping = 0.0f;  ///< 1/s

@@ -40,7 +40,7 @@ void link(SoftBody& body, int a, int b, float compliance) {
     body.links.push_back({i, j, length(body.particles[j].place - body.particles[i].place), compliance});
 }
 
-/// A link that others do not pass.
+/// A link that other soft bodies collide with.
 void edge(SoftBody& body, int a, int b, float compliance) {
     body.edges.push_back(static_cast<std::uint32_t>(body.links.size()));
     link(body, a, b, compliance);
@@ -70,7 +70,7 @@ AABB boundsOf(const SoftBody& body) {
     return grown(bounds, 2.0f * body.radius);
 }
 
-/// What slept on it would hang in the air.
+/// Without it, bodies that sleep on it would hang in the air.
 void wakeNeighbours(World& world, const SoftBody& body) {
     const AABB bounds = boundsOf(body);
     for (std::size_t s = 0; s < world.shapes.size(); ++s) {
@@ -81,8 +81,8 @@ void wakeNeighbours(World& world, const SoftBody& body) {
 
 Result<Done> checkParticle(const char* where, const World& world, SoftBodyId body, int particle) {
     if (!alive(world, body)) {
-        return wrong(where, "expected a living soft body, found one that is gone",
-                     "keep the id of a new one");
+        return wrong(where, "expected a living soft body, found one that was destroyed or never made",
+                     "use the id that its create function returned");
     }
     return checkNumber(where, particle, 0.0, static_cast<double>(particlesOf(world, body).size()) - 1.0);
 }
@@ -167,8 +167,8 @@ Result<SoftBodyId> createJelly(World& world, Place place, std::span<const Vec2> 
         body.area += 0.5f * cross(outline[i], outline[(i + 1) % outline.size()]);
     }
     if (!(body.area > kSmallest * kSmallest || body.area < -kSmallest * kSmallest)) {
-        return wrong("createJelly", "expected an outline around some area, found none",
-                     "give its points in order around it");
+        return wrong("createJelly", "expected an outline with a nonzero area, found none",
+                     "list its points in order around the area");
     }
     for (int i = 0; i < count; ++i) edge(body, i, (i + 1) % count, material.stretchCompliance);
     if (count > 4) {

@@ -23,7 +23,7 @@ PairKey keyOf(const World& world, const Contact& contact) {
     return pairKey(sideOf(world, contact.shapeA), sideOf(world, contact.shapeB));
 }
 
-/// What the changes of one pair come to.
+/// Combined result of the changes of one pair.
 struct Outcome {
     std::int32_t count = 0;  // of contacts
     const ContactEvent* first = nullptr;
@@ -62,7 +62,7 @@ void report(World& world, Workspace& work, const Contact& contact, ContactPhase 
 void publishSurfaces(World& world, Workspace& work) {
     std::vector<SurfaceChange>& changes = work.surfaceChanges;
     if (changes.empty()) return;
-    // What goes on or begins first, so that an event has a contact that is there.
+    // Continuing and new contacts first, so that an event refers to a contact that exists.
     const auto rank = [](const SurfaceChange& change) { return change.event.phase == ContactPhase::Ended; };
     std::sort(changes.begin(), changes.end(), [&](const SurfaceChange& a, const SurfaceChange& b) {
         if (a.pair != b.pair) return a.pair < b.pair;

@@ -5,18 +5,18 @@
 
 namespace plumb::physics {
 
-// A surface is made of shapes (ShapeDefinition::surface) and has seams that nobody should hear of. So
-// contacts with it are counted by who touches it: the first to begin is its event, and the last to end, at
-// the end of the step, when those that took over from each other are known.
+// Shapes with one ShapeDefinition::surface form a chain, whose seams should not cause events. Contacts
+// between a chain and what touches it are therefore counted: the first one to begin is an event, and so is
+// the last one to end, decided at the end of the step, when it is known which contacts replaced others.
 
-/// Makes an event of what happened to a contact, if somebody wants to hear of it: at once, or with
+/// Makes an event of what happened to a contact, if it is reported: at once, or for chains in
 /// publishSurfaces().
 void report(World& world, Workspace& work, const Contact& contact, ContactPhase phase);
 
-/// Makes the events of surfaces. Part of publishing.
+/// Makes the events of chains. Part of publishEvents().
 void publishSurfaces(World& world, Workspace& work);
 
-/// Counts all contacts of surfaces anew, after the world was written over.
+/// Recounts all contacts of chains, after the world was overwritten.
 void countSurfaces(const World& world, Workspace& work);
 
 }  // namespace plumb::physics

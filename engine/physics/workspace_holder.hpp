@@ -7,8 +7,8 @@ namespace plumb::physics {
 
 struct Workspace;
 
-/// Keeps a world's Workspace. It follows from the world, so a copy of the world leaves it behind and makes
-/// its own, and a world that is written over keeps its memory but has to fill it anew.
+/// Owns the Workspace of a world. Its contents follow from the world, so a copy of the world does not copy
+/// them, and a world that is overwritten keeps the memory but refills it.
 class WorkspaceHolder {
 public:
     WorkspaceHolder();
@@ -18,11 +18,11 @@ public:
     WorkspaceHolder(WorkspaceHolder&& other) noexcept;
     WorkspaceHolder& operator=(WorkspaceHolder&& other) noexcept;
 
-    /// Made when first asked for.
+    /// Created on first use.
     Workspace& get();
-    /// What the last step left; null when there was none since the world was made, copied or written over.
+    /// Workspace of the last step; null if there was none since the world was created, copied or overwritten.
     [[nodiscard]] const Workspace* lastStep() const { return stale_ ? nullptr : workspace_.get(); }
-    /// True once after the world was written over, or when nothing was there yet.
+    /// True once after the world was created or overwritten.
     bool takeStale() { return std::exchange(stale_, false); }
     [[nodiscard]] bool stale() const { return stale_; }
 

@@ -16,7 +16,7 @@ static_assert(std::is_trivially_copyable_v<CharacterController>, "a part of snap
 
 namespace {
 
-constexpr float kTakeOff = 1.0e-3f;  // m/s: faster upwards leaves the ground
+constexpr float kTakeOff = 1.0e-3f;  // m/s: a larger upward speed leaves the ground
 constexpr float kMostTick = 1.0f;    // s
 constexpr std::size_t kMostPushes = 16;
 
@@ -51,7 +51,7 @@ Result<Done> check(const CharacterDefinition& definition) {
         checkNumber("CharacterDefinition.gap", definition.gap, kSmallest, 0.1));
 }
 
-/// In double: a rider is put back by this in each tick, and must not wander off.
+/// In double precision: it puts a rider back in each tick, and must not drift.
 Place turned(Rot rotation, Place arm) {
     const auto cosine = static_cast<double>(rotation.cos), sine = static_cast<double>(rotation.sin);
     return {cosine * arm.x - sine * arm.y, sine * arm.x + cosine * arm.y};
@@ -62,7 +62,7 @@ Vec2 velocityAt(const World& world, BodyId body, Place point) {
     return motion.velocity + cross(motion.angularVelocity, point - world.bodies.pose[body.index].centre);
 }
 
-/// The ground that has come up to a character in flight.
+/// The ground that has moved up to a character in flight.
 CharacterTouch caughtBy(CharacterMover& mover, std::span<const CharacterProbe::Push> pushes) {
     const CharacterDefinition& definition = mover.probe().definition();
     const Place place = mover.position();
@@ -75,7 +75,7 @@ CharacterTouch caughtBy(CharacterMover& mover, std::span<const CharacterProbe::P
     return {};
 }
 
-/// m/s to the right hand of the ground's normal, of a conveyor.
+/// m/s along the conveyor, positive to the right of the ground's normal.
 float conveyorSpeed(const World& world, const CharacterTouch& ground) {
     return world.shapes.extrasOf(ground.shape.index).surfaceSpeed;
 }
@@ -127,13 +127,13 @@ bool CharacterController::dropThrough(World& world) {
     mover.probe().oneWay = false;
     const float sink = 2.0f * definition_.gap;
     if (mover.standsOn(definition_.snap + sink)) return false;
-    // Who is inside of a one-way shape is not held by it any more.
+    // A one-way shape does not hold what is inside it.
     position_ = position_ + definition_.up * -sink;
     leaveGround();
     return true;
 }
 
-/// Where its ground takes it.
+/// Position to which its ground carries it in the next step.
 Place CharacterController::heldPlace(const CharacterProbe& probe) const {
     if (!ground_ || probe.world().bodies.info[ground_.body.index].kind == BodyKind::Static) return position_;
     const BodyPose pose = probe.poseOf(ground_.body.index);
@@ -141,7 +141,7 @@ Place CharacterController::heldPlace(const CharacterProbe& probe) const {
     return Place{pose.centre.x + arm.x, pose.centre.y + arm.y} + definition_.up * height_;
 }
 
-/// Takes hold of the ground under its middle.
+/// Attaches it to the point of the ground below its center.
 void CharacterController::holdOn(const CharacterProbe& probe) {
     const BodyPose pose = probe.poseOf(ground_.body.index);
     height_ = dot(position_ - ground_.point, ground_.normal) / rise(ground_.normal);
@@ -164,7 +164,7 @@ bool CharacterController::ride(CharacterMover& mover, Place held) {
     return arrived;
 }
 
-/// Walls stop it; loose bodies are pushed as hard as it can.
+/// Walls stop the character; light bodies are pushed with limited force.
 void CharacterController::stopAt(World& world, const CharacterTouch& touch, float dt) {
     if (!touch) return;
     const Vec2 own = velocity_ + groundVelocity_;
@@ -200,7 +200,7 @@ CharacterMotion CharacterController::update(World& world, float dt) {
     position_ = mover.position();
     placed_ = false;
 
-    // What its ground and other things that move do to it.
+    // Motion by its ground and other moving bodies.
     const bool stood = grounded();
     const bool walks = stood && !(rise(velocity_) > kTakeOff);
     const Vec2 gravity = world.settings.gravity * definition_.gravityScale;
@@ -220,7 +220,7 @@ CharacterMotion CharacterController::update(World& world, float dt) {
     motion.squeezedBy = mover.pushOut();
     const Place start = mover.position();
 
-    // What it does itself.
+    // Its own motion.
     const CharacterTouch caught = walks || pushes == 0 ? CharacterTouch{} : caughtBy(mover, pushed);
     if (walks) {
         walk(mover, dx, motion);

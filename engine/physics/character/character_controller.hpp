@@ -4,29 +4,30 @@
 
 namespace plumb::physics {
 
-/// A character of a game: walks, jumps, rides, pushes and is pushed, without a body of its own in the world's
-/// step. Plain data: copy it with the world, and both are a snapshot. Allocates nothing.
+/// A game character that walks, jumps, rides on platforms, pushes and is pushed, without a body in the
+/// world's step. Plain data: a copy together with a copy of the world is a snapshot. Allocates nothing.
 class CharacterController {
 public:
-    /// @error a number that is not finite or absurd, an outline that is no box, circle or capsule
+    /// @error a number that is not finite or out of range, or an outline that is not a box, circle or capsule
     static Result<CharacterController> create(const CharacterDefinition& definition, Place position);
 
-    /// One tick: goes along with its ground, gets out of the way of what moves, then walks or flies by its
+    /// Advances by one tick: rides on its ground, gives way to moving bodies, then walks or flies by its own
     /// velocity. Call it before step(world, dt), when kinematic bodies have their velocities or targets.
-    /// Bodies that it pushes or weighs on get impulses.
-    /// @param dt  s; does nothing unless it is above 0 and at most 1
+    /// Applies impulses to the bodies that it pushes or stands on.
+    /// @param dt  s, up to 1; other values do nothing
     CharacterMotion update(World& world, float dt);
-    /// Leaves the ground with this speed (m/s) upwards and the ground's velocity, or adds to it in flight.
+    /// Adds an upward speed (m/s). On the ground this leaves it, with the ground's velocity added.
     Result<Done> jump(float speed);
-    /// Falls through one-way shapes that it stands on. @return false when something else is there too
+    /// Falls through the one-way shapes that it stands on.
+    /// @return false if it also stands on something else
     bool dropThrough(World& world);
 
     [[nodiscard]] Place position() const { return position_; }  ///< m
-    /// A jump to another place, in flight.
+    /// Teleports; it is in flight afterwards.
     Result<Done> setPosition(Place position);
-    /// m/s; over its ground while it stands on one, over the world in flight.
+    /// m/s: relative to its ground while it stands, else relative to the world.
     [[nodiscard]] Vec2 velocity() const { return velocity_; }
-    /// On the ground, a part upwards leaves it.
+    /// On the ground, an upward component leaves it.
     Result<Done> setVelocity(Vec2 velocity);
     [[nodiscard]] bool grounded() const { return static_cast<bool>(ground_); }
     [[nodiscard]] const CharacterTouch& ground() const { return ground_; }
@@ -53,9 +54,9 @@ private:
     Vec2 velocity_;
     CharacterTouch ground_;
     Vec2 groundVelocity_;
-    Place hold_;           // where it stands on the ground's body, turned and seen from the body's centre
-    float height_ = 0.0f;  // m: its position over that place
-    bool placed_ = true;   // put somewhere since the last tick
+    Place hold_;           // m: point of the ground below it, in the frame of the ground's body
+    float height_ = 0.0f;  // m: its position above that point
+    bool placed_ = true;   // teleported since the last tick
 };
 
 }  // namespace plumb::physics

@@ -9,19 +9,19 @@ namespace plumb::physics {
 
 namespace {
 
-constexpr int kMostTurns = 6;      // times that one way may be bent in one tick
-constexpr int kMostPushes = 16;    // out of what it overlaps
-constexpr float kSlack = 5.0e-4f;  // of a cosine: 0.04 degrees at 50
-constexpr float kUpright = 0.1f;   // cosine: flatter than this is a slope, not a wall
+constexpr int kMostTurns = 6;      // direction changes of one displacement per tick
+constexpr int kMostPushes = 16;    // iterations out of overlaps
+constexpr float kSlack = 5.0e-4f;  // of a cosine: 0.04 degrees at 50 degrees
+constexpr float kUpright = 0.1f;   // cosine: less steep than this is a slope, not a wall
 constexpr float kCeiling = 0.7f;   // cosine
-/// Cosine: a round outline stands on the corner of a floor if its normal there is no steeper, 60 degrees.
+/// Cosine: maximum slope (60 degrees) of a round outline's normal at a floor corner on which it can stand.
 constexpr float kRoundCorner = 0.5f;
-/// Part of the radius by which a round outline has to be over a corner for that.
+/// Ratio to the radius: how far a round outline has to be over a corner for that.
 constexpr float kRoundReach = 0.14f;
 constexpr int kCornerTries = 16;
-constexpr float kMostPieces = 8.0f;  // of the way of one tick on the ground
+constexpr float kMostPieces = 8.0f;  // of the displacement of one tick on the ground
 
-/// The part of a way that leads into a surface is taken away.
+/// Removes the component of a displacement that leads into a surface.
 Vec2 alongSurface(Vec2 way, Vec2 normal) { return way - normal * std::min(dot(way, normal), 0.0f); }
 
 }  // namespace
@@ -45,7 +45,7 @@ Vec2 CharacterMover::onGround(float dx, Vec2 normal) const {
     return perpendicular(normal) * dx;
 }
 
-/// A round outline on the corner of a floor meets it at any angle. The floor is as steep as it is.
+/// At the corner of a floor a round outline has any normal. The slope that counts is that of the floor.
 std::optional<Vec2> CharacterMover::groundNormalOf(const CharacterHit& hit) const {
     const Vec2 normal = hit.touch.normal;
     if (isGround(normal)) return normal;
@@ -133,7 +133,8 @@ void CharacterMover::settle(float reach) {
     if (floor) position_ = from + definition_.up * (-(raised + reach) * floor->fraction);
 }
 
-/// Up, on, and down again. @return false, and nothing is changed, when there is no step that is low enough.
+/// Moves up, forward and down.
+/// @return false, and moves nothing, if there is no step that is low enough
 bool CharacterMover::stepUp(float dx) {
     if (!(definition_.stepHeight > 0.0f)) return false;
     const Vec2 up = definition_.up;
@@ -148,7 +149,7 @@ bool CharacterMover::stepUp(float dx) {
     place = place + forward * (ahead ? ahead->fraction : 1.0f);
     const auto floor = probe_.cast(place, up * -raised);
     if (!floor || !groundNormalOf(*floor)) return false;
-    // A round outline may come over the corner of a higher one.
+    // A round outline may get over the corner of a higher step.
     const float height = rise(floor->touch.point - position_) + feet_ + gap;
     if (height > definition_.stepHeight + 0.5f * gap) return false;
     place = place + up * (-raised * floor->fraction);
@@ -182,7 +183,7 @@ CharacterMotion CharacterMover::walk(float dx, Vec2 groundNormal) {
 
 CharacterMotion CharacterMover::fly(Vec2 way) {
     CharacterMotion motion;
-    Vec2 before;  // normal of what it slid along last
+    Vec2 before;  // normal of the surface that it slid along last
     for (int turn = 0; turn < kMostTurns && way != Vec2{}; ++turn) {
         const auto hit = cast(way);
         if (!hit) {
@@ -206,7 +207,7 @@ CharacterMotion CharacterMover::fly(Vec2 way) {
         way = alongSurface(way, normal);
         const bool wedged = before != Vec2{} && dot(before, normal) < 0.999f && dot(way, before) < 0.0f;
         if (wedged && rise(before) > kUpright && rise(normal) > kUpright) {
-            motion.ground = hit->touch;  // between two slopes it stands as in a pit
+            motion.ground = hit->touch;  // wedged between two slopes, it stands as in a pit
             motion.ground.normal = definition_.up;
             motion.landed = true;
         }
@@ -223,7 +224,7 @@ bool CharacterMover::passCorner(Vec2 way) {
     const Vec2 rising = definition_.up * std::max(rise(way), 4.0f * definition_.gap);
     for (int i = 1; i <= kCornerTries && step > 0.0f; ++i) {
         for (const float side : {first, -first}) {
-            // Going against its own direction only helps who has none.
+            // A correction against its direction only helps where it has none.
             if (side != first && aim != 0.0f) continue;
             const Vec2 aside = right_ * (side * step * static_cast<float>(i));
             const Place place = position_ + aside;
@@ -240,7 +241,7 @@ CharacterMotion CharacterMover::snapDown(float reach) {
     auto hit = cast(definition_.up * -reach);
     auto normal = hit ? groundNormalOf(*hit) : std::nullopt;
     if (hit && !normal) {
-        // Its heel may hang on the corner that it has just left.
+        // Its rear may rest on the corner that it has just left.
         const Vec2 aside = right_ * (along(hit->touch.normal) < 0.0f ? -definition_.gap : definition_.gap);
         const Place place = position_ + aside;
         hit = cast(aside) ? std::nullopt : probe_.cast(place, definition_.up * -reach);
@@ -249,7 +250,7 @@ CharacterMotion CharacterMover::snapDown(float reach) {
     }
     if (!normal) return motion;
     const float drop = reach * hit->fraction;
-    // What rests is left alone, or it would creep.
+    // At rest it is not moved, otherwise it would creep.
     if (drop > 0.0625f * definition_.gap) shift(definition_.up * -drop);
     motion.ground = hit->touch;
     motion.ground.normal = *normal;
@@ -257,7 +258,7 @@ CharacterMotion CharacterMover::snapDown(float reach) {
     return motion;
 }
 
-/// Down to the ground that it has just walked over.
+/// Follows the ground down after walking.
 CharacterMotion CharacterMover::followDown(float walked, float climbed) {
     const float most = std::max(definition_.snap, std::fabs(walked) * steepestSlope());
     return snapDown(most + std::max(climbed, 0.0f) + 2.0f * definition_.gap);

@@ -4,45 +4,47 @@
 
 namespace plumb::physics {
 
-/// Moves a character's outline through a world as a character moves: along ground, up steps, down slopes
-/// without hops, around corners that it only grazes. It changes nothing but its own place. Lives for one
-/// tick, before step(): kinematic bodies are met where that step takes them.
+/// Moves a character's outline through a world: along ground, up steps, down slopes without hops, around
+/// corners that it only grazes. Changes nothing but its own position. Lives for one tick, before step():
+/// kinematic bodies are where that step takes them.
 class CharacterMover {
 public:
-    /// @param definition  outlives the mover
-    /// @param position    m
-    /// @param dt          s, of the step to come; 0 meets everything where it is now
+    /// @param definition  must outlive the mover
+    /// @param position  m
+    /// @param dt  s, of the next step; 0: all bodies are where they are now
     CharacterMover(World& world, const CharacterDefinition& definition, Place position, float dt);
 
     [[nodiscard]] Place position() const { return position_; }
     void setPosition(Place position) { position_ = position; }
-    /// Whom it meets, and what it stands on or is carried by.
+    /// What it collides with, and what carries it.
     [[nodiscard]] CharacterProbe& probe() { return probe_; }
     [[nodiscard]] bool isGround(Vec2 normal) const;
 
-    /// Leaves whatever overlaps it. @return what it could not get out of, if anything: it stays then
+    /// Moves out of all overlaps.
+    /// @return what it could not get out of, if anything; then it has not moved
     CharacterTouch pushOut();
-    /// Finds room somewhere near when it is stuck in something, as after it was put there.
+    /// Finds free space nearby if it is stuck, e.g. after a teleport.
     bool escape();
-    /// Goes where a platform takes it, or along what is in the way. @return whether it arrived
+    /// Moves to where a platform takes it, or along what is in between.
+    /// @return whether it arrived
     bool carryTo(Place place);
     void carry(Vec2 way) { carryTo(position_ + way); }
-    /// Gets out of the way of what the next step moves, as CharacterProbe::pushesAt() has it.
-    /// @param own  m: what it goes by itself until they meet
-    /// @return     what is left of `own`
+    /// Gives way to what the next step moves, given by CharacterProbe::pushesAt().
+    /// @param own  m: its own displacement, of which the part before the collision is taken
+    /// @return the rest of `own`
     Vec2 giveWay(std::span<const CharacterProbe::Push> pushes, Vec2 own);
-    /// Walks along the level by dx (m, to the right hand of `up`), up and down with the ground and up steps.
+    /// Walks horizontally by dx (m, positive to the right of `up`), follows the ground up and climbs steps.
     CharacterMotion walk(float dx, Vec2 groundNormal);
-    /// Flies along a way (m); slides along what it meets.
+    /// Flies by a displacement (m); slides along what it hits.
     CharacterMotion fly(Vec2 way);
-    /// Finds ground within `reach` (m) below and comes down to it.
+    /// Finds ground within `reach` (m) below it and moves down to it.
     CharacterMotion snapDown(float reach);
-    /// walk(), but it keeps to the ground: over crests, down slopes, and down steps no higher than its snap.
-    /// It goes in pieces that are short enough to tell a slope from a ledge.
+    /// walk() that stays on the ground: over crests, down slopes, and down steps up to its snap. It moves in
+    /// pieces that are short enough to distinguish a slope from a ledge.
     CharacterMotion walkOnGround(float dx, Vec2 groundNormal);
-    /// True when there is ground within `reach` (m) below; nothing is moved.
+    /// True if there is ground within `reach` (m) below. Moves nothing.
     [[nodiscard]] bool standsOn(float reach) const;
-    /// Stands anew on ground that turns under it, without going sideways.
+    /// Adjusts its height to ground that rotates under it, without a horizontal displacement.
     void settle(float reach);
 
 private:
@@ -64,7 +66,7 @@ private:
     Place position_;
     Vec2 right_;
     float steepest_;  // cosine
-    float feet_;      // m: how far down it reaches
+    float feet_;      // m: distance from its position to its feet
 };
 
 }  // namespace plumb::physics

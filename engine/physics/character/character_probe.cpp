@@ -15,9 +15,9 @@ namespace plumb::physics {
 namespace {
 
 constexpr float kSameNormal = 0.9999f;  // cosine
-/// Ratio: a way that comes nearer by less than this of its length leads along a surface.
+/// Ratio: a displacement that approaches a surface by less than this fraction of its length leads along it.
 constexpr float kAlong = 1.0e-3f;
-/// m/s: kinematic bodies up to this speed are seen where the next step takes them.
+/// m/s: kinematic bodies up to this speed are found where the next step takes them.
 constexpr float kFastestSeen = 60.0f;
 
 using Shapes8 = std::array<std::uint32_t, 8>;
@@ -31,7 +31,7 @@ void note(Shapes8& shapes, std::size_t& count, std::uint32_t shape) {
     if (count < shapes.size()) shapes[count++] = shape;
 }
 
-/// The box around a way (m), with room for rounding far from the origin.
+/// Bounds of a sweep (m), enlarged for rounding errors far from the origin.
 AABB boxAlong(const AABB& bounds, Place from, Vec2 way, float gap) {
     const Vec2 start = toVec2(from);
     const float margin = gap + 1.0e-6f * (std::fabs(start.x) + std::fabs(start.y));
@@ -81,7 +81,8 @@ bool CharacterProbe::ignores(std::uint32_t shape) const {
            contains(behind_, behindCount_, shape);
 }
 
-/// A one-way shape stops who is before it and meets its open side, or a corner of it with the feet above.
+/// A one-way shape stops an outline that starts in front of it and hits its open side, or hits one of its
+/// corners with the feet above it.
 bool CharacterProbe::stops(const CastHit& hit, const BodyPose& pose, const MovingOutline& moving) const {
     const ShapeInfo& info = world_.shapes.info[hit.shape.index];
     if ((info.flags & kOneWay) == 0) return true;

@@ -9,52 +9,53 @@
 
 namespace plumb::physics {
 
-/// What a character would meet.
+/// What a character would hit.
 struct CharacterHit {
     CharacterTouch touch;
-    float fraction = 0.0f;    ///< ratio of the way after which it keeps its gap
-    float separation = 0.0f;  ///< m at the start; negative: overlap
+    float fraction = 0.0f;    ///< ratio of the displacement after which it still keeps its gap
+    float separation = 0.0f;  ///< m, at the start; negative: overlap
 };
 
-/// m: how far an outline reaches along a direction, from its own origin.
+/// m: extent of an outline along a direction, from its own origin.
 [[nodiscard]] float reachAlong(const Convex& outline, Vec2 direction);
 
-/// The world as a character feels it: kinematic bodies are where the next step takes them, if that is no
-/// further than 60 m/s lead, and one-way shapes stop only who is before them.
+/// The world as a character collides with it: kinematic bodies up to 60 m/s are where the next step takes
+/// them, and one-way shapes stop only what is in front of them.
 class CharacterProbe {
 public:
-    /// @param dt  s, of the step to come
+    /// @param dt  s, of the next step
     CharacterProbe(World& world, const CharacterDefinition& definition, float dt);
 
     QueryFilter filter;
-    bool oneWay = true;  ///< one-way shapes are felt
-    ShapeId floor;       ///< a one-way shape that it stands on: holds it however deep it sank in
-    BodyId carrier;      ///< a body that is not felt while it takes the character along
+    bool oneWay = true;  ///< collides with one-way shapes
+    ShapeId floor;       ///< the one-way shape that it stands on: supports it however deep it sank in
+    BodyId carrier;      ///< a body that carries the character, and does not collide with it meanwhile
 
-    /// The first shape on a straight way.
+    /// First hit of a straight displacement.
     [[nodiscard]] std::optional<CharacterHit> cast(Place from, Vec2 way) const;
     /// The same for a small disc.
     [[nodiscard]] std::optional<CharacterHit> castDisc(Place from, float radius, Vec2 way) const;
-    /// The shape that is deepest inside, or else nearest, of those nearer than `within` (m).
+    /// The shape with the deepest overlap, or else the nearest one, within a distance of `within` (m).
     [[nodiscard]] std::optional<CharacterHit> nearest(Place at, float within) const;
-    /// What a body that the next step moves does to a character that goes a way of its own meanwhile.
+    /// Collision with a body that the next step moves, while the character moves by itself.
     struct Push {
         BodyId body;
         ShapeId shape;
-        Vec2 way;               ///< m: by which the character has to give way
-        float fraction = 0.0f;  ///< ratio of its own way, before they meet
+        Vec2 way;               ///< m: displacement that the character has to give way by
+        float fraction = 0.0f;  ///< ratio of its own displacement until the collision
     };
-    /// Shapes that move without meeting it are not felt inside of it either, until the next tick.
-    /// @param ride    m: where its ground takes it
-    /// @param own     m: what it goes by itself
+    /// Collisions with moving bodies. Overlaps with shapes that move past the character are ignored until
+    /// the next call.
+    /// @param ride  m: displacement by its ground
+    /// @param own  m: its own displacement
     /// @param except  its ground
-    /// @param room    where to put them
-    /// @return        how many
+    /// @param room  receives the results
+    /// @return their number
     std::size_t pushesAt(Place at, Vec2 ride, Vec2 own, BodyId except, std::span<Push> room);
 
-    /// Where a body is after the next step, as far as that is known.
+    /// Pose of a body after the next step, as far as it is known.
     [[nodiscard]] BodyPose poseOf(std::uint32_t body) const;
-    [[nodiscard]] bool isCarried(std::uint32_t body) const;  ///< the next step moves it for sure
+    [[nodiscard]] bool isCarried(std::uint32_t body) const;  ///< kinematic and moves in the next step
 
     [[nodiscard]] const CharacterDefinition& definition() const { return definition_; }
     [[nodiscard]] World& world() const { return world_; }
@@ -70,7 +71,7 @@ private:
     World& world_;
     const CharacterDefinition& definition_;
     float dt_;
-    // Shapes that move past it in this tick, and one-way shapes that it is inside of or behind.
+    // Shapes that move past it in this tick, and one-way shapes that it is inside or behind of.
     std::array<std::uint32_t, 8> passed_{};
     std::size_t passedCount_ = 0;
     std::array<std::uint32_t, 8> behind_{};

@@ -26,8 +26,8 @@ void forPoints(const Picture& picture, const Contact& contact, Draw&& draw) {
     }
 }
 
-/// In how many equal parts a step pushes: contacts keep the impulse of the last. What rests, and a world
-/// whose last step is not known, has what it asks for.
+/// Number of substeps whose impulses make up a step: contacts keep that of the last one. Sleeping bodies, and
+/// worlds without a last step, use the quality that they ask for.
 float partsOfStep(const Picture& picture, const Contact& contact) {
     const Bodies& bodies = picture.world.bodies;
     const BodyInfo& pushed = bodies.info[contact.bodyB];
@@ -39,7 +39,8 @@ float partsOfStep(const Picture& picture, const Contact& contact) {
     return static_cast<float>(substepsOf(std::max(wished, picture.world.settings.quality)));
 }
 
-/// m: of the arrow of an impulse, by how fast it makes the lighter body faster over the whole step.
+/// m: length of the arrow of an impulse, by the acceleration that it gives the lighter body over the whole
+/// step.
 float lengthOf(const Picture& picture, const Contact& contact, float impulse) {
     const auto& masses = picture.world.bodies.mass;
     const float lightest = std::max(masses[contact.bodyA].inverseMass, masses[contact.bodyB].inverseMass);
@@ -80,7 +81,7 @@ void drawImpulses(const Picture& picture) {
 void drawFriction(const Picture& picture) {
     picture.forContacts(false, [&](const Contact& contact) {
         if (contact.frictionImpulse == 0.0f || contact.count == 0) return;
-        Vec2 from;  // one impulse holds all points
+        Vec2 from;  // one friction impulse acts for all points
         forPoints(picture, contact, [&](const ContactPoint& point) { from += point.place; });
         from = from / static_cast<float>(contact.count);
         const float length = lengthOf(picture, contact, contact.frictionImpulse);

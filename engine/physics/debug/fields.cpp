@@ -7,14 +7,14 @@ namespace plumb::physics {
 
 namespace {
 
-constexpr float kFlowLength = 0.2f;   // s: metres drawn for 1 m/s of wind or current
-constexpr float kLevelWidth = 4.0f;   // m: of the surface of a fluid without borders, to either side
-constexpr float kPullRadius = 0.25f;  // m: of the sign of an attractor
+constexpr float kFlowLength = 0.2f;   // s: meters drawn for 1 m/s of wind or current
+constexpr float kLevelWidth = 4.0f;   // m: half the drawn width of an unbounded fluid's surface
+constexpr float kPullRadius = 0.25f;  // m: size of the symbol of an attractor
 constexpr float kSpringEnd = 0.06f;   // m
 
 bool isTied(const FieldDefinition& field) { return field.kind == FieldKind::Spring; }
 
-/// Where a spring is tied to a body, or the place itself.
+/// The point of a body to which a spring is attached, or its fixed end.
 Vec2 endOf(const Picture& picture, BodyId body, Vec2 anchor, Place place) {
     return alive(picture.world, body) ? apply(picture.frame(body.index), anchor) : picture.seen(place);
 }
@@ -43,7 +43,7 @@ void drawRegion(const Picture& picture, const FieldDefinition& field) {
     }
 }
 
-/// m: the arrow of what flows or pulls along a direction.
+/// m: arrow of a flow or acceleration.
 Vec2 arrowOf(const FieldDefinition& field) {
     const Vec2 way = field.kind == FieldKind::AreaGravity ? kArrowPerAcceleration * field.acceleration
                                                           : kFlowLength * field.velocity;
@@ -51,7 +51,7 @@ Vec2 arrowOf(const FieldDefinition& field) {
     return size > kLongestArrow ? (kLongestArrow / size) * way : way;
 }
 
-/// Four arrows towards the centre of a pull, or away from it.
+/// Four arrows towards the center of an attractor, or away from it.
 void drawPull(const Picture& picture, Vec2 centre, bool inwards) {
     for (const Vec2 side : {Vec2{1.0f, 0.0f}, Vec2{0.0f, 1.0f}, Vec2{-1.0f, 0.0f}, Vec2{0.0f, -1.0f}}) {
         const Vec2 far = centre + 2.0f * kPullRadius * side, near = centre + kPullRadius * side;

@@ -8,13 +8,13 @@ namespace plumb::physics {
 
 namespace {
 
-constexpr float kFanPart = 0.6f;      // of the arm: radius of the sector of a hinge's limits
+constexpr float kFanPart = 0.6f;      // ratio to the arm: radius of the sector of a hinge's limits
 constexpr float kLeastFan = 0.08f;    // m
 constexpr float kLargestFan = 0.35f;  // m
-constexpr float kTick = 0.1f;         // m: half of the strokes at the ends of a way
-constexpr float kFreeWay = 0.5f;      // m: of a slider without limits, to either side
+constexpr float kTick = 0.1f;         // m: half the length of the ticks at limits
+constexpr float kFreeWay = 0.5f;      // m: drawn range of a slider without limits, to either side
 
-/// A joint, where it is.
+/// A joint with its anchors, m from the view's origin.
 struct JointPlace {
     const Joint& joint;
     const JointDefinition& definition;
@@ -27,7 +27,7 @@ void drawTick(const Picture& picture, Vec2 at, Vec2 along) {
     picture.canvas.line(at - side, at + side, DebugRole::JointLimit);
 }
 
-/// The angles that B's centre may have about the hinge.
+/// The angles that a hinge's limits allow for B's center.
 void drawFan(const Picture& picture, const JointPlace& at) {
     const JointLimit& limit = at.definition.limit;
     const bool hasArm = at.joint.anchorB != Vec2{};
@@ -54,7 +54,7 @@ void drawWay(const Picture& picture, const JointPlace& at) {
     drawTick(picture, to, axis);
 }
 
-/// How short and how long a rod may be.
+/// Minimum and maximum length of a rod.
 void drawReach(const Picture& picture, const JointPlace& at) {
     const Vec2 way = at.b - at.a;
     if (way == Vec2{}) return;
@@ -78,7 +78,7 @@ void drawLimits(const Picture& picture, const JointPlace& at) {
     }
 }
 
-/// From a body to where the joint holds it. What never moves needs none: it may be far away.
+/// From a body to its anchor. Not for static bodies, which may be far away.
 void drawArm(const Picture& picture, std::uint32_t body, Vec2 to) {
     if (!picture.isStatic(body)) picture.canvas.line(picture.centre(body), to, DebugRole::Joint);
 }

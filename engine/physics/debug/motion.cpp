@@ -5,7 +5,7 @@ namespace plumb::physics {
 
 namespace {
 
-constexpr float kVelocityLength = 0.1f;  // s: metres drawn for 1 m/s
+constexpr float kVelocityLength = 0.1f;  // s: meters drawn for 1 m/s
 constexpr float kPathTime = 1.0f;        // s
 constexpr int kPathLines = 20;
 
@@ -20,7 +20,8 @@ void drawVelocities(const Picture& picture) {
     });
 }
 
-// As predictTransform(), but seen from the view, so that it is exact far from the world's origin too.
+// As predictTransform(), but relative to the view's origin, so that it is exact far from the world's origin
+// too.
 void drawPaths(const Picture& picture) {
     const World& world = picture.world;
     picture.forBodies([&](std::uint32_t body) {

@@ -9,20 +9,20 @@ namespace {
 constexpr int kArcHalvings = 3;
 constexpr int kArcPoints = 1 << kArcHalvings;
 
-/// The directions between two outward ones, the way round that the corners go.
+/// Directions between two outward normals, in the order of the corners.
 void fillArc(Vec2* directions, Vec2 from, Vec2 to, int halvings) {
     if (halvings == 0) {
         *directions = from;
         return;
     }
-    // The ends of a capsule turn by half a circle, where the sum of both says nothing.
+    // At the ends of a capsule the normals are opposite, and their sum is zero.
     const Vec2 side{to.y - from.y, from.x - to.x};
     const Vec2 middle = normalized(dot(from, to) < 0.0f ? side : from + to);
     fillArc(directions, from, middle, halvings - 1);
     fillArc(directions + (1 << (halvings - 1)), middle, to, halvings - 1);
 }
 
-/// The faces moved out by the radius, with arcs between them.
+/// The faces, offset by the radius, with arcs between them.
 void drawRounded(DebugCanvas& canvas, std::span<const Corner> corners, const Frame& frame, float radius,
                  DebugInk ink) {
     std::array<Vec2, kMaxCorners*(kArcPoints + 1)> points;
@@ -37,7 +37,7 @@ void drawRounded(DebugCanvas& canvas, std::span<const Corner> corners, const Fra
     canvas.polygon({points.data(), count}, ink);
 }
 
-/// With a spoke, so that one sees it turn.
+/// With a spoke that shows its rotation.
 void drawDisc(DebugCanvas& canvas, Vec2 centre, const Frame& frame, float radius, DebugInk ink) {
     const Vec2 place = apply(frame, centre);
     canvas.circle(place, radius, ink);

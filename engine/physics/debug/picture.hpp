@@ -7,16 +7,17 @@
 
 namespace plumb::physics {
 
-// What the files of the debug view share.
+// Helpers shared by the files of the debug view.
 
-/// m on the canvas for each m/s2 that a force gives the lighter body: its weight on Earth is a hand's length.
+/// Length (m) of an arrow per acceleration (m/s2) of the lighter body by a force: 0.2 m for its weight on
+/// Earth.
 inline constexpr float kArrowPerAcceleration = 0.02f;
-inline constexpr float kLongestArrow = 1.0f;    ///< m: a hard landing shall not cross the screen
+inline constexpr float kLongestArrow = 1.0f;    ///< m: keeps hard landings from crossing the screen
 inline constexpr float kPointRadius = 0.02f;    ///< m
 inline constexpr float kOneWayArrow = 0.25f;    ///< m
-inline constexpr float kAround = kOneWayArrow;  ///< m: what is drawn of a shape stays so near to it
+inline constexpr float kAround = kOneWayArrow;  ///< m: nothing is drawn further from its shape
 
-/// A world, and what to draw it on.
+/// A world, the canvas to draw on, and what to draw.
 struct Picture {
     const World& world;
     DebugCanvas& canvas;
@@ -36,11 +37,11 @@ struct Picture {
     }
     [[nodiscard]] Vec2 seen(Place place) const { return place - choice.origin; }
     [[nodiscard]] Vec2 centre(std::uint32_t body) const { return seen(pose(body).centre); }
-    /// From a body's centre of mass, in its frame.
+    /// A point given relative to a body's center of mass, in the body's frame.
     [[nodiscard]] Vec2 place(std::uint32_t body, Vec2 arm) const {
         return centre(body) + rotate(pose(body).rotation, arm);
     }
-    /// The frame of a body's shapes in that pose.
+    /// Frame of a body's shapes for a pose.
     [[nodiscard]] Frame frame(const BodyPose& pose) const {
         return {seen(pose.centre) - rotate(pose.rotation, pose.localCentre), pose.rotation};
     }
@@ -54,12 +55,13 @@ struct Picture {
     [[nodiscard]] bool isStatic(std::uint32_t body) const {
         return world.bodies.info[body].kind == BodyKind::Static;
     }
-    /// The box around a shape that the broad phase keeps.
+    /// The enlarged bounds of a shape that the broad phase keeps.
     [[nodiscard]] AABB box(std::uint32_t shape) const {
         const auto& box = world.shapes.bounds[shape];
         return {seen(box.min), seen(box.max)};
     }
-    /// Whether a shape of the body reaches into what is looked at. @param box  of the shape
+    /// True if a shape of the body may reach into the visible area.
+    /// @param box  of the shape
     [[nodiscard]] bool isInSight(const AABB& box, std::uint32_t body) const {
         if (choice.sight == nullptr) return true;
         const float way = choice.behind == 0.0f || !moves(body)
@@ -67,31 +69,31 @@ struct Picture {
                               : std::abs(choice.behind) * length(world.bodies.motion[body].velocity);
         return intersects(grown(box, way + kAround), *choice.sight);
     }
-    /// Whether a shape is so small on the canvas that its outline is not told from its box.
+    /// True if a shape is so small on the canvas that its bounds look like its outline.
     [[nodiscard]] bool isDot(const AABB& box) const {
         const Vec2 size = box.size();
         return size.x < choice.least && size.y < choice.least;
     }
     [[nodiscard]] bool shows(std::uint32_t body) const { return isAmong(choice.bodies, body); }
-    /// Whether a thing is among the chosen ones of its kind, if only these are shown.
+    /// True if an object is selected, or if all of its kind are shown.
     [[nodiscard]] bool isAmong(std::span<const std::uint8_t> chosen, std::size_t index) const {
         return !choice.chosenOnly || (index < chosen.size() && chosen[index] != 0);
     }
 
-    /// Calls draw(body) for all that are shown.
+    /// Calls draw(body) for all bodies that are shown.
     template <class Draw>
     void forBodies(Draw&& draw) const {
         for (std::uint32_t body = 0; body < world.bodies.size(); ++body) {
             if (world.bodies.info[body].kind != BodyKind::None && shows(body)) draw(body);
         }
     }
-    /// Calls draw(shape, body) for all that are shown.
+    /// Calls draw(shape, body) for all shapes that are shown.
     template <class Draw>
     void forShapes(Draw&& draw) const {
         forShapesThat([](std::uint32_t) { return true; },
                       [&](std::uint32_t s, std::uint32_t body, const AABB&) { draw(s, body); });
     }
-    /// Calls draw(shape, body, box) for those of which wanted(shape) holds.
+    /// Calls draw(shape, body, box) for all shapes that are shown and for which wanted(shape) is true.
     template <class Wanted, class Draw>
     void forShapesThat(Wanted&& wanted, Draw&& draw) const {
         for (std::uint32_t s = 0; s < world.shapes.size(); ++s) {
@@ -100,8 +102,8 @@ struct Picture {
             if (const AABB around = box(s); isInSight(around, body)) draw(s, body, around);
         }
     }
-    /// Calls draw(contact) for all that touch and are shown, awake ones first: those with a trigger, or those
-    /// that push.
+    /// Calls draw(contact) for all touching contacts that are shown, awake ones first: those with a trigger,
+    /// or those without.
     template <class Draw>
     void forContacts(bool triggered, Draw&& draw) const {
         const std::uint16_t wanted = triggered ? kTouching | kTriggered : kTouching;
@@ -119,12 +121,12 @@ struct Picture {
     }
 };
 
-/// An outline as one polygon, a circle with a spoke, or a line.
+/// An outline as a polygon, a circle with a spoke, or a line.
 void drawOutline(DebugCanvas& canvas, const Convex& convex, const Frame& frame, DebugInk ink);
-/// Part of a circle, from one direction to another less than half a turn away, as lines.
+/// Circular arc of `angle` (rad) that begins in direction `from`, as lines.
 void drawArc(DebugCanvas& canvas, Vec2 centre, float radius, Rot from, float angle, DebugInk ink);
 
-// One for each DebugPart.
+// One function for each DebugPart.
 void drawShapes(const Picture& picture);
 void drawTriggers(const Picture& picture);
 void drawContacts(const Picture& picture);

@@ -37,7 +37,7 @@ void drawSoftBodies(const Picture& picture) {
     }
 }
 
-/// Who stands for the island of a body: the root of its tree, or the first of those that rest together.
+/// Identifies the island of a body: the root of its tree, or the first body of its sleeping island.
 std::uint32_t headOfIsland(const World& world, std::uint32_t body) {
     const std::uint32_t asleep = world.sleepers.islandOf[body];
     if (asleep != kNone) return world.sleepers.islands[asleep].firstBody;
@@ -45,7 +45,7 @@ std::uint32_t headOfIsland(const World& world, std::uint32_t body) {
     return body;
 }
 
-/// Draws on another canvas, drawn together towards a point.
+/// Draws on another canvas, scaled about a point.
 class Shrunk final : public DebugCanvas {
 public:
     Shrunk(DebugCanvas& canvas, Vec2 about, float part) : canvas_{canvas}, about_{about}, part_{part} {}
@@ -56,7 +56,7 @@ public:
         canvas_.circle(at(centre), part_ * radius, ink);
     }
     void polygon(std::span<const Vec2> corners, DebugInk ink) override {
-        std::array<Vec2, 16> some;  // an outline of more corners is drawn in every n-th of them
+        std::array<Vec2, 16> some;  // of an outline with more corners only every n-th is drawn
         const std::size_t stride = (corners.size() + some.size() - 1) / some.size();
         std::size_t count = 0;
         for (std::size_t i = 0; i < corners.size(); i += stride) some[count++] = at(corners[i]);

@@ -8,12 +8,12 @@ namespace plumb::physics {
 
 namespace {
 
-/// m: deep and wide enough for a fluid without end.
+/// m: half width and depth that stand for an unbounded fluid.
 constexpr float kEndless = 1.0e7f;
 
-/// A fluid as the forces see it: down is where gravity pulls.
+/// A fluid in a frame whose y axis points along gravity.
 struct Fluid {
-    Place surface;  // m: the middle of it
+    Place surface;  // m: middle of the surface
     Rot turn;       // from the frame of FluidBox to the world: x along the surface, y down
     FluidBox box;
 };
@@ -21,7 +21,7 @@ struct Fluid {
 Fluid fluidOf(const World& world, const FieldDefinition& field) {
     const Vec2 gravity = world.settings.gravity;
     const Vec2 down = lengthSquared(gravity) > 0.0f ? normalized(gravity) : Vec2{0.0f, 1.0f};
-    const Rot turn{down.y, -down.x};  // takes (0, 1) to `down`
+    const Rot turn{down.y, -down.x};  // rotates (0, 1) to `down`
     if (field.region == RegionKind::Everywhere) return {field.place, turn, {kEndless, kEndless}};
     const Vec2 half = field.region == RegionKind::Circle ? Vec2{field.radius, field.radius} : field.half;
     const float along = std::fabs(turn.cos) * half.x + std::fabs(turn.sin) * half.y;
@@ -31,8 +31,8 @@ Fluid fluidOf(const World& world, const FieldDefinition& field) {
 
 }  // namespace
 
-/// Archimedes: the weight of the fluid that each shape takes the place of, at the middle of that part. Drag
-/// slows the body as if it had to carry that fluid along.
+/// Archimedes' principle: each shape is lifted by the weight of the fluid that it displaces, at the centroid
+/// of its submerged part. Drag is proportional to the displaced mass.
 Acceleration buoyancy(const FieldView& view, const FieldDefinition& field, std::uint32_t body,
                       const BodyState& state) {
     const World& world = view.world;

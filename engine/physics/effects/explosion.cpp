@@ -7,13 +7,13 @@
 
 namespace plumb::physics {
 
-/// J = strength * width * (1 - distance / radius): the width of a shape as seen from the centre, and the
-/// distance of its nearest point. Acts in the middle of the shape, away from the centre.
+/// J = strength * width * (1 - distance / radius), with the width of the shape as seen from the explosion and
+/// the distance of its closest point. Acts at the center of the shape, away from the explosion.
 void pushAway(World& world, const FieldDefinition& explosion, std::uint32_t body) {
     const BodyPose& pose = world.bodies.pose[body];
     const BodyMass& mass = world.bodies.mass[body];
     BodyMotion& motion = world.bodies.motion[body];
-    // The centre of the explosion in the frame of the shapes.
+    // Center of the explosion in the frame of the shapes.
     const Vec2 centre = pose.localCentre + unrotate(pose.rotation, explosion.place - pose.centre);
     for (std::uint32_t s = world.bodies.info[body].firstShape; s != kNone; s = world.shapes.info[s].next) {
         if ((world.shapes.info[s].flags & kTrigger) != 0) continue;

@@ -4,7 +4,7 @@
 
 namespace plumb::physics {
 
-/// Pushes a body away from an explosion, each of its shapes for itself, at once.
+/// Applies the impulse of an explosion to each shape of a body.
 void pushAway(World& world, const FieldDefinition& explosion, std::uint32_t body);
 
 }  // namespace plumb::physics

@@ -49,7 +49,7 @@ bool actsOn(const World& world, const FieldDefinition& field, std::uint32_t body
     const bool follows = field.kind == FieldKind::Attractor && field.a;
     const Place middle = follows ? world.bodies.pose[field.a.index].centre : field.place;
     const Vec2 way = world.bodies.pose[body].centre - middle;
-    // What fluids and explosions do begins where the outline does.
+    // Fluids and explosions act on outlines, all other fields on centers of mass.
     const bool byOutline = field.kind == FieldKind::Buoyancy || field.kind == FieldKind::Explosion;
     const float reach = byOutline ? world.bodies.info[body].reach : 0.0f;
     if (field.kind == FieldKind::Explosion) return length(way) <= field.radius + reach;

@@ -6,7 +6,7 @@
 
 namespace plumb::physics {
 
-/// How a body moves at some moment of a step.
+/// State of a body at some time within a step.
 struct BodyState {
     Place centre;  ///< m
     Rot rotation;
@@ -25,35 +25,38 @@ struct Acceleration {
     }
 };
 
-/// What fields may look at besides the body.
+/// What a field may read besides the state of the body that it acts on.
 struct FieldView {
     const World& world;
-    float h;  ///< s: the step of the integrator; a drag never takes more than all of a speed in it
-    /// Where another body is now; of bodies that do not fly with this one, a guess from the step's start.
+    float h;  ///< s: step of the integrator. Drag is limited so that one step never removes more than the
+              ///< whole velocity
+    /// Current state of another body. One that is not integrated together with this body is extrapolated from
+    /// the start of the step.
     BodyState (*stateOf)(const FieldView& view, std::uint32_t body) = nullptr;
-    const void* flight = nullptr;  ///< of stateOf
+    const void* flight = nullptr;  ///< context of stateOf
     float elapsed = 0.0f;          ///< s since the start of the step
-    bool withSteady = true;        ///< false leaves out what isConstant()
+    bool withSteady = true;        ///< false skips fields for which isConstant() holds
 };
 
-/// What the kinds of fields do differently.
+/// Properties of one kind of field.
 struct FieldType {
     std::string_view name;
     Effect effect;
-    /// What the field does to a body in a state; null where it is no acceleration.
+    /// Acceleration that the field gives a body in a state; null if it is not a smooth force (explosions).
     Acceleration (*acceleration)(const FieldView& view, const FieldDefinition& field, std::uint32_t body,
                                  const BodyState& state) = nullptr;
 };
 
 const FieldType& fieldTypeOf(FieldKind kind);
 
-/// Whether a field acts on a body where it is now.
+/// True if a field acts on a body at its current position.
 [[nodiscard]] bool actsOn(const World& world, const FieldDefinition& field, std::uint32_t body);
-/// Whether a place is in the region of a field, whatever is there.
+/// True if a position lies in the region of a field.
 [[nodiscard]] bool isInRegion(const FieldDefinition& field, Place place);
-/// m/s: how the air of a Wind moves in a step, gusts included.
+/// m/s: velocity of the air of a Wind in a given step, gusts included.
 [[nodiscard]] Vec2 airOf(const FieldDefinition& field, std::uint64_t step);
-/// Whether it does the same to a body wherever it is and however it moves, so that the way is known exactly.
+/// True if its acceleration depends neither on position nor on velocity, so that trajectories have a closed
+/// form.
 [[nodiscard]] bool isConstant(const FieldDefinition& field);
 
 // One line per kind, each in a file of its name.
@@ -64,10 +67,10 @@ Acceleration buoyancy(const FieldView&, const FieldDefinition&, std::uint32_t, c
 Acceleration attractor(const FieldView&, const FieldDefinition&, std::uint32_t, const BodyState&);
 Acceleration spring(const FieldView&, const FieldDefinition&, std::uint32_t, const BodyState&);
 
-/// m: how wide a shape looks from the side, across a direction of length 1 in the shape's own frame.
+/// m: width of a shape across a unit direction in the shape's frame.
 [[nodiscard]] float widthAcross(const Geometry& geometry, std::span<const Corner> corners, Vec2 direction);
-/// m: the same of a whole body, for a direction in the world. Shapes behind each other count once each,
-/// triggers not at all.
+/// m: width of a whole body across a direction in the world: the sum over its shapes, also where one hides
+/// another. Triggers do not count.
 [[nodiscard]] float widthAcross(const World& world, std::uint32_t body, Rot rotation, Vec2 direction);
 
 }  // namespace plumb::physics

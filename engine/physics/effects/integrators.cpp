@@ -9,13 +9,13 @@ namespace plumb::physics {
 
 namespace {
 
-/// The flight of a group, and what a field may ask of it.
+/// The bodies of a group that are integrated together, and what fields may ask of them.
 struct Flight {
     const World& world;
     const SmoothForces& forces;
     std::span<Flyer> flyers;
     float h;
-    bool dragInside;  // asked for with the other forces
+    bool dragInside;  // drag is evaluated with the other forces
 };
 
 BodyState stateInFlight(const FieldView& view, std::uint32_t body) {
@@ -33,11 +33,11 @@ BodyState stateInFlight(const FieldView& view, std::uint32_t body) {
 }
 
 bool dragIsInside(const Flight& flight, const Flyer& flyer) {
-    // Only where it is slow enough for the step; all other drag is solved exactly, beside the step.
+    // Only drag that is slow for the step; all other drag is integrated exactly beside it (dragHalfway).
     return flight.dragInside && flyer.linearDrag * flight.h < 0.5f && flyer.angularDrag * flight.h < 0.5f;
 }
 
-/// What forces do to all flyers in their trial states.
+/// Accelerations of all bodies in their trial states.
 void evaluate(const Flight& flight, int which, float elapsed) {
     const FieldView view{flight.world, flight.h, stateInFlight, &flight, elapsed, false};
     for (Flyer& flyer : flight.flyers) {
@@ -54,7 +54,7 @@ Rot turnedBy(const World& world, const Flyer& flyer, float angle) {
     return angle == 0.0f ? start : normalized(rotFromAngle(angle) * start);
 }
 
-/// Sets the trial state to `now` moved on.
+/// Sets the trial state: `now`, advanced by a displacement, a rotation and a change of velocity.
 void tryOut(const Flight& flight, Flyer& flyer, Vec2 way, float turn, const Acceleration& gained) {
     flyer.trial.centre = flyer.now.centre + way;
     flyer.trial.rotation = turnedBy(flight.world, flyer, flyer.turned + turn);
@@ -62,7 +62,7 @@ void tryOut(const Flight& flight, Flyer& flyer, Vec2 way, float turn, const Acce
     flyer.trial.angularVelocity = flyer.now.angularVelocity + gained.angular;
 }
 
-/// Takes the same step for good.
+/// The same, as the new state.
 void take(const Flight& flight, Flyer& flyer, Vec2 way, float turn, const Acceleration& gained) {
     tryOut(flight, flyer, way, turn, gained);
     flyer.turned += turn;
@@ -72,13 +72,13 @@ void take(const Flight& flight, Flyer& flyer, Vec2 way, float turn, const Accele
 Acceleration operator*(float s, const Acceleration& a) { return {s * a.linear, s * a.angular}; }
 Acceleration operator+(Acceleration a, const Acceleration& b) { return a += b; }
 
-/// What the first-order schemes miss of the way under a steady acceleration alone. Where a field may hold
-/// against it they get none, or there would be no rest.
+/// What first-order schemes miss of the displacement under constant acceleration, h^2 a / 2. Only for bodies
+/// on which nothing else acts: where a field balances the constant acceleration, it would prevent rest.
 Acceleration missed(const Flyer& flyer, float h) {
     return flyer.isSteady ? (0.5f * h * h) * flyer.steady : Acceleration{};
 }
 
-/// x1 = x0 + h v0, v1 = v0 + h a(x0, v0). Gains energy in every swing: for teaching.
+/// x1 = x0 + h v0, v1 = v0 + h a(x0, v0). Gains energy in every oscillation: for teaching.
 void explicitEuler(const Flight& flight, float elapsed) {
     const float h = flight.h;
     evaluate(flight, 0, elapsed);
@@ -118,7 +118,8 @@ void velocityVerlet(const Flight& flight, float elapsed) {
     }
 }
 
-/// The classical scheme of W. Kutta, 1901: fourth order, loses the energy of swings it cannot follow.
+/// Classical scheme of W. Kutta, 1901: fourth order. Loses the energy of oscillations that are too fast for
+/// the step.
 void rungeKutta(const Flight& flight, float elapsed) {
     const float h = flight.h;
     constexpr std::array<float, 4> kAt{0.0f, 0.5f, 0.5f, 1.0f};
@@ -126,7 +127,7 @@ void rungeKutta(const Flight& flight, float elapsed) {
         const float part = kAt[static_cast<std::size_t>(i)] * h;
         for (Flyer& f : flight.flyers) {
             if (i == 0) continue;
-            // The velocity of the stage before is that of `trial`.
+            // The velocity of the previous stage is that of `trial`.
             const Vec2 way = part * f.trial.velocity;
             const float turn = part * f.trial.angularVelocity;
             tryOut(flight, f, way, turn, part * (f.at[i - 1] + f.steady));
@@ -145,7 +146,7 @@ using Integrator = void (*)(const Flight& flight, float elapsed);
 constexpr std::array<Integrator, static_cast<std::size_t>(IntegratorKind::Count)> kIntegrators{
     explicitEuler, semiImplicitEuler, velocityVerlet, rungeKutta};
 
-/// What drag leaves after half a step.
+/// Applies the drag of half a step.
 void dragHalfway(const Flight& flight) {
     for (Flyer& f : flight.flyers) {
         if ((f.linearDrag <= 0.0f && f.angularDrag <= 0.0f) || dragIsInside(flight, f)) continue;

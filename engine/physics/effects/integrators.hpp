@@ -7,9 +7,10 @@
 
 namespace plumb::physics {
 
-/// Moves all flyers of a group on by `substeps` steps of h (s), together, as they may pull each other. What
-/// is steady is exact for all kinds; drag as well. Sources: E. Hairer, C. Lubich, G. Wanner, "Geometric
-/// Numerical Integration", 2006, I.1; drag is split off as by G. Strang, 1968.
+/// Advances all bodies of a group by `substeps` steps of h (s), together, as they may attract each other.
+/// Under steady acceleration alone every scheme is exact. Drag is split off and exact too (G. Strang, 1968);
+/// only Runge-Kutta evaluates slow drag with the other forces. Source: E. Hairer, C. Lubich, G. Wanner,
+/// "Geometric Numerical Integration", 2006, I.1.
 void integrate(const World& world, SmoothForces& forces, std::span<Flyer> flyers, IntegratorKind kind,
                float h, int substeps);
 

@@ -9,7 +9,8 @@ namespace plumb::physics {
 
 namespace {
 
-/// Parts of a slop: overlap that counts as lying on it. More than what solid contacts rest with.
+/// In multiples of Settings::slop: overlap that still counts as lying on the platform. Larger than the
+/// overlap of resting contacts.
 constexpr float kOnTop = 4.0f;
 
 Vec2 openDirection(const World& world, std::uint32_t shape) {
@@ -17,7 +18,7 @@ Vec2 openDirection(const World& world, std::uint32_t shape) {
     return rotate(rotation, world.shapes.extrasOf(shape).oneWayDirection);
 }
 
-/// m: how far an outline reaches along a direction, seen from `origin`.
+/// m: extent of an outline along a direction, from `origin`.
 float farEnd(const World& world, std::uint32_t shape, Vec2 direction, Place origin) {
     const BodyPose& pose = world.bodies.pose[world.shapes.info[shape].body];
     const Convex convex = convexOf(world.shapes.geometry[shape], world.shapes.corners);
@@ -26,7 +27,8 @@ float farEnd(const World& world, std::uint32_t shape, Vec2 direction, Place orig
     return dot(direction, pose.centre - origin) + dot(local, corner - pose.localCentre) + convex.radius;
 }
 
-/// m along the open direction by which `other` was above the platform a step ago; below 0: it was not.
+/// m: clearance of `other` above the platform one step ago, along the open direction; negative if it was not
+/// above it.
 float heightBefore(const World& world, const Contact& contact, bool platformIsA, float dt) {
     const std::uint32_t platform = platformIsA ? contact.shapeA : contact.shapeB;
     const std::uint32_t other = platformIsA ? contact.shapeB : contact.shapeA;

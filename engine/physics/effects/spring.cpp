@@ -6,11 +6,11 @@ namespace plumb::physics {
 
 namespace {
 
-/// One end of a spring, and how easily it moves along it.
+/// One end of a spring, with the inverse mass and inertia of its body.
 struct End {
     Place place;  // m
     Vec2 velocity;
-    Vec2 arm;  // m, from the centre of mass
+    Vec2 arm;  // m, from the center of mass
     float inverseMass = 0.0f;
     float inverseInertia = 0.0f;
 };
@@ -27,13 +27,14 @@ float easeOf(const End& end, Vec2 along) {
     return end.inverseMass + end.inverseInertia * lever * lever;
 }
 
-/// Part of the stiffness at which a step no longer follows the swing, which is (omega h)^2 = 4 - 2 c h.
+/// Fraction of the stability limit of the explicit step, (omega h)^2 = 4 - 2 c h, that the stiffness may
+/// reach.
 constexpr float kStiffest = 0.5f;
 
 }  // namespace
 
-/// F = strength * (length - rest) + damping * speed. A spring too stiff for the step is made as stiff as the
-/// step can follow, so that it never gains energy without end.
+/// F = strength * (length - rest) + damping * speed. A spring that is too stiff for the step is softened to
+/// what the step can follow; otherwise it would gain energy without bound.
 Acceleration spring(const FieldView& view, const FieldDefinition& field, std::uint32_t body,
                     const BodyState& state) {
     const bool isA = field.a.index == body;

@@ -12,18 +12,17 @@ namespace plumb::physics {
 
 namespace {
 
-// By Green's theorem the area under the surface is the integral of the depth along the edge of the outline:
-// where the edge is above the surface the depth is 0, below the bottom it is that of the bottom, and the
-// vertical sides of the fluid add nothing. So each piece of the edge counts for itself, cut where it crosses
-// a border of the fluid.
+// By Green's theorem the area under the surface is the integral of the depth along the outline. The depth is
+// 0 above the surface and that of the bottom below it; the vertical sides of the fluid contribute nothing. So
+// each piece of the outline is integrated by itself, cut where it crosses a border of the fluid.
 
 struct Sums {
-    double area = 0.0;     // of d ds
-    double momentS = 0.0;  // of s d ds
-    double momentD = 0.0;  // of d^2 / 2 ds
+    double area = 0.0;     // integral of d ds
+    double momentS = 0.0;  // integral of s d ds
+    double momentD = 0.0;  // integral of d^2 / 2 ds
 };
 
-/// At most eight crossings and two ends, kept in order.
+/// Up to eight crossings of a piece of the outline, sorted.
 class Cuts {
 public:
     void add(double t) {
@@ -71,7 +70,7 @@ void addStraight(Sums& sums, Vec2 a, Vec2 b, const FluidBox& fluid) {
     });
 }
 
-/// A part of a circle: from `start` (rad) on by `sweep`.
+/// Circular arc from `start` (rad) over `sweep` (rad).
 struct Arc {
     Vec2 centre;
     float radius;
@@ -79,7 +78,7 @@ struct Arc {
     float sweep;
 };
 
-/// Adds the cut where the arc has this angle, if it has.
+/// Adds a cut at an angle if the arc contains it.
 void cutAt(Cuts& cuts, const Arc& arc, float angle) {
     float way = angle - arc.start;
     const float sign = arc.sweep < 0.0f ? -1.0f : 1.0f;
@@ -104,7 +103,7 @@ void cutAtSide(Cuts& cuts, const Arc& arc, float side) {
     cutAt(cuts, arc, arcTangent(-sine, cosine));
 }
 
-/// Integrals of powers of sine and cosine from angle a to b, see below.
+/// Adds the part of an arc from angle a to b (rad), in closed form.
 void addRound(Sums& sums, const Arc& arc, double a, double b) {
     const SinCos at = sinCos(static_cast<float>(a)), bt = sinCos(static_cast<float>(b));
     const double sinA = at.sin, cosA = at.cos, sinB = bt.sin, cosB = bt.cos;
@@ -154,7 +153,7 @@ Sums alongEdge(const Convex& convex, const Frame& toFluid, const FluidBox& fluid
         addStraight(sums, here.point + out, next.point + out, fluid);
         if (convex.radius <= 0.0f) continue;
         const float turn = arcTangent(cross(here.normal, next.normal), dot(here.normal, next.normal));
-        // A capsule's ends turn by half a circle, whose sign the angle does not know.
+        // The ends of a capsule are half circles, for which the sign of the angle is undefined.
         const float sweep = count == 2 ? kPi : turn;
         addArc(sums, {next.point, convex.radius, arcTangent(here.normal.y, here.normal.x), sweep}, fluid);
     }

@@ -7,14 +7,14 @@ namespace plumb::physics {
 
 namespace {
 
-/// -1..1: the gust that number `turn` of a seed brings.
+/// -1..1: gust number `turn` of a seed.
 float gustAt(std::uint32_t seed, std::uint64_t turn) {
     const auto bits = static_cast<std::uint32_t>(mixBits(mixBits(seed) ^ turn) >> 40);
     return static_cast<float>(bits) * 0x1p-23f - 1.0f;
 }
 
-/// -1..1: from gust to gust without a jump. Only the number of the step counts, so a step that is done
-/// again gives the same wind.
+/// -1..1: smooth interpolation between consecutive gusts. Depends only on the step number, so a repeated step
+/// gets the same wind.
 float gustiness(const FieldDefinition& field, std::uint64_t step) {
     const std::uint64_t turn = step / field.gustSteps;
     const float t = static_cast<float>(step % field.gustSteps) / static_cast<float>(field.gustSteps);
@@ -30,7 +30,7 @@ Vec2 airOf(const FieldDefinition& field, std::uint64_t step) {
     return field.velocity + (field.gust * gustiness(field, step)) * along;
 }
 
-/// F = density * width * speed^2, along the wind as the body feels it.
+/// F = density * width * speed^2, along the apparent wind.
 Acceleration wind(const FieldView& view, const FieldDefinition& field, std::uint32_t body,
                   const BodyState& state) {
     const Vec2 felt = airOf(field, view.world.steps) - state.velocity;

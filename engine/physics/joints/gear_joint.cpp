@@ -5,7 +5,7 @@ namespace plumb::physics {
 
 namespace {
 
-/// How the coordinate of a hinge or slider grows with the velocities of its two bodies, times `ratio`.
+/// Adds the Jacobian of a hinge angle or slider translation, times `ratio`, to the constraint.
 void addCoordinate(const World& world, std::uint32_t index, float ratio, Tie& tie) {
     const Joint& joint = world.joints.hot[index];
     if (joint.kind != JointKind::Prismatic) {
@@ -21,7 +21,8 @@ void addCoordinate(const World& world, std::uint32_t index, float ratio, Tie& ti
     tie.add({joint.bodyB, axis.x, axis.y, cross(armB, axis)});
 }
 
-/// What the coordinates add up to follows from the steps since the gear was made: angles have no end.
+/// The error is accumulated over all steps since the gear was created (Joint::rows[1]): angles are not
+/// limited to one revolution.
 Tie tieOf(const World& world, const Joint& joint, const JointDefinition& definition) {
     Tie tie;
     if (!alive(world, definition.jointA) || !alive(world, definition.jointB)) return tie;

@@ -40,11 +40,11 @@ float angleOf(const JointView& view) {
 }
 
 Grip springGrip(float hertz, float dampingRatio, float h) {
-    // Half a radian a substep is where the implicit spring, which nothing can shake, is the better one.
+    // Above half a radian per substep the implicit (soft) spring is used: it is unconditionally stable.
     const float turn = kTau * hertz * h;
     if (turn > 0.5f) return gripOf(softness(hertz, dampingRatio, h));
-    // An explicit spring whose speed decays as that of the damped oscillator does, and that hangs as low.
-    // Without damping it is the symplectic Euler method, which keeps energy.
+    // Explicit spring: its velocity decays as that of the damped oscillator, and its static sag is exact.
+    // Without damping this is symplectic Euler, which conserves energy.
     const float kept = exponential(-2.0f * dampingRatio * turn);
     return {1.0f - kept, turn * turn * kept / h, kept};
 }

@@ -7,83 +7,87 @@
 
 namespace plumb::physics {
 
-/// What a substep is to joints.
+/// The parameters of a substep that joints depend on.
 struct JointTiming {
     float h = 0.0f;         ///< s
-    float stiffest = 0.0f;  ///< 1/s: a spring of this rate is as good as rigid
-    Grip rigid;             ///< of what is as stiff as the substeps allow
+    float stiffest = 0.0f;  ///< 1/s: a spring at or above this frequency counts as rigid
+    Grip rigid;             ///< soft constraint parameters of a joint that is as stiff as the substeps allow
 };
 
-/// A joint and how its bodies are at the start of the step.
+/// A joint and the poses of its bodies at the start of the step.
 struct JointView {
     const Joint& joint;
     const JointDefinition& definition;
     const JointTiming& timing;
     Rot turnA;
     Rot turnB;
-    Vec2 between;   ///< m: from A's centre of mass to B's
-    Vec2 toTarget;  ///< m: from JointDefinition::target to B's centre of mass
+    Vec2 between;   ///< m: from A's center of mass to B's
+    Vec2 toTarget;  ///< m: from JointDefinition::target to B's center of mass
 };
 
-/// More than any impulse: of what is not limited.
+/// Larger than any impulse: stands for "unlimited".
 inline constexpr float kNoLimit = 1.0e18f;
 
-/// What is done to a length or an angle.
+/// Constraint on a scalar, a length or an angle: held at a value, driven by a motor, limited, or several of
+/// these.
 struct ValueParts {
     bool held = false;
-    bool springs = false;   ///< it is held by a spring
-    Grip grip;              ///< of what holds it
-    float rest = 0.0f;      ///< m or rad: where
-    float most = kNoLimit;  ///< N s or N m s
+    bool springs = false;   ///< held by a spring instead of rigidly
+    Grip grip;              ///< soft constraint parameters with which it is held
+    float rest = 0.0f;      ///< m or rad: the value at which it is held
+    float most = kNoLimit;  ///< N s or N m s: maximum impulse per substep
     bool driven = false;
     float speed = 0.0f;      ///< m/s or rad/s
-    float mostMotor = 0.0f;  ///< N s or N m s
+    float mostMotor = 0.0f;  ///< N s or N m s: maximum motor impulse per substep
     bool limited = false;
     float lower = -kNoLimit;  ///< m or rad
     float upper = kNoLimit;
 };
 
-/// A joint, as the parts that the solver knows. Which of them count, its block kind says.
+/// A joint in terms of the constraints that the solver implements. Its block kind decides which of them
+/// apply.
 struct JointParts {
-    Vec2 armA;  ///< m, world, from the centre of mass
+    Vec2 armA;  ///< m, world, from the center of mass
     Vec2 armB;
     Vec2 apart;  ///< m: from A's anchor to B's
-    Grip grip;   ///< of the point
+    Grip grip;   ///< soft constraint parameters of the point constraint
     bool springs = false;
-    float most = kNoLimit;  ///< N s
-    bool isDirect = false;  ///< the point is held in a tree: solve_trees.hpp
-    float angle = 0.0f;     ///< rad: of B seen from A, less the reference angle
-    ValueParts value;       ///< of the angle (hinges) or the length (rods, sliders)
-    Vec2 axis;              ///< world: of sliders
+    float most = kNoLimit;  ///< N s: maximum impulse per substep
+    bool isDirect = false;  ///< the direct solver (solve_trees.hpp) holds the point
+    float angle = 0.0f;     ///< rad: rotation of B relative to A, minus the reference angle
+    ValueParts value;       ///< on the angle (hinges) or the length (rods, sliders)
+    Vec2 axis;              ///< world: sliding axis
     bool holdsAngle = false;
-    float spin = 0.0f;      ///< rad/s: of a slider's motor that turns
-    float mostSpin = 0.0f;  ///< N m s
+    float spin = 0.0f;      ///< rad/s: target speed of a slider's rotational motor (wheel)
+    float mostSpin = 0.0f;  ///< N m s: maximum impulse of that motor per substep
 };
 
-/// One kind of joint. A new one is a file in joints/, a row in the table, and a test.
+/// One kind of joint. A new kind is a file in joints/, a row in the table, and a test.
 struct JointType {
     std::string_view name;
-    JointBlockKind (*block)(std::uint8_t flags);  ///< by bits of JointFlag
+    JointBlockKind (*block)(std::uint8_t flags);  ///< block layout, by bits of JointFlag
     JointParts (*parts)(const JointView& view);
-    /// Instead of both: of a joint that is no matter of two bodies and their anchors.
+    /// Replaces both for joints that are not defined by two bodies and their anchors (gears, pulleys).
     Tie (*tie)(const World& world, const Joint& joint, const JointDefinition& definition) = nullptr;
 };
 
 const JointType& jointType(JointKind kind);
 
-// What the files of joints share.
+// Helpers shared by the joint files.
 
-/// Both anchors, as they are in the world.
+/// Arms and separation of both anchors in world space.
 JointParts anchorsOf(const JointView& view);
-/// rad, -pi..pi: of B seen from A, less the reference angle.
+/// rad, -pi..pi: rotation of B relative to A, minus the reference angle.
 float angleOf(const JointView& view);
-/// The spring that JointDefinition asks for, with what its mass is: exact in frequency, damping and sag as
-/// long as it is much slower than the substeps.
+/// Soft constraint parameters of a spring with a given frequency (1/s) and damping ratio, on the effective
+/// mass of its joint, for a substep of h (s). Frequency, damping and static sag are exact as long as the
+/// spring is much slower than the substeps.
 Grip springGrip(float hertz, float dampingRatio, float h);
-/// How stiff the joint itself is: rigid, or a spring with JointDefinition::hertz.
+/// Stiffness of the joint itself: rigid, or a spring if JointDefinition::hertz asks for one below
+/// JointTiming::stiffest.
 /// @return true for a spring
 bool ownGrip(const JointView& view, Grip& grip);
-/// Limits and motor, and the spring as what holds it.
+/// Motor, limits and spring of the definition; the spring is what holds the value.
 ValueParts valueParts(const JointView& view);
 
 }  // namespace plumb::physics

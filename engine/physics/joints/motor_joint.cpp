@@ -17,7 +17,7 @@ JointParts partsOf(const JointView& view) {
     const Vec2 offset = rotate(view.turnA, definition.offset);
     parts.armA += offset;
     parts.apart -= offset;
-    // A spring in both passes: what a limited force corrects must not be taken back.
+    // Soft in both passes: the relax pass must not take back what the limited force corrected.
     const bool own = definition.hertz > 0.0f;
     parts.grip =
         springGrip(own ? definition.hertz : kHertz, own ? definition.dampingRatio : 1.0f, view.timing.h);

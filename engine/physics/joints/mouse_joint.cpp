@@ -7,7 +7,7 @@ namespace plumb::physics {
 
 namespace {
 
-// Source: the pull of a hand is a damped spring of limited force: E. Catto, "Soft Constraints", GDC 2011.
+// A damped spring of limited force. Source: E. Catto, "Soft Constraints", GDC 2011.
 constexpr float kHertz = 5.0f;  // 1/s, unless JointDefinition::spring says otherwise; critically damped
 
 JointBlockKind blockOf(std::uint8_t) { return kHingeBlocks; }

@@ -4,7 +4,8 @@ namespace plumb::physics {
 
 namespace {
 
-/// Adds one side of the rope. @return its length, times `ratio`
+/// Adds one side of the rope.
+/// @return its length times `ratio`
 float addSide(const World& world, std::uint32_t body, Vec2 anchor, Vec2 ground, float ratio, Tie& tie) {
     const BodyPose& pose = world.bodies.pose[body];
     const Vec2 arm = rotate(pose.rotation, anchor);

@@ -10,7 +10,7 @@ JointBlockKind blockOf(std::uint8_t flags) {
 
 JointParts partsOf(const JointView& view) {
     JointParts parts = anchorsOf(view);
-    if (blockOf(view.joint.flags) == kPointBlocks) return parts;  // the definition is not even looked at
+    if (blockOf(view.joint.flags) == kPointBlocks) return parts;  // avoids a read of the definition
     parts.springs = ownGrip(view, parts.grip);
     parts.value = valueParts(view);
     parts.angle = angleOf(view);

@@ -12,7 +12,7 @@ JointParts partsOf(const JointView& view) {
     parts.value = valueParts(view);
     parts.spin = parts.value.speed;
     parts.mostSpin = parts.value.mostMotor;
-    parts.value.driven = false;  // the motor turns the wheel
+    parts.value.driven = false;  // the motor drives the rotation, not the translation
     return parts;
 }
 

@@ -9,20 +9,20 @@ namespace plumb::physics {
 struct World;
 struct Workspace;
 
-/// Constraints of one colour share no body, so they can be solved at once and in any order. The first colours
-/// are for pairs of bodies that both can be pushed; the last, solved last, for those with a fixed body, so
-/// that what stands on the ground wins.
+/// Constraints of one color share no body, so they can be solved in parallel and in any order. The first
+/// colors are for pairs of dynamic bodies. The last ones are for constraints with a static or kinematic body;
+/// they are solved last, so that support by the ground wins.
 inline constexpr int kColours = 32;
 inline constexpr int kFirstFixedColour = 24;
-/// Of constraints that found no colour: they are solved one after the other, before all colours.
+/// Constraints that found no color: solved sequentially, before all colors.
 inline constexpr std::uint8_t kOverflow = 32;
 
-/// Takes a colour that neither body has. Pass kNone for a body that cannot be pushed.
+/// Allocates a color that neither body uses. Pass kNone for a body that is not dynamic.
 std::uint8_t takeColour(Workspace& work, std::uint32_t bodyA, std::uint32_t bodyB);
-/// Gives it back.
+/// Releases it.
 void freeColour(Workspace& work, std::uint32_t bodyA, std::uint32_t bodyB, std::uint8_t colour);
 
-/// Makes Workspace::colourMasks fit the world, and fills them anew after the world was written over.
+/// Resizes Workspace::colourMasks to the world, and recomputes the masks after the world was overwritten.
 void refreshColours(World& world, Workspace& work);
 
 }  // namespace plumb::physics

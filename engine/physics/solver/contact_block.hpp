@@ -6,14 +6,15 @@
 
 namespace plumb::physics {
 
-/// What the solver knows of the bodies of a step, by slot. Flat, so that a pass touches nothing else.
-/// The arrays end with eight idle slots, for lanes that have no body.
+/// State of the bodies of a step, by solver slot, in flat arrays so that a pass reads nothing else. Eight
+/// idle slots at the end serve SIMD lanes without a body.
 struct SolverBodies {
     Float4* velocity;  ///< m/s, m/s, rad/s, 1/kg: x, y, angular, inverse mass
-    Float4* shift;  ///< m, m: moved since the start of the step; sine and (cosine - 1) of the turn since then
-    Float4* drive;  ///< m/s2, m/s2, rad/s2, 0: what forces do
-    Float4* keep;   ///< the part of its velocity that drag leaves a body in a substep, w: 1; null for no drag
-    Float4* flight;       ///< m, m, s: what a substep adds to `shift` besides z * velocity: exact free flight
+    Float4* shift;  ///< m, m: displacement since the start of the step; sine and (cosine - 1) of the rotation
+                    ///< since then
+    Float4* drive;  ///< m/s2, m/s2, rad/s2, 0: acceleration by external forces
+    Float4* keep;   ///< damping: factor on the velocity in each substep, w: 1; null without drag
+    Float4* flight;       ///< m, m, s: a substep moves a body by x, y + z * velocity: exact ballistic motion
     Float4* undisturbed;  ///< the velocity without the impulses of this substep
 };
 
@@ -23,13 +24,13 @@ struct ContactBlockPoint {
     float leverB[kLanes];
     float separation[kLanes];  ///< m, at the start of the step
     float gap[kLanes];         ///< m, now
-    float mass[kLanes];        ///< kg that the point offers to a push along the normal
+    float mass[kLanes];        ///< kg: effective mass along the normal
     float impulse[kLanes];     ///< N s
 };
 
-/// Eight contacts of one colour, between bodies that all can be pushed: no body appears twice.
-/// Source: E. Catto, "Iterative Dynamics with Temporal Coherence", GDC 2005. Friction of both points acts
-/// along one line, so it is one constraint, at their middle.
+/// Eight contacts of one color between dynamic bodies, one per SIMD lane: no body appears twice. Friction of
+/// both points acts along one line, so it is a single constraint at their midpoint. Source: E. Catto,
+/// "Iterative Dynamics with Temporal Coherence", GDC 2005.
 struct ContactBlock {
     std::int32_t a[kLanes];  ///< slots
     std::int32_t b[kLanes];
@@ -37,11 +38,11 @@ struct ContactBlock {
     float normalY[kLanes];
     float inverseInertiaA[kLanes];
     float inverseInertiaB[kLanes];
-    float turnA[kLanes];  ///< m: dot(arm, normal) of the part of the arm that turns with the body
+    float turnA[kLanes];  ///< m: dot(arm, normal) of the part of the arm that rotates with the body
     float turnB[kLanes];
-    float slideA[kLanes];  ///< m: dot(arm, normal), the lever of friction
+    float slideA[kLanes];  ///< m: dot(arm, normal), the lever arm of friction
     float slideB[kLanes];
-    float slideSpeed[kLanes];  ///< m/s: of the surfaces themselves, as conveyors
+    float slideSpeed[kLanes];  ///< m/s: of the surfaces themselves (conveyors)
     float slideMass[kLanes];
     float slideImpulse[kLanes];
     float friction[kLanes];
@@ -52,12 +53,12 @@ struct FixedContactBlockPoint {
     float lever[kLanes];
     float separation[kLanes];
     float gap[kLanes];
-    float approach[kLanes];  ///< m/s along the normal: of the fixed body's surface here
+    float approach[kLanes];  ///< m/s along the normal: velocity of A's surface at this point
     float mass[kLanes];
     float impulse[kLanes];
 };
 
-/// Eight contacts of one colour, each of a body B that can be pushed with a body A that cannot.
+/// Eight contacts of one color, each of a dynamic body B with a static or kinematic body A.
 struct FixedContactBlock {
     std::int32_t b[kLanes];
     float normalX[kLanes];
@@ -72,19 +73,19 @@ struct FixedContactBlock {
     FixedContactBlockPoint points[2];
 };
 
-/// What the solver knows of bodies that nothing turns, by slot: all that a contact needs in one row.
+/// State of bodies in a step without rotation, by solver slot: all that a contact needs in one row.
 struct PlainBodies {
-    Float4* state;  ///< m/s, m/s, m, m: velocity x, y; moved since the start of the step
-    // The same as of SolverBodies.
+    Float4* state;  ///< m/s, m/s, m, m: velocity; displacement since the start of the step
+    // As in SolverBodies.
     const Float4* drive;
     const Float4* keep;
     const Float4* flight;
     Float4* undisturbed;
 };
 
-/// Eight contacts of one colour where nobody turns: one point each, without a lever.
+/// Eight contacts of one color in a step without rotation: one point each, without a lever arm.
 struct PlainBlock {
-    std::uint32_t a[kLanes];  ///< bytes from the first state to that of a body
+    std::uint32_t a[kLanes];  ///< byte offset of a body's state
     std::uint32_t b[kLanes];
     float inverseMassA[kLanes];
     float inverseMassB[kLanes];
@@ -92,14 +93,14 @@ struct PlainBlock {
     float normalY[kLanes];
     float separation[kLanes];
     float gap[kLanes];
-    float mass[kLanes];  ///< kg that both offer to a push along any direction
+    float mass[kLanes];  ///< kg: effective mass along any direction
     float impulse[kLanes];
-    float friction[kLanes];  ///< the rest only where something rubs
+    float friction[kLanes];  ///< this and the following only with friction
     float slideSpeed[kLanes];
     float slideImpulse[kLanes];
 };
 
-/// The same of a body B that can be pushed with a body A that cannot.
+/// The same for a dynamic body B and a static or kinematic body A.
 struct PlainFixedBlock {
     std::uint32_t b[kLanes];
     float inverseMass[kLanes];
@@ -115,63 +116,64 @@ struct PlainFixedBlock {
     float slideImpulse[kLanes];
 };
 
-/// What bounces of a block, beside it, only where something in the scene bounces.
+/// Restitution data of a block, in a parallel array that exists only if something in the scene bounces.
 struct BounceBlock {
     float bounciness[kLanes];
     float approach[2][kLanes];  ///< m/s: relative speed along the normal before the step
     float largest[2][kLanes];   ///< N s: the largest impulse of any substep
-    // Of round contacts, which have one point.
-    float before[kLanes];  ///< N s: of a substep, before the step
-    float sum[kLanes];     ///< N s: of all substeps; below 0 where no impact runs on through this contact
+    // Only of round contacts, which have a single point.
+    float before[kLanes];  ///< N s: of one substep, before the step
+    float sum[kLanes];     ///< N s: of all substeps; negative if the contact does not propagate impacts
 };
 
-/// A contact among the blocks.
+/// Index of a contact in the blocks.
 struct ImpactPlace {
     bool fixed = false;
     std::uint8_t lane = 0;
     std::uint32_t block = 0;
 };
 
-/// A body of some impact, as the substeps left it.
+/// A body of an impact, in the state after the substeps.
 struct HitBody {
     std::size_t slot = 0;
     Float4 velocity;
     Float4 shift;
 };
 
-/// What the substeps left of an impact.
+/// Result of the substeps for an impact.
 struct HitImpulse {
     float impulse = 0.0f;   ///< N s
     float approach = 0.0f;  ///< m/s, at the start of the step
 };
 
-/// What resists rolling in a block, beside it, only where something in the scene does.
+/// Rolling resistance of a block, in a parallel array that exists only if something in the scene has it.
 struct RollingBlock {
-    float resistance[kLanes];  ///< m: torque for each newton that presses them together
-    float mass[kLanes];        ///< kg m2 that both offer to a torque between them
-    float spin[kLanes];        ///< rad/s of A, where it is a body that cannot be pushed
+    float resistance[kLanes];  ///< m: maximum torque per newton of normal force
+    float mass[kLanes];        ///< kg m2: effective inertia of the relative rotation
+    float spin[kLanes];        ///< rad/s: angular velocity of a static or kinematic A
     float impulse[kLanes];     ///< N m s on B
 };
 
-/// Which contacts are in a block: indices into World::contacts; -1 for an empty lane.
+/// Contacts of a block: indices into World::contacts. Entries from `count` on are unused.
 struct BlockLanes {
     std::int32_t contact[kLanes];
     std::int32_t count;
 };
 
-/// A spring, made to act on velocities: source E. Catto, "Soft Constraints", GDC 2011.
+/// Soft constraint parameters: a spring as a velocity constraint. Source: E. Catto, "Soft Constraints", GDC
+/// 2011.
 struct Softness {
     float biasRate = 0.0f;  ///< 1/s
     float massScale = 1.0f;
     float impulseScale = 0.0f;
 };
 
-/// What a pass over contacts needs to know.
+/// Parameters of a pass over contacts.
 struct ContactPass {
     Softness softness;
     float substepRate = 0.0f;   ///< 1/s
-    float pushSpeed = 0.0f;     ///< m/s: overlaps are taken out no faster,
-    float deepPushRate = 0.0f;  ///< 1/s: but by this times their depth
+    float pushSpeed = 0.0f;     ///< m/s: maximum speed at which overlaps are pushed out,
+    float deepPushRate = 0.0f;  ///< 1/s: and its increase per meter of depth
     float elapsed = 0.0f;       ///< s since the start of the step
 };
 

@@ -1,13 +1,14 @@
-// A part of kernels.inl: contacts of two points, between bodies that turn.
+// Part of kernels.inl: contacts with two points between bodies that can rotate.
 
-// Preparing: rows of contacts and bodies, turned into lanes.
+// Preparation: transposes rows of contacts and bodies into SIMD lanes.
 
-/// Whose rows belong to the eight lanes. Idle lanes repeat the first one's and are masked out.
+/// Row indices of eight contacts and their bodies. Idle lanes repeat those of the first contact and are
+/// masked out.
 struct Rows8 {
     std::int32_t contact[kLanes];
     std::int32_t a[kLanes];
     std::int32_t b[kLanes];
-    Float8 used;  // 1 in lanes that have a contact, else 0
+    Float8 used;  // 1 in lanes with a contact, else 0
 };
 
 inline Rows8 rowsOf(const ContactSource& source, const BlockLanes& lanes) {
@@ -26,9 +27,9 @@ inline Rows8 rowsOf(const ContactSource& source, const BlockLanes& lanes) {
     return rows;
 }
 
-constexpr int kAhead = 2;  // blocks
+constexpr int kAhead = 2;  // blocks: prefetch distance
 
-/// The rows of the contacts of a block that comes soon: they are far from each other.
+/// Prefetches rows of the contacts of a later block: they are scattered in memory.
 inline void fetch(const Float4* contacts, const BlockLanes& lanes, int line) {
     for (int i = 0; i < kLanes; ++i)
         __builtin_prefetch(contacts + lanes.contact[i < lanes.count ? i : 0] * kContactRows + line);
@@ -39,7 +40,7 @@ inline void slotsOf(const ContactSource& source, const BlockLanes& lanes, const 
     for (int i = 0; i < kLanes; ++i) slot[i] = i < lanes.count ? source.slots[body[i]] : source.idleSlot + i;
 }
 
-/// A body's part in eight contacts.
+/// Inverse mass and inertia of one body of eight contacts.
 struct Side8 {
     Float8 inverseMass, inverseInertia;
 };
@@ -50,7 +51,7 @@ inline Side8 sideOf(const ContactSource& source, const std::int32_t* body) {
     return {mass[0], source.turning ? mass[1] : all(0.0f)};
 }
 
-/// The geometry of eight contacts, turned as their bodies were when the points were found.
+/// Geometry of eight contacts, at the orientations that the bodies had when the points were found.
 struct Places8 {
     Two8 normal;
     Two8 turnA, turnB;  // cosine and sine
@@ -131,7 +132,7 @@ void prepare(const ContactSource& source, const BlockLanes* lanes, ContactBlock*
     }
 }
 
-/// The velocity of the surface of a body that cannot be pushed, which is that of a kinematic one.
+/// Velocity of the surface of a static or kinematic body.
 struct Surface8 {
     Two8 velocity;
     Float8 spin;
@@ -187,9 +188,9 @@ void prepareFixed(const ContactSource& source, const BlockLanes* lanes, FixedCon
     }
 }
 
-// Solving. `along` is what an impulse of 1 along the normal of each contact does to the positions.
+// Solving.
 
-/// A body of eight contacts while it is worked on.
+/// One body of eight contacts while a block is solved.
 struct Body8 {
     Float8 lane[4];  // velocity x, y, angular; inverse mass
     Float8 inverseInertia;
@@ -208,12 +209,12 @@ inline Body8 bodyAt(const Float4* velocity, const std::int32_t* slots, const flo
     return body;
 }
 
-/// Speed of a body's point along a direction, whose lever is `lever`.
+/// Velocity of a body's point along a direction with lever arm `lever`.
 inline Float8 speedAlong(const Body8& body, Two8 direction, Float8 lever) {
     return body.lane[0] * direction.x + body.lane[1] * direction.y + body.lane[2] * lever;
 }
 
-/// How far a body's point moved along the normal since the start of the step.
+/// Displacement of a body's point along the normal since the start of the step.
 inline Float8 movedAlong(const Float8 (&shift)[4], Two8 normal, Float8 lever, Float8 turn) {
     return shift[0] * normal.x + shift[1] * normal.y + (shift[2] * lever + shift[3] * turn);
 }
@@ -255,7 +256,7 @@ void warmStartFixed(const SolverBodies& bodies, const BlockLanes* lanes, FixedCo
     }
 }
 
-/// The soft, one-sided constraint of a contact point, as eight lanes.
+/// Soft one-sided constraint of a contact point, in SIMD lanes.
 struct SoftPush8 {
     Float8 substepRate, biasRate, deepRate, pushSpeed, massScale, impulseScale;
 
@@ -267,8 +268,9 @@ struct SoftPush8 {
           massScale{all(pass.softness.massScale)},
           impulseScale{all(pass.softness.impulseScale)} {}
 
-    /// The change of impulse that answers an approach at `speed`; `impulse` gets it too. Apart, the bodies
-    /// may come together within the substep; inside each other, a spring moves them out.
+    /// Change of the normal impulse in response to a relative velocity `speed` along the normal; adds it to
+    /// `impulse`. Separated bodies may close their gap within the substep; overlapping ones are pushed out by
+    /// a spring.
     [[nodiscard]] Float8 answer(Float8 speed, Float8 gap, Float8 mass, Float8& impulse) const {
         const Mask8 apart = gap > all(0.0f);
         const Float8 bias = select(apart, gap * substepRate, max(gap * biasRate, gap * deepRate - pushSpeed));
@@ -280,7 +282,7 @@ struct SoftPush8 {
     }
 };
 
-/// The hard one of the relax pass: touching bodies must not approach; those apart may come together.
+/// Rigid constraint of the relax pass: touching bodies must not approach, separated ones may close their gap.
 inline Float8 relaxed(Float8 speed, Float8 gap, Float8 substepRate, Float8 mass, Float8& impulse) {
     const Float8 before = impulse;
     const Float8 bias = select(before > all(0.0f), all(0.0f), max(gap, all(0.0f)) * substepRate);
@@ -288,7 +290,7 @@ inline Float8 relaxed(Float8 speed, Float8 gap, Float8 substepRate, Float8 mass,
     return impulse - before;
 }
 
-/// Coulomb's law: the impulse that stops the sliding, or as much of it as the normal force allows.
+/// Coulomb friction: the impulse that stops sliding, limited by the normal impulse.
 inline Float8 rubbed(Float8 speed, Float8 mass, Float8 most, float* total) {
     const Float8 before = load(total);
     const Float8 after = clamp(before - mass * speed, -most, most);
@@ -296,7 +298,7 @@ inline Float8 rubbed(Float8 speed, Float8 mass, Float8 most, float* total) {
     return after - before;
 }
 
-/// Friction of a whole contact, whose points press with `pressed` together.
+/// Friction of a whole contact, whose points together have the normal impulse `pressed`.
 inline void rub(ContactBlock& block, Two8 normal, Float8 pressed, Body8& a, Body8& b) {
     const Two8 along{-normal.y, normal.x};
     const Float8 slideA = load(block.slideA), slideB = load(block.slideB);
@@ -428,7 +430,7 @@ void relaxFixed(const SolverBodies& bodies, const ContactPass& pass, const Block
     }
 }
 
-/// Impulses back to where they start the next step.
+/// Stores the impulses for warm starting of the next step.
 template <bool kRubs, class Block>
 void storeImpulses(Float4* contacts, const BlockLanes* lanes, const Block* blocks, int begin, int end) {
     for (int n = begin; n < end; ++n) {

@@ -7,9 +7,9 @@
 
 namespace plumb::physics {
 
-// One contact of a block at a time, for what is too rare to be done eight at once.
+// Scalar access to single contacts of a block, for what is too rare to be vectorized.
 
-/// A body's part in one point of a contact.
+/// One body at one point of a contact.
 struct ContactSide {
     Float4* velocity;
     float inverseInertia;
@@ -56,15 +56,15 @@ inline void pushApart(Workspace& work, const FixedContactBlock& block, int p, in
     pushAlong(sideB(work, block, p, i), impulse, block.normalX[i], block.normalY[i]);
 }
 
-/// m: how far a body's point moved along the normal in this step.
+/// m: displacement of a body's point along the normal in this step.
 inline float movedAlong(const Float4& shift, float nx, float ny, float lever, float turn) {
     return shift.x * nx + shift.y * ny + (shift.z * lever + shift.w * turn);
 }
 
-/// How two bodies came together during the step, along the normal.
+/// Relative motion of two bodies along the normal during the step.
 struct Approach {
-    float way;           // m: how much further they are apart than before the step
-    float acceleration;  // m/s2 of B from A
+    float way;           // m: change of their separation since the start of the step
+    float acceleration;  // m/s2 of B relative to A
 };
 
 inline Approach approachIn(const Workspace& work, const ContactBlock& block, int p, int i, float /*dt*/) {
@@ -82,20 +82,20 @@ inline Approach approachIn(const Workspace& work, const FixedContactBlock& block
             work.drive[b].x * nx + work.drive[b].y * ny};
 }
 
-/// m2/s2: what is left of the square of a speed after a way, by v2 = v0 2 + 2 a s.
+/// m2/s2: square of a speed after a displacement: v^2 = v0^2 + 2 a s.
 inline float squareAfter(float square, float acceleration, float way) {
     return std::max(square + 2.0f * acceleration * way, 0.0f);
 }
 
-/// m/s: how fast they met. Between the start of the step and the impact gravity went on: without it a ball
-/// would lose, or gain, some height in each bounce.
+/// m/s: relative velocity at the impact. Gravity acts between the start of the step and the impact: without
+/// it a ball would lose or gain height in each bounce.
 inline float speedOfImpact(float before, const Approach& approach) {
     return -std::sqrt(squareAfter(before * before, approach.acceleration, approach.way));
 }
 
-/// m/s: how fast they part at the end of the step. The bounce is where they touch, be that before the step or
-/// in it, and from there on gravity goes on too: else what is found deep inside would lose that depth of its
-/// height. Never faster than without any loss.
+/// m/s: relative velocity at the end of the step. The bounce happens where the bodies touch, be that before
+/// the step or within it, and gravity acts from there on; otherwise a bounce that is detected deep inside
+/// would lose that depth in height. Never faster than a bounce without loss.
 /// @param gap  m, at the start of the step
 inline float speedOfBounce(float before, float bounciness, float gap, const Approach& approach) {
     const float pull = approach.acceleration, most = squareAfter(before * before, pull, approach.way);

@@ -6,29 +6,29 @@ namespace plumb::physics {
 
 namespace {
 
-// Each quality makes errors of stiffness four times smaller, and those of patience (of many bodies on each
-// other) by less.
+// Range of the factor by which one more quality level (twice the substeps) reduces the error: 4 for
+// compliance, less for the convergence of bodies stacked on each other.
 constexpr float kLeastGain = 3.0f;
 constexpr float kMostGain = 4.5f;
 
-constexpr float kRoom = 0.8f;  // ratio to the tolerance: where a quality should bring the error
+constexpr float kRoom = 0.8f;  // ratio to the tolerance: the error that a quality should reach
 
-constexpr std::uint32_t kBlow = 3;  // steps in which the overlap of a blow passes by itself
-/// Steps for each quality of a rise. What is deep in something is a spring: let go at once, a stack of 16
-/// whose boxes are 2 cm deep hops by 1.7 m; one at a time it hardly moves (measured; at 4 steps it hops by
+constexpr std::uint32_t kBlow = 3;  // steps in which the overlap of an impact decays by itself
+/// Steps for each level of a rise. Deep overlap is a loaded spring: released at once, a stack of 16 whose
+/// boxes are 2 cm deep hops by 1.7 m; one level at a time it hardly moves (measured; with 4 steps it hops by
 /// 0.2 m).
 constexpr std::uint32_t kClimb = 8;
-constexpr std::uint32_t kSettling = 20;      // steps, about: bodies come out of each other
-constexpr std::uint32_t kWatch = 30;         // steps of quiet for which less quality is tried
-constexpr std::uint32_t kResignation = 240;  // steps after which what did not help is tried again
+constexpr std::uint32_t kSettling = 20;      // steps, about: until bodies have come out of each other
+constexpr std::uint32_t kWatch = 30;         // calm steps after which a lower quality is tried
+constexpr std::uint32_t kResignation = 240;  // steps after which a rise that did not help is tried again
 constexpr std::uint8_t kMostPatience = 5;
 
-constexpr float kStillFalls = 0.9f;  // ratio to the error a while ago: there is no need for more yet
-constexpr float kHelped = 0.6f;      // ratio to the error before
-constexpr float kGrew = 1.5f;        // the same: there is more to carry
-constexpr float kVanished = 0.02f;   // the same: most of what was carried is gone
+constexpr float kStillFalls = 0.9f;  // ratio to an earlier error: still decreasing, no need for more yet
+constexpr float kHelped = 0.6f;      // ratio to the error before the rise
+constexpr float kGrew = 1.5f;        // the same: the load has grown
+constexpr float kVanished = 0.02f;   // the same: most of the load is gone
 
-/// How many qualities more an error needs.
+/// Number of additional quality levels that an error calls for.
 int levelsFor(float error, float tolerance) {
     int levels = 0;
     for (float left = error; levels < kMaxQuality && left > kRoom * tolerance; left *= 1.0f / kLeastGain)
@@ -51,7 +51,7 @@ Effort resigned(Effort effort, float error) {
     return effort;
 }
 
-/// The quality that an island rises to.
+/// Quality that a rise aims at.
 Quality goalOf(const Effort& effort, float tolerance) {
     const int levels = std::max(1, levelsFor(effort.first, tolerance));
     return static_cast<Quality>(std::min(effort.before + levels, int{kMaxQuality}));
@@ -78,10 +78,10 @@ Effort strained(Effort effort) {
     return effort;
 }
 
-/// It keeps to the tolerance, as far as is known.
+/// Within tolerance, as far as is known.
 Effort whileCalm(Effort effort, float error, float tolerance, Quality least) {
     effort.error = std::max(effort.error, error);
-    if (effort.patience > 0 && error < kVanished * effort.first) {  // what it learned is of another load
+    if (effort.patience > 0 && error < kVanished * effort.first) {  // what was learned concerns another load
         effort.patience = 0;
         effort.wait = std::min(effort.wait, kWatch);
     }
@@ -96,10 +96,10 @@ Effort whileCalm(Effort effort, float error, float tolerance, Quality least) {
     return watching(effort, EffortPhase::Trying);
 }
 
-/// It was to show whether less quality does.
+/// A lower quality is being tried.
 Effort whileTrying(Effort effort, float error, float tolerance, Quality least) {
     if (error <= kRoom * tolerance) return whileCalm(effort, error, tolerance, least);
-    // A blow would say nothing, but who can tell: it will be tried again.
+    // An impact would prove nothing, but cannot be distinguished here: it will be tried again.
     const std::uint8_t patience = std::min<std::uint8_t>(effort.patience + 1, kMostPatience);
     effort = risen(effort, error, tolerance);
     effort.patience = patience;
@@ -108,7 +108,7 @@ Effort whileTrying(Effort effort, float error, float tolerance, Quality least) {
 
 Effort whileRising(Effort effort, float error, float tolerance) {
     if (error <= tolerance) return watching(effort, EffortPhase::Calm);
-    if (error > kGrew * effort.first) effort.first = error;  // there came more to carry
+    if (error > kGrew * effort.first) effort.first = error;  // the load has grown
     if (effort.wait > 0) return effort;
     if (effort.quality < goalOf(effort, tolerance)) return oneHigher(effort, error, tolerance);
     if (error < kStillFalls * effort.error) {

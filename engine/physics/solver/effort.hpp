@@ -4,22 +4,24 @@
 
 namespace plumb::physics {
 
-// The quality of an island where there is a tolerance: up quickly when its error is too large, by as much as
-// the error says; down slowly, and back again where that was too much. Numbers only: no clock, no chance, so
-// it is the same wherever the world is stepped again.
+// Adaptive substep controller: the quality (2^quality substeps) of an island where Settings::tolerance is
+// set. It raises the quality quickly when the error is too large, by as much as the error calls for, lowers
+// it slowly, and reverts if that was too much. Its state consists of numbers of the world, without clocks and
+// randomness, so a repeated step gives the same result.
 
-/// That of an island that two others make up: of the one that takes more trouble. In any order the same.
+/// State of an island merged from two others: that of the one with the higher quality, or the maximum of each
+/// member. Commutative and associative.
 [[nodiscard]] Effort merged(const Effort& a, const Effort& b);
 
-/// That of an island that was never judged.
+/// Initial state of an island.
 [[nodiscard]] Effort begun(Quality quality);
 
-/// What comes after a step that left an error.
-/// @param error  m: the largest overlap or opening of the island
-/// @param least  the quality that its bodies and joints ask for
+/// State after a step that left an error.
+/// @param error  m: largest overlap or joint error of the island
+/// @param least  minimum quality that its bodies and joints ask for
 [[nodiscard]] Effort judged(Effort effort, float error, float tolerance, Quality least);
 
-/// True while an error is being worked off: an island that slept now would keep it.
+/// True while an error is being reduced: an island that fell asleep now would keep it.
 [[nodiscard]] constexpr bool isAtWork(const Effort& effort) {
     return effort.phase == EffortPhase::Strained || effort.phase == EffortPhase::Rising;
 }

@@ -14,7 +14,7 @@ namespace {
 
 bool isBusy(const Joint& joint) { return (joint.flags & (kLimited | kDriven | kSprung)) != 0; }
 
-/// What a joint holds without giving way; nothing for joints that spring, and for bodies that move on rails.
+/// Constraint that a joint contributes to a tree; none for soft joints and for bodies locked along an axis.
 std::optional<LinkKind> kindOf(const World& world, const Joint& joint) {
     if (joint.place == kNone || (joint.flags & kSoft) != 0) return {};
     for (const std::uint32_t body : {joint.bodyA, joint.bodyB}) {
@@ -41,7 +41,8 @@ public:
         joints = world_.joints.awake;
         std::sort(joints.begin(), joints.end());
         trees_.reached.assign(world_.bodies.size(), 0);
-        // What hangs on something has its root there; the rest flies, and any body will do.
+        // First trees that hang on a static or kinematic body, with the root there; then floating trees,
+        // whose root may be any body.
         for (const bool hanging : {true, false}) {
             for (const std::uint32_t index : joints) {
                 const Joint& joint = world_.joints.hot[index];
@@ -66,25 +67,25 @@ private:
         trees_.reached[root.body] = 1;
         int loops = 0;
         for (std::size_t i = 0; i < reached_.size(); ++i) loops += reachFrom(static_cast<std::int32_t>(i));
-        // Where most joints have limits, motors or springs, as in ragdolls, the lanes solve these and all
-        // else with them: half the time, and no worse where ragdolls lie in heaps (measured: rain).
+        // Where most joints have limits, motors or springs, as in ragdolls, the SIMD solver takes these and
+        // the rest of the tree: half the time, and no worse where ragdolls lie in heaps (measured: rain).
         const auto busy = std::count_if(reached_.begin(), reached_.end(), [&](const ReachedBody& limb) {
             return limb.joint != kNone && isBusy(world_.joints.hot[limb.joint]);
         });
         if (loops > 0 || 2 * busy > std::ssize(reached_) - (reached_[0].joint == kNone ? 1 : 0)) return;
-        // What closes a loop through the ground is a mechanism of few degrees of freedom. Beside a tree that is
-        // rigid at once the lanes' motor, limit or spring would see the inertia of its two bodies alone, and
-        // the singular positions of a linkage are none of the tree's.
+        // A loop closed through the ground is a mechanism of few degrees of freedom. Beside the direct
+        // solver, which makes the tree rigid at once, a motor, limit or spring in SIMD lanes would see only
+        // the inertia of its two bodies, and the direct solver cannot handle the singular positions of a
+        // linkage.
         if (busy + busyHolds() == 0 || held_.empty()) keep();
     }
 
     [[nodiscard]] std::ptrdiff_t busyHolds() const {
-        return std::count_if(held_.begin(), held_.end(), [&](const HeldJoint& held) {
-            return isBusy(world_.joints.hot[held.joint]);
-        });
+        return std::count_if(held_.begin(), held_.end(),
+                             [&](const HeldJoint& held) { return isBusy(world_.joints.hot[held.joint]); });
     }
 
-    /// @return ends of joints that lead to a body that was reached before
+    /// @return number of its joints that lead to a body found before
     int reachFrom(std::int32_t place) {
         const ReachedBody from = reached_[static_cast<std::size_t>(place)];
         int loops = 0;
@@ -139,7 +140,7 @@ private:
         }
         tree.holdBegin = static_cast<std::int32_t>(trees_.holds.size());
         for (const HeldJoint& held : held_) {
-            // More than it takes to hold it would say nothing of the forces.
+            // A redundant constraint makes the system singular: skip it.
             if (held.limb == 0 || freedom <= rowsOf(held.kind)) continue;
             freedom -= rowsOf(held.kind);
             trees_.holds.push_back(
@@ -157,7 +158,7 @@ private:
     std::vector<HeldJoint>& held_;
 };
 
-/// The colours of each body's joints: if it has more, it touches something.
+/// Notes the colors of each body's joints. Any further color of the body then belongs to a contact.
 void noteColours(const World& world, JointTrees& trees) {
     for (Limb& limb : trees.limbs) {
         limb.colours = 0;
@@ -175,7 +176,8 @@ bool touches(const Workspace& work, const Limb& limb) { return limb.colours != w
 
 bool isHeld(const JointTree& tree) { return tree.holdBegin < tree.holdEnd; }
 
-/// To the lanes. A taut tree pulls harder than any springs that give way, so these start anew.
+/// Leaves a tree to the SIMD solver. The forces in a taut tree that is held at several ends are larger than
+/// soft constraints should start with, so warm starting is reset.
 void leave(World& world, JointTrees& trees, const JointTree& tree) {
     forLinks(trees, tree, [&](const Link& link) {
         Joint& joint = world.joints.hot[link.joint];
@@ -184,8 +186,9 @@ void leave(World& world, JointTrees& trees, const JointTree& tree) {
     });
 }
 
-/// Back from the lanes, if these left nothing open: to close it at once would throw bodies about.
-/// @return true for a tree that is closed, as all are that never were in lanes
+/// Takes a tree back from the SIMD solver unless that left a joint open: closing it at once would throw
+/// bodies about.
+/// @return true if all joints are closed, as in all trees that were never left to the SIMD solver
 bool comeBack(World& world, JointTrees& trees, const JointTree& tree) {
     bool stretched = false, closed = true;
     forLinks(trees, tree, [&](const Link& link) {
@@ -201,9 +204,9 @@ bool comeBack(World& world, JointTrees& trees, const JointTree& tree) {
     return true;
 }
 
-/// Which trees are solved directly in this step. A tree that touches something is left to the lanes, which
-/// solve contacts and joints by turns: against a tree that is rigid at once contacts settle too slowly, and
-/// heaps of chains tremble (measured).
+/// Decides which trees are solved directly in this step. A tree that touches something is left to the SIMD
+/// solver, which solves contacts and joints sequentially (Gauss-Seidel): against a tree that is rigid at once
+/// contacts converge too slowly, and heaps of chains tremble (measured).
 void choose(World& world, Workspace& work) {
     JointTrees& trees = work.joints.trees;
     trees.some = false;

@@ -4,15 +4,16 @@
 
 namespace plumb::physics {
 
-/// Finds which of the joints that are awake are solved directly, and in which order: trees of bodies, from
-/// what they hang on outwards. Follows from the joints alone, so a restored world grows the same trees.
+/// Decides which awake joints are solved directly and in which order: builds trees of bodies, outwards from
+/// the static or kinematic body that they hang on. The trees depend on the joints alone, so a restored world
+/// has the same ones.
 void growTrees(World& world, Workspace& work);
 
-/// True when trees are solved directly in this step.
+/// True if some tree is solved directly in this step.
 inline bool solvesTrees(const World& world, const Workspace& work) {
     return work.joints.trees.some && world.manifest.runs(Effect::Joints);
 }
-/// True when all that acts on a body are joints that are solved directly in this step.
+/// True if all constraints of a body are joints that are solved directly in this step.
 inline bool isInTree(const World& world, const Workspace& work, std::uint32_t body) {
     return solvesTrees(world, work) && work.colourMasks[body] != 0 &&
            work.colourMasks[body] == work.joints.trees.freeMasks[body];

@@ -10,8 +10,8 @@ namespace plumb::physics {
 
 namespace {
 
-/// One more for a value above a limit, and for each `factor` that it is above it, up to three: each makes
-/// errors three to four times smaller.
+/// One level for a value above a limit, and one more for each `factor` above it, up to three: each level
+/// reduces errors three to four times.
 int stepsAbove(float value, float limit, float factor) {
     int steps = 0;
     for (; steps < 3 && value > limit; limit *= factor) ++steps;
@@ -21,7 +21,7 @@ int stepsAbove(float value, float limit, float factor) {
 void addTo(IslandHardness& island, const World& world, const Workspace& work, std::uint32_t body,
            std::uint32_t root, Vec2 down) {
     const BodyMass& mass = world.bodies.mass[body];
-    // What only hangs in a tree is never hard.
+    // Trees are solved accurately at any quality.
     if (mass.inverseMass == 0.0f || isInTree(world, work, body)) return;
     const float depth = dot(world.bodies.pose[body].centre - world.bodies.pose[root].centre, down);
     island.lightest = std::min(island.lightest, mass.mass);
@@ -32,7 +32,7 @@ void addTo(IslandHardness& island, const World& world, const Workspace& work, st
     island.bodies += 1.0f;
     for (std::uint32_t j = world.bodies.info[body].firstJoint; j != kNone;) {
         const Joint& joint = world.joints.hot[j];
-        island.joints += 0.5f;  // the other half comes with its other body
+        island.joints += 0.5f;  // the other body adds the other half
         j = joint.bodyA == body ? joint.nextA : joint.nextB;
     }
 }
@@ -43,7 +43,7 @@ int extraQuality(const IslandHardness& island) {
     if (island.bodies == 0.0f) return 0;
     const float layers =
         (island.highest - island.lowest) * island.bodies / std::max(2.0f * island.size, 1e-6f);
-    // Where the limits are: measured, so that hard cases keep to millimetres (plumb-accuracy-physics).
+    // Limits fitted to keep hard cases within millimeters (plumb-accuracy-physics).
     return std::max({stepsAbove(island.heaviest, 10.0f * island.lightest, 3.0f),
                      stepsAbove(layers, 7.0f, 2.0f), stepsAbove(island.joints, 8.0f, 4.0f)});
 }

@@ -4,13 +4,13 @@
 
 namespace plumb::physics {
 
-/// How many qualities more an island deserves by what it is made of: high mass ratios, stacks and chains.
+/// Automatic quality estimate: additional levels for an island with high mass ratios, stacks or many joints.
 [[nodiscard]] int extraQuality(const IslandHardness& island);
 
-/// What the awake islands are made of: Workspace::hardness, by root. Their roots are known.
+/// Computes Workspace::hardness of the awake islands, by root. @pre findRoots() was called in this step
 void findHardness(World& world, Workspace& work);
 
-/// Finds Workspace::roots, once in a step: what cannot be pushed, or is asleep, is alone.
+/// Computes Workspace::roots, once per step. Bodies that are not dynamic or are asleep are their own root.
 void findRoots(World& world, Workspace& work);
 
 }  // namespace plumb::physics

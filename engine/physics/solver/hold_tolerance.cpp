@@ -18,13 +18,13 @@ bool isRoot(const World& world, std::uint32_t body) {
     return isPushed(world, body) && world.bodies.info[body].island == body;
 }
 
-/// What is known before anything is measured.
+/// What is known before errors are measured.
 struct Findings {
-    bool someNew = false;      // bodies that were never judged
-    bool someChanged = false;  // qualities
+    bool someNew = false;      // some bodies have no state yet
+    bool someChanged = false;  // some island merges bodies of different quality
 };
 
-/// Who is in which island, and what they did up to now.
+/// Collects the bodies of each island and merges their states.
 Findings openCases(World& world, Workspace& work) {
     const bool wishes = world.qualityCallers != 0;
     Findings found;
@@ -65,7 +65,7 @@ void measure(World& world, Workspace& work) {
     }
 }
 
-/// Nothing has to sink in before it is noticed: what is new begins with the guess.
+/// New islands begin with the estimate, so that nothing has to sink in before an error shows.
 void guess(World& world, Workspace& work) {
     findHardness(world, work);
     for (const std::uint32_t body : world.awake) {
@@ -79,7 +79,7 @@ void guess(World& world, Workspace& work) {
     }
 }
 
-/// @return true when some island has another quality than before
+/// @return true if the quality of some island changed
 bool judge(World& world, Workspace& work) {
     bool changed = false;
     for (const std::uint32_t body : world.awake) {
@@ -96,8 +96,7 @@ float powerOfTwo(int exponent) {
     return exponent < 0 ? 1.0f / static_cast<float>(1 << -exponent) : static_cast<float>(1 << exponent);
 }
 
-/// Impulses are those of a substep. In longer ones the same forces give larger ones; joints keep theirs as
-/// forces.
+/// Impulses are those of a substep: in a longer one the same force has a larger impulse. Joints store forces.
 void scaleImpulses(World& world, Workspace& work) {
     for (Contact& contact : world.contacts) {
         if ((contact.flags & (kTouching | kTriggered)) != kTouching) continue;
@@ -112,7 +111,7 @@ void scaleImpulses(World& world, Workspace& work) {
     }
 }
 
-/// A joint to what only its owner moves is exact where both are solved together.
+/// A joint to a kinematic body is accurate only if both are solved in the same group.
 void takeAlong(const World& world, Workspace& work) {
     if (!world.manifest.runs(Effect::Kinematics)) return;
     for (const std::uint32_t j : world.joints.awake) {

@@ -8,20 +8,20 @@ namespace plumb::physics {
 
 namespace {
 
-/// Two points of one contact converge by a factor of at least 4 a turn, as for a long rod (where it is
-/// ((m / I) a^2 - 1) / ((m / I) a^2 + 1) squared = 1/4): 4^-8 is 1.5e-5 of the speed of the impact.
+/// Iterations over two points of a contact, which converge by a factor of at least 4 each, as for a long rod
+/// (where it is ((m / I) a^2 - 1) / ((m / I) a^2 + 1) squared = 1/4): 4^-8 is 1.5e-5 of the impact speed.
 constexpr int kTurns = 8;
 
 struct ImpactPoint {
     Vec2 armA;
     Vec2 armB;
-    float massAlong = 0.0f;   // kg: of both, along the normal
-    float massAcross = 0.0f;  // kg: along the surface
-    Vec2 approach;            // m/s before: along the normal and along the surface
-    float closing = 0.0f;     // m/s: how fast it may still come nearer
-    float push = 0.0f;        // N s, along the normal
-    float stopping = 0.0f;    // N s: of it, without the bounce
-    float rub = 0.0f;         // N s, along the surface
+    float massAlong = 0.0f;   // kg: effective mass along the normal
+    float massAcross = 0.0f;  // kg: effective mass along the surface
+    Vec2 approach;            // m/s, before: along the normal and along the surface
+    float closing = 0.0f;     // m/s: maximum speed at which it may still approach
+    float push = 0.0f;        // N s, normal impulse
+    float stopping = 0.0f;    // N s: of that, without restitution
+    float rub = 0.0f;         // N s, friction impulse
 };
 
 class Exchange {
@@ -65,7 +65,7 @@ public:
         }
     }
 
-    /// Keeps a part of what bounce() did.
+    /// Keeps a fraction of the impulses of bounce().
     void keep(float part) {
         for (ImpactPoint& point : points()) {
             const float back = (1.0f - part) * (point.push - point.stopping);
@@ -74,7 +74,7 @@ public:
         }
     }
 
-    /// J: of both bodies together, by the work of the impulses at their points.
+    /// J: change of the energy of both bodies, from the work of the impulses at their points.
     [[nodiscard]] float gain() {
         float gain = 0.0f;
         for (const ImpactPoint& point : points())
@@ -92,7 +92,7 @@ private:
                               a_.mass.inverseInertia * turnA * turnA + b_.mass.inverseInertia * turnB * turnB;
         return inverse > 0.0f ? 1.0f / inverse : 0.0f;
     }
-    /// m/s of B seen from A: along the normal, and along the surface more than a belt takes it along.
+    /// m/s, B relative to A: along the normal, and along the surface relative to its surface speed.
     [[nodiscard]] Vec2 speedAt(const ImpactPoint& point) const {
         const Vec2 speed = b_.motion.velocity + cross(b_.motion.angularVelocity, point.armB) -
                            a_.motion.velocity - cross(a_.motion.angularVelocity, point.armA);
@@ -126,10 +126,10 @@ void exchangeImpulses(Contact& contact, ImpactBody& a, ImpactBody& b, float time
     impact.stop();
     const float before = impact.gain();
     impact.bounce(settings.bounceSpeed);
-    // Where friction turns bodies, a bounce as fast as asked for may need energy. Energy is convex in the
-    // part of the bounce that is given, so with this part there is no gain.
+    // Where friction rotates bodies, a bounce at full speed may need energy. Energy is convex in the fraction
+    // of the bounce that is applied, so with this fraction there is no gain.
     if (const float after = impact.gain(); after > 0.0f) impact.keep(before / (before - after));
-    contact.impulse0 = -impact.points()[0].push;  // below 0: a blow that is over
+    contact.impulse0 = -impact.points()[0].push;  // negative: an impact, not a load
     contact.impulse1 = contact.count == 2 ? -impact.points()[1].push : 0.0f;
 }
 

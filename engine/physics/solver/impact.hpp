@@ -9,14 +9,14 @@ namespace plumb::physics {
 struct ImpactBody {
     BodyPose pose;
     BodyMotion motion;
-    BodyMass mass;  ///< its inverse mass is 0 for what cannot be pushed
+    BodyMass mass;  ///< inverse mass 0 if it is static or kinematic
 };
 
-/// Exchanges the impulses of an impact between the bodies of a contact, with its friction and bounciness, and
-/// writes them to the contact. Never adds energy, whatever the outlines and masses.
-/// @param contact   its points as they are in these poses
-/// @param timeLeft  s of the step after the impact: a second point that is still apart may close its gap in
-///                  that time, and no sooner; what lands nearly flat lands on both points
+/// Applies the impulses of an impact, with friction and restitution, to the two bodies of a contact, and
+/// stores them in the contact. Never adds energy, whatever the outlines and masses.
+/// @param contact  its points at these poses
+/// @param timeLeft  s of the step after the impact: a second point that is still separated may close its gap
+/// in this time, but not sooner; a body that lands nearly flat lands on both points
 void exchangeImpulses(Contact& contact, ImpactBody& a, ImpactBody& b, float timeLeft,
                       const Settings& settings);
 

@@ -9,17 +9,17 @@ namespace plumb::physics {
 
 namespace {
 
-constexpr float kMostLoad = 0.1f;  // of the impulse: who pressed with more before is not in a chain
-constexpr float kLively = 0.5f;    // bounciness: duller things soak a blow up, and crowds of them would sink
+constexpr float kMostLoad = 0.1f;     // ratio to the impulse: a contact that was loaded more is in no chain
+constexpr float kLively = 0.5f;       // minimum bounciness: duller crowds would absorb impacts and sink
 constexpr float kNoApproach = 1e-3f;  // m/s
 constexpr float kNoOverlap = 1e-5f;   // m
-constexpr std::uint8_t kNoted = 3;    // in Workspace::hits
+constexpr std::uint8_t kNoted = 3;    // in Workspace::hits: the body is recorded
 constexpr int kMostRounds = 64;
-/// Of their energy. What gains more was held by others as well when it was taken back; a cradle's balls gain
-/// up to a tenth of it, from the strings.
+/// Maximum energy gain, as a ratio. A larger one means that other constraints held the bodies too when the
+/// impulses were taken back; the balls of a cradle gain up to a tenth of it, from their strings.
 constexpr float kMostGain = 1e-2f;
 
-/// Calls act(block, bounce, lane) with the contact of an impact.
+/// Calls act(block, bounce, lane) for the contact of an impact.
 template <class Act>
 void visit(Workspace& work, const ImpactPlace& impact, Act&& act) {
     if (impact.fixed) {
@@ -51,7 +51,7 @@ void gather(const std::vector<BounceBlock>& bounces, const std::vector<BlockLane
     }
 }
 
-/// Leaves those that share a body with another one.
+/// Keeps the impacts that share a body with another one.
 void keepChains(Workspace& work) {
     work.hits.resize(work.velocity.size());
     const auto forHits = [&](const ImpactPlace& impact, auto&& act) {
@@ -69,7 +69,7 @@ void keepChains(Workspace& work) {
     });
 }
 
-/// The bodies of all impacts, as they are now.
+/// Records the bodies of all impacts in their current state.
 void noteBodies(Workspace& work) {
     work.hitBodies.clear();
     work.hitImpulses.clear();
@@ -90,7 +90,7 @@ float energyOf(const BodyMass& mass, float x, float y, float spin) {
     return 0.5f * (mass.mass * (x * x + y * y) + mass.inertia * spin * spin);
 }
 
-/// Whether they have more energy than at the start of the step, and than forces gave them since.
+/// True if the bodies have more energy than at the start of the step plus the work of forces since.
 bool gainsEnergy(const World& world, const Workspace& work) {
     float before = 0.0f, given = 0.0f, now = 0.0f;
     for (const HitBody& body : work.hitBodies) {
@@ -106,7 +106,7 @@ bool gainsEnergy(const World& world, const Workspace& work) {
     return !(now <= (1.0f + kMostGain) * before + given);
 }
 
-/// As if impacts did not run on.
+/// Restores the recorded state: as without propagation.
 void forget(Workspace& work) {
     for (const HitBody& body : work.hitBodies) {
         work.velocity[body.slot] = body.velocity;
@@ -130,7 +130,7 @@ bool anyHits(Workspace& work, float slowest) {
     return hits;
 }
 
-/// As if they had not touched.
+/// Takes back the impulses of the substeps.
 void takeBack(Workspace& work) {
     for (const ImpactPlace& impact : work.impacts) {
         visit(work, impact, [&](auto& block, BounceBlock& bounce, int lane) {
@@ -140,7 +140,7 @@ void takeBack(Workspace& work) {
     }
 }
 
-/// As if the step had ended when they met: what accelerated them afterwards would be a gain.
+/// Reduces velocities to those at the impact: what accelerated the bodies afterwards would be a gain.
 void endAtImpact(Workspace& work, float slowest, float dt) {
     for (const ImpactPlace& impact : work.impacts) {
         visit(work, impact, [&](auto& block, BounceBlock& bounce, int lane) {
@@ -150,12 +150,12 @@ void endAtImpact(Workspace& work, float slowest, float dt) {
                 const float gain = approachOf(work, block, 0, lane) - met;
                 pushApart(work, block, 0, lane, -block.points[0].mass[lane] * gain);
             }
-            before = 0.0f;  // nothing is left to bounce
+            before = 0.0f;  // nothing is left for applyRestitution()
         });
     }
 }
 
-/// @return whether anybody approached
+/// @return true if any pair approached
 bool collideInTurn(Workspace& work, float slowest) {
     bool approached = false;
     for (const ImpactPlace& impact : work.impacts) {
@@ -188,14 +188,14 @@ void part(Workspace& work, const FixedContactBlock& block, int lane, float depth
     shift(work, block.b[lane], depth, block.normalX[lane], block.normalY[lane]);
 }
 
-/// Takes out the overlaps that the blow made before it was stopped: pushed apart by and by, the balls would
-/// get speed from it.
-/// @return whether there was any
+/// Removes the overlaps that arose before the impact was stopped: pushed out gradually, they would speed up
+/// the balls.
+/// @return true if there were any
 bool partInTurn(Workspace& work, float dt) {
     bool overlapped = false;
     for (const ImpactPlace& impact : work.impacts) {
         visit(work, impact, [&](const auto& block, const BounceBlock&, int lane) {
-            // What was deep before is pushed out as ever: lifted at once, it would gain height.
+            // Overlap from before the step is pushed out as usual: removed at once, it would add height.
             const float start = std::max(block.points[0].separation[lane], 0.0f);
             const float depth = -(start + approachIn(work, block, 0, lane, dt).way);
             if (depth <= kNoOverlap) return;
@@ -206,7 +206,7 @@ bool partInTurn(Workspace& work, float dt) {
     return overlapped;
 }
 
-/// A blow is no load: the next step does not start with it.
+/// An impact is not a load: marks its impulses (negative), so that the next step does not start with them.
 void markBlows(Workspace& work) {
     for (const ImpactPlace& impact : work.impacts) {
         visit(work, impact, [&](auto& block, const BounceBlock&, int lane) {

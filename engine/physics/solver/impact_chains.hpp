@@ -4,14 +4,15 @@
 
 namespace plumb::physics {
 
-/// BounceBlock::sum of a contact that no impact runs on through.
+/// BounceBlock::sum of a contact that does not propagate impacts.
 inline constexpr float kNoChain = -1.0f;
 
-/// Impacts that run on: a ball that hits a row of balls which touch, but do not press each other, throws off
-/// the last one. The substeps stop all at once and share out the momentum, so what they did is taken back,
-/// and the impacts happen one after the other, until nobody approaches. Only of round contacts that bounce:
-/// what rests on two points, or under a load, does not pass a blow on as a whole. Source: B. Smith et al.,
-/// "Reflections on Simultaneous Impact", SIGGRAPH 2012, section 3, on what a sequence of pairs gets right.
+/// Propagation of simultaneous impacts: a ball that hits a row of balls which touch without load ejects the
+/// last one. The substeps stop all balls at once and share out the momentum, so their impulses are taken
+/// back, and the pairs collide sequentially until none approaches. Only for round contacts that bounce:
+/// bodies that rest on two points, or under a load, do not transmit an impact as a whole. Source: B. Smith et
+/// al., "Reflections on Simultaneous Impact", SIGGRAPH 2012, section 3, on what a sequence of pairwise
+/// impacts gets right.
 void runImpactsOn(StepContext& step, const SolveGroup& group);
 
 }  // namespace plumb::physics

@@ -6,38 +6,39 @@
 
 namespace plumb::physics {
 
-// Joints are made of three parts: a point of A that is a point of B, a length along a direction, an angle.
-// What is measured of a length or an angle (a "value") can be held, driven by a motor, and limited.
+// A joint is composed of three constraints: a point of A that coincides with a point of B, a length along a
+// direction, an angle. A "value" (a length or an angle) can be held, driven by a motor, and limited.
 
-/// How hard an error is answered: impulse -= mass * (take * speed + pull * error) + give * impulse.
+/// Soft constraint parameters of a joint ("grip"): impulse -= mass * (take * speed + pull * error) + give *
+/// impulse. In terms of Softness: take = massScale, pull = massScale * biasRate, give = impulseScale.
 struct Grip {
     float take = 0.0f;
     float pull = 0.0f;  ///< 1/s
     float give = 1.0f;
 };
 
-/// The same of eight joints. What springs does so in the relax pass too; what does not is rigid there.
+/// The same for eight joints. Springs keep them in the relax pass; other joints are rigid there.
 struct GripLanes {
     float take[kLanes];
     float pull[kLanes];
     float give[kLanes];
     float springs[kLanes];  ///< 1 or 0
-    float most[kLanes];     ///< N s or N m s: as much as it can give
+    float most[kLanes];     ///< N s or N m s: maximum impulse per substep
 };
 
-/// The two bodies of eight joints of one colour.
+/// The two bodies of eight joints of one color.
 struct JointBodies {
     std::int32_t a[kLanes];  ///< slots
     std::int32_t b[kLanes];
     float inverseInertiaA[kLanes];
     float inverseInertiaB[kLanes];
-    std::int32_t own[kLanes];  ///< of joints with one body that can be pushed: that one
-    float ownIsA[kLanes];      ///< 1 or 0
+    std::int32_t own[kLanes];  ///< slot of the only body that a one-sided joint moves
+    float ownIsA[kLanes];      ///< 1 if that is A, else 0
 };
 
-/// Two anchors. Arms are those of the start of the step.
+/// Two anchors, with the arms of the start of the step.
 struct AnchorLanes {
-    float armAX[kLanes];  ///< m, world, from the centre of mass
+    float armAX[kLanes];  ///< m, world, from the center of mass
     float armAY[kLanes];
     float armBX[kLanes];
     float armBY[kLanes];
@@ -45,13 +46,13 @@ struct AnchorLanes {
     float apartY[kLanes];
 };
 
-/// The rows of a value: what holds it, a motor, and two limits.
+/// Constraints on a value: what holds it, a motor, and two limits.
 struct RowLanes {
-    std::int32_t uses;        ///< bits of RowUse, of any lane
-    float value[kLanes];      ///< m or rad, when errors were pushed out last
-    float rest[kLanes];       ///< where it is held
+    std::int32_t uses;        ///< bits of RowUse, of all lanes together
+    float value[kLanes];      ///< m or rad, as of the last biased pass
+    float rest[kLanes];       ///< value at which it is held
     float speed[kLanes];      ///< m/s or rad/s: of the motor
-    float mostMotor[kLanes];  ///< N s or N m s
+    float mostMotor[kLanes];  ///< N s or N m s: maximum impulse per substep
     float lower[kLanes];
     float upper[kLanes];
     GripLanes grip;
@@ -63,27 +64,29 @@ struct RowLanes {
 
 enum RowUse : std::int32_t { kHolds = 1, kDrives = 2, kLimits = 4 };
 
-/// Eight plain hinges.
+/// Eight hinges without limit, motor and spring.
 struct PointBlock {
     JointBodies bodies;
     AnchorLanes anchors;
     float impulseX[kLanes];  ///< N s, on B
     float impulseY[kLanes];
-    float turnA[kLanes];  ///< N m s: after a push, of the impulse; after relaxing, what it now lacks
+    float turnA[kLanes];  ///< N m s: after a biased pass, torque of the impulse; after a relax pass, its
+                          ///< correction along the current arms
     float turnB[kLanes];
 };
 
-/// Eight joints that hold a point, softly or weakly perhaps, and do something to the angle.
+/// Eight joints that constrain a point, possibly softly or with limited force, and the angle.
 struct HingeBlock {
     PointBlock point;
     GripLanes grip;
-    float apartX[kLanes];  ///< m: from A's anchor to B's, when errors were pushed out last
+    float apartX[kLanes];  ///< m: from A's anchor to B's, as of the last biased pass
     float apartY[kLanes];
     float angle[kLanes];  ///< rad, at the start of the step
     RowLanes turning;
 };
 
-/// What impulses along directions that turn with the bodies lack of those along the directions of now.
+/// Correction of impulses whose directions rotate with the bodies: along the current directions, minus what
+/// was applied.
 struct CarryLanes {
     float x[kLanes];  ///< N s
     float y[kLanes];
@@ -106,13 +109,13 @@ struct SliderBlock {
     CarryLanes carry;
     float axisX[kLanes];  ///< at the start of the step
     float axisY[kLanes];
-    float angle[kLanes];          ///< rad, at the start of the step, less where it is held
+    float angle[kLanes];          ///< rad, at the start of the step, relative to where it is held
     float holdsAngle[kLanes];     ///< 1 or 0
     float acrossImpulse[kLanes];  ///< N s
     float angleImpulse[kLanes];   ///< N m s
-    std::int32_t spins;           ///< some lane has a motor that turns
-    float spin[kLanes];           ///< rad/s: of that motor
-    float mostSpin[kLanes];       ///< N m s
+    std::int32_t spins;           ///< nonzero if some lane has a rotational motor
+    float spin[kLanes];           ///< rad/s: target speed of that motor
+    float mostSpin[kLanes];       ///< N m s: maximum impulse per substep
     float spinImpulse[kLanes];
     RowLanes along;
 };
@@ -125,18 +128,18 @@ enum JointBlockKind : std::int32_t {
     kJointBlockKinds
 };
 
-/// Which joints are in a block: indices into World::joints; repeats the last one in empty lanes.
+/// Joints of a block: indices into World::joints. Entries from `count` on are unused.
 struct JointLanes {
     std::int32_t joint[kLanes];
     std::int32_t count;
 };
 
-/// What a pass over joints needs to know.
+/// Parameters of a pass over joints.
 struct JointPass {
-    Grip rigid;                ///< of what is as stiff as substeps allow
+    Grip rigid;  ///< soft constraint parameters of joints that are as stiff as the substeps allow
     float substepRate = 0.0f;  ///< 1/s
-    float pushSpeed = 0.0f;    ///< m/s or rad/s: no faster is closed what is open
-    bool first = true;         ///< of the passes of this substep
+    float pushSpeed = 0.0f;    ///< m/s or rad/s: maximum speed at which joint errors are closed
+    bool first = true;         ///< first iteration of this pass in the substep
 };
 
 }  // namespace plumb::physics

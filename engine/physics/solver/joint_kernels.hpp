@@ -5,7 +5,7 @@
 
 namespace plumb::physics {
 
-/// What can be done with a range of blocks of one kind. One-sided: one body of each joint cannot be pushed.
+/// Passes over a range of blocks of one kind. One-sided: the joints move only one of their bodies.
 template <class Block>
 struct JointPasses {
     using Run = void (*)(const SolverBodies& bodies, const JointPass& pass, const JointLanes* lanes,
@@ -15,7 +15,7 @@ struct JointPasses {
     Run relax[2];
 };
 
-/// Joints in lanes of eight: see SolverKernels.
+/// Joint constraints in SIMD lanes: see SolverKernels.
 struct JointKernels {
     JointPasses<PointBlock> points;
     JointPasses<HingeBlock> hinges;

@@ -1,8 +1,8 @@
-// Joints in lanes: the rest of kernels.inl, whose functions it uses.
+// Joints in SIMD lanes: the second part of kernels.inl, whose functions it uses.
 //
-// Arms turn with the bodies in every substep, so that chains stay exact however fast they swing. What the
-// impulses of a substep did is given again in the next one (accelerate), along the arms of then; what that
-// lacks is made up for when the joint is pushed.
+// Arms rotate with the bodies in every substep, so that chains stay accurate however fast they swing. Warm
+// starting repeats the velocity change of the previous substep (accelerate), along the arms of then; the
+// difference to the current arms is added in the biased pass.
 
 #include "physics/solver/joint_kernels.hpp"
 
@@ -16,7 +16,7 @@ inline Two8 operator*(Float8 s, Two8 a) { return {s * a.x, s * a.y}; }
 inline Two8 load2(const float* x, const float* y) { return {load(x), load(y)}; }
 inline void store2(float* x, float* y, Two8 a) { store(x, a.x), store(y, a.y); }
 
-/// The bodies of eight joints while they are worked on: `shift` is how they moved in this step.
+/// The bodies of eight joints while a block is solved. `shift` is their motion since the start of the step.
 struct Couple8 {
     Body8 a, b;
     Float8 shiftA[4], shiftB[4];
@@ -45,7 +45,7 @@ inline Couple8 coupleOf(const SolverBodies& bodies, const JointBodies& block) {
     return couple;
 }
 
-/// The body that cannot be pushed is not written: other threads may read it.
+/// Does not write the body that the joint leaves alone: other threads may read it.
 template <bool kOneSided>
 inline void write(const SolverBodies& bodies, const JointBodies& block, const Couple8& couple, int count) {
     if constexpr (kOneSided) {
@@ -59,12 +59,12 @@ inline void write(const SolverBodies& bodies, const JointBodies& block, const Co
     }
 }
 
-/// By how much an arm has changed with the body's turn.
+/// Change of an arm by the rotation of its body since the start of the step.
 inline Two8 changeOf(Two8 arm, const Float8 (&shift)[4]) {
     return {shift[3] * arm.x - shift[2] * arm.y, shift[2] * arm.x + shift[3] * arm.y};
 }
 
-/// Two anchors at the moment.
+/// Two anchors at the current poses.
 struct Anchors8 {
     Two8 armA, armB;
     Two8 apart;  // from A's to B's
@@ -78,7 +78,7 @@ inline Anchors8 anchorsAt(const AnchorLanes& lanes, const Couple8& couple) {
             load2(lanes.apartX, lanes.apartY) + (moved + (changeB - changeA))};
 }
 
-// Grips.
+// Soft constraint parameters.
 
 struct Grip8 {
     Float8 take, pull, give;
@@ -97,15 +97,15 @@ inline Grip8 gripOf(const GripLanes& lanes) {
 
 inline constexpr Grip kRelaxed{1.0f, 0.0f, 0.0f};
 
-/// How fast joints close what is open, times `take`. What springs pulls as hard as it likes.
+/// Maximum speed at which joint errors are closed, times `take`. Springs are not limited.
 inline Float8 mostPull(const JointPass& pass, const GripLanes& lanes, const Grip8& grip) {
     return select(load(lanes.springs) > all(0.5f), all(1.0e30f), grip.take * all(pass.pushSpeed));
 }
 inline Float8 mostPull(const JointPass& pass, const Grip8& grip) { return grip.take * all(pass.pushSpeed); }
 
-// A point of A that is a point of B: a constraint of two rows, solved at once.
+// Point constraint: two rows, solved together.
 
-/// What an impulse of 1 does to the velocity between the anchors; and its inverse.
+/// The impulse that changes the velocity between the anchors by `wanted`: inverse of a 2 x 2 matrix.
 inline Two8 solvePoint(const Couple8& couple, const Anchors8& at, Two8 wanted) {
     const Float8 turnA = couple.a.inverseInertia, turnB = couple.b.inverseInertia;
     const Float8 masses = couple.a.lane[3] + couple.b.lane[3];
@@ -116,7 +116,7 @@ inline Two8 solvePoint(const Couple8& couple, const Anchors8& at, Two8 wanted) {
     return {inverse * (yy * wanted.x - xy * wanted.y), inverse * (xx * wanted.y - xy * wanted.x)};
 }
 
-/// `grip.pull` times what is open, but no more than `most`: mostPull().
+/// `grip.pull` times the error, limited to `most`: mostPull().
 inline Two8 closing(const Grip8& grip, Two8 apart, Float8 most) {
     const Two8 pull = grip.pull * apart;
     const Float8 square = dot8(pull, pull);
@@ -129,8 +129,8 @@ inline Float8 closing(const Grip8& grip, Float8 apart, Float8 most) {
     return clamp(grip.pull * apart, -most, most);
 }
 
-/// The impulse that a grip answers with.
-/// @param pull  what is to be closed: closing()
+/// Impulse of a soft point constraint.
+/// @param pull  velocity that corrects the error: closing()
 inline Two8 answerPoint(const Couple8& couple, const Anchors8& at, const Grip8& grip, Two8 pull,
                         Two8 impulse) {
     const Two8 speed = couple.velocityBetween(at.armA, at.armB);
@@ -142,7 +142,7 @@ inline void givePoint(Couple8& couple, const Anchors8& at, Two8 impulse) {
     couple.push(impulse, cross8(at.armA, impulse), cross8(at.armB, impulse));
 }
 
-/// Before a push: what the impulses of the last substep lack along the arms of now.
+/// Before a biased pass: adds what the repeated impulses lack along the current arms.
 inline void makeUp(Couple8& couple, const PointBlock& block) {
     couple.a.lane[2] -= couple.a.inverseInertia * load(block.turnA);
     couple.b.lane[2] += couple.b.inverseInertia * load(block.turnB);
@@ -153,7 +153,7 @@ inline void noteTurns(PointBlock& block, const Anchors8& at, Two8 impulse) {
     store(block.turnB, cross8(at.armB, impulse));
 }
 
-/// While relaxing: how the turning impulses of the push differ from those along the arms of now.
+/// In the relax pass: records how the torques of the biased pass differ from those along the current arms.
 inline void noteLack(PointBlock& block, const Anchors8& at, Two8 impulse) {
     store(block.turnA, cross8(at.armA, impulse) - load(block.turnA));
     store(block.turnB, cross8(at.armB, impulse) - load(block.turnB));
@@ -206,7 +206,7 @@ void relaxPoints(const SolverBodies& bodies, const JointPass& pass, const JointL
     }
 }
 
-// A value: an angle, or a length along a direction. A Line knows its speed and can be pushed.
+// Constraints on a value: an angle, or a length along a direction. A Line has a speed and takes impulses.
 
 inline void addTo(float* total, Float8 impulse) { store(total, load(total) + impulse); }
 
@@ -227,16 +227,17 @@ inline void hold(RowLanes& rows, const JointPass& pass, Float8 value, Float8 mas
     line.push(after - before);
 }
 
-/// How fast a value may go towards a limit: there within the substep, no further, and back from beyond it as
-/// the limit itself pushes it.
+/// Maximum speed of a value towards a limit: it may reach the limit within the substep but not pass it, and
+/// returns from beyond it as fast as the limit itself pushes it back.
 template <bool kPush>
 inline Float8 speedTo(const JointPass& pass, Float8 gap) {
     const float back = kPush ? pass.rigid.pull / pass.rigid.take : 0.0f;
     return max(gap * select(gap > all(0.0f), all(pass.substepRate), all(back)), all(-pass.pushSpeed));
 }
 
-/// Motors stop at limits, whatever their strength. Against each other both would grow until the limit, which
-/// gives way a little, gave way by a lot. What else pulls is still the limit's to hold: none brakes for it.
+/// A motor stops at a limit, whatever its strength. If both worked against each other their impulses would
+/// grow to the maximum, and the limit, which is slightly compliant, would give way by a lot. All other forces
+/// are left to the limit: the motor does not brake for it.
 template <bool kPush, class Line>
 inline void drive(RowLanes& rows, const JointPass& pass, Float8 value, Float8 mass, Line line) {
     const Float8 before = load(rows.motorImpulse), most = load(rows.mostMotor), speed = line.speed();
@@ -254,7 +255,8 @@ inline void drive(RowLanes& rows, const JointPass& pass, Float8 value, Float8 ma
     line.push(after - before);
 }
 
-/// One limit, as an impulse that only pushes away from it. Apart, it may be reached within the substep.
+/// One limit, as an impulse that only pushes away from it. A value apart from it may reach it within the
+/// substep.
 template <bool kPush>
 inline Float8 limited(const JointPass& pass, Float8 speed, Float8 gap, Float8 mass, float* total) {
     const Mask8 apart = gap > all(0.0f);
@@ -296,7 +298,7 @@ inline Float8 arcTangent8(Float8 y, Float8 x) {
     return select(y < zero, -angle, angle);
 }
 
-/// How far B has turned from A since the start of the step.
+/// rad: rotation of B relative to A since the start of the step.
 inline Float8 turnBetween(const Couple8& couple) {
     const Float8 sineA = couple.shiftA[2], versineA = couple.shiftA[3];
     const Float8 sineB = couple.shiftB[2], versineB = couple.shiftB[3];
@@ -315,7 +317,7 @@ inline Float8 angleMass(const Couple8& couple) {
     return inverseOrZero(couple.a.inverseInertia + couple.b.inverseInertia);
 }
 
-// Hinges that do more than hold a point, and what else holds a point and an angle.
+// Hinges with a limit, motor or spring, and other joints that constrain a point and an angle.
 
 template <bool kOneSided>
 void warmStartHinges(const SolverBodies& bodies, const JointPass&, const JointLanes* lanes,
@@ -329,7 +331,7 @@ void warmStartHinges(const SolverBodies& bodies, const JointPass&, const JointLa
     }
 }
 
-/// An impulse that is no longer than `most`.
+/// An impulse, limited to a magnitude of `most`.
 inline Two8 shortened(Two8 impulse, Float8 most) {
     const Float8 size = sqrt(dot8(impulse, impulse));
     const Float8 ratio = most / max(size, all(1.0e-30f));
@@ -351,7 +353,7 @@ void answerHinges(const SolverBodies& bodies, const JointPass& pass, const Joint
             store2(block.apartX, block.apartY, at.apart);
         } else {
             if (pass.first) noteLack(point, at, before);
-            at.apart = load2(block.apartX, block.apartY);  // a spring's force is that of one moment
+            at.apart = load2(block.apartX, block.apartY);  // spring forces are evaluated once per substep
         }
         answerRows<kPush>(block.turning, pass, load(block.turning.value), angleMass(couple),
                           AngleLine8{couple});

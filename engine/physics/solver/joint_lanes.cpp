@@ -15,7 +15,7 @@ namespace plumb::physics {
 namespace {
 
 constexpr int kGrain = 24;                              // blocks
-constexpr std::int32_t kInTree = kJointBlockKinds + 1;  // BreakableJoint::kind of what no block has
+constexpr std::int32_t kInTree = kJointBlockKinds + 1;  // BreakableJoint::kind of a joint in a tree
 constexpr std::size_t kKeysOfGroup = (kColours + 1) * kJointBlockKinds;
 
 template <class Act>
@@ -28,9 +28,10 @@ void forKinds(JointWork& joints, Act&& act) {
 
 bool isOneSided(int colour) { return colour >= kFirstFixedColour && colour < kColours; }
 
-// Laying out.
+// Layout.
 
-/// Group, colour and kind of block of a joint; -1 for one that is not solved; -2 - group for a tie.
+/// Group, color and block kind of a joint; -1 if it is not solved here, -2 - group for a multi-body
+/// constraint.
 std::int32_t keyOf(const World& world, const Workspace& work, std::uint32_t index) {
     const Joint& joint = world.joints.hot[index];
     if (joint.colour > kOverflow || work.joints.trees.isDirect[index] == kWhollyDirect) return -1;
@@ -58,7 +59,7 @@ void count(const World& world, Workspace& work) {
     }
 }
 
-/// Ranges of blocks for each group and colour. Turns counts into places: the next free lane.
+/// Assigns ranges of blocks to groups and colors. Turns counts into indices of the next free lane.
 template <class Store>
 void layOut(Workspace& work, Store& store, JointBlockKind kind) {
     std::int32_t blocks = 0;
@@ -103,7 +104,7 @@ void fill(const World& world, Workspace& work) {
     }
 }
 
-/// Joints of trees that can break: `block` says where, holds after links.
+/// Breakable joints of trees: `block` is an index into links, continued by holds.
 void noteBreakables(const World& world, JointWork& joints) {
     const auto note = [&](const std::vector<Link>& links, std::size_t first) {
         for (std::size_t i = 0; i < links.size(); ++i) {
@@ -128,9 +129,9 @@ void collectTies(StepContext& step) {
     }
 }
 
-// Preparing.
+// Preparation.
 
-/// What preparing a block needs to know.
+/// Input of the preparation of a block.
 struct Preparation {
     const World& world;
     const Workspace& work;
@@ -193,7 +194,7 @@ void setGrip(const Grip& grip, bool springs, float most, GripLanes& lanes, int l
 
 void setRows(const Preparation& all, const Joint& joint, const ValueParts& value, RowLanes& rows, int lane) {
     rows.uses |= (value.held ? kHolds : 0) | (value.driven ? kDrives : 0) | (value.limited ? kLimits : 0);
-    // What is not held springs without a force, in both passes.
+    // A value that is not held is a spring without force, in both passes.
     setGrip(value.held ? value.grip : Grip{}, value.springs || !value.held, value.most, rows.grip, lane);
     rows.rest[lane] = value.rest;
     rows.speed[lane] = value.speed;
@@ -224,7 +225,7 @@ void setLane(const Preparation& all, const Joint& joint, const JointParts& parts
 void setLane(const Preparation& all, const Joint& joint, const JointParts& parts, HingeBlock& block,
              int lane) {
     setLane(all, joint, parts, block.point, lane);
-    // A point that is held in a tree is a spring without a force here.
+    // A point that the direct solver holds is a spring without force here.
     setGrip(parts.isDirect ? Grip{0.0f, 0.0f, 0.0f} : parts.grip, parts.springs || parts.isDirect, parts.most,
             block.grip, lane);
     block.angle[lane] = parts.angle;
@@ -272,7 +273,7 @@ void prepareBlock(const Preparation& all, const JointLanes& lanes, Block& block)
     for (int i = lanes.count; i < kLanes; ++i) clearBodies(all, bodiesOf(block), i);
 }
 
-// What joints gave, as N and N m.
+// Forces of joints, N and N m.
 
 struct Given {
     Vec2 force;
@@ -349,7 +350,7 @@ void breakJoints(World& world, JointWork& joints) {
     for (const BreakableJoint& breakable : joints.breakables) {
         const JointDefinition& definition = world.joints.definition[breakable.joint];
         if (breakable.force <= definition.breakForce && breakable.torque <= definition.breakTorque) continue;
-        if (world.joints.hot[breakable.joint].bodyA == kNone) continue;  // it just did
+        if (world.joints.hot[breakable.joint].bodyA == kNone) continue;  // already broken
         const JointId id{breakable.joint, world.joints.hot[breakable.joint].generation};
         world.brokenJoints.push_back(id);
         destroyJoint(world, id);
@@ -421,7 +422,7 @@ void solveJoints(const StepContext& step, const SolverBodies& bodies, const Join
         const auto kernel = act == JointAct::WarmStart ? passes.warmStart[side]
                             : act == JointAct::Push    ? passes.push[side]
                                                        : passes.relax[side];
-        // Those without a colour share bodies: one after the other.
+        // Joints without a color share bodies, so they are solved sequentially.
         forPieces(step, range.end - range.begin, colour == kOverflow ? 1 << 30 : kGrain,
                   [&](int first, int last, int) {
                       kernel(bodies, pass, store.lanes.data(), store.blocks.data(), range.begin + first,
@@ -437,7 +438,7 @@ void solveJoints(const StepContext& step, const SolverBodies& bodies, const Join
 }
 
 void noteJointForces(StepContext& step, const SolveGroup& group, float substepRate) {
-    if (!step.world.manifest.runs(Effect::Joints)) return;  // what is left here is of an earlier step
+    if (!step.world.manifest.runs(Effect::Joints)) return;  // breakables are those of an earlier step
     JointWork& joints = step.work.joints;
     for (BreakableJoint& breakable : joints.breakables) {
         if (breakable.kind == kInTree) noteInTree(step, group, breakable);

@@ -8,13 +8,15 @@
 
 namespace plumb::physics {
 
-// Joints that are solved all at once, tree by tree: see solve_trees.hpp.
+// Data of the direct solver for trees of joints, see solve_trees.hpp. A limb is a body of a tree; a link is a
+// joint between a limb and its parent; a hold is a further joint to a static or kinematic body, which closes
+// a loop.
 
-/// What a joint of a tree holds, as rows: a point (2), a point and an angle (3), a length (1), a way and an
-/// angle (2).
+/// What a joint of a tree constrains, as rows: a point (2), a point and an angle (3), a length (1), the
+/// position across an axis and an angle (2).
 enum class LinkKind : std::uint8_t { Point, Weld, Rod, Slider };
 
-/// How far a body has moved since the start of the step: m, m, sine and (cosine - 1) of its turn.
+/// Motion of a body since the start of the step: m, m, sine and (cosine - 1) of its rotation.
 struct TreePose {
     double x = 0.0;
     double y = 0.0;
@@ -27,95 +29,95 @@ struct Limb {
     std::uint32_t body = 0;
     std::int32_t slot = 0;
     std::uint32_t colours = 0;  ///< of all its joints
-    bool hasOthers = false;     ///< joints that are not of the tree
+    bool hasOthers = false;     ///< some of its joints are not in the tree
     double mass = 0.0;          ///< kg
     double inertia = 0.0;       ///< kg m2
-    bool turns = true;          ///< a push can turn it
-    double straining = 0.0;     ///< N m: torque by which its joints turn it back, for each radian
+    bool turns = true;          ///< its inertia is finite
+    double straining = 0.0;     ///< N m/rad: rotational stiffness by the tension of its joints
     TreePose pose;
     Triple velocity;
-    Symmetric own;   ///< its mass, and what hangs on it as one feels it here; then the inverse of that
-    Triple impulse;  ///< on it, of what hangs on it; then by how much its velocity changes
+    Symmetric own;   ///< its mass matrix with its subtree as felt here; after factoring, the inverse
+    Triple impulse;  ///< on it, by its subtree; then the change of its velocity
 };
 
-/// A joint of a tree, between a limb and its parent, or what cannot be pushed. All of it is as seen from the
-/// parent: a gap grows with the velocity of the limb, and an impulse is what the limb gets.
+/// A joint of a tree, between a limb and its parent or a static or kinematic body. Everything is relative to
+/// the parent: a gap grows with the velocity of the limb, and an impulse acts on the limb.
 struct Link {
-    std::uint32_t joint = 0;  ///< kNone at the root of a tree that flies
+    std::uint32_t joint = 0;  ///< kNone at the root of a floating tree
     LinkKind kind = LinkKind::Point;
     bool limbIsB = true;
-    bool shared = false;       ///< the lanes solve something else of it: a limit, a motor, a spring
-    bool byArms = false;       ///< a point that needs no rows: they are in its arms
+    bool shared = false;       ///< the SIMD solver solves its limit, motor or spring
+    bool byArms = false;       ///< a point constraint, computed from its arms instead of rows
     std::int32_t limb = 0;     ///< in JointTrees::limbs
-    std::int32_t parent = -1;  ///< in JointTrees::limbs; -1 for what cannot be pushed
-    std::uint32_t ground = 0;  ///< that body then
+    std::int32_t parent = -1;  ///< in JointTrees::limbs; -1 for a static or kinematic body
+    std::uint32_t ground = 0;  ///< in that case: the body
     // At the start of the step.
-    Vec2 limbArm;  ///< m, world, from the centre of mass
+    Vec2 limbArm;  ///< m, world, from the center of mass
     Vec2 parentArm;
     Vec2 apart;          ///< m: from the parent's anchor to the limb's
-    Vec2 axis;           ///< of sliders
-    float angle = 0.0f;  ///< rad, less where it is held
-    float rest = 0.0f;   ///< m: of rods
-    float reach = 0.0f;  ///< m: how large a gap is closed within a substep
-    // Of the poses of now.
-    double limbX = 0.0;  ///< m: arms of points
+    Vec2 axis;           ///< sliding axis
+    float angle = 0.0f;  ///< rad, relative to where it is held
+    float rest = 0.0f;   ///< m: length of rods
+    float reach = 0.0f;  ///< m: largest gap that is closed within a substep
+    // At the current poses.
+    double limbX = 0.0;  ///< m: arms of point constraints
     double limbY = 0.0;
     double parentX = 0.0;
     double parentY = 0.0;
-    Symmetric stiffness;  ///< the impulse that takes away a speed
-    Triple across[3];     ///< by row: what an impulse does to the limb
+    Symmetric stiffness;  ///< effective mass: impulse per velocity removed
+    Triple across[3];     ///< by row: change of the limb's velocity by an impulse
     Triple softness;
     Triple gap;     ///< m or rad
-    Triple error;   ///< m/s: that it has to answer
-    Triple answer;  ///< N s: if the parent kept still
-    Triple given;   ///< N s in this substep
-    Triple force;   ///< N, N, N m in the last substep
+    Triple error;   ///< m/s: velocity to be removed
+    Triple answer;  ///< N s: with the parent fixed
+    Triple given;   ///< N s: in this substep
+    Triple force;   ///< N, N, N m: in the last substep
     Triple groundVelocity;
-    Triple onLimb[3];  ///< by row: how it grows with the velocity of the limb, and of its parent
+    Triple onLimb[3];  ///< by row: Jacobian of the limb, and of its parent
     Triple onParent[3];
 };
 
-/// A tree: its limbs, those furthest from the root first.
+/// A tree: its limbs, ordered from the leaves to the root.
 struct JointTree {
-    std::int32_t begin = 0;  ///< of limbs, and of their links
+    std::int32_t begin = 0;  ///< limbs and their links
     std::int32_t end = 0;
-    std::int32_t holdBegin = 0;  ///< links to what cannot be pushed besides that of the root
+    std::int32_t holdBegin = 0;  ///< further links to static or kinematic bodies, besides that of the root
     std::int32_t holdEnd = 0;
-    bool direct = true;   ///< in this step: left to the lanes while its limbs touch something
-    bool rooted = false;  ///< the last limb has a link too: to what cannot be pushed
+    bool direct = true;   ///< in this step: false while its limbs touch something
+    bool rooted = false;  ///< the last limb has a link too, to a static or kinematic body
     std::uint8_t group = 0;
-    double gain = 0.0;  ///< J: of energy in this substep, from its joints
+    double gain = 0.0;  ///< J: energy added by its joints in this substep
 };
 
-/// How much of a joint is solved in a tree.
+/// How much of a joint is solved by a tree.
 enum DirectPart : std::uint8_t { kNotDirect, kPartlyDirect, kWhollyDirect };
 
-/// A body as it was reached when trees grew, from the root outwards.
+/// A body found while a tree is built, from the root outwards.
 struct ReachedBody {
     std::uint32_t body = 0;
-    std::int32_t parent = -1;  ///< place among those reached, or -1
-    std::uint32_t joint = 0;   ///< to the parent or to what cannot be pushed; kNone where a tree flies
+    std::int32_t parent = -1;  ///< index among the bodies found, or -1
+    std::uint32_t joint = 0;   ///< to the parent or the ground; kNone at the root of a floating tree
     LinkKind kind = LinkKind::Point;
 };
 
-/// A joint besides to what cannot be pushed.
+/// A further joint to a static or kinematic body.
 struct HeldJoint {
-    std::int32_t limb = 0;  ///< place among those reached
+    std::int32_t limb = 0;  ///< index among the bodies found
     std::uint32_t joint = 0;
     LinkKind kind = LinkKind::Point;
 };
 
-/// All trees. Limb i hangs on link i.
+/// All trees. Link i connects limb i to its parent.
 struct JointTrees {
     std::vector<JointTree> trees;
     std::vector<Limb> limbs;
     std::vector<Link> links;
     std::vector<Link> holds;
     std::vector<std::uint8_t> isDirect;    ///< by joint: DirectPart
-    std::vector<std::uint32_t> freeMasks;  ///< by body: colours of what acts on it, where all is solved here
-    bool some = false;                     ///< a tree is solved directly in this step
-    bool stale = true;                     ///< joints came, went, woke or fell asleep
-    bool wanted = false;                   ///< Settings::directJoints, when they grew
+    std::vector<std::uint32_t> freeMasks;  ///< by body: colors of its constraints, if all are in its tree
+    bool some = false;                     ///< some tree is solved directly in this step
+    bool stale = true;                     ///< joints were created or destroyed, woke or fell asleep
+    bool wanted = false;                   ///< Settings::directJoints, when the trees were built
     std::vector<std::uint32_t> candidates;
     std::vector<std::uint8_t> reached;  ///< by body
     std::vector<ReachedBody> reachedBodies;

@@ -7,7 +7,7 @@
 
 namespace plumb::physics {
 
-/// Blocks of one kind, and who is in them.
+/// Blocks of one kind and the joints in them.
 template <class Block>
 struct JointStore {
     std::vector<Block> blocks;
@@ -21,11 +21,11 @@ struct BreakableJoint {
     std::int32_t kind;
     std::int32_t block;
     std::int32_t lane;
-    float force = 0.0f;   ///< N: the largest of all substeps
+    float force = 0.0f;   ///< N: largest of all substeps
     float torque = 0.0f;  ///< N m
 };
 
-/// What a step needs for joints, in Workspace.
+/// Joint data of a step, in Workspace.
 struct JointWork {
     JointStore<PointBlock> points;
     JointStore<HingeBlock> hinges;
@@ -35,8 +35,8 @@ struct JointWork {
     JointTrees trees;
     std::vector<std::uint8_t> leverages;  ///< by joint: leverageOf()
     bool someLeverage = false;            ///< some are above 0
-    std::vector<std::int32_t> counts;     ///< by group, colour and kind
-    std::vector<std::int32_t> keys;       ///< by place in Joints::awake
+    std::vector<std::int32_t> counts;     ///< by group, color and kind
+    std::vector<std::int32_t> keys;       ///< by index in Joints::awake
     std::vector<BreakableJoint> breakables;
 };
 

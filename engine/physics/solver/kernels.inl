@@ -1,4 +1,4 @@
-// The source of kernels_*.cpp. Only lanes.hpp and plain arrays here: see lanes.hpp.
+// Source of kernels_*.cpp. It may use only lanes.hpp and plain arrays: see there.
 
 #include "physics/contact_rows.hpp"
 #include "physics/solver/kernels.hpp"
@@ -17,7 +17,7 @@ inline Two8 turned(Float8 cosine, Float8 sine, Float8 x, Float8 y) {
 inline Float8 dot8(Two8 a, Two8 b) { return a.x * b.x + a.y * b.y; }
 inline Float8 cross8(Two8 a, Two8 b) { return a.x * b.y - a.y * b.x; }
 
-/// 1/x, and 0 for 0: what cannot be moved offers no mass.
+/// 1/x, or 0 for 0: the effective mass of what cannot move.
 inline Float8 inverseOrZero(Float8 x) {
     const Float8 zero = all(0.0f);
     const Mask8 some = x > zero;
@@ -44,12 +44,12 @@ void accelerate(const SolverBodies& bodies, float h, bool first, int begin, int 
     }
 }
 
-/// A turn as the solver keeps it: sine, and cosine - 1, which stays exact where the turn is small.
+/// A rotation as the solver keeps it: sine, and cosine - 1, which stays accurate for small angles.
 struct Turn8 {
     Float8 sine, versine;
 };
 
-/// The turn and then one by `angle`. Series, good to 1e-7 below half a radian.
+/// A rotation followed by one by `angle`. Series, accurate to 1e-7 below half a radian.
 inline Turn8 turnedOn(Turn8 turn, Float8 angle) {
     const Float8 square = angle * angle;
     const Float8 s = angle * (all(1.0f) - square * (all(1.0f / 6.0f) - square * all(1.0f / 120.0f)));
@@ -58,7 +58,7 @@ inline Turn8 turnedOn(Turn8 turn, Float8 angle) {
             turn.versine + (v + turn.versine * v - turn.sine * s)};
 }
 
-/// The same for any angle, in sixteen parts.
+/// The same for angles up to 8 rad, in sixteen steps.
 inline Turn8 turnedFar(Turn8 turn, Float8 angle) {
     const Float8 part = clamp(angle, all(-8.0f), all(8.0f)) * all(1.0f / 16.0f);
     for (int i = 0; i < 16; ++i) turn = turnedOn(turn, part);
@@ -94,7 +94,7 @@ void move(const SolverBodies& bodies, float h, int begin, int end) {
     }
 }
 
-// Detecting.
+// Collision detection.
 
 #include "physics/narrowphase/box_kernel.inl"
 

@@ -1,10 +1,11 @@
 #pragma once
 
-// Eight floats at a time. The same source is built once for each instruction set (kernels_*.cpp), each in a
-// namespace of its own, so that no function of one build is ever taken for another's. Every operation
-// works lane by lane and is exact in IEEE 754, or rounds as it says: all builds give the same bits.
-// Only what stands here may be used in kernels: an inline function of another header would be built
-// for the wider machine and might be the one that the linker keeps.
+// SIMD lanes: constraints are packed into blocks of eight, one per lane, and the inner loops work on eight
+// floats at a time. The same source is built once for each instruction set (kernels_*.cpp), each in its own
+// namespace, so that the linker cannot mistake a function of one build for another's. Every operation works
+// per lane and is exact or rounded as IEEE 754 prescribes, so all builds give the same bits. Kernels may use
+// only what is defined here: an inline function of another header would be built for the wider machine too,
+// and the linker might keep that copy.
 
 #include <cstdint>
 
@@ -34,7 +35,7 @@ namespace plumb::physics {
 
 inline constexpr int kLanes = 8;
 
-/// What a kernel gathers and scatters: one of a body's records.
+/// What kernels gather and scatter: four floats of a body or contact.
 struct alignas(16) Float4 {
     float x = 0.0f;
     float y = 0.0f;
@@ -91,10 +92,10 @@ inline int bits(Mask8 m) {
     return r;
 }
 
-// Left to itself, a compiler that sees many calls of gather() and scatter() makes functions of them, and
-// eight registers go through memory each time.
+// Inlined by force: a compiler that sees many calls of gather() and scatter() would make functions of them,
+// and eight registers would go through memory each time.
 
-/// The records at eight indices, turned into one lane set per member.
+/// Loads the records at eight indices and transposes them into one register set per member.
 [[gnu::always_inline]] inline void gather(const Float4* records, const std::int32_t* index,
                                           Float8 (&out)[4]) {
     PLUMB_EACH_LANE {
@@ -113,14 +114,14 @@ inline int bits(Mask8 m) {
     }
 }
 
-/// As gather(), where the indices are counted in bytes, which takes fewer instructions.
+/// As gather(), with byte offsets, which takes fewer instructions.
 [[gnu::always_inline]] inline void gatherAt(const Float4* records, const std::uint32_t* offset,
                                             Float8 (&out)[4]) {
     std::int32_t index[kLanes];
     PLUMB_EACH_LANE index[i] = static_cast<std::int32_t>(offset[i] / sizeof(Float4));
     gather(records, index, out);
 }
-/// Of each record x and y alone.
+/// Only x and y of each record.
 [[gnu::always_inline]] inline void gatherTwoAt(const Float4* records, const std::uint32_t* offset, Float8& x,
                                                Float8& y) {
     PLUMB_EACH_LANE {
@@ -169,7 +170,7 @@ inline __m256 pairOf(const Float4* records, std::int32_t low, std::int32_t high)
     return _mm256_insertf128_ps(_mm256_castps128_ps256(_mm_load_ps(&records[low].x)),
                                 _mm_load_ps(&records[high].x), 1);
 }
-/// Four 4 x 4 blocks turned over, in each half of the registers.
+/// Transposes four 4 x 4 blocks, in each half of the registers.
 [[gnu::always_inline]] inline void transpose(__m256& a, __m256& b, __m256& c, __m256& d) {
     const __m256 ab0 = _mm256_unpacklo_ps(a, b), ab1 = _mm256_unpackhi_ps(a, b);
     const __m256 cd0 = _mm256_unpacklo_ps(c, d), cd1 = _mm256_unpackhi_ps(c, d);
@@ -263,7 +264,7 @@ inline FourMask lessFour(Four a, Four b) { return vcltq_f32(a, b); }
 inline FourMask andFour(FourMask a, FourMask b) { return vandq_u32(a, b); }
 inline FourMask orFour(FourMask a, FourMask b) { return vorrq_u32(a, b); }
 inline Four selectFour(FourMask m, Four a, Four b) { return vbslq_f32(m, a, b); }
-// vminq and vmaxq treat zeros and NaN otherwise than the other machines do.
+// vminq and vmaxq treat zeros and NaN differently from the other instruction sets.
 inline Four minFour(Four a, Four b) { return selectFour(lessFour(a, b), a, b); }
 inline Four maxFour(Four a, Four b) { return selectFour(lessFour(b, a), a, b); }
 inline int bitsFour(FourMask m) {
@@ -377,7 +378,7 @@ inline Float8& operator+=(Float8& a, Float8 b) { return a = a + b; }
 inline Float8& operator-=(Float8& a, Float8 b) { return a = a - b; }
 inline Float8 abs(Float8 a) { return max(a, -a); }
 inline bool any(Mask8 mask) { return bits(mask) != 0; }
-/// For code that is written once for one number and for eight.
+/// For code that is written once for float and Float8.
 template <class F>
 F all(float s) {
     return all(s);

@@ -11,23 +11,24 @@ namespace plumb::physics {
 
 namespace {
 
-/// Square of an arm in radii of gyration.
+/// Square of the ratio of an arm to the radius of gyration.
 float squareOf(const World& world, std::uint32_t body, Vec2 anchor) {
     const BodyMass& mass = world.bodies.mass[body];
     return lengthSquared(anchor - world.bodies.pose[body].localCentre) * mass.mass * mass.inverseInertia;
 }
 
-/// Whether something else than this joint acts on the body.
+/// True if other constraints than this joint act on the body.
 bool meetsOthers(const Workspace& work, std::uint32_t body) {
     return !std::has_single_bit(work.colourMasks[body]) && work.colourMasks[body] != 0;
 }
 
-/// Of a joint that lanes solve in this step, by turns with something else; 0 for all others.
+/// Lever-arm level of a joint that the SIMD solver solves sequentially with other constraints; 0 for all
+/// others.
 std::uint8_t leverageNow(const World& world, const Workspace& work, std::uint32_t index) {
     const std::uint8_t leverage = work.joints.leverages[index];
     if (leverage == 0 || work.joints.trees.isDirect[index] == kWhollyDirect) return 0;
     const Joint& joint = world.joints.hot[index];
-    // A tree that was left to the lanes touched something, and is about to do so again.
+    // A tree that was left to the SIMD solver touched something, and is about to do so again.
     const bool leftByTree = world.settings.directJoints;
     return leftByTree || meetsOthers(work, joint.bodyA) || meetsOthers(work, joint.bodyB) ? leverage : 0;
 }

@@ -8,25 +8,26 @@ namespace plumb::physics {
 
 struct Workspace;
 
-// Joints whose arms are many times longer than their body is wide: a push at such an anchor does next to
-// nothing but turn the body, while a contact of the same body hardly turns it. Solved by turns the two take
-// long to agree, and what they have not agreed on is given again in the next substep: it grows. So islands
-// in which lanes solve such joints are iterated more often.
+// Joints with long lever arms: if an arm is many times longer than the radius of gyration of its body, an
+// impulse at the anchor does little but rotate the body, while a contact of the same body hardly rotates it.
+// Solved sequentially (Gauss-Seidel) the two converge slowly, and warm starting repeats the remaining error
+// in the next substep, so it grows. Islands in which the SIMD solver solves such joints therefore get more
+// iterations.
 
-inline constexpr std::uint8_t kMostLeverage = 4;  ///< 16 iterations: more helps hardly any random scene
+inline constexpr std::uint8_t kMostLeverage = 4;  ///< 16 iterations: more hardly helps any random scene
 
-/// log2 of the velocity iterations that a joint needs, by the longest arm in radii of gyration: 0 up to 8,
-/// 1 up to 16, and so on to 4.
+/// log2 of the velocity iterations that a joint needs, by the ratio of its longest arm to the radius of
+/// gyration: 0 below 8, 1 below 16, and so on up to 4.
 std::uint8_t leverageOf(const World& world, std::uint32_t joint);
 
-/// Notes the leverage of all awake joints. When joints or masses have changed.
+/// Computes the levels of all awake joints. To be called when joints or masses have changed.
 void findLeverages(const World& world, Workspace& work);
 
-/// True when lanes solve a joint of some leverage in this step, by turns with something else.
+/// True if in this step the SIMD solver solves a joint of level 1 or higher sequentially with other
+/// constraints.
 bool hasLeverage(const World& world, const Workspace& work);
 
-/// The highest leverage of each island: by root in Workspace::leverageOf.
-/// @pre islands are up to date
+/// Computes the highest level of each island, by root: Workspace::leverageOf. @pre islands are up to date
 void judgeLeverages(World& world, Workspace& work);
 
 }  // namespace plumb::physics

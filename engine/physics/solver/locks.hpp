@@ -4,8 +4,8 @@
 
 namespace plumb::physics {
 
-// Bodies that do not move along x or y: after each pass the velocity along it is 0 again. Nothing happens
-// where no body is locked.
+// Bodies locked along x or y: after each pass their velocity along it is set to 0 again. Costs nothing if no
+// body is locked.
 
 void prepareLocks(StepContext& step);
 /// @param velocity  by slot: x and y of each row

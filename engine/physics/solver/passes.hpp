@@ -7,13 +7,13 @@
 
 namespace plumb::physics {
 
-// How passes over the bodies and constraints of a group are shared out.
+// Passes over the bodies and constraints of a group, distributed over threads.
 
 inline constexpr int kBlockGrain = 24;
 inline constexpr int kBodyGrain = 1024;
 inline constexpr int kMostIterations = 64;
 inline constexpr float kGroundStiffness =
-    2.0f;  ///< ratio to Settings::contactStiffness: it does not give way
+    2.0f;  ///< ratio to Settings::contactStiffness: the ground does not give way
 
 /// @param stiffness  ratio to Settings::contactStiffness
 inline ContactPass contactPass(const Settings& settings, float h, float stiffness) {
@@ -36,7 +36,7 @@ void forBodies(const StepContext& step, const SolveGroup& group, Act&& act) {
     forRange(step, group.begin, group.end, kBodyGrain, act);
 }
 
-/// Runs `act(colour, grain)` for each of these colours: who found none first, one after the other.
+/// Runs `act(colour, grain)` for each of these colors: the overflow first, in one sequential piece.
 template <class Act>
 void forColours(std::uint64_t colours, Act&& act) {
     if ((colours >> kOverflow & 1) != 0) act(int{kOverflow}, 1 << 30);
@@ -44,7 +44,7 @@ void forColours(std::uint64_t colours, Act&& act) {
         act(std::countr_zero(rest), kBlockGrain);
 }
 
-/// Contacts of one kind, and how they are pushed.
+/// Contacts of one kind, with their kernels and the parameters of a pass.
 template <class Block, class Bodies>
 struct ContactSet {
     const ContactKernels<Block, Bodies>& kernels;
@@ -61,7 +61,7 @@ struct ContactSet {
     void relax(const Bodies& bodies, int begin, int end) const {
         kernels.relax(bodies, pass, lanes.data(), blocks.data(), begin, end);
     }
-    /// Impulses back to the contacts.
+    /// Writes impulses back to the contacts.
     void store(StepContext& step) const {
         auto* contacts = reinterpret_cast<Float4*>(step.world.contacts.data());
         forRange(step, 0, static_cast<int>(lanes.size()), kBlockGrain, [&](int begin, int end) {
@@ -70,19 +70,19 @@ struct ContactSet {
     }
 };
 
-/// Both kinds: between bodies that can be pushed, and with those that cannot.
+/// Both kinds of contacts: between dynamic bodies, and with static or kinematic ones.
 template <class Two, class Fixed>
 struct ContactSets {
     Two two;
     Fixed fixed;
 
-    /// @param h  s: of the substeps of the group that comes next
+    /// @param h  s: substep of the group that comes next
     void startGroup(const Settings& settings, float h) {
         two.pass = contactPass(settings, h, 1.0f);
         fixed.pass = contactPass(settings, h, kGroundStiffness);
     }
 
-    /// Runs `act(set, begin, end)` over the blocks of a colour.
+    /// Runs `act(set, begin, end)` over the blocks of a color.
     template <class Act>
     void forBlocks(const StepContext& step, const ColourBlocks& blocks, int grain, Act&& act) const {
         forRange(step, blocks.contactBegin, blocks.contactEnd, grain,

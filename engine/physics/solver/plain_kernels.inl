@@ -1,7 +1,7 @@
-// A part of kernels.inl: contacts where nobody turns. Each operation is one of the full kernels, in their
-// order; what they would add besides is zero, so that both give the same numbers.
+// Part of kernels.inl: contacts in a step without rotation. Each operation is one of the full kernels, in
+// their order; the omitted terms are zero, so both give the same bits.
 
-/// A body of eight contacts that only slides.
+/// One body of eight contacts that only translates.
 struct Plain8 {
     Float8 x, y;  // velocity
     Float8 inverseMass;
@@ -26,7 +26,7 @@ struct Plain8 {
     body.inverseMass = load(inverseMass);
     return body;
 }
-/// @param moved  since the start of the step
+/// @param moved  displacement since the start of the step
 [[gnu::always_inline]] inline Plain8 plainAt(const Float4* state, const std::uint32_t* at,
                                              const float* inverseMass, Two8& moved) {
     Float8 lane[4];
@@ -55,7 +55,8 @@ inline Float8 inverseMassOf(const ContactSource& source, const std::int32_t* bod
     return mass[0];
 }
 
-/// What both kinds of blocks keep alike. @return the normals
+/// Members that both kinds of blocks share.
+/// @return the normals
 template <bool kRubs, class Block>
 Two8 preparePoint(const ContactSource& source, const Rows8& rows, Float8 inverseMass, Block& block) {
     Float8 first[4], impulses[4];
@@ -91,7 +92,7 @@ void preparePlain(const ContactSource& source, const BlockLanes* lanes, PlainBlo
     }
 }
 
-/// The part that a kinematic body's own motion has.
+/// Contribution of a kinematic body's own motion.
 template <bool kRubs>
 void prepareSurface(const ContactSource& source, const Rows8& rows, Two8 normal, PlainFixedBlock& block) {
     const Surface8 surface = surfaceOf(source, rows.a);
@@ -123,7 +124,7 @@ void preparePlain(const ContactSource& source, const BlockLanes* lanes, PlainFix
     }
 }
 
-/// The impulse that the contact starts with.
+/// The impulse for warm starting.
 template <bool kRubs, class Block>
 Two8 firstImpulse(const Block& block) {
     const Float8 push = load(block.impulse), nx = load(block.normalX), ny = load(block.normalY);
@@ -270,9 +271,9 @@ void storePlain(Float4* contacts, const BlockLanes* lanes, const Block* blocks, 
     }
 }
 
-// Bodies: as accelerate() and move().
+// Bodies: see accelerate() and move().
 
-/// Of rows of a state: velocity.
+/// 1 for the velocities in rows of a state.
 alignas(32) constexpr float kIsSpeed[kLanes] = {1.0f, 1.0f, 0.0f, 0.0f, 1.0f, 1.0f, 0.0f, 0.0f};
 
 void acceleratePlain(const PlainBodies& bodies, float h, bool first, int begin, int end) {

@@ -12,7 +12,7 @@ namespace plumb::physics {
 
 namespace {
 
-/// Islands that are solved alike: by quality and, where joints have long arms, by leverage.
+/// Kinds of islands that are solved with equal parameters: by quality and lever-arm level.
 constexpr std::size_t kKinds = (kMaxQuality + 1) * (kMostLeverage + 1);
 
 void addGroup(Workspace& work, std::size_t kind, int bodies) {
@@ -34,7 +34,7 @@ void addGuesses(World& world, Workspace& work) {
     }
 }
 
-/// The quality that each body gets, the same for an island: work.bodyScratch.
+/// Quality of each body, equal within an island: work.bodyScratch.
 void judgeIslands(World& world, Workspace& work) {
     std::vector<std::uint32_t>& qualities = work.bodyScratch;
     qualities.assign(world.bodies.size(), static_cast<std::uint32_t>(world.settings.quality));
@@ -58,7 +58,7 @@ void sortByIsland(World& world, Workspace& work) {
     world.settings.tolerance > 0.0f ? holdTolerance(world, work) : judgeIslands(world, work);
     if (hasLeverage(world, work)) addLeverages(world, work);
     const std::vector<std::uint32_t>& kinds = work.bodyScratch;
-    // A counting sort: how many of each kind, where each begins, then everyone to their place.
+    // Counting sort: count the bodies of each kind, find where each kind begins, then place the bodies.
     std::array<int, kKinds> counts{}, begins{};
     std::array<std::uint8_t, kKinds> groups{};
     for (const std::uint32_t body : world.awake) ++counts[kinds[body]];

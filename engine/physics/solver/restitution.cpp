@@ -10,8 +10,8 @@ namespace plumb::physics {
 
 namespace {
 
-/// How often the two points of a contact are asked by turns: each turns the body under the other, and what
-/// lands on a corner would leave faster than it came.
+/// Iterations over the two points of a contact: an impulse at one rotates the body about the other, and a
+/// body that lands on a corner would leave faster than it came.
 constexpr int kTurns = 6;
 
 template <class Block>
@@ -47,7 +47,7 @@ void noteBlocks(const std::vector<Block>& blocks, std::vector<BounceBlock>& boun
     }
 }
 
-/// One of the two points where a contact touches.
+/// Restitution at one of the two points of a contact.
 template <class Block>
 void bouncePoint(StepContext& step, Block& block, const BounceBlock& bounce, int p, int i) {
     const float slowest = step.world.settings.bounceSpeed;

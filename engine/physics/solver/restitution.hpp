@@ -4,14 +4,14 @@
 
 namespace plumb::physics {
 
-// Bouncing: what came in fast enough leaves with a part of its speed, once all substeps have stopped it.
-// Costs nothing where nothing bounces. Source: E. Catto, "Solver2D", 2024 (restitution after the substeps).
+// Restitution: what arrives fast enough leaves with a fraction of its speed, once the substeps have stopped
+// it. Costs nothing if nothing bounces. Source: E. Catto, "Solver2D", 2024 (restitution after the substeps).
 
-/// Notes how fast bouncy contacts approach. After prepareConstraints, before the substeps.
+/// Records the approach speeds of contacts that bounce. After prepareConstraints, before the substeps.
 void prepareRestitution(StepContext& step);
 /// After each substep.
 void noteLargestImpulses(StepContext& step, const SolveGroup& group);
-/// After all.
+/// After all substeps.
 void applyRestitution(StepContext& step, const SolveGroup& group);
 
 }  // namespace plumb::physics

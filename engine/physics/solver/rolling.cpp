@@ -18,7 +18,7 @@ Float4& velocityAt(Workspace& work, std::int32_t slot) {
     return work.velocity[static_cast<std::size_t>(slot)];
 }
 
-/// rad/s of B over A.
+/// rad/s of B relative to A.
 float rollingSpeed(Workspace& work, const ContactBlock& block, const RollingBlock&, int i) {
     return velocityAt(work, block.b[i]).z - velocityAt(work, block.a[i]).z;
 }

@@ -4,8 +4,8 @@
 
 namespace plumb::physics {
 
-// Rolling resistance: a torque between two bodies against their turning on each other, at most so many metres
-// times the force that presses them together. Nothing happens where no shape resists rolling.
+// Rolling resistance: a torque against the relative rotation of two bodies, at most the resistance (m) times
+// the normal force. Costs nothing if no shape has it.
 
 void prepareRolling(StepContext& step);
 void warmStartRolling(StepContext& step, const SolveGroup& group);

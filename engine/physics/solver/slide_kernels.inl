@@ -1,4 +1,4 @@
-// A part of joint_kernels.inl: joints that act along a direction, rods and sliders.
+// Part of joint_kernels.inl: joints that act along a direction, rods and sliders.
 
 // Lengths along a direction.
 
@@ -17,7 +17,7 @@ struct SlideLine8 {
     }
 };
 
-/// All impulses of a block, along the directions of now.
+/// All impulses of a block along the current directions.
 struct Carry8 {
     Two8 impulse;
     Float8 turnA, turnB;
@@ -99,8 +99,8 @@ void answerRods(const SolverBodies& bodies, const JointPass& pass, const JointLa
 
 struct Slider8 {
     SlideLine8 along, across;
-    Float8 way;     // of B's anchor along the axis
-    Float8 offWay;  // and across
+    Float8 way;     // of B's anchor along the axis,
+    Float8 offWay;  // and across it
 };
 
 inline Slider8 sliderAt(Couple8& couple, const SliderBlock& block) {
@@ -141,7 +141,7 @@ inline void spin(SliderBlock& block, Couple8& couple) {
     couple.turn(after - before);
 }
 
-/// Across the axis, and the angle where it is held: two rows at once.
+/// Position across the axis, and the angle if it is held: two rows, solved together.
 inline void keepOnWay(SliderBlock& block, Couple8& couple, const Slider8& slider, const JointPass& pass,
                       const Grip& grip) {
     const SlideLine8& across = slider.across;

@@ -4,8 +4,8 @@
 
 namespace plumb::physics {
 
-/// A damped spring as a constraint on velocities, for a substep of h seconds. Never unstable.
-/// Source: E. Catto, "Soft Constraints", GDC 2011; "Solver2D", 2024.
+/// Soft constraint: a damped spring as a velocity constraint, for a substep of h seconds. Unconditionally
+/// stable. Source: E. Catto, "Soft Constraints", GDC 2011; "Solver2D", 2024.
 inline Softness softness(float hertz, float dampingRatio, float h) {
     if (hertz == 0.0f) return {0.0f, 1.0f, 0.0f};
     constexpr float kTurn = 6.28318530717958647692f;

@@ -11,7 +11,7 @@ namespace {
 
 using Contacts = ContactSets<ContactSet<PlainBlock, PlainBodies>, ContactSet<PlainFixedBlock, PlainBodies>>;
 
-/// One group, while its substeps are done.
+/// One group, while its substeps are solved.
 struct Solver {
     StepContext& step;
     const SolverKernels& kernels;
@@ -27,7 +27,7 @@ PlainBodies bodiesOf(Workspace& work) {
             work.flight.data(), work.undisturbed.data()};
 }
 
-/// Runs `act(contacts, begin, end)` over the blocks of all colours.
+/// Runs `act(contacts, begin, end)` over the blocks of all colors.
 template <class Act>
 void forContacts(Solver& solver, Act&& act) {
     forColours(solver.group.contactColours, [&](int colour, int grain) {
@@ -37,7 +37,7 @@ void forContacts(Solver& solver, Act&& act) {
 
 void lock(Solver& solver) { lockAxes(solver.step, solver.group, solver.step.work.plainStates); }
 
-/// The same, as often as asked for.
+/// The same, once per iteration.
 template <class Act>
 void iterate(Solver& solver, Act&& act) {
     for (int i = 0; i < solver.iterations; ++i) {
@@ -73,7 +73,7 @@ void gatherStates(Workspace& work) {
         work.plainStates[i] = {work.velocity[i].x, work.velocity[i].y, 0.0f, 0.0f};
 }
 
-/// A kinematic body may turn, though nobody is turned.
+/// A kinematic body may rotate by its own velocity in a step in which no impulse rotates a body.
 void turnBodies(Solver& solver) {
     Workspace& work = solver.step.work;
     const SolverBodies bodies{

@@ -4,7 +4,7 @@
 
 namespace plumb::physics {
 
-/// What solve() does where StepContext::isPlain(): the same, without all that could not happen.
+/// solve() where StepContext::isPlain(): the same bits, without the terms that are zero.
 void solvePlain(StepContext& step);
 
 }  // namespace plumb::physics

@@ -14,24 +14,24 @@ namespace {
 
 constexpr int kGrain = 8;  // trees
 
-/// A joint gives way by this part of what its bodies would, so that joints that cannot all hold share the
-/// load.
+/// Compliance of a joint, relative to the response of its bodies: joints that cannot all be satisfied share
+/// the load.
 constexpr double kSoftness = 1.0e-6;
-/// How far a row gives way that nobody can answer: no force comes of it, whatever is wrong.
+/// Compliance of a row with zero effective mass; large enough that its impulse is zero.
 constexpr double kNoAnswer = 1.0e30;
-/// A tensioned limb turns to and fro faster than substeps can follow if it is light: its inertia counts as at
-/// least this part of straining * h2. Below 1/4 it would be shaken ever more (the Stoermer-Verlet bound).
+/// A light limb under tension oscillates faster than substeps can follow. Its inertia is at least this
+/// fraction of straining * h^2; below 1/4 the oscillation would grow (Stoermer-Verlet bound).
 constexpr double kCalm = 0.5;
-/// Of gaps beyond Link::reach, which no smooth motion makes, this part is closed in a substep.
+/// Of gaps beyond Link::reach, which no smooth motion makes, this fraction is closed in a substep.
 constexpr double kSoftRate = 0.28;
-/// Part of the arms by which a joint that the lanes solved may be open and be closed at once. Where both ends
-/// are held a tree may be taut as a bridge: a little less length is a lot less sag, which would throw what
-/// lies on it.
+/// Gap, relative to the arms, up to which a joint that the SIMD solver left open may be closed at once. A
+/// tree that is held at both ends may be as taut as a bridge: slightly less length is much less sag, which
+/// would throw what lies on it.
 constexpr double kClosed = 1.0e-3;
 constexpr double kClosedWhereHeld = 2.5e-6;
 
-/// Joints do no work. Where a substep is too long for a whip, they seem to: of a tree's energy, they may add
-/// this part in a substep. What goes on as it should stays a hundred times below.
+/// Joints do no work, but seem to where a substep is too long for a whipping motion. Energy that they may add
+/// in a substep, relative to that of the tree. Regular motion stays a hundred times below.
 constexpr double kMostGain = 2.0e-3;
 
 struct Trees {
@@ -39,7 +39,7 @@ struct Trees {
     JointTrees& all;
     double h;        // s
     double rate;     // 1/h
-    double elapsed;  // s since the start of the step: of the poses that rows are taken at
+    double elapsed;  // s since the start of the step, of the poses at which rows are evaluated
 
     [[nodiscard]] Limb& limb(std::int32_t i) const { return all.limbs[static_cast<std::size_t>(i)]; }
     [[nodiscard]] Link& link(std::int32_t i) const { return all.links[static_cast<std::size_t>(i)]; }
@@ -66,17 +66,18 @@ TreePose parentPose(const Link& link, const Limb* parent, double elapsed) {
     return parent != nullptr ? parent->pose : groundPose(link, elapsed);
 }
 
-// The system.
+// Assembly.
 
 double offered(const Limb& limb, const Triple& row) {
     const double turned = limb.turns ? row.turn * row.turn / limb.inertia : 0.0;
     return (row.x * row.x + row.y * row.y) / limb.mass + turned;
 }
 
-/// About the same in all substeps.
+/// Computed at the start of the step only: it hardly changes.
 void soften(const Limb& limb, Link& link, const Limb* parent) {
     const auto softness = [&](int r, Triple onLimb, Triple onParent) {
-        // Rows that a joint does not have answer nothing; nor do those between two that cannot be turned.
+        // Rows that a joint does not have get no impulse; nor do angle rows between two bodies that cannot
+        // rotate.
         if (r >= rowsOf(link.kind)) return 1.0;
         const double all = offered(limb, onLimb) + (parent != nullptr ? offered(*parent, onParent) : 0.0);
         return all > 0.0 ? kSoftness * all : kNoAnswer;
@@ -92,7 +93,7 @@ void soften(const Limb& limb, Link& link, const Limb* parent) {
 }
 
 void strain(Limb& limb, const Link& link, Limb* parent) {
-    // The arms' levers are those of a point; others hold no more than these.
+    // Only joints that hold a point have these arms.
     if (link.kind != LinkKind::Point && link.kind != LinkKind::Weld) return;
     limb.straining += link.force.x * link.limbX + link.force.y * link.limbY;
     if (parent != nullptr) parent->straining -= link.force.x * link.parentX + link.force.y * link.parentY;
@@ -106,7 +107,7 @@ void setLink(const Trees& trees, Link& link) {
     strain(limb, link, parent);
 }
 
-/// What has happened to a limb so far.
+/// Loads the current motion of a limb.
 void takeMotion(const Trees& trees, Limb& limb) {
     const auto slot = static_cast<std::size_t>(limb.slot);
     const Float4& shift = trees.work.shift[slot];
@@ -116,7 +117,7 @@ void takeMotion(const Trees& trees, Limb& limb) {
     limb.impulse = {};
 }
 
-/// Motions, rows and gaps of now.
+/// Updates motions, rows and gaps to the current poses.
 void setTree(const Trees& trees, const JointTree& tree) {
     for (std::int32_t i = tree.begin; i < tree.end; ++i) {
         Limb& limb = trees.limb(i);
@@ -136,16 +137,16 @@ void setTree(const Trees& trees, const JointTree& tree) {
     }
 }
 
-/// From the twigs to the root.
+/// Factors one limb. To be called from the leaves to the root.
 void factorLimb(const Trees& trees, const JointTree& tree, std::int32_t i) {
     Limb& limb = trees.limb(i);
     limb.own = limb.turns ? inverse(limb.own) : inverseUnturned(limb.own);
     if (hasLink(tree, i)) stiffen(limb, trees.link(i), trees.parentOf(trees.link(i)));
 }
 
-// What is wrong.
+// Errors.
 
-/// Where a limb will be if nothing holds it.
+/// Predicts the pose of a limb at the end of the substep, without joint impulses.
 void lookAhead(const Trees& trees, Limb& limb) {
     const Float4& flight = trees.work.flight[static_cast<std::size_t>(limb.slot)];
     const auto time = static_cast<double>(flight.z);
@@ -154,7 +155,7 @@ void lookAhead(const Trees& trees, Limb& limb) {
     limb.pose.y += limb.velocity.y * time + static_cast<double>(flight.y);
 }
 
-/// What has to be answered so that gaps are closed where the limbs will be.
+/// Velocities to be removed so that the gaps are closed at the predicted poses.
 void aimAtGaps(const Trees& trees, Link& link) {
     const TreePose parent = parentPose(link, trees.parentOf(link), trees.elapsed + trees.h);
     const Triple ahead = gapsOf(link, trees.limb(link.limb).pose, parent);
@@ -172,7 +173,7 @@ void findSpeeds(const Trees& trees, Link& link) {
     link.error += seenFromParent(link, parent != nullptr ? parent->velocity : link.groundVelocity);
 }
 
-// The answer.
+// Solution.
 
 void answerHold(const Trees& trees, Link& hold) {
     hold.answer = -1.0 * (hold.stiffness * hold.error);
@@ -190,14 +191,14 @@ void addChange(Float4& velocity, const Triple& change) {
     velocity.z = static_cast<float>(static_cast<double>(velocity.z) + change.turn);
 }
 
-/// J: what a change of velocity does to a limb's energy.
+/// J: change of a limb's kinetic energy by a change of its velocity.
 double gainOf(const Limb& limb, const Triple& change) {
     return limb.mass * ((limb.velocity.x + 0.5 * change.x) * change.x +
                         (limb.velocity.y + 0.5 * change.y) * change.y) +
            limb.inertia * (limb.velocity.turn + 0.5 * change.turn) * change.turn;
 }
 
-/// From the root to the twigs: how velocities change, and what the links give for it.
+/// Back substitution, from the root to the leaves: velocity changes and impulses of links.
 void giveTree(const Trees& trees, JointTree& tree) {
     for (std::int32_t i = tree.end; i-- > tree.begin;) {
         Limb& limb = trees.limb(i);
@@ -206,7 +207,7 @@ void giveTree(const Trees& trees, JointTree& tree) {
         } else {
             limb.impulse = limb.own * limb.impulse;
         }
-        // What trees give is not given again in the next substep: they find it anew, along the arms of then.
+        // Not warm started: the next substep computes tree impulses anew, along the arms of then.
         addChange(trees.work.velocity[static_cast<std::size_t>(limb.slot)], limb.impulse);
         addChange(trees.work.undisturbed[static_cast<std::size_t>(limb.slot)], limb.impulse);
         tree.gain += gainOf(limb, limb.impulse);
@@ -214,7 +215,7 @@ void giveTree(const Trees& trees, JointTree& tree) {
     for (Link& hold : trees.holdsOf(tree)) giveHold(trees, hold);
 }
 
-/// True when what a tree hangs on moves, which does work.
+/// True if a body that a tree hangs on moves, which does work.
 bool isDriven(const Trees& trees, const JointTree& tree) {
     bool driven = false;
     forLinks(trees.all, tree, [&](const Link& link) {
@@ -224,8 +225,8 @@ bool isDriven(const Trees& trees, const JointTree& tree) {
     return driven;
 }
 
-/// Takes energy from a tree that gained too much. All velocities shrink alike, which opens no joint; those of
-/// a tree that flies, about that of its centre of mass.
+/// Takes energy from a tree that gained too much. All velocities are scaled alike, which opens no joint;
+/// those of a floating tree relative to its center of mass.
 void calmTree(const Trees& trees, JointTree& tree) {
     Triple middle;
     double mass = 0.0, energy = 0.0;
@@ -254,7 +255,7 @@ void calmTree(const Trees& trees, JointTree& tree) {
 
 void pushTree(const Trees& trees, JointTree& tree, bool again) {
     if (!again) tree.gain = 0.0;
-    if (trees.elapsed == 0.0 && !again) {  // later: as it was when it was relaxed
+    if (trees.elapsed == 0.0 && !again) {  // later substeps reuse the factors of the relax pass
         setTree(trees, tree);
         for (std::int32_t i = tree.begin; i < tree.end; ++i) factorLimb(trees, tree, i);
     }
@@ -313,7 +314,7 @@ void forTrees(StepContext& step, const SolveGroup& group, Act&& act) {
     });
 }
 
-// Before and after.
+// Preparation and results.
 
 void prepareArms(const World& world, Link& link) {
     const Joint& joint = world.joints.hot[link.joint];
@@ -405,7 +406,7 @@ void storeTrees(StepContext& step) {
             const LinkForce force = forceOf(link);
             joint.force = force.force;
             joint.torque = link.shared ? joint.torque : force.torque;
-            // What the lanes start with, should they solve it in the next step.
+            // Warm starting in SIMD lanes, in case the tree is left to them in the next step.
             const float sign = link.limbIsB ? rate : -rate;
             const auto row = [&](double given) { return static_cast<float>(given) * sign; };
             if (link.kind == LinkKind::Weld) joint.rows[0] = row(link.given.turn);

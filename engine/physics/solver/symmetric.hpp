@@ -2,7 +2,7 @@
 
 namespace plumb::physics {
 
-/// What has a part along x, one along y, and one that turns: velocities, impulses, rows.
+/// Components along x, y and of the rotation: of a velocity, an impulse or a row of a Jacobian.
 struct Triple {
     double x = 0.0;
     double y = 0.0;
@@ -18,7 +18,7 @@ inline Triple& operator+=(Triple& a, const Triple& b) {
 }
 inline Triple operator*(double s, const Triple& a) { return {s * a.x, s * a.y, s * a.turn}; }
 
-/// A symmetric matrix over triples.
+/// A symmetric 3 x 3 matrix over triples.
 struct Symmetric {
     double xx = 1.0;
     double xy = 0.0;
@@ -33,8 +33,7 @@ inline Triple operator*(const Symmetric& m, const Triple& v) {
             m.xt * v.x + m.yt * v.y + m.tt * v.turn};
 }
 
-/// The inverse of a positive definite matrix, by way of L D L^T: positive definite too, however far apart its
-/// greatest and least are.
+/// Inverse of a positive definite matrix by L D L^T: positive definite too, whatever the condition number.
 inline Symmetric inverse(const Symmetric& m) {
     const double d0 = 1.0 / m.xx, l10 = m.xy * d0, l20 = m.xt * d0;
     const double d1 = 1.0 / (m.yy - m.xy * l10), below = m.yt - m.xt * l10, l21 = below * d1;
@@ -50,7 +49,7 @@ inline Symmetric inverse(const Symmetric& m) {
     return w;
 }
 
-/// The same of what pushes move and never turn.
+/// The same for a body that cannot rotate.
 inline Symmetric inverseUnturned(const Symmetric& m) {
     const double scale = 1.0 / (m.xx * m.yy - m.xy * m.xy);
     return {m.yy * scale, -m.xy * scale, m.xx * scale, 0.0, 0.0, 0.0};

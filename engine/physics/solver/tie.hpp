@@ -6,7 +6,7 @@
 
 namespace plumb::physics {
 
-/// How one body takes part in a tie: how its value grows with the body's velocity.
+/// Jacobian of a multi-body constraint with respect to one body.
 struct TieEnd {
     std::uint32_t body = 0;
     float x = 0.0f;
@@ -14,12 +14,12 @@ struct TieEnd {
     float turn = 0.0f;
 };
 
-/// A sum over up to four bodies that is to stay 0: gears and pulleys. Few, so they are solved one by one. Its
-/// directions are those of the start of the step.
+/// Constraint that keeps a sum over up to four bodies at 0: gears and pulleys. They are rare, so they are
+/// solved one by one. Jacobians are those of the start of the step.
 struct Tie {
     TieEnd ends[4];
     std::int32_t count = 0;     ///< of ends
-    std::int32_t reported = 0;  ///< the end that jointForce() tells of
+    std::int32_t reported = 0;  ///< the end whose force jointForce() reports
     float error = 0.0f;         ///< at the start of the step
     std::int32_t slots[4] = {};
     float inverseInertia[4] = {};

@@ -4,11 +4,11 @@
 
 namespace plumb::physics {
 
-// What a link does to its limb and the parent of that, between all that hangs on it and all that it hangs on.
-// Points, of which nearly all trees are made, are worked out from their arms; others, from three rows, of
-// which those that a joint does not have are 0.
+// Effect of a link on its limb and the parent of that, i.e. between a subtree and the rest of its tree.
+// Points, of which nearly all trees are made, are computed from their arms; others from three rows, of which
+// those that a joint does not have are 0.
 
-/// How much the limb, and all that hangs on it, give way to impulses: Limb::own is inverse already.
+/// Effective mass of a link on its limb with the subtree. @pre Limb::own is inverted
 inline void stiffenPoint(const Limb& limb, Link& link) {
     const Symmetric& own = limb.own;
     const double x = link.limbX, y = link.limbY;
@@ -58,7 +58,7 @@ inline void addRows(const Triple (&rows)[3], const Symmetric& k, Symmetric& own)
     own.tt += with(turn, rows[0].turn, rows[1].turn, rows[2].turn);
 }
 
-/// What a link is to the limb's parent: as if that had this much more mass.
+/// Adds the subtree behind a link to the mass matrix of the parent.
 inline void stiffen(const Limb& limb, Link& link, Limb* parent) {
     if (link.byArms) {
         stiffenPoint(limb, link);
@@ -69,7 +69,7 @@ inline void stiffen(const Limb& limb, Link& link, Limb* parent) {
     }
 }
 
-/// How the rows of a link see velocities of the limb, or of its parent.
+/// Velocity of the rows of a link by a velocity of the limb, or of its parent.
 inline Triple seenFromLimb(const Link& link, const Triple& v) {
     if (link.byArms) return {v.x - link.limbY * v.turn, v.y + link.limbX * v.turn, 0.0};
     return {dot(link.onLimb[0], v), dot(link.onLimb[1], v), dot(link.onLimb[2], v)};
@@ -79,7 +79,7 @@ inline Triple seenFromParent(const Link& link, const Triple& v) {
     return {dot(link.onParent[0], v), dot(link.onParent[1], v), dot(link.onParent[2], v)};
 }
 
-/// The impulse along x and y and its torque on the parent, of impulses of the rows.
+/// Impulse along x and y and torque on the parent, of the impulses of the rows.
 inline Triple onParent(const Link& link, const Triple& impulse) {
     if (link.byArms) return {-impulse.x, -impulse.y, link.parentY * impulse.x - link.parentX * impulse.y};
     Triple sum = impulse.x * link.onParent[0];
@@ -95,7 +95,7 @@ inline Triple onLimb(const Link& link, const Triple& impulse) {
     return sum;
 }
 
-/// What takes away Link::error if the parent keeps still, and what the parent gets of it.
+/// Impulse that removes Link::error with the parent fixed, and its reaction on the parent.
 inline void answer(const Limb& limb, Link& link, Limb* parent) {
     Triple wanted{-link.error.x - dot(link.across[0], limb.impulse),
                   -link.error.y - dot(link.across[1], limb.impulse), 0.0};
@@ -109,8 +109,8 @@ inline void answer(const Limb& limb, Link& link, Limb* parent) {
     if (parent != nullptr) parent->impulse += onParent(link, link.answer);
 }
 
-/// What the link gives in the end, when the parent's velocity has changed. Turns Limb::impulse into the
-/// change of its own.
+/// Final impulse of a link, when the change of the parent's velocity is known. Replaces Limb::impulse by the
+/// change of the limb's velocity.
 inline void give(Limb& limb, Link& link, const Limb* parent) {
     Triple impulse = link.answer;
     if (parent != nullptr) {

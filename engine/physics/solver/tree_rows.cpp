@@ -17,7 +17,7 @@ Double2 operator+(Double2 a, Double2 b) { return {a.x + b.x, a.y + b.y}; }
 Double2 operator-(Double2 a, Double2 b) { return {a.x - b.x, a.y - b.y}; }
 double dot(Double2 a, Double2 b) { return a.x * b.x + a.y * b.y; }
 
-/// By how much a direction or arm has changed with the turn.
+/// Change of a direction or arm by a rotation.
 Double2 changeOf(Vec2 arm, const TreePose& pose) {
     const auto x = static_cast<double>(arm.x), y = static_cast<double>(arm.y);
     return {pose.versine * x - pose.sine * y, pose.sine * x + pose.versine * y};
@@ -39,7 +39,7 @@ Anchors anchorsAt(const Link& link, const TreePose& limb, const TreePose& parent
             wide(link.apart) + (moved + (changeOfLimb - changeOfParent))};
 }
 
-/// Across the way of a slider, which is along A's axis.
+/// Direction across the axis of a slider, which rotates with A.
 Double2 acrossOf(const Link& link, const TreePose& limb, const TreePose& parent) {
     const Double2 axis = wide(link.axis) + changeOf(link.axis, link.limbIsB ? parent : limb);
     return {-axis.y, axis.x};
@@ -85,7 +85,7 @@ void setRod(Link& link, const Anchors& at) {
 }
 
 void setSlider(Link& link, const Anchors& at, Double2 across) {
-    // It pushes at B's anchor, wherever that is along A.
+    // The force acts at B's anchor, wherever that is along A.
     if (link.limbIsB) {
         setLine(link, 0, across, at.limbArm, at.parentArm + at.apart);
     } else {
@@ -109,7 +109,7 @@ Triple gapsAt(const Link& link, const Anchors& at, const TreePose& limb, const T
 
 TreePose turnedBy(const TreePose& pose, double angle) {
     double sine = 0.0, versine = 0.0;
-    if (std::fabs(angle) <= 0.5) {  // series, good to 1e-9
+    if (std::fabs(angle) <= 0.5) {  // series, accurate to 1e-9
         const double square = angle * angle;
         sine = angle * (1.0 - square * (1.0 / 6.0 - square * (1.0 / 120.0 - square * (1.0 / 5040.0))));
         versine = -square * (0.5 - square * (1.0 / 24.0 - square * (1.0 / 720.0 - square * (1.0 / 40320.0))));

@@ -6,7 +6,7 @@ namespace plumb::physics {
 
 constexpr int rowsOf(LinkKind kind) { return kind == LinkKind::Rod ? 1 : kind == LinkKind::Weld ? 3 : 2; }
 
-/// True when a limb has a link: all but the root of a tree that flies.
+/// True if a limb has a link: all but the root of a floating tree.
 inline bool hasLink(const JointTree& tree, std::int32_t limb) { return tree.rooted || limb + 1 < tree.end; }
 
 /// Calls act(link) for all joints of a tree.
@@ -19,11 +19,11 @@ void forLinks(JointTrees& trees, const JointTree& tree, Act&& act) {
         act(trees.holds[static_cast<std::size_t>(n)]);
 }
 
-/// The turn by an angle (rad) after a pose.
+/// A pose, rotated further by an angle (rad).
 TreePose turnedBy(const TreePose& pose, double angle);
 
-/// Arms or rows of a link at two poses.
-/// @return how far its rows are from where they are held: m or rad
+/// Computes the arms or rows of a link at two poses.
+/// @return gaps of its rows: m or rad
 Triple setRows(Link& link, const TreePose& limb, const TreePose& parent);
 Triple gapsOf(const Link& link, const TreePose& limb, const TreePose& parent);
 
