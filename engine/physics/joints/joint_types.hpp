@@ -53,7 +53,6 @@ struct JointParts {
     Grip grip;   ///< soft constraint parameters of the point constraint
     bool springs = false;
     float most = kNoLimit;  ///< N s: maximum impulse per substep
-    bool isDirect = false;  ///< the direct solver (solve_trees.hpp) holds the point
     float angle = 0.0f;     ///< rad: rotation of B relative to A, minus the reference angle
     ValueParts value;       ///< on the angle (hinges) or the length (rods, sliders)
     Vec2 axis;              ///< world: sliding axis

@@ -12,21 +12,19 @@ namespace plumb::physics {
 
 namespace {
 
-bool isBusy(const Joint& joint) { return (joint.flags & (kLimited | kDriven | kSprung)) != 0; }
-
-/// Constraint that a joint contributes to a tree; none for soft joints and for bodies locked along an axis.
+/// Constraint that a joint contributes to a tree; none for joints with a limit, motor or spring, for soft
+/// joints and for bodies locked along an axis.
 std::optional<LinkKind> kindOf(const World& world, const Joint& joint) {
-    if (joint.place == kNone || (joint.flags & kSoft) != 0) return {};
+    if (joint.place == kNone || (joint.flags & (kSoft | kLimited | kDriven | kSprung)) != 0) return {};
     for (const std::uint32_t body : {joint.bodyA, joint.bodyB}) {
         const BodyInfo& info = world.bodies.info[body];
         if (info.kind == BodyKind::Dynamic && (info.flags & (kLockX | kLockY)) != 0) return {};
     }
-    const bool plain = !isBusy(joint);
     switch (joint.kind) {
         case JointKind::Revolute: return LinkKind::Point;
         case JointKind::Weld: return LinkKind::Weld;
-        case JointKind::Distance: return plain ? std::optional{LinkKind::Rod} : std::nullopt;
-        case JointKind::Prismatic: return plain ? std::optional{LinkKind::Slider} : std::nullopt;
+        case JointKind::Distance: return LinkKind::Rod;
+        case JointKind::Prismatic: return LinkKind::Slider;
         default: return {};
     }
 }
@@ -65,47 +63,50 @@ private:
         reached_.assign(1, root);
         held_.clear();
         trees_.reached[root.body] = 1;
-        int loops = 0;
-        for (std::size_t i = 0; i < reached_.size(); ++i) loops += reachFrom(static_cast<std::int32_t>(i));
-        // Where most joints have limits, motors or springs, as in ragdolls, the SIMD solver takes these and
-        // the rest of the tree: half the time, and no worse where ragdolls lie in heaps (measured: rain).
-        const auto busy = std::count_if(reached_.begin(), reached_.end(), [&](const ReachedBody& limb) {
-            return limb.joint != kNone && isBusy(world_.joints.hot[limb.joint]);
-        });
-        if (loops > 0 || 2 * busy > std::ssize(reached_) - (reached_[0].joint == kNone ? 1 : 0)) return;
-        // A loop closed through the ground is a mechanism of few degrees of freedom. Beside the direct
-        // solver, which makes the tree rigid at once, a motor, limit or spring in SIMD lanes would see only
-        // the inertia of its two bodies, and the direct solver cannot handle the singular positions of a
-        // linkage.
-        if (busy + busyHolds() == 0 || held_.empty()) keep();
+        bool isPlain = true;
+        for (std::size_t i = 0; i < reached_.size(); ++i) isPlain &= reachFrom(static_cast<std::int32_t>(i));
+        if (isPlain && canBeHeld()) keep();
     }
 
-    [[nodiscard]] std::ptrdiff_t busyHolds() const {
-        return std::count_if(held_.begin(), held_.end(),
-                             [&](const HeldJoint& held) { return isBusy(world_.joints.hot[held.joint]); });
-    }
-
-    /// @return number of its joints that lead to a body found before
-    int reachFrom(std::int32_t place) {
+    /// Adds the bodies that are joined to one that was reached.
+    /// @return false if a joint closes a loop, or cannot be solved in a tree. Solved in turn with a tree,
+    /// which is
+    ///     rigid at once, a motor, limit or spring in SIMD lanes would see only the inertia of its two
+    ///     bodies: linkages tear, and arms shake.
+    bool reachFrom(std::int32_t place) {
         const ReachedBody from = reached_[static_cast<std::size_t>(place)];
-        int loops = 0;
+        bool isPlain = true;
         for (std::uint32_t j = world_.bodies.info[from.body].firstJoint; j != kNone;) {
             const Joint& joint = world_.joints.hot[j];
             const std::uint32_t index = j;
             const std::uint32_t other = joint.bodyA == from.body ? joint.bodyB : joint.bodyA;
             j = joint.bodyA == from.body ? joint.nextA : joint.nextB;
+            if (index == from.joint) continue;
             const auto kind = kindOf(world_, joint);
-            if (!kind || index == from.joint) continue;
-            if (!isPushed(other)) {
+            if (!kind) {
+                isPlain = false;
+            } else if (!isPushed(other)) {
                 held_.push_back({place, index, *kind});
             } else if (trees_.reached[other] != 0) {
-                ++loops;
+                isPlain = false;
             } else {
                 trees_.reached[other] = 1;
                 reached_.push_back({other, place, index, *kind});
             }
         }
-        return loops;
+        return isPlain;
+    }
+
+    /// Whether the joints to static and kinematic bodies leave the tree some freedom: a redundant constraint
+    /// makes the system singular. The root has one of them already.
+    [[nodiscard]] bool canBeHeld() const {
+        int freedom = 0;
+        for (const ReachedBody& body : reached_) freedom += body.joint == kNone ? 3 : 3 - rowsOf(body.kind);
+        for (const HeldJoint& held : held_) {
+            if (held.limb == 0) return false;
+            freedom -= rowsOf(held.kind);
+        }
+        return held_.empty() || freedom > 0;
     }
 
     Link linkOf(std::uint32_t index, LinkKind kind, std::uint32_t body) {
@@ -115,9 +116,8 @@ private:
         link.kind = kind;
         link.limbIsB = joint.bodyB == body;
         link.ground = link.limbIsB ? joint.bodyA : joint.bodyB;
-        link.shared = kind == LinkKind::Point && isBusy(joint);
         link.byArms = kind == LinkKind::Point;
-        trees_.isDirect[index] = link.shared ? kPartlyDirect : kWhollyDirect;
+        trees_.isDirect[index] = 1;
         return link;
     }
 
@@ -126,23 +126,17 @@ private:
         tree.begin = static_cast<std::int32_t>(trees_.limbs.size());
         tree.end = tree.begin + static_cast<std::int32_t>(reached_.size());
         tree.rooted = reached_[0].joint != kNone;
-        int freedom = 0;
         for (auto it = reached_.rbegin(); it != reached_.rend(); ++it) {
             trees_.limbs.push_back({.body = it->body});
             Link& link = trees_.links.emplace_back();
             link.joint = kNone;
-            freedom += 3;
             if (it->joint == kNone) continue;
             link = linkOf(it->joint, it->kind, it->body);
             link.limb = static_cast<std::int32_t>(trees_.limbs.size()) - 1;
             link.parent = it->parent < 0 ? -1 : tree.end - 1 - it->parent;
-            freedom -= rowsOf(it->kind);
         }
         tree.holdBegin = static_cast<std::int32_t>(trees_.holds.size());
         for (const HeldJoint& held : held_) {
-            // A redundant constraint makes the system singular: skip it.
-            if (held.limb == 0 || freedom <= rowsOf(held.kind)) continue;
-            freedom -= rowsOf(held.kind);
             trees_.holds.push_back(
                 linkOf(held.joint, held.kind, reached_[static_cast<std::size_t>(held.limb)].body));
             trees_.holds.back().limb = tree.end - 1 - held.limb;
@@ -164,9 +158,7 @@ void noteColours(const World& world, JointTrees& trees) {
         limb.colours = 0;
         for (std::uint32_t j = world.bodies.info[limb.body].firstJoint; j != kNone;) {
             const Joint& joint = world.joints.hot[j];
-            if (trees.isDirect[j] == kNotDirect) limb.hasOthers = true;
-            const bool pushed = joint.kind != JointKind::Mouse || joint.bodyB == limb.body;
-            if (joint.colour < kColours && pushed) limb.colours |= 1u << joint.colour;
+            if (joint.colour < kColours) limb.colours |= 1u << joint.colour;
             j = joint.bodyA == limb.body ? joint.nextA : joint.nextB;
         }
     }
@@ -219,13 +211,8 @@ void choose(World& world, Workspace& work) {
         if (touching) leave(world, trees, tree);
         tree.direct = !touching && comeBack(world, trees, tree);
         trees.some = trees.some || tree.direct;
-        for (const Limb& limb : limbs)
-            trees.freeMasks[limb.body] = tree.direct && !limb.hasOthers ? limb.colours : 0;
-        forLinks(trees, tree, [&](const Link& link) {
-            trees.isDirect[link.joint] = !tree.direct  ? kNotDirect
-                                         : link.shared ? kPartlyDirect
-                                                       : kWhollyDirect;
-        });
+        for (const Limb& limb : limbs) trees.freeMasks[limb.body] = tree.direct ? limb.colours : 0;
+        forLinks(trees, tree, [&](const Link& link) { trees.isDirect[link.joint] = tree.direct ? 1 : 0; });
     }
 }
 
@@ -245,7 +232,7 @@ void growTrees(World& world, Workspace& work) {
     findLeverages(world, work);
     if (wanted) Grower{world, trees}.run();
     for (const std::uint32_t joint : world.joints.awake) {
-        if (trees.isDirect[joint] == kNotDirect) world.joints.hot[joint].flags |= kStretched;
+        if (trees.isDirect[joint] == 0) world.joints.hot[joint].flags |= kStretched;
     }
     noteColours(world, trees);
     trees.freeMasks.assign(trees.trees.empty() ? 0 : world.bodies.size(), 0);

@@ -34,7 +34,7 @@ bool isOneSided(int colour) { return colour >= kFirstFixedColour && colour < kCo
 /// constraint.
 std::int32_t keyOf(const World& world, const Workspace& work, std::uint32_t index) {
     const Joint& joint = world.joints.hot[index];
-    if (joint.colour > kOverflow || work.joints.trees.isDirect[index] == kWhollyDirect) return -1;
+    if (joint.colour > kOverflow || work.joints.trees.isDirect[index] != 0) return -1;
     std::size_t group = 0;
     if (work.groups.size() > 1) {
         const PushedBodies bodies = pushedBodies(world, joint);
@@ -108,7 +108,7 @@ void fill(const World& world, Workspace& work) {
 void noteBreakables(const World& world, JointWork& joints) {
     const auto note = [&](const std::vector<Link>& links, std::size_t first) {
         for (std::size_t i = 0; i < links.size(); ++i) {
-            if (links[i].joint != kNone && joints.trees.isDirect[links[i].joint] != kNotDirect &&
+            if (links[i].joint != kNone && joints.trees.isDirect[links[i].joint] != 0 &&
                 (world.joints.hot[links[i].joint].flags & kBreakable) != 0)
                 joints.breakables.push_back(
                     {links[i].joint, kInTree, static_cast<std::int32_t>(first + i), 0});
@@ -211,7 +211,6 @@ void setRows(const Preparation& all, const Joint& joint, const ValueParts& value
 void setPoint(const Preparation& all, const Joint& joint, const JointParts& parts, PointBlock& block,
               int lane) {
     setAnchors(parts, block.anchors, lane);
-    if (parts.isDirect) return;
     block.impulseX[lane] = joint.force.x * all.timing.h;
     block.impulseY[lane] = joint.force.y * all.timing.h;
 }
@@ -225,9 +224,7 @@ void setLane(const Preparation& all, const Joint& joint, const JointParts& parts
 void setLane(const Preparation& all, const Joint& joint, const JointParts& parts, HingeBlock& block,
              int lane) {
     setLane(all, joint, parts, block.point, lane);
-    // A point that the direct solver holds is a spring without force here.
-    setGrip(parts.isDirect ? Grip{0.0f, 0.0f, 0.0f} : parts.grip, parts.springs || parts.isDirect, parts.most,
-            block.grip, lane);
+    setGrip(parts.grip, parts.springs, parts.most, block.grip, lane);
     block.angle[lane] = parts.angle;
     setRows(all, joint, parts.value, block.turning, lane);
 }
@@ -265,10 +262,7 @@ void prepareBlock(const Preparation& all, const JointLanes& lanes, Block& block)
     block = {};
     for (int i = 0; i < lanes.count; ++i) {
         const JointView view = viewOf(all, static_cast<std::uint32_t>(lanes.joint[i]));
-        JointParts parts = jointType(view.joint.kind).parts(view);
-        parts.isDirect =
-            all.work.joints.trees.isDirect[static_cast<std::size_t>(lanes.joint[i])] != kNotDirect;
-        setLane(all, view.joint, parts, block, i);
+        setLane(all, view.joint, jointType(view.joint.kind).parts(view), block, i);
     }
     for (int i = lanes.count; i < kLanes; ++i) clearBodies(all, bodiesOf(block), i);
 }

@@ -29,7 +29,6 @@ struct Limb {
     std::uint32_t body = 0;
     std::int32_t slot = 0;
     std::uint32_t colours = 0;  ///< of all its joints
-    bool hasOthers = false;     ///< some of its joints are not in the tree
     double mass = 0.0;          ///< kg
     double inertia = 0.0;       ///< kg m2
     bool turns = true;          ///< its inertia is finite
@@ -46,7 +45,6 @@ struct Link {
     std::uint32_t joint = 0;  ///< kNone at the root of a floating tree
     LinkKind kind = LinkKind::Point;
     bool limbIsB = true;
-    bool shared = false;       ///< the SIMD solver solves its limit, motor or spring
     bool byArms = false;       ///< a point constraint, computed from its arms instead of rows
     std::int32_t limb = 0;     ///< in JointTrees::limbs
     std::int32_t parent = -1;  ///< in JointTrees::limbs; -1 for a static or kinematic body
@@ -89,9 +87,6 @@ struct JointTree {
     double gain = 0.0;  ///< J: energy added by its joints in this substep
 };
 
-/// How much of a joint is solved by a tree.
-enum DirectPart : std::uint8_t { kNotDirect, kPartlyDirect, kWhollyDirect };
-
 /// A body found while a tree is built, from the root outwards.
 struct ReachedBody {
     std::uint32_t body = 0;
@@ -113,7 +108,7 @@ struct JointTrees {
     std::vector<Limb> limbs;
     std::vector<Link> links;
     std::vector<Link> holds;
-    std::vector<std::uint8_t> isDirect;    ///< by joint: DirectPart
+    std::vector<std::uint8_t> isDirect;    ///< by joint: 1 if a tree solves it in this step
     std::vector<std::uint32_t> freeMasks;  ///< by body: colors of its constraints, if all are in its tree
     bool some = false;                     ///< some tree is solved directly in this step
     bool stale = true;                     ///< joints were created or destroyed, woke or fell asleep

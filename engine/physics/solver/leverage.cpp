@@ -26,7 +26,7 @@ bool meetsOthers(const Workspace& work, std::uint32_t body) {
 /// others.
 std::uint8_t leverageNow(const World& world, const Workspace& work, std::uint32_t index) {
     const std::uint8_t leverage = work.joints.leverages[index];
-    if (leverage == 0 || work.joints.trees.isDirect[index] == kWhollyDirect) return 0;
+    if (leverage == 0 || work.joints.trees.isDirect[index] != 0) return 0;
     const Joint& joint = world.joints.hot[index];
     // A tree that was left to the SIMD solver touched something, and is about to do so again.
     const bool leftByTree = world.settings.directJoints;

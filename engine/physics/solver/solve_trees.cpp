@@ -405,7 +405,7 @@ void storeTrees(StepContext& step) {
             Joint& joint = step.world.joints.hot[link.joint];
             const LinkForce force = forceOf(link);
             joint.force = force.force;
-            joint.torque = link.shared ? joint.torque : force.torque;
+            joint.torque = force.torque;
             // Warm starting in SIMD lanes, in case the tree is left to them in the next step.
             const float sign = link.limbIsB ? rate : -rate;
             const auto row = [&](double given) { return static_cast<float>(given) * sign; };

@@ -42,9 +42,10 @@ bool moves(const World& world, std::uint32_t body) {
     return !isPushed(world, body) && (motion.velocity != Vec2{} || motion.angularVelocity != 0.0f);
 }
 
-/// True for joints that store energy or give some.
-bool isPowered(const Joint& joint) {
-    return (joint.flags & (kDriven | kSprung | kSoft)) != 0 || joint.kind == JointKind::Mouse ||
+/// True for joints that store energy or give some. A motor of speed 0 is a brake.
+bool isPowered(const Joint& joint, const JointDefinition& definition) {
+    const bool drives = (joint.flags & kDriven) != 0 && definition.motor.speed != 0.0f;
+    return drives || (joint.flags & (kSprung | kSoft)) != 0 || joint.kind == JointKind::Mouse ||
            joint.kind == JointKind::Motor;
 }
 
@@ -135,7 +136,8 @@ void closeAccounts(Workspace& work) {
 void noteJoints(World& world, Workspace& work) {
     for (const std::uint32_t j : world.joints.awake) {
         const Joint& joint = world.joints.hot[j];
-        const bool powered = isPowered(joint), between = joint.colour < kFirstFixedColour;
+        const bool powered = isPowered(joint, world.joints.definition[j]);
+        const bool between = joint.colour < kFirstFixedColour;
         if (!powered && between) continue;
         EnergyAccount& account = accountOf(world, work, joint.bodyA, joint.bodyB);
         account.isDriven |= powered || moves(world, joint.bodyA) || moves(world, joint.bodyB);
