@@ -77,8 +77,10 @@ float wayToKeep(const Contact& contact, const Settings& settings) {
 /// stacks do not buckle on contacts that are springs.
 /// @return false when they have to be found anew
 bool recycle(Contact& contact, const Encounter& now, const Settings& settings) {
-    // Nothing keeps a body from going through a trigger along the normal, and out on the other side.
-    if ((contact.flags & (kTouching | kRound | kTriggered)) != kTouching) return false;
+    // Nothing keeps a body from going along the normal through a trigger, a one-way shape that lets it pass,
+    // or what the owner disabled in the last step, and out on the other side.
+    constexpr int kUnheld = kTriggered | kPassing | kDisabled;
+    if ((contact.flags & (kTouching | kRound | kUnheld)) != kTouching) return false;
     const int all = (contact.flags & kUnturned) != 0 ? 1 : 2;
     if (contact.count > all) return false;
     // One point of two says little of what comes next: a second may be about to touch.
@@ -429,13 +431,13 @@ void findTouches(const World& world, std::span<Contact> contacts, float dt, Dete
     const Shapes& shapes = world.shapes;
     for (Contact& contact : contacts) {
         ++counts.pairs;
-        contact.flags &= static_cast<std::uint16_t>(~(kBegan | kGone | kDisabled));
-        if ((contact.flags & kAlongAxes) != 0) {
-            touchUpright(world, contact, counts);
-            continue;
-        }
+        contact.flags &= static_cast<std::uint16_t>(~(kBegan | kGone));
         const Encounter now = encounterOf(world.bodies.pose[contact.bodyA], world.bodies.pose[contact.bodyB]);
-        if (isSettled(world, contact, now, counts)) continue;
+        const bool alongAxes = (contact.flags & kAlongAxes) != 0;
+        const bool settled = !alongAxes && isSettled(world, contact, now, counts);
+        contact.flags &= static_cast<std::uint16_t>(~kDisabled);  // of the last step
+        if (alongAxes) touchUpright(world, contact, counts);
+        if (settled || alongAxes) continue;
         if (takeHalfway(world, contact, now, 0.5f * dt, counts)) continue;
         const Geometry& a = shapes.geometry[contact.shapeA];
         const Geometry& b = shapes.geometry[contact.shapeB];

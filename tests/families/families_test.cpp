@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -20,7 +21,11 @@ TEST_P(Families, keepEveryRelation) {
     ASSERT_EQ(results.size(), 1u);
     EXPECT_TRUE(results[0].holds()) << textOf(results[0]);
     EXPECT_EQ(results[0].verdicts.size(), allRelations().size());
-    EXPECT_GT(results[0].engines[0].reached, 0) << textOf(results[0]);
+    const auto reaches = [](const Verdict& verdict) {
+        return verdict.baseReached + verdict.variedReached > 0;
+    };
+    EXPECT_TRUE(std::any_of(results[0].verdicts.begin(), results[0].verdicts.end(), reaches))
+        << textOf(results[0]);
 }
 
 TEST_P(Families, makeTheSameMemberFromTheSameSeed) {

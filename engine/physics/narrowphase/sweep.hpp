@@ -24,6 +24,14 @@ Sweep sweepThrough(const BodyPose& pose, float part, Vec2 way, float turn);
 /// The path of a body that stays where it is.
 inline Sweep resting(const BodyPose& pose, float part = 0.0f) { return sweepThrough(pose, part, {}, 0.0f); }
 
+/// Whether a displacement (m) and a rotation (rad) in one step may carry a body past something thin: some
+/// point of it moves by more than half the radius of its inscribed disc.
+inline bool isFast(Vec2 displacement, float rotation, const BodyInfo& info) {
+    const float turned = std::fabs(rotation) * info.reach, limit = 0.5f * info.core;
+    if (std::fabs(displacement.x) + std::fabs(displacement.y) + turned <= limit) return false;
+    return length(displacement) + turned > limit;
+}
+
 /// An outline that is taken along.
 struct SweptOutline {
     const Convex& outline;

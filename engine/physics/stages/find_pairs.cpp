@@ -3,6 +3,8 @@
 #include "physics/broadphase_update.hpp"
 #include "physics/contacts.hpp"
 #include "physics/joints.hpp"
+#include "physics/narrowphase/sweep.hpp"
+#include "physics/sleeping.hpp"
 #include "physics/stages.hpp"
 
 namespace plumb::physics {
@@ -70,10 +72,38 @@ void makeContacts(World& world, Workspace& work, const ContactHooks& hooks) {
     }
 }
 
+/// What a fast kinematic body may pass in this step has to be awake: a pair that is found when their bounds
+/// overlap would come too late.
+void wakeOnPaths(World& world, Workspace& work, float dt) {
+    std::vector<std::uint32_t>& found = work.candidates;
+    std::vector<std::uint32_t>& sleepers = work.kinematicPaths;
+    sleepers.clear();
+    for (const std::uint32_t body : world.awake) {
+        const BodyInfo& info = world.bodies.info[body];
+        const BodyMotion& motion = world.bodies.motion[body];
+        if (info.kind != BodyKind::Kinematic) continue;
+        const Vec2 displacement = dt * motion.velocity;
+        if (!isFast(displacement, dt * motion.angularVelocity, info)) continue;
+        found.clear();
+        work.broadPhase->cast(proxiesOf(world), toVec2(world.bodies.pose[body].centre), displacement,
+                              {info.reach, info.reach}, 0xffffffffu, found, Among::All);
+        for (const std::uint32_t shape : found) {
+            if (world.shapes.motion[shape] == ProxyMotion::Asleep)
+                sleepers.push_back(world.shapes.info[shape].body);
+        }
+    }
+    std::sort(sleepers.begin(), sleepers.end());
+    for (const std::uint32_t body : sleepers) wake(world, body);
+}
+
 }  // namespace
 
 void findPairs(StepContext& step) {
     updateBroadPhase(step.world, step.work);
+    if (step.runs(Effect::Kinematics) && step.runs(Effect::Sleep)) {
+        wakeOnPaths(step.world, step.work, step.dt);
+        updateBroadPhase(step.world, step.work);
+    }
     dropGone(step.world);
     if (step.world.moved.empty()) return;
     search(step);

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "physics/bounds.hpp"
+#include "physics/narrowphase/sweep.hpp"
 #include "physics/ranges.hpp"
 #include "physics/shapes/shape_types.hpp"
 #include "physics/stages.hpp"
@@ -125,13 +126,6 @@ bool takeAlong(StepContext& step, std::size_t slot, std::uint32_t body) {
     return true;
 }
 
-/// A body that has moved by more than its core may have passed through something thin.
-bool isFast(const Float4& shift, const BodyInfo& info) {
-    const float turned = std::fabs(shift.z) * info.reach, most = 0.5f * info.core;
-    if (std::fabs(shift.x) + std::fabs(shift.y) + turned <= most) return false;
-    return std::sqrt(shift.x * shift.x + shift.y * shift.y) + turned > most;
-}
-
 void finish(StepContext& step, std::size_t slot, std::uint32_t body, Findings& found) {
     World& world = step.world;
     BodyInfo& info = world.bodies.info[body];
@@ -152,7 +146,7 @@ void finish(StepContext& step, std::size_t slot, std::uint32_t body, Findings& f
         motion.restTime += step.dt;
         found.sleepy = found.sleepy || motion.restTime >= world.settings.sleepTime;
     }
-    const bool isSwept = info.kind == BodyKind::Dynamic ? isFast(shift, info) : moved;
+    const bool isSwept = info.kind == BodyKind::Dynamic ? isFast({shift.x, shift.y}, shift.z, info) : moved;
     if (isSwept && world.settings.continuous) found.fast.push_back(body);
     updateShapes(world, body, found);
 }

@@ -8,8 +8,8 @@ namespace plumb::physics {
 
 namespace {
 
-/// Part of Settings::sleepTime: contacts and joints that ended keep islands larger than need be for so long. A
-/// rebuild looks at every contact; an island that fell apart sleeps late by this at most.
+/// Part of Settings::sleepTime: contacts and joints that ended keep islands larger than need be for so long.
+/// A rebuild looks at every contact; an island that fell apart sleeps late by this at most.
 constexpr float kRebuildPart = 0.5f;
 
 /// What a moving platform carries or pulls stays awake, however slow it is: it could be left in the air.

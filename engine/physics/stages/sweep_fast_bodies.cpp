@@ -170,6 +170,25 @@ void stop(StepContext& step, std::uint32_t body, const PathHit& hit) {
     swept.hits = kMostHits + 1;
 }
 
+/// Takes a held body that a kinematic one hit along with that to the end of the step, where the solver finds
+/// them touching: left where it was hit, the kinematic body would pass it.
+void carryAlong(StepContext& step, std::uint32_t body, std::uint32_t by, const PathHit& hit, Vec2 normal) {
+    const std::uint32_t place = step.work.bodyScratch[body];
+    const float left = (1.0f - hit.part) * step.dt;
+    if (place == kNone || !isDynamic(step.world, body) || isDynamic(step.world, by) || left <= 0.0f) return;
+    const Sweep path = pathOfMet(step, by);
+    const BodyPose from = path.at(hit.part), to = path.at(1.0f);
+    SweptBody& swept = step.work.swept[place];
+    BodyPose pose = swept.sweep.at(1.0f);
+    const Vec2 arm = rotate(between(from.rotation, to.rotation), pose.centre - from.centre);
+    const Vec2 displacement = (to.centre + arm) - pose.centre;
+    const float along = std::max(dot(displacement, normal), 0.0f);
+    pose.centre = pose.centre + along * normal;
+    swept.sweep = resting(pose, hit.part);
+    Vec2& velocity = step.world.bodies.motion[body].velocity;
+    velocity += std::max(along / left - dot(velocity, normal), 0.0f) * normal;
+}
+
 /// s: how long before the end of the step a body was at the place where it hits a surface that does not
 /// yield. Its path is straight and its flight was not: along the normal it was there at another moment.
 float timeLeft(const SweptBody& swept, Vec2 velocity, Vec2 normal, float left, float dt) {
@@ -263,6 +282,7 @@ void hitNext(StepContext& step, std::uint32_t own, std::uint32_t met, const Path
     if (contact.count == 0 || needsSolver(step, own) || needsSolver(step, met)) {
         stop(step, own, hit);
         stop(step, met, hit);
+        if (contact.count > 0) carryAlong(step, own, met, hit, contact.normal);
         return;
     }
     const bool fixed = !isDynamic(step.world, met);
@@ -394,6 +414,32 @@ void fillSwept(StepContext& step, bool together) {
 
 }  // namespace
 
+/// Adds the bodies that a fast kinematic body may have passed: seen from that, they are as fast.
+void addPassedBodies(StepContext& step) {
+    const World& world = step.world;
+    Workspace& work = step.work;
+    std::vector<std::uint32_t>& passed = work.kinematicPaths;
+    passed.clear();
+    for (const std::uint32_t body : work.fastBodies) {
+        if (isDynamic(world, body)) continue;
+        const Sweep path = pathOf(step, body);
+        const BodyInfo& info = world.bodies.info[body];
+        if (!isFast(path.way, path.turn, info)) continue;
+        work.candidates.clear();
+        work.broadPhase->cast(proxiesOf(world), toVec2(path.start), path.way, {info.reach, info.reach},
+                              0xffffffffu, work.candidates, Among::All);
+        for (const std::uint32_t shape : work.candidates) {
+            const std::uint32_t other = world.shapes.info[shape].body;
+            if (isDynamic(world, other) && work.slots[other] >= 0) passed.push_back(other);
+        }
+    }
+    if (passed.empty()) return;
+    passed.insert(passed.end(), work.fastBodies.begin(), work.fastBodies.end());
+    std::sort(passed.begin(), passed.end());
+    passed.erase(std::unique(passed.begin(), passed.end()), passed.end());
+    work.fastBodies = passed;
+}
+
 // Bodies that have moved fast are taken along their paths once more. Where one that flies freely hits
 // something that never yields, or a bullet hits another that flies freely, both get the impulses of the
 // impact at that moment and go on for the rest of the step. What something holds stops at that place with the
@@ -403,13 +449,17 @@ void sweepFastBodies(StepContext& step) {
     World& world = step.world;
     Workspace& work = step.work;
     work.swept.clear();
+    if (step.runs(Effect::Kinematics)) {
+        updateBroadPhase(world, work);
+        addPassedBodies(step);
+    }
     const auto some = [&](auto&& is) {
         return std::any_of(work.fastBodies.begin(), work.fastBodies.end(), is);
     };
     const bool moves = some([&](std::uint32_t body) { return isDynamic(world, body); });
     if (!moves || !step.runs(Effect::Contacts)) return;  // nothing can be stopped, or stop it
     const bool together = some([&](std::uint32_t body) { return layerOf(world, body) != kFastLayer; });
-    if (together || step.runs(Effect::Kinematics)) updateBroadPhase(world, work);
+    if (together) updateBroadPhase(world, work);
     fillSwept(step, together);
     const int count = static_cast<int>(work.swept.size());
     const auto pieces = static_cast<std::size_t>(piecesOf(count, kGrain));

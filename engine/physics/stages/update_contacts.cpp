@@ -140,8 +140,7 @@ void endContactsOfDead(StepContext& step) {
 
 void beginContact(World& world, Workspace& work, std::size_t index) {
     world.contacts[index].flags |= kTouching | kBegan;
-    if ((world.contacts[index].flags & kInitialOverlap) != 0)
-        addInitialOverlap(world, world.contacts[index]);
+    if ((world.contacts[index].flags & kInitialOverlap) != 0) addInitialOverlap(world, world.contacts[index]);
     const std::uint32_t bodyA = world.contacts[index].bodyA, bodyB = world.contacts[index].bodyB;
     const bool pushesA = pushableA(world.contacts[index]) != kNone;
     if ((world.contacts[index].flags & kTriggered) == 0) {
