@@ -77,10 +77,8 @@ float wayToKeep(const Contact& contact, const Settings& settings) {
 /// stacks do not buckle on contacts that are springs.
 /// @return false when they have to be found anew
 bool recycle(Contact& contact, const Encounter& now, const Settings& settings) {
-    // Nothing keeps a body from going along the normal through a trigger, a one-way shape that lets it pass,
-    // or what the owner disabled in the last step, and out on the other side.
-    constexpr int kUnheld = kTriggered | kPassing | kDisabled;
-    if ((contact.flags & (kTouching | kRound | kUnheld)) != kTouching) return false;
+    // Nothing keeps a body from going along the normal through what does not push, and out on the far side.
+    if ((contact.flags & (kTouching | kRound | kTriggered | kPassing | kDisabled)) != kTouching) return false;
     const int all = (contact.flags & kUnturned) != 0 ? 1 : 2;
     if (contact.count > all) return false;
     // One point of two says little of what comes next: a second may be about to touch.

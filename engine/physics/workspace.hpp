@@ -212,7 +212,7 @@ struct Workspace {
     std::vector<Contact> madeHits;                          ///< in the order of the hits
     std::vector<std::pair<PairKey, std::size_t>> hitOrder;  ///< indices in `madeHits`
     std::vector<std::vector<std::uint32_t>> sweptPast;      ///< per piece of work: shapes near a sweep
-    std::vector<std::uint32_t> kinematicPaths;              ///< bodies near the paths of fast kinematic ones
+    std::vector<std::uint32_t> passedBodies;                ///< that a fast kinematic one may have passed
     std::vector<std::uint32_t> candidates;                  ///< of the current query
     bool sleepy = false;                                    ///< some body has rested long enough to sleep
     DetectionCounts counts;

@@ -31,7 +31,9 @@ protected:
         return WEXITSTATUS(status);
     }
 
-    Path folder_ = std::filesystem::temp_directory_path() / "plumb_code_game";
+    /// One for each test: they run at the same time.
+    Path folder_ = std::filesystem::temp_directory_path() / "plumb_code_game" /
+                   testing::UnitTest::GetInstance()->current_test_info()->name();
     std::string output_;
 };
 

@@ -72,13 +72,23 @@ void makeContacts(World& world, Workspace& work, const ContactHooks& hooks) {
     }
 }
 
+/// For all that there is, so that a steady step allocates nothing.
+void makeRoomOnPaths(const World& world, Workspace& work) {
+    if (work.candidates.capacity() < world.shapes.size())
+        work.candidates.reserve(world.shapes.info.capacity());
+    if (work.passedBodies.capacity() < world.bodies.size())
+        work.passedBodies.reserve(world.bodies.info.capacity());
+    if (work.fastBodies.capacity() < world.bodies.size())
+        work.fastBodies.reserve(world.bodies.info.capacity());
+}
+
 /// What a fast kinematic body may pass in this step has to be awake: a pair that is found when their bounds
 /// overlap would come too late.
 void wakeOnPaths(World& world, Workspace& work, float dt) {
     std::vector<std::uint32_t>& found = work.candidates;
-    std::vector<std::uint32_t>& sleepers = work.kinematicPaths;
-    sleepers.clear();
-    for (const std::uint32_t body : world.awake) {
+    const std::size_t awake = world.awake.size();
+    for (std::size_t i = 0; i < awake; ++i) {
+        const std::uint32_t body = world.awake[i];
         const BodyInfo& info = world.bodies.info[body];
         const BodyMotion& motion = world.bodies.motion[body];
         if (info.kind != BodyKind::Kinematic) continue;
@@ -87,19 +97,19 @@ void wakeOnPaths(World& world, Workspace& work, float dt) {
         found.clear();
         work.broadPhase->cast(proxiesOf(world), toVec2(world.bodies.pose[body].centre), displacement,
                               {info.reach, info.reach}, 0xffffffffu, found, Among::All);
+        // A broad phase gives them in an order of its own.
+        std::sort(found.begin(), found.end());
         for (const std::uint32_t shape : found) {
-            if (world.shapes.motion[shape] == ProxyMotion::Asleep)
-                sleepers.push_back(world.shapes.info[shape].body);
+            if (world.shapes.motion[shape] == ProxyMotion::Asleep) wake(world, world.shapes.info[shape].body);
         }
     }
-    std::sort(sleepers.begin(), sleepers.end());
-    for (const std::uint32_t body : sleepers) wake(world, body);
 }
 
 }  // namespace
 
 void findPairs(StepContext& step) {
     updateBroadPhase(step.world, step.work);
+    if (step.runs(Effect::Kinematics)) makeRoomOnPaths(step.world, step.work);
     if (step.runs(Effect::Kinematics) && step.runs(Effect::Sleep)) {
         wakeOnPaths(step.world, step.work, step.dt);
         updateBroadPhase(step.world, step.work);

@@ -418,8 +418,11 @@ void fillSwept(StepContext& step, bool together) {
 void addPassedBodies(StepContext& step) {
     const World& world = step.world;
     Workspace& work = step.work;
-    std::vector<std::uint32_t>& passed = work.kinematicPaths;
+    std::vector<std::uint32_t>& passed = work.passedBodies;
     passed.clear();
+    std::vector<std::uint32_t>& known = work.bodyScratch;
+    known.assign(world.bodies.size(), kNone);
+    for (const std::uint32_t body : work.fastBodies) known[body] = 0;
     for (const std::uint32_t body : work.fastBodies) {
         if (isDynamic(world, body)) continue;
         const Sweep path = pathOf(step, body);
@@ -430,14 +433,13 @@ void addPassedBodies(StepContext& step) {
                               0xffffffffu, work.candidates, Among::All);
         for (const std::uint32_t shape : work.candidates) {
             const std::uint32_t other = world.shapes.info[shape].body;
-            if (isDynamic(world, other) && work.slots[other] >= 0) passed.push_back(other);
+            if (known[other] != kNone || !isDynamic(world, other) || work.slots[other] < 0) continue;
+            known[other] = 0;
+            passed.push_back(other);
         }
     }
-    if (passed.empty()) return;
-    passed.insert(passed.end(), work.fastBodies.begin(), work.fastBodies.end());
-    std::sort(passed.begin(), passed.end());
-    passed.erase(std::unique(passed.begin(), passed.end()), passed.end());
-    work.fastBodies = passed;
+    work.fastBodies.insert(work.fastBodies.end(), passed.begin(), passed.end());
+    if (!passed.empty()) std::sort(work.fastBodies.begin(), work.fastBodies.end());
 }
 
 // Bodies that have moved fast are taken along their paths once more. Where one that flies freely hits
