@@ -14,7 +14,7 @@
 #include "tests/app/platformer.hpp"
 #include "tests/app/playground.hpp"
 
-// A game is the same whoever looks at it. Each game here is played once alone; every other run has an
+// Looking at a game does not change it. Each game here is played once alone; every other run has an
 // onlooker, and the hash of its state must be the same after each tick.
 
 namespace plumb {

@@ -24,7 +24,7 @@ constexpr int kMostHits = 5;
 constexpr float kWedged = 0.02f;
 constexpr float kKeptWhenWedged = 0.5f;  // of its speeds
 
-/// Layers of Workspace::sweptProxies: what is looked for by whom.
+/// Layers of Workspace::sweptProxies: bullets search for all of them, other bodies for some.
 constexpr std::uint32_t kBulletLayer = 1, kFastLayer = 2, kKinematicLayer = 4;
 
 Rot turnOf(const Float4& shift) { return normalized(Rot{1.0f + shift.w, shift.z}); }
