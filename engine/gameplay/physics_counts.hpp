@@ -4,7 +4,7 @@
 #include <optional>
 #include <string_view>
 
-#include "physics/detection_counts.hpp"
+#include "physics/contacts/detection_counts.hpp"
 
 namespace plumb {
 

@@ -83,10 +83,10 @@ enum DebugPart : std::uint32_t {
 /// Options of debugDraw().
 struct DebugChoice {
     std::uint32_t parts = kDrawAll;  ///< bits of DebugPart
-    Place origin;  ///< m: positions are drawn relative to this, so that they stay exact far from the world's
-                   ///< origin
+    WorldPosition origin;  ///< m: positions are drawn relative to this, so that they stay exact far from the
+                           ///< world's origin
     const AABB* sight = nullptr;  ///< m, relative to the origin: shapes outside are left out; null: none is
-    float least = 0.0f;           ///< m: of smaller shapes only the bounds are drawn
+    float minimum = 0.0f;         ///< m: of smaller shapes only the bounds are drawn
     float behind = 0.0f;          ///< s: moving bodies are drawn as they were so long ago, between two steps
     const Workspace* lastStep = nullptr;  ///< see lastStepOf(); null: no sweeps and no broad phase regions
     bool chosenOnly = false;  ///< draws only what is selected below; what connects two bodies is drawn if

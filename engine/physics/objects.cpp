@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "physics/checks.hpp"
+#include "physics/model/checks.hpp"
 
 namespace plumb::physics {
 
@@ -26,16 +26,18 @@ ShapeDefinition definitionOf(const ColliderSettings& settings) {
 
 }  // namespace
 
-Result<Done> RigidBody::setPosition(Place position) { return setPosition(position, angleOf(rotation())); }
+Result<Done> RigidBody::setPosition(WorldPosition position) {
+    return setPosition(position, angleOf(rotation()));
+}
 
-Result<Done> RigidBody::setPosition(Place position, float angle) {
+Result<Done> RigidBody::setPosition(WorldPosition position, float angle) {
     return physics::setPosition(world_, id_, position, angle);
 }
 
 Physics::Physics() { world_.settings.stayEvents = true; }
 Physics::~Physics() = default;
 
-Result<RigidBody*> Physics::createBody(Place position, float angle) {
+Result<RigidBody*> Physics::createBody(WorldPosition position, float angle) {
     return createBody(BodyDefinition{.position = position, .angle = angle});
 }
 

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "physics/pair_set.hpp"
+#include "physics/contacts/pair_set.hpp"
 #include "physics/simulation.hpp"
 
 namespace plumb::physics {
@@ -24,7 +24,7 @@ public:
     RigidBody& operator=(const RigidBody&) = delete;
 
     [[nodiscard]] BodyId id() const { return id_; }
-    [[nodiscard]] Place position() const { return positionOf(world_, id_); }  ///< m
+    [[nodiscard]] WorldPosition position() const { return positionOf(world_, id_); }  ///< m
     [[nodiscard]] Rot rotation() const { return rotationOf(world_, id_); }
     [[nodiscard]] Vec2 velocity() const { return velocityOf(world_, id_); }                 ///< m/s
     [[nodiscard]] float angularVelocity() const { return angularVelocityOf(world_, id_); }  ///< rad/s
@@ -39,8 +39,8 @@ public:
     }
 
     // Setters refuse values that are not finite, and then change nothing.
-    Result<Done> setPosition(Place position);               ///< m; teleports, keeps the angle
-    Result<Done> setPosition(Place position, float angle);  ///< m, rad
+    Result<Done> setPosition(WorldPosition position);               ///< m; teleports, keeps the angle
+    Result<Done> setPosition(WorldPosition position, float angle);  ///< m, rad
     Result<Done> setVelocity(Vec2 velocity) { return physics::setVelocity(world_, id_, velocity); }
     Result<Done> setAngularVelocity(float velocity) {
         return physics::setAngularVelocity(world_, id_, velocity);
@@ -66,10 +66,10 @@ struct ColliderSettings {
     Vec2 centre{};  ///< m, in the frame of its body; without a body relative to `position`
     float bounciness = 0.0f;
     float friction = 0.6f;
-    float density = 1.0f;    ///< kg/m2
-    bool isTrigger = false;  ///< reports overlaps and does not collide
-    Place position{};        ///< m: of a collider without a body
-    float angle = 0.0f;      ///< rad: of a collider without a body
+    float density = 1.0f;      ///< kg/m2
+    bool isTrigger = false;    ///< reports overlaps and does not collide
+    WorldPosition position{};  ///< m: of a collider without a body
+    float angle = 0.0f;        ///< rad: of a collider without a body
 };
 
 /// A shape that touches others. With a body it moves with that, without one it is static. Derive from its
@@ -131,7 +131,7 @@ public:
     Physics& operator=(const Physics&) = delete;
 
     /// @error a number that is not finite
-    Result<RigidBody*> createBody(Place position, float angle = 0.0f);
+    Result<RigidBody*> createBody(WorldPosition position, float angle = 0.0f);
     /// A body of any kind, e.g. a kinematic one, which moves by its velocity alone.
     Result<RigidBody*> createBody(const BodyDefinition& definition);
 

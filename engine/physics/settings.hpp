@@ -2,8 +2,8 @@
 
 #include <cstdint>
 
-#include "physics/body.hpp"
 #include "physics/broadphase/broad_phase.hpp"
+#include "physics/model/body.hpp"
 
 namespace plumb::physics {
 

@@ -6,7 +6,7 @@
 #include <iterator>
 
 #include "core/profile.hpp"
-#include "physics/sleeping.hpp"
+#include "physics/islands/sleeping.hpp"
 #include "physics/stages.hpp"
 
 namespace plumb::physics {
@@ -41,7 +41,7 @@ bool hasBlocks(const StepContext& step) {
     return !step.work.contactLanes.empty() || !step.work.fixedLanes.empty();
 }
 bool hasHook(const StepContext& step) { return step.hooks.preSolve != nullptr; }
-bool hasSeams(const StepContext& step) { return !step.work.surfaceChanges.empty(); }
+bool hasSeams(const StepContext& step) { return !step.work.chainChanges.empty(); }
 
 constexpr Stage kStages[] = {
     {"broad phase", kMeeting, findPairs, hasRemains},

@@ -3,11 +3,11 @@
 #include <span>
 #include <string_view>
 
-#include "physics/bodies.hpp"
-#include "physics/contact_hooks.hpp"
-#include "physics/detection_counts.hpp"
-#include "physics/joints.hpp"
-#include "physics/shapes.hpp"
+#include "physics/contacts/detection_counts.hpp"
+#include "physics/model/bodies.hpp"
+#include "physics/model/contact_hooks.hpp"
+#include "physics/model/joints.hpp"
+#include "physics/model/shapes.hpp"
 #include "physics/world.hpp"
 
 namespace plumb {

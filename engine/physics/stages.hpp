@@ -2,7 +2,7 @@
 
 #include "core/profile.hpp"
 #include "core/task_pool.hpp"
-#include "physics/contact_hooks.hpp"
+#include "physics/model/contact_hooks.hpp"
 #include "physics/solver/kernels.hpp"
 #include "physics/workspace.hpp"
 #include "physics/world.hpp"
@@ -29,7 +29,7 @@ struct StepContext {
     }
     /// Nothing in the world can rotate, so contacts have one point and no lever arms, and the solver can use
     /// its reduced kernels. Restitution, rolling resistance and joints exist in the full kernels only.
-    [[nodiscard]] bool isPlain() const {
+    [[nodiscard]] bool isWithoutRotation() const {
         constexpr auto kTurning = static_cast<std::size_t>(Effect::Rotation);
         return !runs(Effect::Rotation) && world.manifest.callers[kTurning] == 0 &&
                !runs(Effect::Restitution) && !runs(Effect::Rolling) && !runs(Effect::Joints);

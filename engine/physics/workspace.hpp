@@ -8,12 +8,12 @@
 #include <vector>
 
 #include "physics/broadphase/broad_phase.hpp"
-#include "physics/detection_counts.hpp"
+#include "physics/contacts/detection_counts.hpp"
+#include "physics/contacts/pair_set.hpp"
 #include "physics/effects/flyers.hpp"
 #include "physics/narrowphase/path_hit.hpp"
-#include "physics/pair_set.hpp"
-#include "physics/soft_meetings.hpp"
-#include "physics/soft_obstacles.hpp"
+#include "physics/soft/rigid_proxies.hpp"
+#include "physics/soft/soft_soft_contacts.hpp"
 #include "physics/solver/colours.hpp"
 #include "physics/solver/contact_block.hpp"
 #include "physics/solver/joint_work.hpp"
@@ -79,14 +79,14 @@ struct AxisLock {
     std::uint8_t flags = 0;  ///< kLockX, kLockY
 };
 
-/// Number of contacts between a chain and something that touches it (surfaces.hpp).
-struct SurfaceTouch {
+/// Number of contacts between a chain and something that touches it (chain_events.hpp).
+struct ChainTouch {
     PairKey pair = 0;
     std::int32_t count = 0;
 };
 
 /// What happened to one of these contacts in this step.
-struct SurfaceChange {
+struct ChainChange {
     PairKey pair = 0;
     std::uint32_t order = 0;
     ContactEvent event;
@@ -95,7 +95,7 @@ struct SurfaceChange {
 inline constexpr std::size_t kMaxStages = 24;
 
 /// Input of the automatic quality estimate of an island.
-struct IslandHardness {
+struct SubstepEstimate {
     float lightest = std::numeric_limits<float>::max();  ///< kg
     float heaviest = 0.0f;
     float lowest = std::numeric_limits<float>::max();  ///< m along gravity
@@ -107,34 +107,34 @@ struct IslandHardness {
 
 /// An island while its quality is derived from its errors.
 struct IslandCase {
-    Effort effort;       ///< merged from those of its bodies
-    Quality least = 0;   ///< minimum that its bodies and joints ask for
-    bool isNew = false;  ///< some bodies have no state yet
-    float error = 0.0f;  ///< m: largest overlap or joint error
+    SubstepController controller;  ///< merged from those of its bodies
+    Quality minimum = 0;           ///< minimum that its bodies and joints ask for
+    bool isNew = false;            ///< some bodies have no state yet
+    float error = 0.0f;            ///< m: largest overlap or joint error
 };
 
 /// Energy account of an island in this step: stages/keep_energy.cpp.
 struct EnergyAccount {
     bool isOpen = false;
     bool isJointed = false;
-    bool isLively = false;  ///< a body can rotate or bounces
-    bool isDriven = false;  ///< a motor, kinematic body or conveyor does work on it
-    bool isRooted = false;  ///< connected to or touching a static or kinematic body
-    float energy = 0.0f;    ///< J, kinetic
-    bool isWild = false;    ///< its energy is implausible
-    float work = 0.0f;      ///< J, by forces
-    float gain = 0.0f;      ///< J, not explained by forces
-    float credit = 0.0f;    ///< J, as in EnergyShare
-    float peak = 0.0f;      ///< J
-    float mass = 0.0f;      ///< kg
-    float excess = 0.0f;    ///< J, to be removed
-    float own = 0.0f;       ///< J, kinetic relative to `middle`
-    float least = 0.0f;     ///< J, the part of `own` that is never removed
-    float way = 0.0f;       ///< kg m2: sum of mass times squared displacement, halved
-    float keep = 1.0f;      ///< factor on velocities relative to `middle`
-    float part = 1.0f;      ///< factor on displacements, likewise
-    Vec2 momentum;          ///< kg m/s
-    Vec2 middle;            ///< m/s
+    bool isLively = false;      ///< a body can rotate or bounces
+    bool isDriven = false;      ///< a motor, kinematic body or conveyor does work on it
+    bool isRooted = false;      ///< connected to or touching a static or kinematic body
+    float energy = 0.0f;        ///< J, kinetic
+    bool isWild = false;        ///< its energy is implausible
+    float work = 0.0f;          ///< J, by forces
+    float gain = 0.0f;          ///< J, not explained by forces
+    float credit = 0.0f;        ///< J, as in EnergyShare
+    float peak = 0.0f;          ///< J
+    float mass = 0.0f;          ///< kg
+    float excess = 0.0f;        ///< J, to be removed
+    float own = 0.0f;           ///< J, kinetic relative to `middle`
+    float minimum = 0.0f;       ///< J, the part of `own` that is never removed
+    float displacement = 0.0f;  ///< kg m2: sum of mass times squared displacement, halved
+    float keep = 1.0f;          ///< factor on velocities relative to `middle`
+    float part = 1.0f;          ///< factor on displacements, likewise
+    Vec2 momentum;              ///< kg m/s
+    Vec2 middle;                ///< m/s
 };
 
 /// Paths of fast bodies as input of a broad phase, by index in Workspace::swept.
@@ -159,11 +159,11 @@ struct Workspace {
     std::vector<PairKey> newPairs;
     std::vector<std::uint32_t> colourMasks;  ///< by body: colors of its constraints
 
-    std::vector<SurfaceTouch> surfaceTouches;  ///< sorted by pair
+    std::vector<ChainTouch> chainTouches;  ///< sorted by pair
 
     // Of the step.
-    std::vector<SurfaceChange> surfaceChanges;
-    std::vector<SurfaceTouch> surfaceScratch;
+    std::vector<ChainChange> chainChanges;
+    std::vector<ChainTouch> chainScratch;
     std::vector<std::uint16_t>
         contactKeys;  ///< by contact: bits of ContactKey, so that few contacts have to be read
     std::vector<std::vector<std::uint32_t>> changedContacts;  ///< per piece of work: began, ended, or gone
@@ -171,20 +171,21 @@ struct Workspace {
     std::vector<std::int32_t> slots;    ///< by body; -1 if it is not solved
     std::vector<std::uint32_t> bodyOf;  ///< by slot; kNone for idle slots
     std::vector<Float4> velocity;       ///< by slot, as in SolverBodies
-    std::vector<Float4> shift;
+    std::vector<Float4> deltaPosition;
     std::vector<Float4> drive;
     std::vector<Float4> keep;
-    std::vector<Float4> flight;
-    std::vector<Float4> undisturbed;
-    std::vector<Float4> plainStates;  ///< as in PlainBodies, in steps without rotation
+    std::vector<Float4> ballisticDrift;
+    std::vector<Float4> velocityBeforeImpulses;
+    std::vector<Float4> statesWithoutRotation;  ///< as in BodiesWithoutRotation, in steps without rotation
     std::vector<SolveGroup> groups;
     std::vector<std::int32_t> cursors;  ///< by group and key, see prepareConstraints()
     ContactLayout layout;               ///< of contactLanes and fixedLanes, while contacts stay the same
     std::vector<ContactBlock> contactBlocks;
-    std::vector<PlainBlock> plainBlocks;  ///< instead of contactBlocks, in steps without rotation
+    std::vector<BlockWithoutRotation>
+        blocksWithoutRotation;  ///< instead of contactBlocks, in steps without rotation
     std::vector<BlockLanes> contactLanes;
     std::vector<FixedContactBlock> fixedBlocks;
-    std::vector<PlainFixedBlock> plainFixedBlocks;
+    std::vector<FixedBlockWithoutRotation> fixedBlocksWithoutRotation;
     std::vector<BlockLanes> fixedLanes;
     std::vector<BounceBlock> bounces;     ///< parallel to contactBlocks, if something bounces
     std::vector<ImpactPlace> impacts;     ///< of a group: candidates for propagation
@@ -197,7 +198,7 @@ struct Workspace {
     std::vector<AxisLock> locks;
     JointWork joints;
     SoftSurroundings softSurroundings;
-    SoftMeetings softMeetings;
+    SoftSoftContacts softSoftContacts;
     SmoothForces smooth;                     ///< if there are fields
     std::vector<std::uint32_t> solveOrder;   ///< awake bodies by group; empty if there is only one group
     std::vector<std::uint8_t> groupOf;       ///< by body, if there are several groups
@@ -220,7 +221,7 @@ struct Workspace {
     std::uint32_t effectsRun = 0;                       ///< bits of effects whose code ran in this step
     std::array<std::uint64_t, kEffects> effectRuns{};   ///< by effect: steps in which its code ran
     std::vector<std::uint8_t> leverageOf;               ///< by root of an island, if hasLeverage()
-    std::vector<IslandHardness> hardness;               ///< by root of an island: automatic quality estimate
+    std::vector<SubstepEstimate> estimate;              ///< by root of an island: automatic quality estimate
     bool rootsKnown = false;                            ///< findRoots() was called in this step
     std::vector<std::uint32_t> roots;                   ///< by body: root of its island
     std::vector<EnergyAccount> accounts;                ///< by root, for islands with an energy account

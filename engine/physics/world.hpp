@@ -6,15 +6,15 @@
 #include <vector>
 
 #include "core/result.hpp"
-#include "physics/body.hpp"
-#include "physics/contact.hpp"
-#include "physics/field.hpp"
-#include "physics/joint.hpp"
 #include "physics/manifest.hpp"
+#include "physics/model/body.hpp"
+#include "physics/model/contact.hpp"
+#include "physics/model/field.hpp"
+#include "physics/model/joint.hpp"
+#include "physics/model/shape.hpp"
+#include "physics/model/side_table.hpp"
 #include "physics/settings.hpp"
-#include "physics/shape.hpp"
-#include "physics/side_table.hpp"
-#include "physics/soft_particles.hpp"
+#include "physics/soft/soft_particles.hpp"
 #include "physics/workspace_holder.hpp"
 
 namespace plumb {
@@ -25,7 +25,7 @@ namespace plumb::physics {
 
 /// Position and orientation of a body. Two rows of four floats; the solver reads the second row.
 struct alignas(16) BodyPose {
-    Place centre;  ///< m: the centre of mass
+    WorldPosition centre;  ///< m: the centre of mass
     Rot rotation;
     Vec2 localCentre;  ///< m: the centre of mass in the frame of the body's shapes
 
@@ -87,7 +87,7 @@ enum BodyFlag : std::uint8_t {
 };
 
 /// State of the quality control of an island.
-enum class EffortPhase : std::uint8_t {
+enum class SubstepPhase : std::uint8_t {
     Calm,      ///< its error is within the tolerance
     Trying,    ///< it took the next lower quality: does the error stay within the tolerance?
     Strained,  ///< the error exceeds the tolerance: perhaps only an impact, which passes by itself
@@ -97,10 +97,10 @@ enum class EffortPhase : std::uint8_t {
 
 /// State of the quality control of an island, used with a tolerance (solver/effort.hpp). Every body of an
 /// island holds the same copy, so that the state survives when the island splits.
-struct Effort {
+struct SubstepController {
     Quality quality = kQualityOfWorld;  ///< of the last step; kQualityOfWorld: never evaluated
     Quality before = kQualityOfWorld;   ///< before the last change
-    EffortPhase phase = EffortPhase::Calm;
+    SubstepPhase phase = SubstepPhase::Calm;
     std::uint8_t patience = 0;  ///< number of changes that failed (a lower quality was too low, a higher one
                                 ///< did not help); each doubles the wait
     std::uint32_t wait = 0;     ///< steps until the next decision
@@ -121,11 +121,11 @@ struct Bodies {
     std::vector<BodyMotion> motion;
     std::vector<BodyMass> mass;
     std::vector<BodyInfo> info;
-    std::vector<Effort> efforts;        ///< empty without Settings::tolerance
-    std::vector<EnergyShare> energies;  ///< empty without joints
-    SideTable<BodyDrive> drives;        ///< by BodyInfo::drive
-    std::vector<std::uint32_t> free;    ///< free indices, last freed last
-    std::vector<std::uint32_t> dying;   ///< destroyed; free once the next step has ended their contacts
+    std::vector<SubstepController> substepControllers;  ///< empty without Settings::tolerance
+    std::vector<EnergyShare> energies;                  ///< empty without joints
+    SideTable<BodyDrive> drives;                        ///< by BodyInfo::drive
+    std::vector<std::uint32_t> free;                    ///< free indices, last freed last
+    std::vector<std::uint32_t> dying;  ///< destroyed; free once the next step has ended their contacts
 
     [[nodiscard]] std::size_t size() const { return info.size(); }
     [[nodiscard]] const BodyDrive& driveOf(std::uint32_t body) const { return drives[info[body].drive]; }
@@ -212,7 +212,7 @@ enum JointFlag : std::uint8_t {
     kBreakable = 8,
     kSoft = 16,  ///< it has its own stiffness (JointDefinition::hertz)
     kKeepsApart = 32,
-    kStretched = 64  ///< the iterative solver had it, so it may have an error: see grow_trees.cpp
+    kStretched = 64  ///< the iterative solver had it, so it may have an error: see joint_tree_builder.cpp
 };
 
 struct Joints {

@@ -4,10 +4,10 @@
 
 #include "physics/character/character_controller.hpp"
 #include "physics/debug_draw.hpp"
-#include "physics/fields.hpp"
+#include "physics/model/fields.hpp"
 #include "physics/objects.hpp"
 #include "physics/queries/overlap.hpp"
 #include "physics/queries/ray_cast.hpp"
 #include "physics/queries/shape_cast.hpp"
 #include "physics/simulation.hpp"
-#include "physics/softbody.hpp"
+#include "physics/soft/softbody.hpp"

@@ -33,11 +33,11 @@ void tellRefusal(const World& world, PhysicsState& state, EntityId entity, const
 /// The entity's own body, or nobody.
 [[nodiscard]] physics::BodyId bodyOf(const PhysicsState& state, EntityId entity);
 
-[[nodiscard]] inline physics::Place placeInMetres(Vec2 pixels, PixelScale scale) {
+[[nodiscard]] inline physics::WorldPosition placeInMetres(Vec2 pixels, PixelScale scale) {
     return {static_cast<double>(pixels.x) * static_cast<double>(scale.metres),
             static_cast<double>(pixels.y) * static_cast<double>(scale.metres)};
 }
-[[nodiscard]] inline Vec2 placeInPixels(physics::Place metres, PixelScale scale) {
+[[nodiscard]] inline Vec2 placeInPixels(physics::WorldPosition metres, PixelScale scale) {
     return {static_cast<float>(metres.x * static_cast<double>(scale.pixels)),
             static_cast<float>(metres.y * static_cast<double>(scale.pixels))};
 }

@@ -4,7 +4,7 @@
 
 #include "core/result.hpp"
 #include "ecs/world.hpp"
-#include "physics/shapes.hpp"
+#include "physics/model/shapes.hpp"
 #include "scene/physics_units.hpp"
 
 namespace plumb {

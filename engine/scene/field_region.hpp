@@ -3,7 +3,7 @@
 #include <cstdint>
 
 #include "math/vec2.hpp"
-#include "physics/field.hpp"
+#include "physics/model/field.hpp"
 #include "reflect/type_builder.hpp"
 
 namespace plumb {

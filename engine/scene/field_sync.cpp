@@ -5,7 +5,7 @@
 #include <cmath>
 #include <utility>
 
-#include "physics/fields.hpp"
+#include "physics/model/fields.hpp"
 #include "scene/body_sync.hpp"
 #include "scene/components/attractor.hpp"
 #include "scene/components/box_collider.hpp"

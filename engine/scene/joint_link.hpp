@@ -3,7 +3,7 @@
 #include <limits>
 
 #include "math/vec2.hpp"
-#include "physics/joint.hpp"
+#include "physics/model/joint.hpp"
 #include "reflect/entity_id.hpp"
 #include "reflect/type_builder.hpp"
 

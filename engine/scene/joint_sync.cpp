@@ -4,8 +4,8 @@
 #include <utility>
 
 #include "math/angle.hpp"
-#include "physics/bodies.hpp"
-#include "physics/joints.hpp"
+#include "physics/model/bodies.hpp"
+#include "physics/model/joints.hpp"
 #include "scene/body_sync.hpp"
 #include "scene/components/distance_joint.hpp"
 #include "scene/components/gear_joint.hpp"
@@ -26,7 +26,8 @@ using physics::BodyId;
 using physics::JointDefinition;
 using physics::JointKind;
 
-/// A kind of joint. What two bodies it ties is in its JointLink: the other is A, the entity's own is B.
+/// A kind of joint. What two bodies it ties is in its JointLink: the other is A, the entity's own
+/// is B.
 struct JointRow {
     const JointLink* (*find)(const World& world, EntityId entity);
     void (*apply)(const JointLink& link, JointDefinition& joint, float metres);
@@ -187,24 +188,24 @@ private:
         definition.anchorB = toMetres(link.anchor, state_.scale);
         definition.anchorA = toMetres(link.otherAnchor, state_.scale);
         if (!link.autoAnchor) return;
-        const physics::Place place =
+        const physics::WorldPosition place =
             positionOf(bodies_, definition.b) + rotate(rotationOf(bodies_, definition.b), definition.anchorB);
         definition.anchorA =
             unrotate(rotationOf(bodies_, definition.a), place - positionOf(bodies_, definition.a));
     }
 
-    [[nodiscard]] physics::Place placeOf(BodyId body, Vec2 anchor) const {
+    [[nodiscard]] physics::WorldPosition placeOf(BodyId body, Vec2 anchor) const {
         return positionOf(bodies_, body) + rotate(rotationOf(bodies_, body), anchor);
     }
 
     /// How the ends are when it is tied.
     void noteStart(JointLinkage& linkage, const JointDefinition& d) const {
-        const physics::Place a = placeOf(d.a, d.anchorA), b = placeOf(d.b, d.anchorB);
+        const physics::WorldPosition a = placeOf(d.a, d.anchorA), b = placeOf(d.b, d.anchorB);
         linkage.startAngle = angleOf(between(rotationOf(bodies_, d.a), rotationOf(bodies_, d.b)));
-        linkage.startLength =
-            d.kind == JointKind::Pulley
-                ? length(a - physics::Place{d.groundA}) + d.ratio * length(b - physics::Place{d.groundB})
-                : length(b - a);
+        linkage.startLength = d.kind == JointKind::Pulley
+                                  ? length(a - physics::WorldPosition{d.groundA}) +
+                                        d.ratio * length(b - physics::WorldPosition{d.groundB})
+                                  : length(b - a);
     }
 
     /// What follows from the bodies.

@@ -4,9 +4,9 @@
 #include <utility>
 
 #include "math/angle.hpp"
-#include "physics/bodies.hpp"
-#include "physics/bounds.hpp"
-#include "physics/checks.hpp"
+#include "physics/model/bodies.hpp"
+#include "physics/model/bounds.hpp"
+#include "physics/model/checks.hpp"
 #include "scene/body_sync.hpp"
 #include "scene/components/character_body.hpp"
 #include "scene/components/kinematic_body.hpp"
@@ -50,7 +50,7 @@ void follow(World& world, PhysicsState& state, std::uint32_t index) {
     BodyLink& link = state.links[index];
     const Pose pose = worldPose(std::as_const(world), link.entity);
     if (pose.position == link.pose.position && pose.rotation == link.pose.rotation) return;
-    const physics::Place place = placeInMetres(pose.position, state.scale);
+    const physics::WorldPosition place = placeInMetres(pose.position, state.scale);
     if (!(std::abs(place.x) < physics::kFarthest && std::abs(place.y) < physics::kFarthest &&
           std::abs(pose.rotation) < 1e5f)) {
         tellRefusal(world, state, link.entity,
@@ -80,7 +80,7 @@ void drive(World& world, PhysicsState& state, std::uint32_t index, float dt) {
     if (sent && !course.driven) return;
     Result<Done> result = Done{};
     if (course.driven) {
-        const physics::Place place = placeInMetres(course.pose.position, state.scale);
+        const physics::WorldPosition place = placeInMetres(course.pose.position, state.scale);
         const float angle = wrapAngle(course.pose.rotation);
         result = course.jumps ? physics::setPosition(state.world, body, place, angle)
                               : physics::moveTo(state.world, body, place, angle, dt);

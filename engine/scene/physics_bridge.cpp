@@ -6,7 +6,7 @@
 
 #include "core/profile.hpp"
 #include "core/task_pool.hpp"
-#include "physics/bodies.hpp"
+#include "physics/model/bodies.hpp"
 #include "scene/body_sync.hpp"
 #include "scene/components/rigid_body.hpp"
 #include "scene/contact_events.hpp"

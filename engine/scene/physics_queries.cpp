@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "physics/bodies.hpp"
+#include "physics/model/bodies.hpp"
 #include "physics/queries/overlap.hpp"
 #include "physics/queries/ray_cast.hpp"
 #include "physics/queries/shape_cast.hpp"

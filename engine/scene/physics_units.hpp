@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "math/vec2.hpp"
-#include "physics/body.hpp"
+#include "physics/model/body.hpp"
 
 namespace plumb {
 

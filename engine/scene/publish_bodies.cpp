@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "physics/bodies.hpp"
+#include "physics/model/bodies.hpp"
 #include "scene/body_sync.hpp"
 #include "scene/components/rigid_body.hpp"
 

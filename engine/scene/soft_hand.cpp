@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "physics/softbody.hpp"
+#include "physics/soft/softbody.hpp"
 #include "scene/body_sync.hpp"
 #include "scene/components/soft_grip.hpp"
 #include "scene/soft_look.hpp"
@@ -20,7 +20,7 @@ using physics::SoftParticle;
 constexpr float kEagerness = 15.0f;  // 1/s: how fast it nears its target for the way that is left
 
 /// Whether a place is in the area that a jelly keeps: a ray to the right leaves it once more than it enters.
-bool isInside(const SoftBody& body, physics::Place place) {
+bool isInside(const SoftBody& body, physics::WorldPosition place) {
     bool inside = false;
     for (std::size_t i = 0; i < body.ring.size(); ++i) {
         const Vec2 a = body.particles[body.ring[i]].place - place;
@@ -30,7 +30,7 @@ bool isInside(const SoftBody& body, physics::Place place) {
     return inside;
 }
 
-std::size_t nearestOf(const SoftBody& body, physics::Place place) {
+std::size_t nearestOf(const SoftBody& body, physics::WorldPosition place) {
     std::size_t nearest = 0;
     for (std::size_t i = 1; i < body.particles.size(); ++i) {
         const auto far = [&](std::size_t which) {
@@ -69,7 +69,7 @@ void pull(PhysicsState& state, const SoftLinkage& linkage, const SoftGrip& grip,
 
 std::optional<SoftHit> softBodyAt(World& world, Vec2 place, float reach, std::uint32_t mask) {
     const PhysicsState& state = world.resource<PhysicsState>();
-    const physics::Place at = placeInMetres(place, state.scale);
+    const physics::WorldPosition at = placeInMetres(place, state.scale);
     std::optional<SoftHit> best;
     float nearest = 0.0f;
     for (const SoftLinkage& linkage : state.softBodies) {

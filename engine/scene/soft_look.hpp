@@ -4,7 +4,7 @@
 
 #include "core/hash.hpp"
 #include "math/color.hpp"
-#include "physics/softbody.hpp"
+#include "physics/soft/softbody.hpp"
 #include "reflect/type_builder.hpp"
 
 namespace plumb {

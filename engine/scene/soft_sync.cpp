@@ -13,13 +13,13 @@ namespace plumb {
 
 namespace {
 
-using physics::Place;
 using physics::SoftBodyId;
+using physics::WorldPosition;
 
 /// A kind of soft body.
 struct SoftRow {
     const SoftLook* (*find)(const World& world, EntityId entity);
-    Result<SoftBodyId> (*make)(const SoftLook& look, physics::World& world, Place at, float metres);
+    Result<SoftBodyId> (*make)(const SoftLook& look, physics::World& world, WorldPosition at, float metres);
     bool (*isPinned)(const SoftLook& look, int particle);
     void (*addTo)(const SoftLook& look, Hasher& hasher);
     AABB (*box)(const SoftLook& look);
@@ -34,7 +34,7 @@ constexpr SoftRow row() {
     row.find = [](const World& world, EntityId entity) -> const SoftLook* {
         return world.find<Component>(entity);
     };
-    row.make = [](const SoftLook& look, physics::World& world, Place at, float metres) {
+    row.make = [](const SoftLook& look, physics::World& world, WorldPosition at, float metres) {
         return static_cast<const Component&>(look).make(world, at, metres);
     };
     row.isPinned = [](const SoftLook& look, int particle) {

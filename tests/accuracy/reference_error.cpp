@@ -32,7 +32,7 @@ std::optional<double> referenceError(std::string_view scene, const physics::Worl
     if (!answer || answer->bodies.empty()) return std::nullopt;
     double sum = 0.0;
     for (const reference::BodyAnswer& body : answer->bodies) {
-        const physics::Place place = end.bodies.pose[body.body.index].centre;
+        const physics::WorldPosition place = end.bodies.pose[body.body.index].centre;
         sum += std::hypot(place.x - body.centre.x, place.y - body.centre.y);
     }
     const double mean = sum / static_cast<double>(answer->bodies.size());

@@ -2,7 +2,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "physics/fields.hpp"
+#include "physics/model/fields.hpp"
 #include "tests/accuracy/experiments.hpp"
 #include "tests/accuracy/formulas.hpp"
 

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "physics/measures.hpp"
+#include "physics/measure/measures.hpp"
 #include "scene/lab.hpp"
 #include "scene/number_field.hpp"
 #include "scene/plot_drawing.hpp"

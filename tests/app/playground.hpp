@@ -10,7 +10,7 @@
 #include "app/scene_game.hpp"
 #include "core/file.hpp"
 #include "gameplay/components.hpp"
-#include "physics/softbody.hpp"
+#include "physics/soft/softbody.hpp"
 #include "scene/body_sync.hpp"
 #include "scene/components.hpp"
 #include "scene/components/name.hpp"

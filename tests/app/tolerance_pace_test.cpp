@@ -22,7 +22,7 @@ struct HeldMasses : Playground {
     /// The highest quality that an island has.
     [[nodiscard]] int quality() {
         int best = -1;
-        for (const physics::Effort& effort : bodies().bodies.efforts)
+        for (const physics::SubstepController& effort : bodies().bodies.substepControllers)
             best = std::max(best, int{effort.quality});
         return best;
     }

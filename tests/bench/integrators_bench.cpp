@@ -5,7 +5,7 @@
 
 #include "core/text.hpp"
 #include "math/portable.hpp"
-#include "physics/fields.hpp"
+#include "physics/model/fields.hpp"
 #include "physics/simulation.hpp"
 #include "tests/bench/bench.hpp"
 

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "core/text.hpp"
-#include "physics/island_report.hpp"
+#include "physics/islands/island_report.hpp"
 #include "physics/simulation.hpp"
 #include "tests/bench/bench.hpp"
 
@@ -35,7 +35,7 @@ struct Hard {
     BodyId (*add)(World& world);  ///< @return who stays where it is, if the island holds
 };
 
-BodyId addCrate(World& world, Place at, float mass = 1.0f) {
+BodyId addCrate(World& world, WorldPosition at, float mass = 1.0f) {
     const auto body = createBody(world, {.position = at});
     static_cast<void>(createShape(world, *body, box({0.5f, 0.5f})));
     static_cast<void>(setMass(world, *body, mass));

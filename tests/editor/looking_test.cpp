@@ -3,7 +3,7 @@
 #include "editor/model/game_session.hpp"
 #include "editor/ui/icons.hpp"
 #include "input/input.hpp"
-#include "physics/softbody.hpp"
+#include "physics/soft/softbody.hpp"
 #include "render/view.hpp"
 #include "scene/body_sync.hpp"
 #include "scene/components/capsule_collider.hpp"

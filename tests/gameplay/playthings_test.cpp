@@ -3,7 +3,7 @@
 #include "gameplay/components.hpp"
 #include "gameplay/systems.hpp"
 #include "input/input.hpp"
-#include "physics/softbody.hpp"
+#include "physics/soft/softbody.hpp"
 #include "scene/body_sync.hpp"
 #include "scene/components.hpp"
 #include "scene/scene_requests.hpp"

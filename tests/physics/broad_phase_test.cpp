@@ -32,7 +32,7 @@ std::vector<PairKey> pairsOf(BroadPhase& phase, const ProxyWorld& world, bool ar
 }
 
 /// Some of everything that can happen to a proxy.
-void changeSome(ProxyWorld& world, Random& random, Spread spread, std::uint32_t count) {
+void changeSome(ProxyWorld& world, Random& random, BoxStatistics spread, std::uint32_t count) {
     for (std::uint32_t i = 0; i < count; ++i) {
         const std::uint32_t id = random.below(world.size());
         const bool gone = world.motions[id] == ProxyMotion::Gone;
@@ -55,15 +55,15 @@ void changeSome(ProxyWorld& world, Random& random, Spread spread, std::uint32_t 
     }
 }
 
-ProxyWorld randomWorld(Random& random, Spread spread, std::uint32_t count) {
+ProxyWorld randomWorld(Random& random, BoxStatistics spread, std::uint32_t count) {
     ProxyWorld world;
     for (std::uint32_t i = 0; i < count; ++i)
         world.add(randomBox(random, spread), randomMotion(random), randomFilter(random));
     return world;
 }
 
-Spread spreadOf(std::uint64_t seed) {
-    return static_cast<Spread>(seed % static_cast<std::uint64_t>(Spread::Count));
+BoxStatistics statisticsOf(std::uint64_t seed) {
+    return static_cast<BoxStatistics>(seed % static_cast<std::uint64_t>(BoxStatistics::Count));
 }
 
 class BroadPhases : public testing::TestWithParam<std::uint32_t> {
@@ -83,7 +83,7 @@ TEST_P(BroadPhases, findThePairsThatComparingAllWithAllFinds) {
     for (std::uint64_t seed = 0; seed < kSeeds; ++seed) {
         SCOPED_TRACE(seed);
         Random random = Random::seeded(seed);
-        const Spread spread = spreadOf(seed);
+        const BoxStatistics spread = statisticsOf(seed);
         ProxyWorld world = randomWorld(random, spread, 10 + random.below(300));
         const auto phase = make();
         phase->rebuild({});
@@ -100,15 +100,15 @@ TEST_P(BroadPhases, findTheSameAfterARebuild) {
     for (std::uint64_t seed = 0; seed < kSeeds; ++seed) {
         SCOPED_TRACE(seed);
         Random random = Random::seeded(seed);
-        ProxyWorld world = randomWorld(random, spreadOf(seed), 200);
+        ProxyWorld world = randomWorld(random, statisticsOf(seed), 200);
         const auto phase = make();
         phase->rebuild(world.proxies());
         ASSERT_EQ(pairsOf(*phase, world), world.pairsOfChanged());
         world.noted();
-        changeSome(world, random, spreadOf(seed), 40);
+        changeSome(world, random, statisticsOf(seed), 40);
         phase->rebuild(world.proxies());
         world.noted();
-        changeSome(world, random, spreadOf(seed), 10);
+        changeSome(world, random, statisticsOf(seed), 10);
         ASSERT_EQ(pairsOf(*phase, world), world.pairsOfChanged());
     }
 }
@@ -117,7 +117,7 @@ TEST_P(BroadPhases, keepUpWithManySmallMoves) {
     for (std::uint64_t seed = 0; seed < kSeeds; ++seed) {
         SCOPED_TRACE(seed);
         Random random = Random::seeded(seed);
-        ProxyWorld world = randomWorld(random, Spread::Even, 120);
+        ProxyWorld world = randomWorld(random, BoxStatistics::Even, 120);
         std::vector<Vec2> speeds;
         for (std::uint32_t id = 0; id < world.size(); ++id)
             speeds.push_back({random.between(-0.2f, 0.2f), random.between(-0.2f, 0.2f)});
@@ -153,7 +153,7 @@ TEST_P(BroadPhases, letHalfTheWorldFallAsleepAndWakeUp) {
 
 TEST_P(BroadPhases, arrangeKeepsEveryoneOnce) {
     Random random = Random::seeded(1);
-    ProxyWorld world = randomWorld(random, Spread::Sizes, 500);
+    ProxyWorld world = randomWorld(random, BoxStatistics::Sizes, 500);
     for (std::uint32_t id = 0; id < world.size(); id += 7) world.become(id, ProxyMotion::Gone);
     const auto phase = make();
     phase->update(world.proxies(), world.changed);
@@ -171,7 +171,7 @@ TEST_P(BroadPhases, answerQueriesAsLookingAtAllDoes) {
     for (std::uint64_t seed = 0; seed < kSeeds; ++seed) {
         SCOPED_TRACE(seed);
         Random random = Random::seeded(seed);
-        const Spread spread = spreadOf(seed);
+        const BoxStatistics spread = statisticsOf(seed);
         ProxyWorld world = randomWorld(random, spread, 10 + random.below(400));
         const auto phase = make();
         for (int round = 0; round < 20; ++round) {
@@ -214,7 +214,7 @@ TEST_P(BroadPhases, castsMissNothing) {
     for (std::uint64_t seed = 0; seed < kSeeds; ++seed) {
         SCOPED_TRACE(seed);
         Random random = Random::seeded(seed);
-        const Spread spread = spreadOf(seed);
+        const BoxStatistics spread = statisticsOf(seed);
         ProxyWorld world = randomWorld(random, spread, 300);
         const auto phase = make();
         phase->update(world.proxies(), world.changed);
@@ -303,7 +303,7 @@ TEST_P(BroadPhases, pairsComeFromAnyNumberOfThreads) {
     for (std::uint64_t seed = 0; seed < 8; ++seed) {
         SCOPED_TRACE(seed);
         Random random = Random::seeded(seed);
-        ProxyWorld world = randomWorld(random, spreadOf(seed), 2000);
+        ProxyWorld world = randomWorld(random, statisticsOf(seed), 2000);
         const auto phase = make();
         phase->update(world.proxies(), world.changed);
         std::vector<std::uint32_t> moved = world.changed;
@@ -337,7 +337,7 @@ TEST_P(BroadPhases, everyWidthOfInstructionsFindsTheSame) {
         for (std::uint64_t seed = 0; seed < kSeeds; ++seed) {
             SCOPED_TRACE(seed);
             Random random = Random::seeded(seed);
-            const Spread spread = spreadOf(seed);
+            const BoxStatistics spread = statisticsOf(seed);
             ProxyWorld world = randomWorld(random, spread, 250);
             const auto phase = make();
             EXPECT_EQ(pairsOf(*phase, world), world.pairsOfChanged());

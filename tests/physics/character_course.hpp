@@ -41,20 +41,20 @@ inline bool walkOn(CharacterController& character, float speed) {
 struct Course {
     World world;
 
-    BodyId body(BodyKind kind, Place position, float angle = 0.0f) {
+    BodyId body(BodyKind kind, WorldPosition position, float angle = 0.0f) {
         return *createBody(world, {.kind = kind, .position = position, .angle = angle});
     }
-    BodyId block(BodyKind kind, Place centre, Vec2 half, const ShapeDefinition& definition = {}) {
+    BodyId block(BodyKind kind, WorldPosition centre, Vec2 half, const ShapeDefinition& definition = {}) {
         const BodyId made = body(kind, centre);
         EXPECT_TRUE(createShape(world, made, box(half), definition).ok());
         return made;
     }
-    BodyId wall(Place centre, Vec2 half) { return block(BodyKind::Static, centre, half); }
+    BodyId wall(WorldPosition centre, Vec2 half) { return block(BodyKind::Static, centre, half); }
     /// A platform with its top at y, that only stops what comes from above.
-    BodyId shelf(BodyKind kind, Place top, float half = 2.0f) {
+    BodyId shelf(BodyKind kind, WorldPosition top, float half = 2.0f) {
         return block(kind, {top.x, top.y + 0.125}, {half, 0.125f}, {.oneWay = true});
     }
-    CharacterController character(const CharacterDefinition& definition, Place position) {
+    CharacterController character(const CharacterDefinition& definition, WorldPosition position) {
         return *CharacterController::create(definition, position);
     }
     CharacterMotion tick(CharacterController& character) {

@@ -3,8 +3,8 @@
 #include <limits>
 #include <vector>
 
-#include "physics/bodies.hpp"
-#include "physics/shapes.hpp"
+#include "physics/model/bodies.hpp"
+#include "physics/model/shapes.hpp"
 #include "tests/physics/character_course.hpp"
 #include "tests/support/allocations.hpp"
 
@@ -32,7 +32,7 @@ TEST(CharacterLimits, findsRoomWhenItIsPutIntoSomething) {
             ASSERT_FALSE(overlapsAnything(course, one)) << i;
         }
         EXPECT_TRUE(one.grounded());
-        EXPECT_LT(length(one.position() - Place{1.5, -1.0}), 8.0f);
+        EXPECT_LT(length(one.position() - WorldPosition{1.5, -1.0}), 8.0f);
     }
 }
 
@@ -103,12 +103,12 @@ TEST(CharacterLimits, badNumbersAreRefusedWithAnError) {
         EXPECT_FALSE(one.jump(bad).ok());
         EXPECT_FALSE(one.setDefinition({.snap = bad}).ok());
         one.update(course.world, bad);
-        EXPECT_EQ(one.position(), Place{});
+        EXPECT_EQ(one.position(), WorldPosition{});
         EXPECT_EQ(one.velocity(), Vec2{});
     }
     one.update(course.world, 0.0f);
     one.update(course.world, -1.0f);
-    EXPECT_EQ(one.position(), Place{});
+    EXPECT_EQ(one.position(), WorldPosition{});
 }
 
 /// Hills, a lift, loose crates and a one-way shelf.

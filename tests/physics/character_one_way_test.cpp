@@ -2,8 +2,8 @@
 #include <cmath>
 #include <vector>
 
-#include "physics/bodies.hpp"
-#include "physics/shapes.hpp"
+#include "physics/model/bodies.hpp"
+#include "physics/model/shapes.hpp"
 #include "tests/physics/character_course.hpp"
 
 namespace plumb::physics {
@@ -67,18 +67,18 @@ struct OneWayCourse {
         : random{Random::seeded(static_cast<std::uint64_t>(run) * 77 + 5)}, figure{kFigures[run % 4]} {
         shelf.half = random.between(1.5f, 3.0f);
     }
-    void addShelf(Place top, float angle = 0.0f) {
+    void addShelf(WorldPosition top, float angle = 0.0f) {
         shelf.body = course.body(BodyKind::Kinematic, {top.x, top.y + static_cast<double>(kThin)}, angle);
         const ShapeDefinition oneWay{.oneWay = true};
         EXPECT_TRUE(createShape(course.world, shelf.body, box({shelf.half, kThin}), oneWay).ok());
     }
-    CharacterController& add(Place position, Vec2 velocity = {}) {
+    CharacterController& add(WorldPosition position, Vec2 velocity = {}) {
         all.push_back(course.character(definitionOf(figure), position));
         EXPECT_TRUE(all.back().setVelocity(velocity).ok());
         return all.back();
     }
     /// Someone whose feet are at a place.
-    CharacterController& addOn(Place feet, Vec2 velocity = {}) {
+    CharacterController& addOn(WorldPosition feet, Vec2 velocity = {}) {
         const float height = feetOf(outlineOf(figure)) + kGap;
         return add({feet.x, feet.y - static_cast<double>(height)}, velocity);
     }

@@ -1,8 +1,8 @@
 #include <cmath>
 #include <vector>
 
-#include "physics/bodies.hpp"
-#include "physics/shapes.hpp"
+#include "physics/model/bodies.hpp"
+#include "physics/model/shapes.hpp"
 #include "tests/physics/character_course.hpp"
 
 namespace plumb::physics {
@@ -74,7 +74,7 @@ TEST(CharacterRide, aJumpKeepsTheVelocityOfThePlatform) {
         course.run(rider, 30);
         ASSERT_TRUE(setVelocity(course.world, platform, velocity).ok());
         course.run(rider, 30);
-        const Place start = rider.position();
+        const WorldPosition start = rider.position();
         ASSERT_TRUE(rider.jump(6.0f).ok());
         EXPECT_TRUE(course.tick(rider).leftGround);
         EXPECT_NEAR(rider.velocity().x, velocity.x, 1.0e-4f);
@@ -120,7 +120,7 @@ TEST(CharacterPush, aCrusherSqueezesItAndAWallPushesIt) {
         const BodyId lid = course.block(BodyKind::Kinematic, {0.0, -4.0}, {2.0f, 1.0f});
         CharacterController one = course.character(definitionOf(figure), {0.0, -1.5});
         course.run(one, 30);
-        const Place rests = one.position();
+        const WorldPosition rests = one.position();
         const float room = 3.0f - 2.0f * feetOf(one.definition().outline);
         ASSERT_TRUE(setVelocity(course.world, lid, {0.0f, 1.0f}).ok());
         for (int i = 1; static_cast<float>(i) * kTick < room + 0.2f; ++i) {

@@ -2,8 +2,8 @@
 #include <limits>
 #include <vector>
 
-#include "physics/bodies.hpp"
-#include "physics/shapes.hpp"
+#include "physics/model/bodies.hpp"
+#include "physics/model/shapes.hpp"
 #include "physics/shapes/shape_types.hpp"
 #include "physics/terrain/terrain_body.hpp"
 #include "tests/physics/character_course.hpp"
@@ -38,7 +38,7 @@ TEST(Character, landsOnAFloorAndKeepsItsGap) {
         EXPECT_EQ(one.ground().body, floor);
         EXPECT_NEAR(one.ground().normal.y, -1.0f, 1.0e-6f);
         EXPECT_NEAR(one.position().y, -static_cast<double>(feetOf(one.definition().outline) + kGap), 2.0e-5);
-        const Place rests = one.position();
+        const WorldPosition rests = one.position();
         course.run(one, 1000);
         EXPECT_EQ(one.position(), rests);
     }
@@ -105,7 +105,7 @@ TEST(Character, aSlopeDoesNotChangeItsSpeedAlongTheLevelOrElseAlongTheGround) {
         definition.evenSpeed = even;
         CharacterController one = course.character(definition, {0.0, -2.5});
         course.run(one, 60);
-        const Place before = one.position();
+        const WorldPosition before = one.position();
         course.walk(one, 3.0f, 60);
         const Vec2 way = one.position() - before;
         EXPECT_NEAR(even ? way.x : length(way), 3.0f, 1.0e-3f);

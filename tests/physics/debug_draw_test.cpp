@@ -4,9 +4,9 @@
 
 #include <gtest/gtest.h>
 
-#include "physics/fields.hpp"
-#include "physics/shapes.hpp"
-#include "physics/softbody.hpp"
+#include "physics/model/fields.hpp"
+#include "physics/model/shapes.hpp"
+#include "physics/soft/softbody.hpp"
 #include "physics/workspace.hpp"
 #include "recording_canvas.hpp"
 #include "world_of_bodies.hpp"
@@ -231,7 +231,7 @@ TEST(DebugDraw, whatLiesOnASlopeIsHeldByFrictionAlongIt) {
     const Rot turn = rotFromAngle(slope);
     static_cast<void>(createShape(world, ground, box({10.0f, 0.5f}, {}, turn)));
     BodyDefinition lies;
-    lies.position = Place{rotate(turn, {0.0f, -1.0f})};
+    lies.position = WorldPosition{rotate(turn, {0.0f, -1.0f})};
     lies.angle = slope;
     const BodyId body = *createBody(world, lies);
     static_cast<void>(createShape(world, body, box({0.5f, 0.5f})));

@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "physics/joints.hpp"
-#include "physics/shapes.hpp"
+#include "physics/model/joints.hpp"
+#include "physics/model/shapes.hpp"
 #include "recording_canvas.hpp"
 #include "world_of_bodies.hpp"
 

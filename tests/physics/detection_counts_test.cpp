@@ -24,7 +24,7 @@ TEST(DetectionCounts, everyPairIsSentAwayOnceOrTouches) {
 }
 
 TEST(DetectionCounts, ofOnePairSayWhichTestPartedIt) {
-    const auto countsOf = [](Place place, float angle) {
+    const auto countsOf = [](WorldPosition place, float angle) {
         Playground scene;
         scene.world.settings.gravity = {};
         scene.crate({0.0, 0.0});

@@ -3,9 +3,9 @@
 #include <array>
 #include <cstring>
 
-#include "physics/fields.hpp"
+#include "physics/model/fields.hpp"
 #include "physics/simulation.hpp"
-#include "physics/softbody.hpp"
+#include "physics/soft/softbody.hpp"
 
 // One table over all effects: a scene without each, and somebody far away who calls for it and has nothing to
 // do. Whatever effect is added comes into the tests by itself, and has to say here who calls for it.

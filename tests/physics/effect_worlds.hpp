@@ -17,7 +17,7 @@ inline World makeWorld() {
     return world;
 }
 
-inline BodyId addBody(World& world, BodyKind kind, Place place, const Geometry& outline,
+inline BodyId addBody(World& world, BodyKind kind, WorldPosition place, const Geometry& outline,
                       const ShapeDefinition& shape = {}, BodyDefinition body = {}) {
     body.kind = kind;
     body.position = place;

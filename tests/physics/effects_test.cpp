@@ -1,7 +1,7 @@
 #include <cmath>
 
 #include "core/random.hpp"
-#include "physics/joints.hpp"
+#include "physics/model/joints.hpp"
 #include "tests/physics/effect_worlds.hpp"
 
 namespace plumb::physics {
@@ -241,7 +241,7 @@ World makePile() {
     World world = makeWorld();
     addFloor(world);
     for (int i = 0; i < 30; ++i) {
-        const Place place{-3.0 + 0.7 * (i % 7), -0.6 - 0.9 * static_cast<double>(i / 7)};
+        const WorldPosition place{-3.0 + 0.7 * (i % 7), -0.6 - 0.9 * static_cast<double>(i / 7)};
         addBody(world, BodyKind::Dynamic, place, i % 2 == 0 ? box({0.3f, 0.4f}) : circle(0.35f));
     }
     return world;

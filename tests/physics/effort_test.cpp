@@ -1,10 +1,9 @@
-#include "physics/solver/effort.hpp"
-
 #include <cmath>
 
 #include <gtest/gtest.h>
 
 #include "core/random.hpp"
+#include "physics/islands/substep_controller.hpp"
 
 // The rule by which an island takes its quality, on islands whose answer is a formula.
 
@@ -15,7 +14,7 @@ constexpr float kTolerance = 0.001f;  // m
 
 /// An island whose error falls by `gain` for each quality, and follows a new one with a delay.
 struct Island {
-    Effort effort = begun(2);
+    SubstepController effort = begun(2);
     float load = 0.0f;     // m: its error at quality 0
     float gain = 4.0f;     // ratio
     float follows = 0.2f;  // part of the way in a step
@@ -33,14 +32,14 @@ struct Island {
     }
 };
 
-TEST(Effort, aLightIslandComesDownToTheCheapest) {
+TEST(SubstepController, aLightIslandComesDownToTheCheapest) {
     Island island{.load = 0.0005f};
     island.run(300);
     EXPECT_EQ(island.effort.quality, 0);
     EXPECT_EQ(island.changes, 2);
 }
 
-TEST(Effort, aHardOneRisesByAsManyAsItsErrorSays) {
+TEST(SubstepController, aHardOneRisesByAsManyAsItsErrorSays) {
     Island island{.effort = begun(0), .load = 0.1f, .follows = 1.0f};
     island.run(6);
     EXPECT_EQ(island.effort.quality, 1) << "not all at once: it would hop";
@@ -50,7 +49,7 @@ TEST(Effort, aHardOneRisesByAsManyAsItsErrorSays) {
     EXPECT_LE(island.error, kTolerance);
 }
 
-TEST(Effort, aBlowRaisesNothing) {
+TEST(SubstepController, aBlowRaisesNothing) {
     Island island{.load = 0.0005f};
     island.run(300);
     island.changes = 0;
@@ -62,7 +61,7 @@ TEST(Effort, aBlowRaisesNothing) {
     EXPECT_EQ(island.changes, 0);
 }
 
-TEST(Effort, keepsToTheToleranceWithoutFlicker) {
+TEST(SubstepController, keepsToTheToleranceWithoutFlicker) {
     Random random = Random::seeded(3);
     for (int i = 0; i < 300; ++i) {
         Island island{.load = kTolerance * std::pow(4.0f, random.between(-2.0f, 5.5f)),
@@ -83,7 +82,7 @@ TEST(Effort, keepsToTheToleranceWithoutFlicker) {
     }
 }
 
-TEST(Effort, comesDownWhenTheLoadIsGone) {
+TEST(SubstepController, comesDownWhenTheLoadIsGone) {
     Island island{.load = 0.1f};
     island.run(60 * 60);  // has learned that less does not do
     const Quality high = island.effort.quality;
@@ -93,7 +92,7 @@ TEST(Effort, comesDownWhenTheLoadIsGone) {
     EXPECT_EQ(island.effort.quality, 0);
 }
 
-TEST(Effort, whereQualityDoesNotHelpItIsNotBought) {
+TEST(SubstepController, whereQualityDoesNotHelpItIsNotBought) {
     Island island{.load = 0.05f, .gain = 1.0f};
     double substeps = 0.0;
     constexpr int kSteps = 60 * 120;
@@ -109,8 +108,8 @@ TEST(Effort, whereQualityDoesNotHelpItIsNotBought) {
     EXPECT_LE(island.error, kTolerance);
 }
 
-TEST(Effort, neverBelowWhatIsAskedForNorAboveTheMost) {
-    Effort effort = begun(0);
+TEST(SubstepController, neverBelowWhatIsAskedForNorAboveTheMost) {
+    SubstepController effort = begun(0);
     for (int i = 0; i < 1000; ++i) {
         effort = judged(effort, 0.0f, kTolerance, 3);
         EXPECT_EQ(effort.quality, 3);
@@ -122,11 +121,11 @@ TEST(Effort, neverBelowWhatIsAskedForNorAboveTheMost) {
     }
 }
 
-Effort anyEffort(Random& random) {
-    Effort effort;
+SubstepController anyEffort(Random& random) {
+    SubstepController effort;
     effort.quality = static_cast<Quality>(static_cast<int>(random.below(4)) - 1);
     effort.before = static_cast<Quality>(random.below(7));
-    effort.phase = static_cast<EffortPhase>(random.below(5));
+    effort.phase = static_cast<SubstepPhase>(random.below(5));
     effort.patience = static_cast<std::uint8_t>(random.below(6));
     effort.wait = random.below(100);
     effort.error = random.unit();
@@ -134,15 +133,15 @@ Effort anyEffort(Random& random) {
     return effort;
 }
 
-bool same(const Effort& a, const Effort& b) {
+bool same(const SubstepController& a, const SubstepController& b) {
     return a.quality == b.quality && a.before == b.before && a.phase == b.phase && a.patience == b.patience &&
            a.wait == b.wait && a.error == b.error && a.first == b.first;
 }
 
-TEST(Effort, islandsMergeToTheSameInAnyOrder) {
+TEST(SubstepController, islandsMergeToTheSameInAnyOrder) {
     Random random = Random::seeded(1);
     for (int i = 0; i < 1000; ++i) {
-        const Effort a = anyEffort(random), b = anyEffort(random), c = anyEffort(random);
+        const SubstepController a = anyEffort(random), b = anyEffort(random), c = anyEffort(random);
         EXPECT_TRUE(same(merged(a, b), merged(b, a)));
         EXPECT_TRUE(same(merged(merged(a, b), c), merged(a, merged(b, c))));
         EXPECT_TRUE(same(merged(a, a), a));

@@ -28,7 +28,7 @@ Counted countEvents(Playground& scene) {
 }
 
 /// A trigger 1 m wide.
-BodyId addZone(Playground& scene, BodyKind kind, Place place = {0.0, 0.0}, float height = 10.0f) {
+BodyId addZone(Playground& scene, BodyKind kind, WorldPosition place = {0.0, 0.0}, float height = 10.0f) {
     const BodyId zone = scene.body(kind, place);
     scene.shape(zone, box({0.5f, 0.5f * height}), {.isTrigger = true});
     return zone;

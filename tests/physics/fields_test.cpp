@@ -1,4 +1,4 @@
-#include "physics/fields.hpp"
+#include "physics/model/fields.hpp"
 
 #include <cmath>
 #include <limits>
@@ -347,7 +347,8 @@ TEST(Spring, ofAbsurdStiffnessNeverGainsEnergyWithoutEnd) {
             ASSERT_TRUE(createField(world, spring).ok());
             run(world, 600);
             EXPECT_LT(length(velocityOf(world, spring.a)), 100.0f) << stiffness << " " << kind;
-            EXPECT_LT(length(positionOf(world, spring.a) - Place{}), 3.0f) << stiffness << " " << kind;
+            EXPECT_LT(length(positionOf(world, spring.a) - WorldPosition{}), 3.0f)
+                << stiffness << " " << kind;
         }
     }
 }

@@ -2,9 +2,9 @@
 
 #include "core/random.hpp"
 #include "math/portable.hpp"
-#include "physics/fields.hpp"
+#include "physics/model/fields.hpp"
 #include "physics/simulation.hpp"
-#include "physics/softbody.hpp"
+#include "physics/soft/softbody.hpp"
 
 namespace plumb::physics::test {
 
@@ -16,10 +16,10 @@ BodyId add(World& world, const BodyDefinition& body, const Geometry& outline,
     static_cast<void>(createShape(world, made, outline, shape));
     return made;
 }
-BodyId crate(World& world, Place place, Vec2 half = {0.5f, 0.5f}, float angle = 0.0f) {
+BodyId crate(World& world, WorldPosition place, Vec2 half = {0.5f, 0.5f}, float angle = 0.0f) {
     return add(world, {.position = place, .angle = angle}, box(half));
 }
-BodyId wall(World& world, Place place, Vec2 half, const ShapeDefinition& shape = {}) {
+BodyId wall(World& world, WorldPosition place, Vec2 half, const ShapeDefinition& shape = {}) {
     return add(world, {.kind = BodyKind::Static, .position = place}, box(half), shape);
 }
 void tie(World& world, BodyId a, Vec2 anchorA, BodyId b, Vec2 anchorB) {
@@ -53,14 +53,14 @@ World makeTumbler() {
         static_cast<void>(createShape(world, drum, box({6.0f, 0.5f}, {0.0f, 5.5f * side})));
     }
     for (int i = 0; i < 120; ++i) {
-        const Place place{-3.3 + 0.6 * (i % 12), -3.0 + 0.6 * (i / 12)};
+        const WorldPosition place{-3.3 + 0.6 * (i % 12), -3.0 + 0.6 * (i / 12)};
         add(world, {.position = place}, i % 2 == 0 ? box({0.2f, 0.2f}) : circle(0.22f));
     }
     return world;
 }
 
 /// Head, body, arms and legs.
-void addRagdoll(World& world, Place place, int group) {
+void addRagdoll(World& world, WorldPosition place, int group) {
     ShapeDefinition shape;
     shape.group = -group;
     const auto part = [&](Vec2 at, const Geometry& outline) {
@@ -143,8 +143,8 @@ World makeCradle() {
     for (int i = 0; i < 5; ++i) {
         const float x = 0.81f * static_cast<float>(i - 2);
         const bool pulled = i == 0;
-        const Place place =
-            pulled ? Place{static_cast<double>(x) - 2.0, 3.0} : Place{static_cast<double>(x), 2.0};
+        const WorldPosition place = pulled ? WorldPosition{static_cast<double>(x) - 2.0, 3.0}
+                                           : WorldPosition{static_cast<double>(x), 2.0};
         const BodyId ball = add(world, {.position = place}, circle(0.4f), steel);
         static_cast<void>(createJoint(world, {.kind = JointKind::Distance,
                                               .a = beam,

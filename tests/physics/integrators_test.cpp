@@ -1,6 +1,6 @@
 #include <cmath>
 
-#include "physics/fields.hpp"
+#include "physics/model/fields.hpp"
 #include "tests/physics/effect_worlds.hpp"
 
 namespace plumb::physics {

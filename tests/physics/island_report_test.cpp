@@ -1,6 +1,6 @@
-#include "physics/island_report.hpp"
+#include "physics/islands/island_report.hpp"
 
-#include "physics/deviations.hpp"
+#include "physics/measure/constraint_errors.hpp"
 #include "tests/physics/world_of_bodies.hpp"
 
 namespace plumb::physics {

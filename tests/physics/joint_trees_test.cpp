@@ -170,7 +170,7 @@ TEST(JointTrees, areNotWhereJointsMakeLoopsOrHaveLimitsOrMotors) {
     for (const bool loop : {false, true}) {
         JointWorld scene;
         const BodyId a = scene.disc({0.5, 0.0}), b = scene.disc({0.5, -1.0}), c = scene.disc({1.5, -1.0});
-        const auto tie = [&](BodyId one, BodyId other, Place at) {
+        const auto tie = [&](BodyId one, BodyId other, WorldPosition at) {
             JointDefinition definition = scene.define(JointKind::Revolute, one, other, at);
             definition.limit = {!loop, -2.0f, 2.0f};
             (void)scene.join(definition);
@@ -232,7 +232,8 @@ TEST(JointTrees, gainNoEnergyHoweverTheyWhip) {
 }
 
 /// A plank or crate of a bridge; planks do not meet each other.
-BodyId addBox(JointWorld& scene, Place at, Vec2 half, float angle, float density, std::int16_t group) {
+BodyId addBox(JointWorld& scene, WorldPosition at, Vec2 half, float angle, float density,
+              std::int16_t group) {
     BodyDefinition definition;
     definition.position = at;
     definition.angle = angle;
@@ -253,15 +254,15 @@ void buildBridge(JointWorld& scene) {
     for (int i = 0; i < 30; ++i) {
         const Vec2 along = i < 15 ? left : right;
         const float slope = arcTangent(along.y, along.x);
-        const BodyId plank = addBox(scene, Place{at + 0.5f * along}, {0.5f, 0.125f}, slope, 1.0f, -1);
-        JointDefinition definition = scene.define(JointKind::Revolute, last, plank, Place{at});
+        const BodyId plank = addBox(scene, WorldPosition{at + 0.5f * along}, {0.5f, 0.125f}, slope, 1.0f, -1);
+        JointDefinition definition = scene.define(JointKind::Revolute, last, plank, WorldPosition{at});
         definition.anchorA = i == 0 ? at : Vec2{0.5f, 0.0f};
         definition.anchorB = {-0.5f, 0.0f};
         (void)scene.join(definition);
         last = plank;
         at += along;
     }
-    JointDefinition end = scene.define(JointKind::Revolute, last, scene.ground, Place{at});
+    JointDefinition end = scene.define(JointKind::Revolute, last, scene.ground, WorldPosition{at});
     end.anchorA = {0.5f, 0.0f};
     (void)scene.join(end);
 }

@@ -27,7 +27,7 @@ struct JointWorld {
     }
 
     /// A disc of 1 kg and 1/8 kg m2, unless its mass is given.
-    BodyId disc(Place place, float mass = 1.0f) {
+    BodyId disc(WorldPosition place, float mass = 1.0f) {
         constexpr float kRadius = 0.5f;
         BodyDefinition definition;
         definition.position = place;
@@ -39,7 +39,7 @@ struct JointWorld {
         return body;
     }
 
-    JointDefinition define(JointKind kind, BodyId a, BodyId b, Place pivot) const {
+    JointDefinition define(JointKind kind, BodyId a, BodyId b, WorldPosition pivot) const {
         JointDefinition definition;
         definition.kind = kind;
         definition.a = a;
@@ -103,7 +103,7 @@ struct JointWorld {
 };
 
 /// A random tree of discs, held by whatever can be solved directly, that hangs from the ground or flies.
-inline std::vector<JointId> growTree(JointWorld& scene, Random& random, Place root, bool hangs) {
+inline std::vector<JointId> growTree(JointWorld& scene, Random& random, WorldPosition root, bool hangs) {
     constexpr JointKind kKinds[] = {JointKind::Revolute, JointKind::Weld, JointKind::Prismatic,
                                     JointKind::Distance};
     std::vector<BodyId> bodies;
@@ -112,7 +112,8 @@ inline std::vector<JointId> growTree(JointWorld& scene, Random& random, Place ro
         const bool first = bodies.empty();
         const BodyId above =
             first ? scene.ground : bodies[random.below(static_cast<std::uint32_t>(bodies.size()))];
-        const Place at = first ? root : positionOf(scene.world, above) + Vec2{random.unit() - 0.5f, -1.0f};
+        const WorldPosition at =
+            first ? root : positionOf(scene.world, above) + Vec2{random.unit() - 0.5f, -1.0f};
         const BodyId body = scene.disc(at, i % 4 == 3 ? 50.0f : 0.5f);
         if (!first || hangs) {
             const JointKind kind = first ? JointKind::Revolute : kKinds[random.below(4)];

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "joint_world.hpp"
-#include "physics/solver/leverage.hpp"
+#include "physics/islands/lever_arms.hpp"
 #include "physics/workspace.hpp"
 
 namespace plumb::physics {
@@ -17,7 +17,7 @@ struct Pair {
     BodyId a, b;
     JointId joint;
 
-    Pair(JointWorld& world, Place middle, float apart) : scene{world} {
+    Pair(JointWorld& world, WorldPosition middle, float apart) : scene{world} {
         a = scene.disc(middle + Vec2{-0.5f * apart, 0.0f});
         b = scene.disc(middle + Vec2{0.5f * apart, 0.0f});
         joint = scene.join(scene.define(JointKind::Revolute, a, b, middle));
@@ -61,7 +61,7 @@ TEST(Leverage, isTheLongestArmInRadiiOfGyration) {
     EXPECT_EQ(of(5.8f), 1);  // 8.2
     EXPECT_EQ(of(11.2f), 1);
     EXPECT_EQ(of(11.4f), 2);
-    EXPECT_EQ(of(1000.0f), kMostLeverage);
+    EXPECT_EQ(of(1000.0f), kMaxLeverage);
     const BodyId stiff = scene.disc({});
     setFixedRotation(scene.world, stiff, true);
     JointDefinition definition = scene.define(JointKind::Revolute, scene.ground, stiff, {100.0, 0.0});

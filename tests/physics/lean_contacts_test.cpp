@@ -3,12 +3,12 @@
 #include "core/cpu.hpp"
 #include "core/random.hpp"
 #include "core/task_pool.hpp"
+#include "physics/narrowphase/axis_aligned_boxes.hpp"
 #include "physics/narrowphase/collide.hpp"
-#include "physics/narrowphase/upright.hpp"
 #include "tests/physics/world_of_bodies.hpp"
 
-// Contacts where nobody turns, or rubs, have kernels of their own, and boxes along the axes a narrow phase of
-// their own. Both are short cuts: what is left out would have changed nothing.
+// Contacts where nobody turns, or rubs, have kernels of their own, and boxes along the axes a narrow
+// phase of their own. Both are short cuts: what is left out would have changed nothing.
 
 namespace plumb::physics {
 namespace {

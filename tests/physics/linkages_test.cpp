@@ -20,7 +20,7 @@ struct Linkage : JointWorld {
     explicit Linkage(bool direct) { world.settings.directJoints = direct; }
 
     /// A rod between two places that collides with nothing, 1 kg per meter.
-    BodyId rod(Place from, Place to) {
+    BodyId rod(WorldPosition from, WorldPosition to) {
         const Vec2 span = to - from;
         const BodyId body =
             *createBody(world, {.position = from + 0.5f * span, .angle = arcTangent(span.y, span.x)});
@@ -31,7 +31,7 @@ struct Linkage : JointWorld {
         return body;
     }
 
-    void hinge(BodyId a, BodyId b, Place at, float speed = 0.0f) {
+    void hinge(BodyId a, BodyId b, WorldPosition at, float speed = 0.0f) {
         JointDefinition definition;
         definition.a = a;
         definition.b = b;
@@ -42,13 +42,14 @@ struct Linkage : JointWorld {
     }
 
     /// Along x at the height of the ground's origin.
-    void slider(BodyId body, Place at) {
+    void slider(BodyId body, WorldPosition at) {
         JointDefinition definition = define(JointKind::Prismatic, ground, body, at);
         joints.push_back(join(definition));
     }
 
     /// Ground hinges at the ends; the first rod is driven, the last one too if it has a speed.
-    void fourBar(Place base, std::array<Place, 2> knees, Place end, float speed, float rockerSpeed = 0.0f) {
+    void fourBar(WorldPosition base, std::array<WorldPosition, 2> knees, WorldPosition end, float speed,
+                 float rockerSpeed = 0.0f) {
         crank = rod(base, knees[0]);
         const BodyId coupler = rod(knees[0], knees[1]), rocker = rod(knees[1], end);
         hinge(ground, crank, base, speed);
@@ -87,7 +88,7 @@ class Linkages : public testing::TestWithParam<bool> {};
 TEST_P(Linkages, aFourBarTurnsAsItsMotorSays) {
     Linkage scene{GetParam()};
     // Crank 1 m, coupler 3.16 m, rocker 2 m on a ground of 3 m: Grashof, so the crank goes round.
-    scene.fourBar({0.0, 0.0}, {Place{0.0, 1.0}, Place{3.0, 2.0}}, {3.0, 0.0}, 2.0f);
+    scene.fourBar({0.0, 0.0}, {WorldPosition{0.0, 1.0}, WorldPosition{3.0, 2.0}}, {3.0, 0.0}, 2.0f);
     scene.expectTurning(2.0f);
 }
 
@@ -107,17 +108,17 @@ TEST_P(Linkages, aParallelogramTurnsAsItsMotorsSay) {
     // Where all rods are on one line a parallelogram may turn into its crossed form; driven at both ends it
     // cannot, but its equations are singular there and the joints say one thing twice.
     Linkage scene{GetParam()};
-    scene.fourBar({0.0, 0.0}, {Place{0.0, 1.0}, Place{3.0, 1.0}}, {3.0, 0.0}, 1.0f, 1.0f);
+    scene.fourBar({0.0, 0.0}, {WorldPosition{0.0, 1.0}, WorldPosition{3.0, 1.0}}, {3.0, 0.0}, 1.0f, 1.0f);
     scene.expectTurning(1.0f);
 }
 
 TEST_P(Linkages, aRopeHungAtBothEndsTurnsWhereItIsDriven) {
     // Nothing turns round here: the motor in the middle is held by its neighbors, and all comes to rest.
     Linkage scene{GetParam()};
-    Place at{0.0, 0.0};
+    WorldPosition at{0.0, 0.0};
     BodyId before = scene.ground;
     for (int i = 0; i < 10; ++i) {
-        const Place next{at.x + 0.45, 0.0};
+        const WorldPosition next{at.x + 0.45, 0.0};
         const BodyId rod = scene.rod(at, next);
         scene.hinge(before, rod, at, i == 5 ? 2.0f : 0.0f);
         before = rod;

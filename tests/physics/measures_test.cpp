@@ -1,10 +1,10 @@
-#include "physics/measures.hpp"
+#include "physics/measure/measures.hpp"
 
 #include <cmath>
 
 #include <gtest/gtest.h>
 
-#include "physics/fields.hpp"
+#include "physics/model/fields.hpp"
 #include "physics/simulation.hpp"
 
 namespace plumb::physics {
@@ -12,7 +12,7 @@ namespace {
 
 constexpr float kTick = 1.0f / 60.0f;
 
-BodyId addBall(World& world, Place place, BodyKind kind = BodyKind::Dynamic) {
+BodyId addBall(World& world, WorldPosition place, BodyKind kind = BodyKind::Dynamic) {
     const auto body = createBody(world, {.kind = kind, .position = place});
     EXPECT_TRUE(createShape(world, *body, circle(0.5f)));
     return *body;

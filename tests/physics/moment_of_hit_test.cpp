@@ -21,7 +21,7 @@ World emptyWorld() {
     return world;
 }
 
-BodyId shoot(World& world, Place position, Vec2 velocity, const Geometry& outline,
+BodyId shoot(World& world, WorldPosition position, Vec2 velocity, const Geometry& outline,
              const ShapeDefinition& material = {}, bool bullet = true) {
     BodyDefinition definition;
     definition.position = position;
@@ -45,7 +45,7 @@ std::array<double, 3> momentumOf(const World& world) {
     for (const std::uint32_t body : world.awake) {
         const BodyMotion& motion = world.bodies.motion[body];
         const BodyMass& mass = world.bodies.mass[body];
-        const Place centre = world.bodies.pose[body].centre;
+        const WorldPosition centre = world.bodies.pose[body].centre;
         const double px = static_cast<double>(mass.mass * motion.velocity.x),
                      py = static_cast<double>(mass.mass * motion.velocity.y);
         sum[0] += px;
@@ -226,8 +226,8 @@ TEST(MomentOfHit, stopsWhatIsFlatOnBothCorners) {
     }
 }
 
-// A ball without spin takes it from the surface: what rubs enough to roll keeps two thirds of its speed along
-// it.
+// A ball without spin takes it from the surface: what rubs enough to roll keeps two thirds of its
+// speed along it.
 TEST(MomentOfHit, rubsAsASurfaceDoes) {
     for (const float friction : {0.0f, 0.05f, 1.0f}) {
         World world = emptyWorld();

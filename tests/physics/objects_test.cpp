@@ -127,7 +127,7 @@ TEST(Objects, aJumpKeepsTheAngleUnlessOneIsGiven) {
     RigidBody* const body = *physics.createBody({0.0, 0.0}, 0.5f);
     ASSERT_TRUE(body->setPosition({3.0, 4.0}).ok());
     EXPECT_NEAR(angleOf(body->rotation()), 0.5f, 1e-6f);
-    EXPECT_EQ(body->position(), (Place{3.0, 4.0}));
+    EXPECT_EQ(body->position(), (WorldPosition{3.0, 4.0}));
     ASSERT_TRUE(body->setPosition({3.0, 4.0}, 0.0f).ok());
     EXPECT_EQ(angleOf(body->rotation()), 0.0f);
 }

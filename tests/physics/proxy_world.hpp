@@ -94,30 +94,30 @@ struct ProxyWorld {
 inline AABB boxAt(Vec2 centre, Vec2 half) { return {centre - half, centre + half}; }
 
 /// How a random world is spread out.
-enum class Spread : std::uint8_t { Even, Crowds, Sizes, Column, Lattice, Spot, Giants, Far, Count };
+enum class BoxStatistics : std::uint8_t { Even, Crowds, Sizes, Column, Lattice, Spot, Giants, Far, Count };
 
 /// Half the size and the place of a random box.
-inline AABB randomBox(Random& random, Spread spread) {
+inline AABB randomBox(Random& random, BoxStatistics spread) {
     const Vec2 half{random.between(0.0f, 0.6f), random.between(0.0f, 0.6f)};
     const Vec2 even{random.between(-8.0f, 8.0f), random.between(-8.0f, 8.0f)};
     switch (spread) {
-        case Spread::Even: return boxAt(even, half);
-        case Spread::Crowds: {
+        case BoxStatistics::Even: return boxAt(even, half);
+        case BoxStatistics::Crowds: {
             const auto crowd = static_cast<float>(random.below(4));
             return boxAt(Vec2{crowd * 300.0f, crowd * crowd * -90.0f} + even * 0.3f, half);
         }
-        case Spread::Sizes: {
+        case BoxStatistics::Sizes: {
             const float size = random.below(40) == 0 ? 40.0f : random.below(10) == 0 ? 3.0f : 0.1f;
             return boxAt(even, half * size);
         }
-        case Spread::Column: return boxAt({even.x * 0.1f, even.y * 20.0f}, half);
-        case Spread::Lattice: {  // many that only touch, many of no size
+        case BoxStatistics::Column: return boxAt({even.x * 0.1f, even.y * 20.0f}, half);
+        case BoxStatistics::Lattice: {  // many that only touch, many of no size
             const Vec2 corner{static_cast<float>(random.below(16)), static_cast<float>(random.below(16))};
             const Vec2 size{static_cast<float>(random.below(3)), static_cast<float>(random.below(3))};
             return {corner, corner + size};
         }
-        case Spread::Spot: return boxAt({3.0f, 3.0f}, half);
-        case Spread::Giants:  // a kilometre wide among crumbs
+        case BoxStatistics::Spot: return boxAt({3.0f, 3.0f}, half);
+        case BoxStatistics::Giants:  // a kilometre wide among crumbs
             return boxAt(even * 60.0f, random.below(50) == 0 ? Vec2{500.0f, 500.0f} : half * 0.1f);
         default: return boxAt(even + Vec2{1e6f, -1e6f}, half);
     }

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "physics/bounds.hpp"
+#include "physics/model/bounds.hpp"
 #include "physics/narrowphase/distance.hpp"
 #include "physics/queries/overlap.hpp"
 #include "physics/queries/ray_cast.hpp"
@@ -32,7 +32,7 @@ TEST(CastRay, findsWhatTryingAllShapesFinds) {
         Random random = Random::seeded(seed);
         std::vector<CastHit> hits;
         for (int i = 0; i < 20; ++i) {
-            const Place from{
+            const WorldPosition from{
                 (seed % 2 == 0 ? 0.0 : kFar) + static_cast<double>(random.between(-12.0f, 12.0f)),
                 static_cast<double>(random.between(-12.0f, 12.0f))};
             const Vec2 way{random.between(-20.0f, 20.0f), random.between(-20.0f, 20.0f)};
@@ -143,7 +143,7 @@ TEST(Queries, doNotChangeWhatStepsDo) {
                     destroyBody(*world, {3, world->bodies.info[3].generation});
                 }
             }
-            const Place place{static_cast<double>(random.between(-9.0f, 9.0f)), 2.0};
+            const WorldPosition place{static_cast<double>(random.between(-9.0f, 9.0f)), 2.0};
             answers += castRay(asked, place, {0.0f, -3.0f}).has_value() ? 1u : 0u;
             overlapCircle(asked, place, 2.0f, {}, found);
             answers += found.size();
@@ -236,8 +236,8 @@ TEST(ClosestPoint, isTheNearestOfAllShapes) {
         world.settings.broadPhase = anyBroadPhase(seed);
         Random random = Random::seeded(seed);
         for (int i = 0; i < 20; ++i) {
-            const Place place{static_cast<double>(random.between(-12.0f, 12.0f)),
-                              static_cast<double>(random.between(-12.0f, 12.0f))};
+            const WorldPosition place{static_cast<double>(random.between(-12.0f, 12.0f)),
+                                      static_cast<double>(random.between(-12.0f, 12.0f))};
             const float within = random.between(0.0f, 4.0f);
             const QueryFilter filter = randomFilter(world, random);
             float nearest = std::numeric_limits<float>::infinity();

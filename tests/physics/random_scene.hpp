@@ -6,7 +6,7 @@
 
 #include "core/random.hpp"
 #include "math/portable.hpp"
-#include "physics/fields.hpp"
+#include "physics/model/fields.hpp"
 #include "physics/simulation.hpp"
 
 namespace plumb::physics {
@@ -130,8 +130,9 @@ private:
         BodyDefinition body;
         body.kind = static_cast<BodyKind>(oneIn(3) ? 1 + random_.below(2) : 3);
         const Vec2 place = oneIn(3) ? Vec2{} : vector(1.0e-3f * size_, size_);
-        body.position = oneIn(8) ? Place{1.0e7 + static_cast<double>(place.x), static_cast<double>(place.y)}
-                                 : Place{place};
+        body.position =
+            oneIn(8) ? WorldPosition{1.0e7 + static_cast<double>(place.x), static_cast<double>(place.y)}
+                     : WorldPosition{place};
         body.angle = plain_ && !oneIn(8) ? 0.0f : either(number(1.0e-3f, 100.0f));
         if (oneIn(2)) body.velocity = vector(1.0e-2f, 1.0e4f);
         if (!plain_ && oneIn(2)) body.angularVelocity = either(number(1.0e-2f, 1.0e3f));
@@ -178,7 +179,8 @@ private:
         switch (random_.below(9)) {
             case 0: took(setVelocity(world_, body, vector(1.0e-2f, 1.0e4f))); break;
             case 1:
-                took(setPosition(world_, body, Place{vector(1.0e-3f, 1.0e4f)}, number(1.0e-2f, 10.0f)));
+                took(setPosition(world_, body, WorldPosition{vector(1.0e-3f, 1.0e4f)},
+                                 number(1.0e-2f, 10.0f)));
                 break;
             case 2: took(applyImpulse(world_, body, vector(1.0e-3f, 1.0e6f))); break;
             case 3: took(setMass(world_, body, number(1.0e-4f, 1.0e4f))); break;
@@ -188,7 +190,8 @@ private:
                 if (!joints_.empty()) destroyJoint(world_, joints_.back());
                 break;
             case 7:
-                took(moveTo(world_, body, Place{vector(1.0e-3f, 1.0e3f)}, number(1.0e-2f, 10.0f), kTick));
+                took(moveTo(world_, body, WorldPosition{vector(1.0e-3f, 1.0e3f)}, number(1.0e-2f, 10.0f),
+                            kTick));
                 break;
             default: setAwake(world_, body, oneIn(2));
         }

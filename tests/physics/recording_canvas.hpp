@@ -57,7 +57,7 @@ private:
     std::map<std::pair<DebugRole, char>, std::size_t> counts_;
 };
 
-inline Recording drawn(World& world, std::uint32_t parts, Place origin = {}) {
+inline Recording drawn(World& world, std::uint32_t parts, WorldPosition origin = {}) {
     Recording recording;
     debugDraw(world, recording, {.parts = parts, .origin = origin, .lastStep = lastStepOf(world)});
     return recording;

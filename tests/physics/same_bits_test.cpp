@@ -1,7 +1,7 @@
 #include "core/cpu.hpp"
 #include "core/random.hpp"
 #include "core/task_pool.hpp"
-#include "physics/softbody.hpp"
+#include "physics/soft/softbody.hpp"
 #include "tests/physics/world_of_bodies.hpp"
 
 namespace plumb::physics {
@@ -12,7 +12,7 @@ void pourIn(Playground& scene, int count) {
     scene.floor();
     Random random = Random::seeded(7);
     for (int i = 0; i < count; ++i) {
-        const Place place{-6.0 + 0.8 * (i % 16), 0.6 + 0.8 * (i / 16)};
+        const WorldPosition place{-6.0 + 0.8 * (i % 16), 0.6 + 0.8 * (i / 16)};
         const float size = 0.2f + 0.15f * random.unit();
         if (i % 3 == 0) {
             scene.ball(place, size, {.bounciness = 0.3f});
@@ -166,11 +166,11 @@ TEST(SameBits, islandsOfAnotherQualityKeepTheirs) {
             EXPECT_TRUE(setQuality(scene.world, other, right).ok());
         }
         scene.run(120);
-        std::vector<Place> places;
+        std::vector<WorldPosition> places;
         for (const BodyId body : left) places.push_back(centreOf(scene.world, body));
         return places;
     };
-    const std::vector<Place> expected = leftHeap(kQualityOfWorld);
+    const std::vector<WorldPosition> expected = leftHeap(kQualityOfWorld);
     EXPECT_EQ(leftHeap(4), expected);
     EXPECT_EQ(leftHeap(5), expected);
 }
@@ -181,7 +181,9 @@ World hailAmongWalls(std::uint64_t seed, BroadPhaseKind kind) {
     world.settings.broadPhase = kind;
     world.settings.sleeping = false;
     Random random = Random::seeded(seed);
-    const auto place = [&] { return Place{random.between(-10.0f, 10.0f), random.between(-10.0f, 10.0f)}; };
+    const auto place = [&] {
+        return WorldPosition{random.between(-10.0f, 10.0f), random.between(-10.0f, 10.0f)};
+    };
     for (int i = 0; i < 60; ++i) {
         const BodyId wall = addBody(world, BodyKind::Static, place(), random.between(-3.0f, 3.0f));
         static_cast<void>(createShape(world, wall, box({random.between(0.2f, 2.0f), 0.1f})));

@@ -32,7 +32,7 @@ struct Ground {
     TerrainOutlines terrain;
     TerrainBody body;
 
-    Ground(TileMask mask, Vec2 cell, Place position = {}) : terrain{std::move(mask), 8} {
+    Ground(TileMask mask, Vec2 cell, WorldPosition position = {}) : terrain{std::move(mask), 8} {
         world.settings.sleeping = false;
         const auto changed = terrain.update();
         auto made = TerrainBody::create(world, terrain, {.position = position, .cellSize = cell});
@@ -41,7 +41,8 @@ struct Ground {
         EXPECT_TRUE(body.update(world, terrain, changed).ok());
     }
 
-    BodyId slider(const Geometry& outline, Place place, float angle, const ShapeDefinition& definition) {
+    BodyId slider(const Geometry& outline, WorldPosition place, float angle,
+                  const ShapeDefinition& definition) {
         const BodyId made = *createBody(world, {.position = place, .angle = angle});
         EXPECT_TRUE(createShape(world, made, outline, definition).ok());
         return made;
@@ -83,9 +84,10 @@ TEST(Seams, nothingThatSlidesOverAFlatFloorFeelsThem) {
         const float cell = random.between(0.3f, 1.5f), half = random.between(0.15f, 0.8f);
         const float speed = random.between(2.0f, 40.0f);
         const auto kind = static_cast<Slider>(run % static_cast<int>(Slider::Count));
-        const Place far = run % 5 == 4 ? Place{1.0e6, -1.0e6} : Place{};
+        const WorldPosition far = run % 5 == 4 ? WorldPosition{1.0e6, -1.0e6} : WorldPosition{};
         Ground ground{floorMask(120, 4, TileForm::Full, 2), {cell, cell}, far};
-        const Place start{far.x + static_cast<double>(4.0f * cell), far.y + 2.0 * static_cast<double>(cell)};
+        const WorldPosition start{far.x + static_cast<double>(4.0f * cell),
+                                  far.y + 2.0 * static_cast<double>(cell)};
         const BodyId body = ground.slider(outlineOf(kind, half),
                                           {start.x, start.y - static_cast<double>(half)}, 0.0f, kSmooth);
         Heard heard;

@@ -15,7 +15,7 @@ namespace {
 
 /// m: from the outline, when it has gone a part of its way, to a shape.
 float gapAt(const World& world, const QueryShape& shape, Vec2 way, float part, std::uint32_t other) {
-    const Place position = shape.position + way * part;
+    const WorldPosition position = shape.position + way * part;
     const Frame theirs = inverse(Frame{{}, shape.rotation}) * frameAt(world, other, position);
     return distanceBetween(convexOf(shape.geometry, world.shapes.corners),
                            convexOf(world.shapes.geometry[other], world.shapes.corners), theirs)
@@ -90,8 +90,10 @@ TEST(CastShape, chainsAreMetFromTheirSolidSideOnly) {
                                      Vec2{20.0f, 0.0f}};
     ASSERT_TRUE(createChain(world, ground, points, false));
     const Vec2 front = normalOfChain(world.shapes.geometry[0]);
-    EXPECT_TRUE(castShape(world, {circle(0.2f), Place{} + front * 3.0f, {}}, front * -6.0f).has_value());
-    EXPECT_FALSE(castShape(world, {circle(0.2f), Place{} + front * -3.0f, {}}, front * 6.0f).has_value());
+    EXPECT_TRUE(
+        castShape(world, {circle(0.2f), WorldPosition{} + front * 3.0f, {}}, front * -6.0f).has_value());
+    EXPECT_FALSE(
+        castShape(world, {circle(0.2f), WorldPosition{} + front * -3.0f, {}}, front * 6.0f).has_value());
 }
 
 TEST(CastShape, badNumbersMeetNothing) {

@@ -180,16 +180,16 @@ TEST(CastRayProperty, entersOnTheEdgeAndMeetsNothingBefore) {
         const float until = hit ? hit->fraction : 1.0f;
         for (int i = 0; i < 50; ++i) {
             const float fraction = until * static_cast<float>(i) / 50.0f;
-            const Vec2 place = ray.from + ray.way * fraction;
+            const Vec2 place = ray.from + ray.displacement * fraction;
             EXPECT_GT(closestPoint(outline.geometry, outline.corners, place).distance, -1e-4f);
         }
         if (!hit) continue;
         ++hits;
         const ClosestPoint closest =
-            closestPoint(outline.geometry, outline.corners, ray.from + ray.way * until);
+            closestPoint(outline.geometry, outline.corners, ray.from + ray.displacement * until);
         EXPECT_NEAR(closest.distance, 0.0f, 1e-5f);
         EXPECT_NEAR(length(hit->normal), 1.0f, 1e-5f);
-        EXPECT_LT(dot(hit->normal, ray.way), 0.0f);
+        EXPECT_LT(dot(hit->normal, ray.displacement), 0.0f);
     }
     EXPECT_GT(hits, 300);
 }

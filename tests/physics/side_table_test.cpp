@@ -1,4 +1,4 @@
-#include "physics/side_table.hpp"
+#include "physics/model/side_table.hpp"
 
 #include <algorithm>
 #include <vector>

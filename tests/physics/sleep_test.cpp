@@ -140,7 +140,8 @@ struct Sweeper {
     }
 
     void tick(bool byTarget) {
-        const Place next{positionOf(scene.world, sweeper).x + static_cast<double>(speed * kTick), 0.5};
+        const WorldPosition next{positionOf(scene.world, sweeper).x + static_cast<double>(speed * kTick),
+                                 0.5};
         if (byTarget) (void)moveTo(scene.world, sweeper, next, 0.0f, kTick);
         scene.run(1);
     }

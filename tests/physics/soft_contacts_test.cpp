@@ -4,7 +4,7 @@
 
 #include "core/random.hpp"
 #include "math/portable.hpp"
-#include "physics/softbody.hpp"
+#include "physics/soft/softbody.hpp"
 #include "tests/physics/effect_worlds.hpp"
 
 // How soft bodies and bodies push each other.
@@ -17,7 +17,7 @@ using namespace test;
 constexpr float kDensity = 4.2f;  // kg/m2
 constexpr float kSmall = 0.15f;   // m: radius of balls, half size of crates
 
-SoftBodyId addJelly(World& world, Place place, float radius, const SoftMaterial& material) {
+SoftBodyId addJelly(World& world, WorldPosition place, float radius, const SoftMaterial& material) {
     std::vector<Vec2> ring;
     for (int i = 0; i < 36; ++i)
         ring.push_back(rotate(rotFromAngle(kTau * static_cast<float>(i) / 36.0f), {radius, 0.0f}));
@@ -35,11 +35,11 @@ SoftMaterial jelly(float mass, float damping) {
     return material;
 }
 
-BodyId addSmall(World& world, Place place, const Geometry& outline) {
+BodyId addSmall(World& world, WorldPosition place, const Geometry& outline) {
     return addBody(world, BodyKind::Dynamic, place, outline, {.density = kDensity, .friction = 0.6f});
 }
-BodyId addBall(World& world, Place place) { return addSmall(world, place, circle(kSmall)); }
-BodyId addCrate(World& world, Place place) { return addSmall(world, place, box({kSmall, kSmall})); }
+BodyId addBall(World& world, WorldPosition place) { return addSmall(world, place, circle(kSmall)); }
+BodyId addCrate(World& world, WorldPosition place) { return addSmall(world, place, box({kSmall, kSmall})); }
 void addPost(World& world, double x) { addBody(world, BodyKind::Static, {x, -0.5}, box({0.1f, 0.5f})); }
 
 /// Sums over soft bodies and bodies, about the origin.
@@ -50,7 +50,7 @@ struct Motion {
     double size = 0.0;        // kg m/s: of all momenta
 };
 
-void add(Motion& sum, float mass, Place place, Vec2 velocity) {
+void add(Motion& sum, float mass, WorldPosition place, Vec2 velocity) {
     const double m = mass, x = velocity.x, y = velocity.y;
     sum.x += m * x, sum.y += m * y;
     sum.turning += m * (place.x * y - place.y * x);

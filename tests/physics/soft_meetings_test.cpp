@@ -1,11 +1,10 @@
-#include "physics/soft_meetings.hpp"
-
 #include <cmath>
 
 #include "core/random.hpp"
 #include "core/task_pool.hpp"
 #include "math/portable.hpp"
-#include "physics/softbody.hpp"
+#include "physics/soft/soft_soft_contacts.hpp"
+#include "physics/soft/softbody.hpp"
 #include "physics/workspace.hpp"
 #include "tests/physics/effect_worlds.hpp"
 #include "tests/support/allocations.hpp"
@@ -34,7 +33,7 @@ SoftMaterial firm(float mass, float damping = 0.5f) {
     return material;
 }
 
-SoftBodyId addJelly(World& world, Place place, float radius, const SoftMaterial& material) {
+SoftBodyId addJelly(World& world, WorldPosition place, float radius, const SoftMaterial& material) {
     return *createJelly(world, place, ringOf(radius, 24), material);
 }
 
@@ -56,7 +55,7 @@ Vec2 meanVelocity(const World& world, SoftBodyId body) {
 }
 
 /// m: from a particle to the nearest edge of another body; negative inside of its ring.
-float gapTo(const SoftBody& other, Place place) {
+float gapTo(const SoftBody& other, WorldPosition place) {
     float nearest = 1.0e9f, winding = 0.0f;
     for (const std::uint32_t index : other.edges) {
         const SoftLink& link = other.links[index];
@@ -94,7 +93,7 @@ Momentum momentumOf(const World& world) {
     return sum;
 }
 
-TEST(SoftMeetings, aJellyRestsOnAnother) {
+TEST(SoftSoftContacts, aJellyRestsOnAnother) {
     World world = makeWorld();
     addFloor(world);
     const SoftBodyId below = addJelly(world, {0.0, -0.7}, 0.6f, firm(2.0f));
@@ -110,7 +109,7 @@ TEST(SoftMeetings, aJellyRestsOnAnother) {
     EXPECT_LT(middleOf(world, above).y, middleOf(world, below).y - 0.8f);
 }
 
-TEST(SoftMeetings, aJellyLiesOnARopeThatCarriesIt) {
+TEST(SoftSoftContacts, aJellyLiesOnARopeThatCarriesIt) {
     World world = makeWorld();
     const SoftBodyId rope = *createRope(world, {-1.5, 0.0}, {1.5, 0.0}, 40, firm(1.0f));
     ASSERT_TRUE(pinParticle(world, rope, 0, true).ok());
@@ -122,7 +121,7 @@ TEST(SoftMeetings, aJellyLiesOnARopeThatCarriesIt) {
     EXPECT_NEAR(middleOf(world, jelly).x, 0.0f, 0.5f);
 }
 
-TEST(SoftMeetings, aRopeHangsOverAnother) {
+TEST(SoftSoftContacts, aRopeHangsOverAnother) {
     World world = makeWorld();
     const SoftBodyId bar = *createRope(world, {0.0, -0.5}, {0.0, 0.5}, 2, firm(1.0f));
     for (const int end : {0, 1}) ASSERT_TRUE(pinParticle(world, bar, end, true).ok());
@@ -132,7 +131,7 @@ TEST(SoftMeetings, aRopeHangsOverAnother) {
     EXPECT_LT(particlesOf(world, rope)[20].place.y, -0.55);
 }
 
-TEST(SoftMeetings, blowsKeepAllMomentum) {
+TEST(SoftSoftContacts, blowsKeepAllMomentum) {
     for (std::uint64_t seed = 0; seed < 50; ++seed) {
         SCOPED_TRACE(seed);
         Random random = Random::seeded(seed);
@@ -167,7 +166,7 @@ TEST(SoftMeetings, blowsKeepAllMomentum) {
     }
 }
 
-TEST(SoftMeetings, whoIsFarAwayOrOfAnotherLayerIsNotMet) {
+TEST(SoftSoftContacts, whoIsFarAwayOrOfAnotherLayerIsNotMet) {
     const auto makeA = [](World& world) {
         world = makeWorld();
         SoftMaterial material = firm(1.0f);
@@ -187,7 +186,7 @@ TEST(SoftMeetings, whoIsFarAwayOrOfAnotherLayerIsNotMet) {
     EXPECT_TRUE(sameBytes(softBodyOf(alone, a).particles, softBodyOf(far, a).particles));
 }
 
-TEST(SoftMeetings, whatWasMadeInsideOfAnotherIsPushedOutAndNotThrown) {
+TEST(SoftSoftContacts, whatWasMadeInsideOfAnotherIsPushedOutAndNotThrown) {
     World world = makeWorld();
     world.settings.gravity = {};
     const SoftBodyId a = addJelly(world, {0.0, 0.0}, 0.6f, firm(1.0f)),
@@ -213,12 +212,12 @@ World makeHeap() {
     return world;
 }
 
-TEST(SoftMeetings, haveTheSameBitsAgainFromASnapshotAndOverThreads) {
+TEST(SoftSoftContacts, haveTheSameBitsAgainFromASnapshotAndOverThreads) {
     World world = makeHeap();
     run(world, 60);
     World copy = world;
     TaskPool pool{3};
-    const SoftMeetings& meetings = world.work.get().softMeetings;
+    const SoftSoftContacts& meetings = world.work.get().softSoftContacts;
     bool met = false;
     for (int i = 0; i < 120; ++i) {
         step(world, kStep);
@@ -229,7 +228,7 @@ TEST(SoftMeetings, haveTheSameBitsAgainFromASnapshotAndOverThreads) {
     EXPECT_TRUE(met);
 }
 
-TEST(SoftMeetings, askForNoMemoryInASteadyStep) {
+TEST(SoftSoftContacts, askForNoMemoryInASteadyStep) {
     World world = makeHeap();
     run(world, 60);
     const World saved = world;

@@ -1,9 +1,9 @@
-#include "physics/softbody.hpp"
+#include "physics/soft/softbody.hpp"
 
 #include <cmath>
 #include <limits>
 
-#include "physics/fields.hpp"
+#include "physics/model/fields.hpp"
 #include "tests/physics/effect_worlds.hpp"
 
 namespace plumb::physics {
@@ -32,7 +32,7 @@ TEST(SoftBody, aRopeHangsAtItsLengthFromItsPin) {
     const SoftBodyId rope = *createRope(world, {0.0, 0.0}, {2.0, 0.0}, 20, material);
     ASSERT_TRUE(pinParticle(world, rope, 0, true).ok());
     run(world, 900);
-    EXPECT_EQ(particlesOf(world, rope)[0].place, Place(0.0, 0.0));
+    EXPECT_EQ(particlesOf(world, rope)[0].place, WorldPosition(0.0, 0.0));
     EXPECT_NEAR(wayOf(world, rope, 0, 19).x, 0.0f, 0.05f);
     EXPECT_NEAR(wayOf(world, rope, 0, 19).y, 2.0f, 0.06f);  // stretches by little
 }
@@ -80,7 +80,7 @@ TEST(SoftBody, aJellyKeepsItsArea) {
     double lowest = -1e9;
     const std::span<const SoftParticle> particles = particlesOf(world, jelly);
     for (std::size_t i = 0; i < 24; ++i) {
-        const Place middle{0.0, -1.0};
+        const WorldPosition middle{0.0, -1.0};
         area += 0.5f * cross(particles[i].place - middle, particles[(i + 1) % 24].place - middle);
         lowest = std::max(lowest, particles[i].place.y);
     }

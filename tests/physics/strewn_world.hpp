@@ -16,8 +16,8 @@ inline World strew(std::uint64_t seed, double origin) {
     Random random = Random::seeded(seed);
     constexpr BodyKind kKinds[] = {BodyKind::Static, BodyKind::Kinematic, BodyKind::Dynamic};
     for (int i = 0; i < 60; ++i) {
-        const Place place{origin + static_cast<double>(random.below(2560)) / 128.0 - 10.0,
-                          static_cast<double>(random.below(2560)) / 128.0 - 10.0};
+        const WorldPosition place{origin + static_cast<double>(random.below(2560)) / 128.0 - 10.0,
+                                  static_cast<double>(random.below(2560)) / 128.0 - 10.0};
         const BodyId body = addBody(world, kKinds[random.below(3)], place, random.between(-3.0f, 3.0f));
         ShapeDefinition definition;
         definition.layers = 1u << random.below(3);
@@ -49,7 +49,7 @@ inline QueryFilter randomFilter(const World& world, Random& random) {
     return filter;
 }
 
-inline Frame frameAt(const World& world, std::uint32_t shape, Place origin) {
+inline Frame frameAt(const World& world, std::uint32_t shape, WorldPosition origin) {
     const BodyPose& pose = world.bodies.pose[world.shapes.info[shape].body];
     return {(pose.centre - origin) - rotate(pose.rotation, pose.localCentre), pose.rotation};
 }

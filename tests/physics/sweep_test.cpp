@@ -25,7 +25,7 @@ struct Shot {
     Rot turn;
     float thickness;
 
-    [[nodiscard]] Vec2 seen() const { return unrotate(turn, centreOf(world, bullet) - Place{}); }
+    [[nodiscard]] Vec2 seen() const { return unrotate(turn, centreOf(world, bullet) - WorldPosition{}); }
     /// m: how far the bullet is behind the wall as a whole; below 0: it is not.
     [[nodiscard]] float behind() const {
         return seen().x - 0.5f * thickness - world.bodies.info[bullet.index].reach;
@@ -48,7 +48,7 @@ Shot makeShot(Random& random) {
         random.below(2) == 0 ? random.between(10.0f, 100.0f) : random.between(100.0f, 1000.0f);
     const Vec2 way{speed, random.between(-0.7f, 0.7f) * speed};
     const Vec2 start = Vec2{-random.between(1.5f, 6.0f), 0.0f};
-    const Place place = Place{} + rotate(shot.turn, start);
+    const WorldPosition place = WorldPosition{} + rotate(shot.turn, start);
     shot.bullet = addBody(world, BodyKind::Dynamic, place, random.between(-3.0f, 3.0f));
     const float size = random.below(2) == 0 ? 0.02f : random.between(0.02f, 0.3f);
     if (random.below(3) == 0) {
@@ -145,11 +145,11 @@ TEST(SweepFastBodies, chainsLetThroughFromBehindAndStopInFront) {
                                          Vec2{20.0f, 0.0f}};
         ASSERT_TRUE(createChain(world, ground, points, false));
         const Vec2 front = normalOfChain(world.shapes.geometry[0]);
-        const BodyId bullet = addBody(world, BodyKind::Dynamic, Place{} + front * (3.0f * side));
+        const BodyId bullet = addBody(world, BodyKind::Dynamic, WorldPosition{} + front * (3.0f * side));
         static_cast<void>(createShape(world, bullet, circle(0.05f)));
         ASSERT_TRUE(setVelocity(world, bullet, front * (-500.0f * side)));
         for (int i = 0; i < 4; ++i) step(world, kTick);
-        const float height = dot(front, centreOf(world, bullet) - Place{});
+        const float height = dot(front, centreOf(world, bullet) - WorldPosition{});
         if (side > 0.0f) {
             EXPECT_GT(height, 0.0f);
         } else {

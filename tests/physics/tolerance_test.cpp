@@ -1,6 +1,6 @@
 #include "core/task_pool.hpp"
-#include "physics/island_report.hpp"
-#include "physics/solver/effort.hpp"
+#include "physics/islands/island_report.hpp"
+#include "physics/islands/substep_controller.hpp"
 #include "physics/workspace.hpp"
 #include "tests/physics/world_of_bodies.hpp"
 #include "tests/support/allocations.hpp"
@@ -17,7 +17,7 @@ struct Held : Playground {
         world.settings.tolerance = kTolerance;
         floor();
     }
-    BodyId heavy(Place at, Vec2 half, float mass) {
+    BodyId heavy(WorldPosition at, Vec2 half, float mass) {
         const BodyId made = crate(at, half);
         EXPECT_TRUE(setMass(world, made, mass).ok());
         return made;
@@ -71,7 +71,7 @@ void heap(Held& scene) {
     for (const double x : {-5.0, 5.0})
         scene.shape(scene.body(BodyKind::Static, {x, 5.0}), box({0.5f, 10.0f}));
     for (int i = 0; i < 80; ++i) {
-        const Place place{-3.6 + 0.9 * (i % 9), 0.6 + 0.9 * (i / 9)};
+        const WorldPosition place{-3.6 + 0.9 * (i % 9), 0.6 + 0.9 * (i / 9)};
         if (i % 3 == 0) {
             scene.ball(place, random.between(0.25f, 0.4f));
         } else {
@@ -150,14 +150,14 @@ TEST(Tolerance, doesNotFlickerAtRest) {
         hard.build(scene);
         scene.run(480);
         int changes = 0;
-        std::vector<Effort> before = scene.world.bodies.efforts;
+        std::vector<SubstepController> before = scene.world.bodies.substepControllers;
         for (int i = 0; i < 1800; ++i) {
             scene.run(1);
             int now = 0;
             for (std::size_t body = 0; body < before.size(); ++body)
-                now |= before[body].quality != scene.world.bodies.efforts[body].quality ? 1 : 0;
+                now |= before[body].quality != scene.world.bodies.substepControllers[body].quality ? 1 : 0;
             changes += now;
-            before = scene.world.bodies.efforts;
+            before = scene.world.bodies.substepControllers;
         }
         EXPECT_LE(changes, 12) << "in half a minute";
     }
@@ -195,13 +195,13 @@ TEST(Tolerance, nothingHopsWhenQualityChanges) {
     double highest = 0.0;
     int changes = 0;
     for (int i = 0; i < 900; ++i) {
-        const Quality before = scene.world.bodies.efforts.back().quality;
+        const Quality before = scene.world.bodies.substepControllers.back().quality;
         if (i % 90 == 0) {  // down, as far as it may, and up
-            for (Effort& effort : scene.world.bodies.efforts) effort.wait = 0;
+            for (SubstepController& effort : scene.world.bodies.substepControllers) effort.wait = 0;
             scene.world.settings.tolerance = i % 180 == 0 ? 0.02f : 0.0005f;
         }
         scene.run(1);
-        changes += scene.world.bodies.efforts.back().quality != before ? 1 : 0;
+        changes += scene.world.bodies.substepControllers.back().quality != before ? 1 : 0;
         highest = std::max(highest, scene.y(top));
     }
     EXPECT_GT(changes, 6);
@@ -214,9 +214,9 @@ TEST(Tolerance, sleepersWakeWithTheQualityThatTheyHad) {
     const BodyId top = scene.tower(0.0, 25);
     for (int i = 0; i < 1200 && isAwake(scene.world, top); ++i) scene.run(1);
     ASSERT_FALSE(isAwake(scene.world, top));
-    const Quality asleep = scene.world.bodies.efforts[top.index].quality;
+    const Quality asleep = scene.world.bodies.substepControllers[top.index].quality;
     ASSERT_GT(asleep, 2);
-    EXPECT_FALSE(isAtWork(scene.world.bodies.efforts[top.index]));
+    EXPECT_FALSE(isAtWork(scene.world.bodies.substepControllers[top.index]));
     setAwake(scene.world, top, true);
     scene.run(1);
     EXPECT_EQ(scene.qualityOf(top), asleep);
@@ -274,7 +274,8 @@ World busyWorldAfter(int ticks, const StepOptions& options, bool rewinds) {
 TEST(Tolerance, isTheSameForAnyThreadsAndAfterRollbacks) {
     const World expected = busyWorldAfter(400, {}, false);
     Quality most = 0;
-    for (const Effort& effort : expected.bodies.efforts) most = std::max(most, effort.quality);
+    for (const SubstepController& effort : expected.bodies.substepControllers)
+        most = std::max(most, effort.quality);
     EXPECT_GT(most, 2);
     for (const int threads : {2, 5}) {
         TaskPool pool{threads};
@@ -298,10 +299,10 @@ TEST(Tolerance, withoutOneNothingIsKept) {
     Held scene;
     scene.tower(0.0, 25);
     scene.run(10);
-    EXPECT_FALSE(scene.world.bodies.efforts.empty());
+    EXPECT_FALSE(scene.world.bodies.substepControllers.empty());
     scene.world.settings.tolerance = 0.0f;
     scene.run(1);
-    EXPECT_TRUE(scene.world.bodies.efforts.empty());
+    EXPECT_TRUE(scene.world.bodies.substepControllers.empty());
     EXPECT_EQ(scene.world.work.get().groups.size(), 1u);
     scene.world.settings.tolerance = std::numeric_limits<float>::quiet_NaN();
     scene.run(1);

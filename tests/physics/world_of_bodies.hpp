@@ -15,7 +15,7 @@ namespace plumb::physics {
 
 inline constexpr float kTick = 1.0f / 60.0f;  ///< s
 
-inline BodyId addBody(World& world, BodyKind kind, Place position, float angle = 0.0f) {
+inline BodyId addBody(World& world, BodyKind kind, WorldPosition position, float angle = 0.0f) {
     const Result<BodyId> made = createBody(world, {.kind = kind, .position = position, .angle = angle});
     EXPECT_TRUE(made.ok()) << (made.ok() ? "" : made.error().text());
     return *made;
@@ -48,7 +48,7 @@ inline World makePit(int bodies, std::uint64_t seed) {
     for (const float side : {-1.0f, 1.0f})
         static_cast<void>(createShape(world, pit, box({1.0f, 30.0f}, {11.0f * side, 30.0f})));
     for (int i = 0; i < bodies; ++i) {
-        const Place place{-9.0 + 1.2 * (i % 16) + 0.1 * random.unit(), 0.7 + 1.2 * (i / 16)};
+        const WorldPosition place{-9.0 + 1.2 * (i % 16) + 0.1 * random.unit(), 0.7 + 1.2 * (i / 16)};
         const BodyId body = addBody(world, BodyKind::Dynamic, place, random.between(-3.0f, 3.0f));
         addRandomShape(world, body, random, 0.5f);
     }
@@ -64,7 +64,7 @@ struct Playground {
         world.settings.sleeping = false;
     }
 
-    BodyId body(BodyKind kind, Place position, float angle = 0.0f) {
+    BodyId body(BodyKind kind, WorldPosition position, float angle = 0.0f) {
         return addBody(world, kind, position, angle);
     }
     ShapeId shape(BodyId body, const Geometry& geometry, const ShapeDefinition& definition = {}) {
@@ -78,12 +78,12 @@ struct Playground {
         shape(ground, box({half, 1.0f}), definition);
         return ground;
     }
-    BodyId crate(Place position, Vec2 half = {0.5f, 0.5f}, const ShapeDefinition& definition = {}) {
+    BodyId crate(WorldPosition position, Vec2 half = {0.5f, 0.5f}, const ShapeDefinition& definition = {}) {
         const BodyId made = body(BodyKind::Dynamic, position);
         shape(made, box(half), definition);
         return made;
     }
-    BodyId ball(Place position, float radius = 0.5f, const ShapeDefinition& definition = {}) {
+    BodyId ball(WorldPosition position, float radius = 0.5f, const ShapeDefinition& definition = {}) {
         const BodyId made = body(BodyKind::Dynamic, position);
         shape(made, circle(radius), definition);
         return made;

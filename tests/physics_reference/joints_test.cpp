@@ -73,7 +73,7 @@ TEST(ReferenceJoints, aChainBetweenTwoPostsIsACatenary) {
     const float halfWidth = 0.5f * static_cast<float>(kLength);
     std::vector<BodyId> rods;
     double weight = 0.0, x = 0.0, y = 0.0;
-    std::vector<physics::Place> ends{{0.0, 0.0}};
+    std::vector<physics::WorldPosition> ends{{0.0, 0.0}};
     const double one = 10.0 * kLength * 0.125;  // N: of a rod, as high as an eighth of a metre
     std::vector<double> slopes;
     for (int i = 0; i < kRods; ++i) {
@@ -84,7 +84,8 @@ TEST(ReferenceJoints, aChainBetweenTwoPostsIsACatenary) {
     }
     BodyId last = scene.body(BodyKind::Static, {});
     for (std::size_t i = 0; i < slopes.size(); ++i) {
-        const physics::Place middle{0.5 * (ends[i].x + ends[i + 1].x), 0.5 * (ends[i].y + ends[i + 1].y)};
+        const physics::WorldPosition middle{0.5 * (ends[i].x + ends[i + 1].x),
+                                            0.5 * (ends[i].y + ends[i + 1].y)};
         const BodyId rod = scene.body(BodyKind::Dynamic, middle, static_cast<float>(slopes[i]));
         scene.shape(rod, physics::box({halfWidth, 0.0625f}), kGhost);
         join(scene, {.a = last,

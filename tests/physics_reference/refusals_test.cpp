@@ -1,4 +1,4 @@
-#include "physics/fields.hpp"
+#include "physics/model/fields.hpp"
 #include "tests/physics_reference/solved.hpp"
 
 namespace plumb::reference {

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "physics/joints.hpp"
+#include "physics/model/joints.hpp"
 #include "tests/accuracy/reference/reference.hpp"
 #include "tests/physics/world_of_bodies.hpp"
 

@@ -5,7 +5,7 @@
 #include "core/log.hpp"
 #include "core/random.hpp"
 #include "ecs/hierarchy.hpp"
-#include "physics/bodies.hpp"
+#include "physics/model/bodies.hpp"
 #include "scene/body_sync.hpp"
 #include "scene/components/box_collider.hpp"
 #include "scene/components/circle_collider.hpp"

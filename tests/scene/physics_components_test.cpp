@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "core/log.hpp"
-#include "physics/bodies.hpp"
+#include "physics/model/bodies.hpp"
 #include "scene/contact_events.hpp"
 #include "tests/scene/physics_scene.hpp"
 

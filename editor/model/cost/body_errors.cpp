@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "physics/contacts.hpp"
-#include "physics/deviations.hpp"
-#include "physics/solver/quality.hpp"
+#include "physics/contacts/contacts.hpp"
+#include "physics/islands/quality.hpp"
+#include "physics/measure/constraint_errors.hpp"
 
 namespace plumb::editor {
 namespace {

@@ -14,9 +14,9 @@ std::vector<float> bodyErrors(const physics::World& world);
 struct ContactPush {
     std::uint32_t bodyA = 0;
     std::uint32_t bodyB = 0;
-    physics::Place place;  ///< m
-    float force = 0.0f;    ///< N, on the mean of the last substep
-    float weights = 0.0f;  ///< ratio: of the weight of the lighter one of the two
+    physics::WorldPosition place;  ///< m
+    float force = 0.0f;            ///< N, on the mean of the last substep
+    float weights = 0.0f;          ///< ratio: of the weight of the lighter one of the two
 };
 /// Those that push at present, of bodies that are awake and of those that rest.
 std::vector<ContactPush> contactPushes(const physics::World& world);

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "physics/bodies.hpp"
+#include "physics/model/bodies.hpp"
 #include "scene/body_sync.hpp"
 #include "scene/physics_state.hpp"
 

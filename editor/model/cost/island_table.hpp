@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "ecs/world.hpp"
-#include "physics/island_report.hpp"
+#include "physics/islands/island_report.hpp"
 
 namespace plumb::editor {
 

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "physics/bounds.hpp"
-#include "physics/fields.hpp"
-#include "physics/joints.hpp"
+#include "physics/model/bounds.hpp"
+#include "physics/model/fields.hpp"
+#include "physics/model/joints.hpp"
 
 namespace plumb::editor {
 namespace {

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "editor/model/object_id.hpp"
-#include "physics/bodies.hpp"
+#include "physics/model/bodies.hpp"
 #include "physics/world.hpp"
 #include "scene/physics_units.hpp"
 
@@ -26,8 +26,8 @@ struct BodyInput {
 struct JointInput {
     physics::JointId joint;
     bool gone = false;
-    float motorSpeed = 0.0f;  ///< rad/s or m/s
-    physics::Place target;    ///< m
+    float motorSpeed = 0.0f;        ///< rad/s or m/s
+    physics::WorldPosition target;  ///< m
 };
 
 struct FieldInput {

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "core/clock.hpp"
-#include "physics/island_report.hpp"
+#include "physics/islands/island_report.hpp"
 #include "physics/simulation.hpp"
 
 namespace plumb::editor {
@@ -45,7 +45,7 @@ physics::World worldFor(const WhatIfPoint& way, const physics::World& start) {
         if (info.kind != physics::BodyKind::Dynamic) continue;
         setAwake(world, {body, info.generation}, true);
         if (way.kind != WhatIfKind::Nudged) continue;
-        physics::Place& centre = world.bodies.pose[body].centre;
+        physics::WorldPosition& centre = world.bodies.pose[body].centre;
         centre.x += static_cast<double>(body % 2 == 0 ? WhatIfRun::kNudge : -WhatIfRun::kNudge);
     }
     return world;

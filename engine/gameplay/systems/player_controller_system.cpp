@@ -64,7 +64,7 @@ public:
           mover_{physics_.world, definition_, place(), dt} {}
 
     void run() {
-        const physics::Place start = mover_.position();
+        const physics::WorldPosition start = mover_.position();
         countDown();
         findGround();
         runAndBrake();
@@ -87,7 +87,7 @@ private:
         return {collider.width * std::abs(transform_.scale.x),
                 collider.height * std::abs(transform_.scale.y)};
     }
-    [[nodiscard]] physics::Place place() const {
+    [[nodiscard]] physics::WorldPosition place() const {
         const auto& collider = std::as_const(world_).get<BoxCollider>(entity_);
         return placeInMetres(transform_.position + collider.offset + sizeOf(collider) * 0.5f, physics_.scale);
     }

@@ -65,12 +65,12 @@ inline Floats roundedDown(const Floats& a) {
 inline void storeWhole(const Floats& a, std::int32_t* to) {
     for (int i = 0; i < 8; ++i) to[i] = static_cast<std::int32_t>(a.lane[i]);
 }
-inline Floats least(const Floats& a, const Floats& b) {
+inline Floats minimum(const Floats& a, const Floats& b) {
     Floats all;
     for (int i = 0; i < 8; ++i) all.lane[i] = a.lane[i] < b.lane[i] ? a.lane[i] : b.lane[i];
     return all;
 }
-inline Floats most(const Floats& a, const Floats& b) {
+inline Floats maximum(const Floats& a, const Floats& b) {
     Floats all;
     for (int i = 0; i < 8; ++i) all.lane[i] = a.lane[i] > b.lane[i] ? a.lane[i] : b.lane[i];
     return all;
@@ -118,8 +118,8 @@ inline Words spread(std::uint32_t word) { return _mm_set1_epi32(static_cast<int>
 inline Floats minus(Floats a, Floats b) { return {_mm_sub_ps(a.low, b.low), _mm_sub_ps(a.high, b.high)}; }
 inline Floats plus(Floats a, Floats b) { return {_mm_add_ps(a.low, b.low), _mm_add_ps(a.high, b.high)}; }
 inline Floats times(Floats a, Floats b) { return {_mm_mul_ps(a.low, b.low), _mm_mul_ps(a.high, b.high)}; }
-inline Floats least(Floats a, Floats b) { return {_mm_min_ps(a.low, b.low), _mm_min_ps(a.high, b.high)}; }
-inline Floats most(Floats a, Floats b) { return {_mm_max_ps(a.low, b.low), _mm_max_ps(a.high, b.high)}; }
+inline Floats minimum(Floats a, Floats b) { return {_mm_min_ps(a.low, b.low), _mm_min_ps(a.high, b.high)}; }
+inline Floats maximum(Floats a, Floats b) { return {_mm_max_ps(a.low, b.low), _mm_max_ps(a.high, b.high)}; }
 inline __m128 fourRoundedDown(__m128 a) {
     const __m128 whole = _mm_cvtepi32_ps(_mm_cvttps_epi32(a));
     return _mm_sub_ps(whole, _mm_and_ps(_mm_cmplt_ps(a, whole), _mm_set1_ps(1.0f)));
@@ -163,8 +163,8 @@ PLUMB_AVX2 inline Words spread(std::uint32_t word) { return _mm256_set1_epi32(st
 PLUMB_AVX2 inline Floats minus(Floats a, Floats b) { return _mm256_sub_ps(a, b); }
 PLUMB_AVX2 inline Floats plus(Floats a, Floats b) { return _mm256_add_ps(a, b); }
 PLUMB_AVX2 inline Floats times(Floats a, Floats b) { return _mm256_mul_ps(a, b); }
-PLUMB_AVX2 inline Floats least(Floats a, Floats b) { return _mm256_min_ps(a, b); }
-PLUMB_AVX2 inline Floats most(Floats a, Floats b) { return _mm256_max_ps(a, b); }
+PLUMB_AVX2 inline Floats minimum(Floats a, Floats b) { return _mm256_min_ps(a, b); }
+PLUMB_AVX2 inline Floats maximum(Floats a, Floats b) { return _mm256_max_ps(a, b); }
 PLUMB_AVX2 inline Floats roundedDown(Floats a) { return _mm256_floor_ps(a); }
 PLUMB_AVX2 inline void storeWhole(Floats a, std::int32_t* to) {
     _mm256_storeu_si256(reinterpret_cast<__m256i*>(to), _mm256_cvttps_epi32(a));
@@ -207,8 +207,8 @@ inline Words spread(std::uint32_t word) { return vdupq_n_u32(word); }
 inline Floats minus(Floats a, Floats b) { return {vsubq_f32(a.low, b.low), vsubq_f32(a.high, b.high)}; }
 inline Floats plus(Floats a, Floats b) { return {vaddq_f32(a.low, b.low), vaddq_f32(a.high, b.high)}; }
 inline Floats times(Floats a, Floats b) { return {vmulq_f32(a.low, b.low), vmulq_f32(a.high, b.high)}; }
-inline Floats least(Floats a, Floats b) { return {vminq_f32(a.low, b.low), vminq_f32(a.high, b.high)}; }
-inline Floats most(Floats a, Floats b) { return {vmaxq_f32(a.low, b.low), vmaxq_f32(a.high, b.high)}; }
+inline Floats minimum(Floats a, Floats b) { return {vminq_f32(a.low, b.low), vminq_f32(a.high, b.high)}; }
+inline Floats maximum(Floats a, Floats b) { return {vmaxq_f32(a.low, b.low), vmaxq_f32(a.high, b.high)}; }
 inline Floats roundedDown(Floats a) { return {vrndmq_f32(a.low), vrndmq_f32(a.high)}; }
 inline void storeWhole(Floats a, std::int32_t* to) {
     vst1q_s32(to, vcvtq_s32_f32(a.low));

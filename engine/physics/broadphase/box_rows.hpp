@@ -41,7 +41,7 @@ struct BoxRows {
     [[nodiscard]] std::uint32_t size() const { return count - free; }
     [[nodiscard]] bool isFree(std::uint32_t place) const { return states[place] == kFree; }
     /// False if no proxy in the list can pass this filter.
-    [[nodiscard]] bool mayMeet(const Filter& filter) const {
+    [[nodiscard]] bool mayCollide(const Filter& filter) const {
         const std::uint32_t overruled = overruledBy(filter.group);
         return ((filter.layers | overruled) & masks) != 0 && ((filter.mask | overruled) & layers) != 0;
     }
@@ -58,7 +58,7 @@ struct Stretch {
 
 /// Proxies near each other that search for partners together.
 struct RowSearch {
-    static constexpr std::uint32_t kMostLookers = 8;
+    static constexpr std::uint32_t kMaxLookers = 8;
 
     const BoxRows* own = nullptr;
     const BoxRows* others = nullptr;  ///< may be equal to `own`
@@ -66,8 +66,8 @@ struct RowSearch {
     bool allCanPair = false;  ///< one side is the moving and the other the sleeping partition; otherwise one
                               ///< proxy of a pair must be awake
     bool onlyLater = false;  ///< every proxy of the list searches, so each only tests the slots after its own
-    const std::uint8_t* isMoved = nullptr;     ///< by proxy: nonzero for all that search
-    std::uint32_t lookers[kMostLookers] = {};  ///< slots in `own`, ascending
+    const std::uint8_t* isMoved = nullptr;    ///< by proxy: nonzero for all that search
+    std::uint32_t lookers[kMaxLookers] = {};  ///< slots in `own`, ascending
     std::uint32_t count = 0;
 };
 

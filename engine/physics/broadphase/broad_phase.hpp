@@ -88,7 +88,7 @@ public:
                        std::vector<std::uint32_t>& found) const = 0;
     /// Appends all proxies whose bounds, enlarged by `half` on each side, intersect the line from `from` to
     /// `from + way`. The order is arbitrary; the result may contain proxies that the line misses.
-    virtual void cast(const Proxies& proxies, Vec2 from, Vec2 way, Vec2 half, std::uint32_t mask,
+    virtual void cast(const Proxies& proxies, Vec2 from, Vec2 displacement, Vec2 half, std::uint32_t mask,
                       std::vector<std::uint32_t>& found, Among among) const = 0;
 };
 

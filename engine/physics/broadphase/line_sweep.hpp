@@ -10,32 +10,33 @@ namespace plumb::physics {
 /// A moving box, as a broad phase searches for what it may hit. Conservative: it may report boxes that it
 /// misses.
 struct LineSweep {
-    Vec2 from;    ///< m
-    Vec2 way;     ///< m: displacement
-    Vec2 half;    ///< m: half size of the moving box, plus an allowance for rounding
-    AABB bounds;  ///< m: bounds of the whole sweep; kNowhere if the input is not finite
+    Vec2 from;          ///< m
+    Vec2 displacement;  ///< m: displacement
+    Vec2 half;          ///< m: half size of the moving box, plus an allowance for rounding
+    AABB bounds;        ///< m: bounds of the whole sweep; kNowhere if the input is not finite
 };
 
 constexpr float kSweepSlack = 1e-6f;  // ratio: eight times the last bit of a float
 
-inline LineSweep lineSweep(Vec2 from, Vec2 way, Vec2 half) {
-    if (!isFinite(from) || !isFinite(way) || !isFinite(half)) return {{}, {}, {}, kNowhere};
-    const Vec2 to = from + way;
+inline LineSweep lineSweep(Vec2 from, Vec2 displacement, Vec2 half) {
+    if (!isFinite(from) || !isFinite(displacement) || !isFinite(half)) return {{}, {}, {}, kNowhere};
+    const Vec2 to = from + displacement;
     const Vec2 lost =
-        Vec2{std::fabs(from.x) + std::fabs(way.x), std::fabs(from.y) + std::fabs(way.y)} * kSweepSlack;
+        Vec2{std::fabs(from.x) + std::fabs(displacement.x), std::fabs(from.y) + std::fabs(displacement.y)} *
+        kSweepSlack;
     const Vec2 reach = max(half, {}) + lost;
-    return {from, way, reach, usable({min(from, to) - reach, max(from, to) + reach})};
+    return {from, displacement, reach, usable({min(from, to) - reach, max(from, to) + reach})};
 }
 
 /// True if the sweep may hit a box that overlaps its bounds.
 /// Source: C. Ericson, "Real-Time Collision Detection", 2005, 5.3.3 (separating axis of a segment and a box)
-inline bool mayMeet(const LineSweep& sweep, const AABB& box) {
+inline bool mayCollide(const LineSweep& sweep, const AABB& box) {
     const Vec2 middle = middleOf(box);
     const Vec2 half = box.max * 0.5f - box.min * 0.5f + sweep.half;
     const Vec2 slack{std::fabs(middle.x) * kSweepSlack, std::fabs(middle.y) * kSweepSlack};
-    const float off = std::fabs(cross(sweep.way, middle - sweep.from));
-    const float reach =
-        std::fabs(sweep.way.x) * (half.y + slack.y) + std::fabs(sweep.way.y) * (half.x + slack.x);
+    const float off = std::fabs(cross(sweep.displacement, middle - sweep.from));
+    const float reach = std::fabs(sweep.displacement.x) * (half.y + slack.y) +
+                        std::fabs(sweep.displacement.y) * (half.x + slack.x);
     return !(off > reach);  // true also for a NaN after an overflow
 }
 

@@ -60,8 +60,8 @@ void LooseQuadtree::makeChildren(std::uint32_t node) {
     const float half = parent.half * 0.5f;
     nodes_[node].children = static_cast<std::uint32_t>(nodes_.size());
     for (int i = 0; i < 4; ++i) {
-        const Vec2 way{i % 2 == 0 ? -half : half, i / 2 == 0 ? -half : half};
-        nodes_.push_back({kNowhere, parent.middle + way, half, node});
+        const Vec2 displacement{i % 2 == 0 ? -half : half, i / 2 == 0 ? -half : half};
+        nodes_.push_back({kNowhere, parent.middle + displacement, half, node});
     }
 }
 
@@ -75,13 +75,13 @@ void LooseQuadtree::growRoot(const Goal& goal) {
     }
     while (!holds(nodes_[root_], goal)) {
         Node old = nodes_[root_];
-        const Vec2 way{goal.middle.x < old.middle.x ? -old.half : old.half,
-                       goal.middle.y < old.middle.y ? -old.half : old.half};
-        nodes_[root_] = {old.reach, old.middle + way, old.half * 2.0f};
+        const Vec2 displacement{goal.middle.x < old.middle.x ? -old.half : old.half,
+                                goal.middle.y < old.middle.y ? -old.half : old.half};
+        nodes_[root_] = {old.reach, old.middle + displacement, old.half * 2.0f};
         nodes_[root_].count = old.count;
         makeChildren(root_);
         const std::uint32_t quarter =
-            nodes_[root_].children + ((way.x < 0.0f ? 1u : 0u) | (way.y < 0.0f ? 2u : 0u));
+            nodes_[root_].children + ((displacement.x < 0.0f ? 1u : 0u) | (displacement.y < 0.0f ? 2u : 0u));
         old.parent = root_;
         nodes_[quarter] = old;
         for (std::uint32_t place = old.firstItem; place != kNobody; place = items_[place].next)
@@ -175,7 +175,7 @@ void LooseQuadtree::read(const Proxies& proxies, std::uint32_t place, std::uint3
     masks_ |= item.filter.mask | overruledBy(item.filter.group);
 }
 
-bool LooseQuadtree::mayMeet(const Filter& filter) const {
+bool LooseQuadtree::mayCollide(const Filter& filter) const {
     const std::uint32_t overruled = overruledBy(filter.group);
     return ((filter.layers | overruled) & masks_) != 0 && ((filter.mask | overruled) & layers_) != 0;
 }

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "physics/broadphase/broad_phase.hpp"
-#include "physics/broadphase/curve_order.hpp"
+#include "physics/broadphase/hilbert_order.hpp"
 #include "physics/broadphase/line_sweep.hpp"
 #include "physics/broadphase/overlap.hpp"
 
@@ -32,7 +32,7 @@ public:
         bool awake = false;
     };
 
-    // Interface for PartedProxies.
+    // Interface for ProxyPartitions.
     bool take(const Proxies& proxies, std::span<std::uint32_t> arrivals, std::uint32_t moving,
               std::span<std::uint32_t> places, std::uint32_t first);
     void erase(std::uint32_t place);
@@ -47,7 +47,7 @@ public:
 
     [[nodiscard]] const Item& itemAt(std::uint32_t place) const { return items_[place]; }
     /// False if no proxy in the tree can pass this filter.
-    [[nodiscard]] bool mayMeet(const Filter& filter) const;
+    [[nodiscard]] bool mayCollide(const Filter& filter) const;
     /// Calls visit(place) for each box that overlaps `box`. With a sweep, skips squares that it misses.
     template <class Visit>
     void visitNear(const AABB& box, const LineSweep* sweep, const Visit& visit) const;
@@ -55,7 +55,7 @@ public:
 private:
     static constexpr std::uint32_t kNobody = 0xffffffffu;
     static constexpr std::uint32_t kOutside = 0;  ///< node of boxes too far away or too large for squares
-    static constexpr int kMostLevels = 64;
+    static constexpr int kMaxLevels = 64;
 
     struct Node {
         AABB reach = kNowhere;  ///< union of all boxes that were in it or below since it was last empty
@@ -98,13 +98,13 @@ private:
     std::uint32_t layers_ = 0;  ///< union over all proxies that were stored since clear()
     std::uint32_t masks_ = 0;
 
-    CurveOrder curve_;
+    HilbertOrder curve_;
     std::vector<std::uint32_t> order_;
 };
 
 template <class Visit>
 void LooseQuadtree::visitNear(const AABB& box, const LineSweep* sweep, const Visit& visit) const {
-    std::array<std::uint32_t, 3 * kMostLevels + 2> stack;
+    std::array<std::uint32_t, 3 * kMaxLevels + 2> stack;
     std::size_t depth = 0;
     if (nodes_.empty()) return;
     stack[depth++] = kOutside;
@@ -118,7 +118,7 @@ void LooseQuadtree::visitNear(const AABB& box, const LineSweep* sweep, const Vis
         for (std::uint32_t child = node.children; child < node.children + 4; ++child) {
             const AABB& reach = nodes_[child].reach;
             if (!touch(reach, box)) continue;
-            if (sweep == nullptr || physics::mayMeet(*sweep, reach)) stack[depth++] = child;
+            if (sweep == nullptr || physics::mayCollide(*sweep, reach)) stack[depth++] = child;
         }
     }
 }

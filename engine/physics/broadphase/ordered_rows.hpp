@@ -8,12 +8,12 @@
 
 namespace plumb::physics {
 
-/// Rows that were sorted at some time: the common part of CellGrid and SortedRows. Boxes that were added
-/// since, or that moved too far from where they were sorted to, are stored after the sorted ones, where every
-/// search tests them all, until sorting again costs less than these tests.
+/// Rows that were sorted at some time: the common part of HierarchicalGrid and SweepAndPruneAxis. Boxes that
+/// were added since, or that moved too far from where they were sorted to, are stored after the sorted ones,
+/// where every search tests them all, until sorting again costs less than these tests.
 class OrderedRows {
 public:
-    // Interface for PartedProxies.
+    // Interface for ProxyPartitions.
     void erase(std::uint32_t place) { rows_.erase(place); }
     void settle(std::size_t searches);
     [[nodiscard]] bool isDue(std::size_t arrivals) const;

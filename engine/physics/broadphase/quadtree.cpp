@@ -16,7 +16,7 @@ void QuadtreeBroadPhase::findPairs(const Proxies&, std::span<const std::uint32_t
             const LooseQuadtree& tree = proxies_.parts[other];
             // Only awake proxies pair with static ones.
             if (other == kStaticPart && !looker.awake) continue;
-            if (tree.size() == 0 || !tree.mayMeet(looker.filter)) continue;
+            if (tree.size() == 0 || !tree.mayCollide(looker.filter)) continue;
             tree.visitNear(looker.box, nullptr, [&](std::uint32_t partner) {
                 const LooseQuadtree::Item& item = tree.itemAt(partner);
                 // Of two moved proxies, only one reports the pair: within a partition the one with the lower
@@ -39,13 +39,13 @@ void QuadtreeBroadPhase::query(const Proxies&, const AABB& box, std::uint32_t ma
     }
 }
 
-void QuadtreeBroadPhase::cast(const Proxies&, Vec2 from, Vec2 way, Vec2 half, std::uint32_t mask,
+void QuadtreeBroadPhase::cast(const Proxies&, Vec2 from, Vec2 displacement, Vec2 half, std::uint32_t mask,
                               std::vector<std::uint32_t>& found, Among among) const {
-    const LineSweep sweep = lineSweep(from, way, half);
+    const LineSweep sweep = lineSweep(from, displacement, half);
     for (const LooseQuadtree& tree : proxies_.partsAmong(among)) {
         tree.visitNear(sweep.bounds, &sweep, [&](std::uint32_t place) {
             const LooseQuadtree::Item& item = tree.itemAt(place);
-            if ((item.filter.layers & mask) != 0 && mayMeet(sweep, item.box)) found.push_back(item.id);
+            if ((item.filter.layers & mask) != 0 && mayCollide(sweep, item.box)) found.push_back(item.id);
         });
     }
 }

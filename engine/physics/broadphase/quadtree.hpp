@@ -6,7 +6,7 @@
 
 #include "physics/broadphase/box_searches.hpp"
 #include "physics/broadphase/loose_quadtree.hpp"
-#include "physics/broadphase/parted_proxies.hpp"
+#include "physics/broadphase/proxy_partitions.hpp"
 
 namespace plumb::physics {
 
@@ -25,12 +25,12 @@ public:
                    std::span<const std::uint8_t> isMoved, std::vector<PairKey>& pairs) const override;
     void query(const Proxies& proxies, const AABB& box, std::uint32_t mask,
                std::vector<std::uint32_t>& found) const override;
-    void cast(const Proxies& proxies, Vec2 from, Vec2 way, Vec2 half, std::uint32_t mask,
+    void cast(const Proxies& proxies, Vec2 from, Vec2 displacement, Vec2 half, std::uint32_t mask,
               std::vector<std::uint32_t>& found, Among among) const override;
     void visitRegions(RegionVisitor& visitor) const { proxies_.visitRegions(visitor); }
 
 private:
-    PartedProxies<LooseQuadtree> proxies_;
+    ProxyPartitions<LooseQuadtree> proxies_;
 };
 
 }  // namespace plumb::physics

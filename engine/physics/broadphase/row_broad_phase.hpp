@@ -8,12 +8,12 @@
 
 #include "physics/broadphase/box_searches.hpp"
 #include "physics/broadphase/overlap.hpp"
-#include "physics/broadphase/parted_proxies.hpp"
+#include "physics/broadphase/proxy_partitions.hpp"
 
 namespace plumb::physics {
 
 /// A broad phase that stores boxes in rows, such that boxes near each other lie in few ranges of slots, which
-/// are compared eight at a time. In addition to what PartedProxies needs, a Part has
+/// are compared eight at a time. In addition to what ProxyPartitions needs, a Part has
 ///
 ///   const BoxRows& rows()
 ///   bool areNear(a, b)                true if the proxies in slots a < b should be searched for together
@@ -61,9 +61,9 @@ public:
         }
     }
 
-    void cast(const Proxies&, Vec2 from, Vec2 way, Vec2 half, std::uint32_t mask,
+    void cast(const Proxies&, Vec2 from, Vec2 displacement, Vec2 half, std::uint32_t mask,
               std::vector<std::uint32_t>& found, Among among) const override {
-        const LineSweep sweep = lineSweep(from, way, half);
+        const LineSweep sweep = lineSweep(from, displacement, half);
         if (sweep.bounds == kNowhere) return;
         for (const Part& part : proxies_.partsAmong(among)) {
             if (part.size() == 0) continue;
@@ -80,11 +80,11 @@ private:
     static bool looks(const RowSearch& search, std::uint32_t place) {
         const bool amongStatic = search.ownMayBeAwake && search.own != search.others && !search.allCanPair;
         if (amongStatic && search.own->states[place] != BoxRows::kAwake) return false;
-        return search.others->mayMeet(search.own->filters[place]) && search.own->boxAt(place) != kNowhere;
+        return search.others->mayCollide(search.own->filters[place]) && search.own->boxAt(place) != kNowhere;
     }
 
     static bool mayJoin(const RowSearch& search, const Part& own, std::uint32_t looker) {
-        return search.count < RowSearch::kMostLookers && search.lookers[search.count - 1] < looker &&
+        return search.count < RowSearch::kMaxLookers && search.lookers[search.count - 1] < looker &&
                own.areNear(search.lookers[0], looker);
     }
 
@@ -124,7 +124,7 @@ private:
     }
 
     const BoxSearches& searches_;
-    PartedProxies<Part> proxies_;
+    ProxyPartitions<Part> proxies_;
 };
 
 }  // namespace plumb::physics

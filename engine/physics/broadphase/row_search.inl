@@ -8,14 +8,14 @@ PLUMB_TARGET inline std::uint32_t overlapsAt(const BoxRows& rows, std::uint32_t 
     return bitsOf(both(x, y));
 }
 
-constexpr std::uint32_t kMostRowHits = 512;
+constexpr std::uint32_t kMaxRowHits = 512;
 
 PLUMB_TARGET inline void takeHits(const RowSearch& search, const std::uint32_t* hits, std::uint32_t hitCount,
                                   std::uint32_t first, std::vector<PairKey>& pairs) {
     const BoxRows& own = *search.own;
     const BoxRows& others = *search.others;
     const bool same = &own == &others;
-    PairKey found[kMostRowHits];
+    PairKey found[kMaxRowHits];
     std::size_t count = 0;
     for (std::uint32_t h = 0; h < hitCount; ++h) {
         const std::uint32_t i = search.lookers[hits[h] / 8 % 8];
@@ -26,8 +26,7 @@ PLUMB_TARGET inline void takeHits(const RowSearch& search, const std::uint32_t* 
         // otherwise the one in the moving partition.
         const bool left = same ? j <= i : !search.ownMayBeAwake;
         const bool reported = left & (search.isMoved[b] != 0);
-        const bool paired =
-            search.allCanPair | ((own.states[i] | others.states[j]) == BoxRows::kAwake);
+        const bool paired = search.allCanPair | ((own.states[i] | others.states[j]) == BoxRows::kAwake);
         found[count] = pairKey(a, b);
         const bool met = meet(own.filters[i], others.filters[j]);
         count += (paired & !reported & (a != b) & met) ? 1u : 0u;
@@ -48,10 +47,10 @@ PLUMB_TARGET inline std::uint64_t laterPlaces(const RowSearch& search, std::uint
 
 PLUMB_TARGET void findPairsInRows(const RowSearch& search, std::span<const Stretch> stretches,
                                   std::vector<PairKey>& pairs) {
-    Wide boxes[RowSearch::kMostLookers];
+    Wide boxes[RowSearch::kMaxLookers];
     for (std::uint32_t i = 0; i < search.count; ++i) boxes[i] = widen(search.own->boxAt(search.lookers[i]));
     const std::uint32_t last = search.lookers[search.count - 1];
-    std::uint32_t hits[kMostRowHits + kSpare];
+    std::uint32_t hits[kMaxRowHits + kSpare];
     for (const Stretch& stretch : stretches) {
         std::uint32_t* end = hits;
         std::uint32_t first = stretch.begin;
@@ -63,7 +62,7 @@ PLUMB_TARGET void findPairsInRows(const RowSearch& search, std::span<const Stret
             if (left < kBranch) bits &= ((1u << left) - 1) * kEachByte;
             if (search.onlyLater && place <= last) bits &= laterPlaces(search, place);
             end = appendBits(bits, (place - first) * 8, end);
-            if (end > hits + kMostRowHits - kBranch * kBranch) {
+            if (end > hits + kMaxRowHits - kBranch * kBranch) {
                 takeHits(search, hits, static_cast<std::uint32_t>(end - hits), first, pairs);
                 end = hits;
             }
@@ -81,7 +80,7 @@ PLUMB_TARGET void findInRows(const BoxRows& rows, Stretch part, const AABB& box,
         for (; hits != 0; hits &= hits - 1) {
             const std::uint32_t i = place + static_cast<std::uint32_t>(std::countr_zero(hits));
             if ((rows.filters[i].layers & mask) == 0) continue;
-            if (sweep == nullptr || mayMeet(*sweep, rows.boxAt(i))) found.push_back(rows.ids[i]);
+            if (sweep == nullptr || mayCollide(*sweep, rows.boxAt(i))) found.push_back(rows.ids[i]);
         }
     }
 }
@@ -90,6 +89,6 @@ PLUMB_TARGET void findCells(std::span<const AABB> boxes, float perMetre, std::sp
     const Floats scale = spread(perMetre);
     for (std::size_t i = 0; i < boxes.size(); i += 2) {
         const Floats sides = times(loadAny(&boxes[i].min.x), scale);
-        storeWhole(roundedDown(most(least(sides, spread(0x1p30f)), spread(-0x1p30f))), cells[i].data());
+        storeWhole(roundedDown(maximum(minimum(sides, spread(0x1p30f)), spread(-0x1p30f))), cells[i].data());
     }
 }

@@ -34,15 +34,15 @@ void TreeBroadPhase::findPairs(const Proxies&, std::span<const std::uint32_t> mo
 
 void TreeBroadPhase::query(const Proxies&, const AABB& box, std::uint32_t mask,
                            std::vector<std::uint32_t>& found) const {
-    for (const PackedTree& tree : proxies_.parts) {
+    for (const Bvh8& tree : proxies_.parts) {
         if (tree.size() > 0) searches_.trees.findInBox(tree, usable(box), mask, found);
     }
 }
 
-void TreeBroadPhase::cast(const Proxies&, Vec2 from, Vec2 way, Vec2 half, std::uint32_t mask,
+void TreeBroadPhase::cast(const Proxies&, Vec2 from, Vec2 displacement, Vec2 half, std::uint32_t mask,
                           std::vector<std::uint32_t>& found, Among among) const {
-    const LineSweep sweep = lineSweep(from, way, half);
-    for (const PackedTree& tree : proxies_.partsAmong(among)) {
+    const LineSweep sweep = lineSweep(from, displacement, half);
+    for (const Bvh8& tree : proxies_.partsAmong(among)) {
         if (tree.size() > 0) searches_.trees.findOnSweep(tree, sweep, mask, found);
     }
 }

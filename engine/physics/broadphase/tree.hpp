@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "physics/broadphase/box_searches.hpp"
-#include "physics/broadphase/packed_tree.hpp"
-#include "physics/broadphase/parted_proxies.hpp"
+#include "physics/broadphase/bvh8.hpp"
+#include "physics/broadphase/proxy_partitions.hpp"
 
 namespace plumb::physics {
 
@@ -25,13 +25,13 @@ public:
                    std::span<const std::uint8_t> isMoved, std::vector<PairKey>& pairs) const override;
     void query(const Proxies& proxies, const AABB& box, std::uint32_t mask,
                std::vector<std::uint32_t>& found) const override;
-    void cast(const Proxies& proxies, Vec2 from, Vec2 way, Vec2 half, std::uint32_t mask,
+    void cast(const Proxies& proxies, Vec2 from, Vec2 displacement, Vec2 half, std::uint32_t mask,
               std::vector<std::uint32_t>& found, Among among) const override;
     void visitRegions(RegionVisitor& visitor) const { proxies_.visitRegions(visitor); }
 
 private:
     const BoxSearches& searches_;
-    PartedProxies<PackedTree> proxies_;
+    ProxyPartitions<Bvh8> proxies_;
 };
 
 }  // namespace plumb::physics

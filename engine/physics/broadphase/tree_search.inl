@@ -1,9 +1,9 @@
-// The searches through a PackedTree; box_search.inl explains how this is compiled.
+// The searches through a Bvh8; box_search.inl explains how this is compiled.
 
 constexpr std::uint32_t kChunk = 8;                // nodes whose children are tested together
 constexpr std::uint32_t kMost = kChunk * kBranch;  // children of these nodes
 constexpr std::uint32_t kMany = 12;  // more children: the union of several lanes is too large, split it
-constexpr std::uint32_t kMostHits =
+constexpr std::uint32_t kMaxHits =
     kMost * kBranch > kMany* kBranch* kBranch ? kMost* kBranch : kMany* kBranch* kBranch;
 
 /// A box and a filter, broadcast for comparison with eight others.
@@ -17,7 +17,7 @@ struct WideProbe {
 struct WideSweep {
     Wide bounds;
     Floats from[2];
-    Floats way[2];
+    Floats displacement[2];
     Floats reach[2];
 };
 
@@ -48,7 +48,7 @@ PLUMB_TARGET inline Mask overlaps(const TreeBoxes& boxes, const Wide& wide) {
     return both(x, y);
 }
 
-PLUMB_TARGET inline std::uint32_t mayMeet(const TreeNode& node, const WideProbe& probe) {
+PLUMB_TARGET inline std::uint32_t mayCollide(const TreeNode& node, const WideProbe& probe) {
     const Mask meet = both(haveCommon(node.layers, probe.masks), haveCommon(node.masks, probe.layers));
     return bitsOf(both(meet, overlaps(node.boxes, probe.box)));
 }
@@ -102,8 +102,8 @@ PLUMB_TARGET inline void testLeaves(const TreeSearch& search, std::uint32_t lane
     const TreeLeaf* leaves = search.others->leaves();
     Lookers lookers;
     collectLookers(search, lanes, lookers);
-    std::uint32_t hits[kMostHits + kSpare];  // 6 bits: index of the candidate, 3 bits: index of the searching
-                                             // lane, 3 bits: lane
+    std::uint32_t hits[kMaxHits + kSpare];  // 6 bits: index of the candidate, 3 bits: index of the searching
+                                            // lane, 3 bits: lane
     std::uint32_t* end = hits;
     for (std::uint32_t c = 0; c < candidates.size(); ++c) {
         const std::uint64_t open = openLanes(search, lookers, candidates[c]);
@@ -114,7 +114,7 @@ PLUMB_TARGET inline void testLeaves(const TreeSearch& search, std::uint32_t lane
             bits |= std::uint64_t{bitsOf(overlaps(leaf.boxes, lookers.boxes[i]))} << 8 * i;
         end = appendBits(bits & open & (leaf.awake * kEachByte | lookers.all), c * 64, end);
     }
-    PairKey found[kMostHits];
+    PairKey found[kMaxHits];
     std::size_t count = 0;
     for (const std::uint32_t* hit = hits; hit != end; ++hit) {
         const std::uint32_t i = lookers.lanes[*hit / 8 % 8];
@@ -137,7 +137,7 @@ PLUMB_TARGET void findPairsBelow(const TreeSearch& search, std::uint32_t lanes, 
             nodes.subspan(first, nodes.size() - first < kChunk ? nodes.size() - first : kChunk);
         std::uint32_t* end = children;
         for (const std::uint32_t node : chunk)
-            end = appendBits(mayMeet(all[node], probe), node * kBranch, end);
+            end = appendBits(mayCollide(all[node], probe), node * kBranch, end);
         const std::span<const std::uint32_t> found{children, end};
         if (found.size() > kMany && (lanes & (lanes - 1)) != 0) {
             const TreeLeaf& own = search.own->leaves()[search.leaf];
@@ -166,7 +166,7 @@ PLUMB_TARGET inline std::uint32_t hitsOf(const TreeBoxes& boxes, const Wide& wid
     return bitsOf(overlaps(boxes, wide));
 }
 
-/// The lanes that the sweep may hit; the same test as mayMeet(LineSweep, AABB).
+/// The lanes that the sweep may hit; the same test as mayCollide(LineSweep, AABB).
 PLUMB_TARGET inline std::uint32_t hitsOf(const TreeBoxes& boxes, const WideSweep& sweep) {
     const std::uint32_t near = bitsOf(overlaps(boxes, sweep.bounds));
     if (near == 0) return 0;
@@ -180,14 +180,16 @@ PLUMB_TARGET inline std::uint32_t hitsOf(const TreeBoxes& boxes, const WideSweep
         half[axis] =
             plus(plus(minus(high, low), sweep.reach[axis]), times(absolute(middle), spread(kSweepSlack)));
     }
-    const Floats distance = absolute(minus(times(sweep.way[0], off[1]), times(sweep.way[1], off[0])));
-    const Floats reach = plus(times(absolute(sweep.way[0]), half[1]), times(absolute(sweep.way[1]), half[0]));
+    const Floats distance =
+        absolute(minus(times(sweep.displacement[0], off[1]), times(sweep.displacement[1], off[0])));
+    const Floats reach = plus(times(absolute(sweep.displacement[0]), half[1]),
+                              times(absolute(sweep.displacement[1]), half[0]));
     return near & ~bitsOf(above(distance, reach));
 }
 
 /// Appends the proxies below some nodes of a level that the view (a box or a sweep) may hit.
 template <class View>
-PLUMB_TARGET void findBelow(const PackedTree& tree, const View& view, std::uint32_t mask, std::uint32_t level,
+PLUMB_TARGET void findBelow(const Bvh8& tree, const View& view, std::uint32_t mask, std::uint32_t level,
                             std::span<const std::uint32_t> nodes, std::vector<std::uint32_t>& found) {
     const TreeNode* all = tree.level(level);
     for (const std::uint32_t node : nodes) {
@@ -209,18 +211,18 @@ PLUMB_TARGET void findBelow(const PackedTree& tree, const View& view, std::uint3
     }
 }
 
-PLUMB_TARGET void findInTree(const PackedTree& tree, const AABB& box, std::uint32_t mask,
+PLUMB_TARGET void findInTree(const Bvh8& tree, const AABB& box, std::uint32_t mask,
                              std::vector<std::uint32_t>& found) {
     const std::uint32_t root = 0;
     findBelow(tree, widen(box), mask, tree.height() - 1, {&root, 1}, found);
 }
 
-PLUMB_TARGET void findOnSweep(const PackedTree& tree, const LineSweep& sweep, std::uint32_t mask,
+PLUMB_TARGET void findOnSweep(const Bvh8& tree, const LineSweep& sweep, std::uint32_t mask,
                               std::vector<std::uint32_t>& found) {
     const std::uint32_t root = 0;
     const WideSweep wide{widen(sweep.bounds),
                          {spread(sweep.from.x), spread(sweep.from.y)},
-                         {spread(sweep.way.x), spread(sweep.way.y)},
+                         {spread(sweep.displacement.x), spread(sweep.displacement.y)},
                          {spread(sweep.half.x), spread(sweep.half.y)}};
     findBelow(tree, wide, mask, tree.height() - 1, {&root, 1}, found);
 }

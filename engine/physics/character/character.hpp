@@ -29,8 +29,8 @@ struct CharacterDefinition {
 struct CharacterTouch {
     ShapeId shape;
     BodyId body;
-    Vec2 normal;  ///< length 1, towards the character
-    Place point;  ///< m
+    Vec2 normal;          ///< length 1, towards the character
+    WorldPosition point;  ///< m
 
     explicit operator bool() const { return static_cast<bool>(shape); }
 };

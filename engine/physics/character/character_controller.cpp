@@ -5,9 +5,9 @@
 #include <cmath>
 #include <type_traits>
 
-#include "physics/bodies.hpp"
-#include "physics/checks.hpp"
-#include "physics/shapes.hpp"
+#include "physics/model/bodies.hpp"
+#include "physics/model/checks.hpp"
+#include "physics/model/shapes.hpp"
 #include "physics/shapes/shape_types.hpp"
 
 namespace plumb::physics {
@@ -17,8 +17,8 @@ static_assert(std::is_trivially_copyable_v<CharacterController>, "a part of snap
 namespace {
 
 constexpr float kTakeOff = 1.0e-3f;  // m/s: a larger upward speed leaves the ground
-constexpr float kMostTick = 1.0f;    // s
-constexpr std::size_t kMostPushes = 16;
+constexpr float kMaxTick = 1.0f;     // s
+constexpr std::size_t kMaxPushes = 16;
 
 Result<Done> checkOutline(const Geometry& outline) {
     const bool known = outline.kind == ShapeKind::Box || outline.kind == ShapeKind::Circle ||
@@ -52,12 +52,12 @@ Result<Done> check(const CharacterDefinition& definition) {
 }
 
 /// In double precision: it puts a rider back in each tick, and must not drift.
-Place turned(Rot rotation, Place arm) {
+WorldPosition turned(Rot rotation, WorldPosition arm) {
     const auto cosine = static_cast<double>(rotation.cos), sine = static_cast<double>(rotation.sin);
     return {cosine * arm.x - sine * arm.y, sine * arm.x + cosine * arm.y};
 }
 
-Vec2 velocityAt(const World& world, BodyId body, Place point) {
+Vec2 velocityAt(const World& world, BodyId body, WorldPosition point) {
     const BodyMotion& motion = world.bodies.motion[body.index];
     return motion.velocity + cross(motion.angularVelocity, point - world.bodies.pose[body.index].centre);
 }
@@ -65,9 +65,9 @@ Vec2 velocityAt(const World& world, BodyId body, Place point) {
 /// The ground that has moved up to a character in flight.
 CharacterTouch caughtBy(CharacterMover& mover, std::span<const CharacterProbe::Push> pushes) {
     const CharacterDefinition& definition = mover.probe().definition();
-    const Place place = mover.position();
+    const WorldPosition place = mover.position();
     for (const CharacterProbe::Push& push : pushes) {
-        if (!(dot(push.way, definition.up) > 0.0f)) continue;
+        if (!(dot(push.displacement, definition.up) > 0.0f)) continue;
         const CharacterTouch ground = mover.snapDown(4.0f * definition.gap).ground;
         if (ground.body == push.body) return ground;
         mover.setPosition(place);
@@ -83,7 +83,7 @@ float conveyorSpeed(const World& world, const CharacterTouch& ground) {
 }  // namespace
 
 Result<CharacterController> CharacterController::create(const CharacterDefinition& definition,
-                                                        Place position) {
+                                                        WorldPosition position) {
     const auto checked = firstOf(check(definition), checkPlace("CharacterController position", position));
     if (!checked) return checked.error();
     return CharacterController{definition, position};
@@ -95,7 +95,7 @@ Result<Done> CharacterController::setDefinition(const CharacterDefinition& defin
     return checked;
 }
 
-Result<Done> CharacterController::setPosition(Place position) {
+Result<Done> CharacterController::setPosition(WorldPosition position) {
     const auto checked = checkPlace("CharacterController::setPosition", position);
     if (!checked) return checked;
     leaveGround();
@@ -134,23 +134,23 @@ bool CharacterController::dropThrough(World& world) {
 }
 
 /// Position to which its ground carries it in the next step.
-Place CharacterController::heldPlace(const CharacterProbe& probe) const {
+WorldPosition CharacterController::heldPlace(const CharacterProbe& probe) const {
     if (!ground_ || probe.world().bodies.info[ground_.body.index].kind == BodyKind::Static) return position_;
     const BodyPose pose = probe.poseOf(ground_.body.index);
-    const Place arm = turned(pose.rotation, hold_);
-    return Place{pose.centre.x + arm.x, pose.centre.y + arm.y} + definition_.up * height_;
+    const WorldPosition arm = turned(pose.rotation, hold_);
+    return WorldPosition{pose.centre.x + arm.x, pose.centre.y + arm.y} + definition_.up * height_;
 }
 
 /// Attaches it to the point of the ground below its center.
 void CharacterController::holdOn(const CharacterProbe& probe) {
     const BodyPose pose = probe.poseOf(ground_.body.index);
     height_ = dot(position_ - ground_.point, ground_.normal) / rise(ground_.normal);
-    const Place under = position_ + definition_.up * -height_;
-    const Place arm{under.x - pose.centre.x, under.y - pose.centre.y};
+    const WorldPosition under = position_ + definition_.up * -height_;
+    const WorldPosition arm{under.x - pose.centre.x, under.y - pose.centre.y};
     hold_ = turned(inverse(pose.rotation), arm);
 }
 
-bool CharacterController::ride(CharacterMover& mover, Place held) {
+bool CharacterController::ride(CharacterMover& mover, WorldPosition held) {
     CharacterProbe& probe = mover.probe();
     const BodyMotion& motion = probe.world().bodies.motion[ground_.body.index];
     probe.carrier = ground_.body;
@@ -158,7 +158,7 @@ bool CharacterController::ride(CharacterMover& mover, Place held) {
     probe.carrier = {};
     if (motion.angularVelocity == 0.0f) return arrived;
     const Vec2 extent = boundsOf(definition_.outline, {}, {}).size();
-    const Place foot = held + definition_.up * -height_;
+    const WorldPosition foot = held + definition_.up * -height_;
     mover.settle(0.1f * std::max(extent.x, extent.y) + definition_.snap);
     height_ = rise(mover.position() - foot);
     return arrived;
@@ -185,7 +185,7 @@ void CharacterController::walk(CharacterMover& mover, float dx, CharacterMotion&
     motion = mover.walkOnGround(dx, ground_.normal);
     motion.squeezedBy = squeezedBy;
     if (motion.ground) return;
-    const Place place = mover.position();
+    const WorldPosition place = mover.position();
     motion.ground = mover.fly(definition_.up * (-4.0f * definition_.gap)).ground;  // a pit between two slopes
     if (!motion.ground) mover.setPosition(place);
 }
@@ -193,7 +193,7 @@ void CharacterController::walk(CharacterMover& mover, float dx, CharacterMotion&
 // NOLINTNEXTLINE(readability-function-size): one tick, in order
 CharacterMotion CharacterController::update(World& world, float dt) {
     CharacterMotion motion;
-    if (!(dt > 0.0f && dt <= kMostTick)) return motion;
+    if (!(dt > 0.0f && dt <= kMaxTick)) return motion;
     if (ground_ && !alive(world, ground_.shape)) leaveGround(), motion.leftGround = true;
     CharacterMover mover{world, definition_, position_, dt};
     if (placed_ && mover.pushOut()) mover.escape();
@@ -204,21 +204,21 @@ CharacterMotion CharacterController::update(World& world, float dt) {
     const bool stood = grounded();
     const bool walks = stood && !(rise(velocity_) > kTakeOff);
     const Vec2 gravity = world.settings.gravity * definition_.gravityScale;
-    const Place held = heldPlace(mover.probe());
+    const WorldPosition held = heldPlace(mover.probe());
     const Vec2 taken = held - position_;
     groundVelocity_ = stood ? taken / dt : Vec2{};
     const Vec2 right = perpendicular(definition_.up);
     const float dx = walks ? (along(velocity_) + conveyorSpeed(world, ground_)) * dt : 0.0f;
     Vec2 own = walks ? right * dx : velocity_ * dt + gravity * (0.5f * dt * dt);
     mover.probe().floor = ground_.shape;
-    std::array<CharacterProbe::Push, kMostPushes> room;
+    std::array<CharacterProbe::Push, kMaxPushes> room;
     const std::size_t pushes = mover.probe().pushesAt(position_, taken, own, ground_.body, room);
     const bool arrived = !stood || held == position_ || ride(mover, held);
-    const Place rode = mover.position();
+    const WorldPosition rode = mover.position();
     const std::span<const CharacterProbe::Push> pushed{room.data(), pushes};
     const Vec2 left = mover.giveWay(pushed, walks ? Vec2{} : own);
     motion.squeezedBy = mover.pushOut();
-    const Place start = mover.position();
+    const WorldPosition start = mover.position();
 
     // Its own motion.
     const CharacterTouch caught = walks || pushes == 0 ? CharacterTouch{} : caughtBy(mover, pushed);

@@ -9,7 +9,7 @@ namespace plumb::physics {
 class CharacterController {
 public:
     /// @error a number that is not finite or out of range, or an outline that is not a box, circle or capsule
-    static Result<CharacterController> create(const CharacterDefinition& definition, Place position);
+    static Result<CharacterController> create(const CharacterDefinition& definition, WorldPosition position);
 
     /// Advances by one tick: rides on its ground, gives way to moving bodies, then walks or flies by its own
     /// velocity. Call it before step(world, dt), when kinematic bodies have their velocities or targets.
@@ -22,9 +22,9 @@ public:
     /// @return false if it also stands on something else
     bool dropThrough(World& world);
 
-    [[nodiscard]] Place position() const { return position_; }  ///< m
+    [[nodiscard]] WorldPosition position() const { return position_; }  ///< m
     /// Teleports; it is in flight afterwards.
-    Result<Done> setPosition(Place position);
+    Result<Done> setPosition(WorldPosition position);
     /// m/s: relative to its ground while it stands, else relative to the world.
     [[nodiscard]] Vec2 velocity() const { return velocity_; }
     /// On the ground, an upward component leaves it.
@@ -37,24 +37,26 @@ public:
     Result<Done> setDefinition(const CharacterDefinition& definition);
 
 private:
-    CharacterController(const CharacterDefinition& definition, Place position)
+    CharacterController(const CharacterDefinition& definition, WorldPosition position)
         : definition_{definition}, position_{position} {}
 
-    [[nodiscard]] float rise(Vec2 way) const { return dot(way, definition_.up); }
-    [[nodiscard]] float along(Vec2 way) const { return dot(way, perpendicular(definition_.up)); }
-    [[nodiscard]] Place heldPlace(const CharacterProbe& probe) const;
-    bool ride(CharacterMover& mover, Place held);
+    [[nodiscard]] float rise(Vec2 displacement) const { return dot(displacement, definition_.up); }
+    [[nodiscard]] float along(Vec2 displacement) const {
+        return dot(displacement, perpendicular(definition_.up));
+    }
+    [[nodiscard]] WorldPosition heldPlace(const CharacterProbe& probe) const;
+    bool ride(CharacterMover& mover, WorldPosition held);
     void walk(CharacterMover& mover, float dx, CharacterMotion& motion) const;
     void stopAt(World& world, const CharacterTouch& touch, float dt);
     void leaveGround();
     void holdOn(const CharacterProbe& probe);
 
     CharacterDefinition definition_;
-    Place position_;
+    WorldPosition position_;
     Vec2 velocity_;
     CharacterTouch ground_;
     Vec2 groundVelocity_;
-    Place hold_;           // m: point of the ground below it, in the frame of the ground's body
+    WorldPosition hold_;   // m: point of the ground below it, in the frame of the ground's body
     float height_ = 0.0f;  // m: its position above that point
     bool placed_ = true;   // teleported since the last tick
 };

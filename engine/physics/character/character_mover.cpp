@@ -9,24 +9,27 @@ namespace plumb::physics {
 
 namespace {
 
-constexpr int kMostTurns = 6;      // direction changes of one displacement per tick
-constexpr int kMostPushes = 16;    // iterations out of overlaps
-constexpr float kSlack = 5.0e-4f;  // of a cosine: 0.04 degrees at 50 degrees
-constexpr float kUpright = 0.1f;   // cosine: less steep than this is a slope, not a wall
-constexpr float kCeiling = 0.7f;   // cosine
+constexpr int kMaxTurns = 6;          // direction changes of one displacement per tick
+constexpr int kMaxPushes = 16;        // iterations out of overlaps
+constexpr float kSlack = 5.0e-4f;     // of a cosine: 0.04 degrees at 50 degrees
+constexpr float kAxisAligned = 0.1f;  // cosine: less steep than this is a slope, not a wall
+constexpr float kCeiling = 0.7f;      // cosine
 /// Cosine: maximum slope (60 degrees) of a round outline's normal at a floor corner on which it can stand.
 constexpr float kRoundCorner = 0.5f;
 /// Ratio to the radius: how far a round outline has to be over a corner for that.
 constexpr float kRoundReach = 0.14f;
 constexpr int kCornerTries = 16;
-constexpr float kMostPieces = 8.0f;  // of the displacement of one tick on the ground
+constexpr float kMaxPieces = 8.0f;  // of the displacement of one tick on the ground
 
 /// Removes the component of a displacement that leads into a surface.
-Vec2 alongSurface(Vec2 way, Vec2 normal) { return way - normal * std::min(dot(way, normal), 0.0f); }
+Vec2 alongSurface(Vec2 displacement, Vec2 normal) {
+    return displacement - normal * std::min(dot(displacement, normal), 0.0f);
+}
 
 }  // namespace
 
-CharacterMover::CharacterMover(World& world, const CharacterDefinition& definition, Place position, float dt)
+CharacterMover::CharacterMover(World& world, const CharacterDefinition& definition, WorldPosition position,
+                               float dt)
     : definition_{definition},
       probe_{world, definition, dt},
       position_{position},
@@ -52,7 +55,7 @@ std::optional<Vec2> CharacterMover::groundNormalOf(const CharacterHit& hit) cons
     if (definition_.outline.radius <= 0.0f || rise(normal) < kRoundCorner) return std::nullopt;
     const float gap = definition_.gap;
     const float inward = along(normal) > 0.0f ? -3.0f * gap : 3.0f * gap;
-    const Place over = hit.touch.point + (right_ * inward + definition_.up * (5.0f * gap));
+    const WorldPosition over = hit.touch.point + (right_ * inward + definition_.up * (5.0f * gap));
     const auto floor = probe_.castDisc(over, gap, definition_.up * (-8.0f * gap));
     if (!floor || !isGround(floor->touch.normal)) return std::nullopt;
     return floor->touch.normal;
@@ -60,13 +63,13 @@ std::optional<Vec2> CharacterMover::groundNormalOf(const CharacterHit& hit) cons
 
 void CharacterMover::note(CharacterMotion& motion, const CharacterTouch& touch) const {
     const float up = rise(touch.normal);
-    (up > kUpright ? motion.slope : up < -kCeiling ? motion.ceiling : motion.wall) = touch;
+    (up > kAxisAligned ? motion.slope : up < -kCeiling ? motion.ceiling : motion.wall) = touch;
 }
 
 CharacterTouch CharacterMover::pushOut() {
-    const Place before = position_;
+    const WorldPosition before = position_;
     const float gap = definition_.gap;
-    for (int i = 0; i < kMostPushes; ++i) {
+    for (int i = 0; i < kMaxPushes; ++i) {
         const auto hit = probe_.nearest(position_, 0.5f * gap);
         if (!hit) return {};
         shift(hit->touch.normal * (gap - hit->separation));
@@ -78,13 +81,14 @@ CharacterTouch CharacterMover::pushOut() {
 }
 
 bool CharacterMover::escape() {
-    const Place before = position_;
+    const WorldPosition before = position_;
     const Vec2 up = definition_.up, right = right_;
     const Vec2 extent = boundsOf(definition_.outline, {}, {}).size();
     const float size = 0.125f * std::min(extent.x, extent.y);
     for (int ring = 1; ring <= 32; ++ring) {
-        for (const Vec2 way : {up, right, -right, up + right, up - right, -up, right - up, -right - up}) {
-            position_ = before + way * (size * static_cast<float>(ring));
+        for (const Vec2 displacement :
+             {up, right, -right, up + right, up - right, -up, right - up, -right - up}) {
+            position_ = before + displacement * (size * static_cast<float>(ring));
             if (probe_.nearest(position_, 0.0f)) continue;
             return true;
         }
@@ -93,16 +97,16 @@ bool CharacterMover::escape() {
     return false;
 }
 
-bool CharacterMover::carryTo(Place place) {
-    Vec2 way = place - position_;
-    for (int turn = 0; turn < kMostTurns; ++turn) {
-        const auto hit = cast(way);
+bool CharacterMover::carryTo(WorldPosition place) {
+    Vec2 displacement = place - position_;
+    for (int turn = 0; turn < kMaxTurns; ++turn) {
+        const auto hit = cast(displacement);
         if (!hit) {
-            position_ = turn == 0 ? place : position_ + way;
+            position_ = turn == 0 ? place : position_ + displacement;
             return turn == 0;
         }
-        shift(way * hit->fraction);
-        way = alongSurface(way * (1.0f - hit->fraction), hit->touch.normal);
+        shift(displacement * hit->fraction);
+        displacement = alongSurface(displacement * (1.0f - hit->fraction), hit->touch.normal);
     }
     return false;
 }
@@ -110,14 +114,14 @@ bool CharacterMover::carryTo(Place place) {
 Vec2 CharacterMover::giveWay(std::span<const CharacterProbe::Push> pushes, Vec2 own) {
     float met = 1.0f;
     for (const CharacterProbe::Push& push : pushes) met = std::min(met, push.fraction);
-    const auto advance = [&](Vec2 way) {
-        const auto hit = cast(way);
-        shift(way * (hit ? hit->fraction : 1.0f));
+    const auto advance = [&](Vec2 displacement) {
+        const auto hit = cast(displacement);
+        shift(displacement * (hit ? hit->fraction : 1.0f));
     };
     for (const CharacterProbe::Push& push : pushes) {
         probe_.carrier = push.body;
         if (&push == pushes.data()) advance(own * met);
-        advance(push.way);
+        advance(push.displacement);
         if ((probe_.world().shapes.info[push.shape.index].flags & kOneWay) != 0) probe_.floor = push.shape;
     }
     probe_.carrier = {};
@@ -128,7 +132,7 @@ void CharacterMover::settle(float reach) {
     const Vec2 lift = definition_.up * reach;
     const auto above = cast(lift);
     const float raised = reach * (above ? above->fraction : 1.0f);
-    const Place from = position_ + definition_.up * raised;
+    const WorldPosition from = position_ + definition_.up * raised;
     const auto floor = probe_.cast(from, definition_.up * -(raised + reach));
     if (floor) position_ = from + definition_.up * (-(raised + reach) * floor->fraction);
 }
@@ -141,7 +145,7 @@ bool CharacterMover::stepUp(float dx) {
     const float gap = definition_.gap;
     const auto above = cast(up * definition_.stepHeight);
     const float raised = definition_.stepHeight * (above ? above->fraction : 1.0f);
-    Place place = position_ + up * raised;
+    WorldPosition place = position_ + up * raised;
     const float onto = std::max(std::fabs(dx), 4.0f * gap + kRoundReach * definition_.outline.radius);
     const Vec2 forward = right_ * (dx < 0.0f ? -onto : onto);
     const auto ahead = probe_.cast(place, forward);
@@ -161,14 +165,14 @@ bool CharacterMover::stepUp(float dx) {
 CharacterMotion CharacterMover::walk(float dx, Vec2 groundNormal) {
     CharacterMotion motion;
     Vec2 normal = isGround(groundNormal) ? groundNormal : definition_.up;
-    for (int turn = 0; turn < kMostTurns && dx != 0.0f; ++turn) {
-        const Vec2 way = onGround(dx, normal);
-        const auto hit = cast(way);
+    for (int turn = 0; turn < kMaxTurns && dx != 0.0f; ++turn) {
+        const Vec2 displacement = onGround(dx, normal);
+        const auto hit = cast(displacement);
         if (!hit) {
-            shift(way);
+            shift(displacement);
             break;
         }
-        shift(way * hit->fraction);
+        shift(displacement * hit->fraction);
         dx *= 1.0f - hit->fraction;
         if (isGround(hit->touch.normal)) {
             normal = hit->touch.normal;
@@ -181,32 +185,33 @@ CharacterMotion CharacterMover::walk(float dx, Vec2 groundNormal) {
     return motion;
 }
 
-CharacterMotion CharacterMover::fly(Vec2 way) {
+CharacterMotion CharacterMover::fly(Vec2 displacement) {
     CharacterMotion motion;
     Vec2 before;  // normal of the surface that it slid along last
-    for (int turn = 0; turn < kMostTurns && way != Vec2{}; ++turn) {
-        const auto hit = cast(way);
+    for (int turn = 0; turn < kMaxTurns && displacement != Vec2{}; ++turn) {
+        const auto hit = cast(displacement);
         if (!hit) {
-            shift(way);
+            shift(displacement);
             break;
         }
         const Vec2 normal = hit->touch.normal;
-        shift(way * hit->fraction);
-        way *= 1.0f - hit->fraction;
-        const auto ground = rise(way) <= 0.0f ? groundNormalOf(*hit) : std::nullopt;
+        shift(displacement * hit->fraction);
+        displacement *= 1.0f - hit->fraction;
+        const auto ground = rise(displacement) <= 0.0f ? groundNormalOf(*hit) : std::nullopt;
         if (ground) {
-            const CharacterMotion walked = walk(along(way), *ground);
+            const CharacterMotion walked = walk(along(displacement), *ground);
             motion.wall = walked.wall ? walked.wall : motion.wall;
             motion.ground = hit->touch;
             motion.ground.normal = *ground;
             motion.landed = true;
             break;
         }
-        if (rise(normal) < -kCeiling && rise(way) > 0.0f && passCorner(way)) continue;
+        if (rise(normal) < -kCeiling && rise(displacement) > 0.0f && passCorner(displacement)) continue;
         note(motion, hit->touch);
-        way = alongSurface(way, normal);
-        const bool wedged = before != Vec2{} && dot(before, normal) < 0.999f && dot(way, before) < 0.0f;
-        if (wedged && rise(before) > kUpright && rise(normal) > kUpright) {
+        displacement = alongSurface(displacement, normal);
+        const bool wedged =
+            before != Vec2{} && dot(before, normal) < 0.999f && dot(displacement, before) < 0.0f;
+        if (wedged && rise(before) > kAxisAligned && rise(normal) > kAxisAligned) {
             motion.ground = hit->touch;  // wedged between two slopes, it stands as in a pit
             motion.ground.normal = definition_.up;
             motion.landed = true;
@@ -217,17 +222,17 @@ CharacterMotion CharacterMover::fly(Vec2 way) {
     return motion;
 }
 
-bool CharacterMover::passCorner(Vec2 way) {
+bool CharacterMover::passCorner(Vec2 displacement) {
     const float step = definition_.cornerCorrection / static_cast<float>(kCornerTries);
-    const float aim = along(way);
+    const float aim = along(displacement);
     const float first = aim < 0.0f ? -1.0f : 1.0f;
-    const Vec2 rising = definition_.up * std::max(rise(way), 4.0f * definition_.gap);
+    const Vec2 rising = definition_.up * std::max(rise(displacement), 4.0f * definition_.gap);
     for (int i = 1; i <= kCornerTries && step > 0.0f; ++i) {
         for (const float side : {first, -first}) {
             // A correction against its direction only helps where it has none.
             if (side != first && aim != 0.0f) continue;
             const Vec2 aside = right_ * (side * step * static_cast<float>(i));
-            const Place place = position_ + aside;
+            const WorldPosition place = position_ + aside;
             if (cast(aside) || probe_.cast(place, rising)) continue;
             position_ = place;
             return true;
@@ -243,7 +248,7 @@ CharacterMotion CharacterMover::snapDown(float reach) {
     if (hit && !normal) {
         // Its rear may rest on the corner that it has just left.
         const Vec2 aside = right_ * (along(hit->touch.normal) < 0.0f ? -definition_.gap : definition_.gap);
-        const Place place = position_ + aside;
+        const WorldPosition place = position_ + aside;
         hit = cast(aside) ? std::nullopt : probe_.cast(place, definition_.up * -reach);
         normal = hit ? groundNormalOf(*hit) : std::nullopt;
         if (normal) position_ = place;
@@ -260,18 +265,18 @@ CharacterMotion CharacterMover::snapDown(float reach) {
 
 /// Follows the ground down after walking.
 CharacterMotion CharacterMover::followDown(float walked, float climbed) {
-    const float most = std::max(definition_.snap, std::fabs(walked) * steepestSlope());
-    return snapDown(most + std::max(climbed, 0.0f) + 2.0f * definition_.gap);
+    const float maximum = std::max(definition_.snap, std::fabs(walked) * steepestSlope());
+    return snapDown(maximum + std::max(climbed, 0.0f) + 2.0f * definition_.gap);
 }
 
 CharacterMotion CharacterMover::walkOnGround(float dx, Vec2 groundNormal) {
     CharacterMotion motion;
     const float pieces = std::ceil(std::fabs(dx) * steepestSlope() / std::max(definition_.snap, 1.0e-3f));
-    const int count = static_cast<int>(std::clamp(pieces, 1.0f, kMostPieces));
+    const int count = static_cast<int>(std::clamp(pieces, 1.0f, kMaxPieces));
     const float piece = dx / static_cast<float>(count);
     Vec2 normal = groundNormal;
     for (int i = 0; i < count; ++i) {
-        const Place before = position_;
+        const WorldPosition before = position_;
         motion = walk(piece, normal);
         const bool stopped = motion.wall || motion.slope || motion.ceiling;
         motion.ground = followDown(piece, rise(position_ - before)).ground;

@@ -12,10 +12,10 @@ public:
     /// @param definition  must outlive the mover
     /// @param position  m
     /// @param dt  s, of the next step; 0: all bodies are where they are now
-    CharacterMover(World& world, const CharacterDefinition& definition, Place position, float dt);
+    CharacterMover(World& world, const CharacterDefinition& definition, WorldPosition position, float dt);
 
-    [[nodiscard]] Place position() const { return position_; }
-    void setPosition(Place position) { position_ = position; }
+    [[nodiscard]] WorldPosition position() const { return position_; }
+    void setPosition(WorldPosition position) { position_ = position; }
     /// What it collides with, and what carries it.
     [[nodiscard]] CharacterProbe& probe() { return probe_; }
     [[nodiscard]] bool isGround(Vec2 normal) const;
@@ -27,8 +27,8 @@ public:
     bool escape();
     /// Moves to where a platform takes it, or along what is in between.
     /// @return whether it arrived
-    bool carryTo(Place place);
-    void carry(Vec2 way) { carryTo(position_ + way); }
+    bool carryTo(WorldPosition place);
+    void carry(Vec2 displacement) { carryTo(position_ + displacement); }
     /// Gives way to what the next step moves, given by CharacterProbe::pushesAt().
     /// @param own  m: its own displacement, of which the part before the collision is taken
     /// @return the rest of `own`
@@ -36,7 +36,7 @@ public:
     /// Walks horizontally by dx (m, positive to the right of `up`), follows the ground up and climbs steps.
     CharacterMotion walk(float dx, Vec2 groundNormal);
     /// Flies by a displacement (m); slides along what it hits.
-    CharacterMotion fly(Vec2 way);
+    CharacterMotion fly(Vec2 displacement);
     /// Finds ground within `reach` (m) below it and moves down to it.
     CharacterMotion snapDown(float reach);
     /// walk() that stays on the ground: over crests, down slopes, and down steps up to its snap. It moves in
@@ -48,22 +48,24 @@ public:
     void settle(float reach);
 
 private:
-    [[nodiscard]] std::optional<CharacterHit> cast(Vec2 way) const { return probe_.cast(position_, way); }
+    [[nodiscard]] std::optional<CharacterHit> cast(Vec2 displacement) const {
+        return probe_.cast(position_, displacement);
+    }
     [[nodiscard]] std::optional<Vec2> groundNormalOf(const CharacterHit& hit) const;
-    [[nodiscard]] float rise(Vec2 way) const { return dot(way, definition_.up); }
-    [[nodiscard]] float along(Vec2 way) const { return dot(way, right_); }
+    [[nodiscard]] float rise(Vec2 displacement) const { return dot(displacement, definition_.up); }
+    [[nodiscard]] float along(Vec2 displacement) const { return dot(displacement, right_); }
     [[nodiscard]] float slopeOf(Vec2 normal) const { return -along(normal) / rise(normal); }
     [[nodiscard]] Vec2 onGround(float dx, Vec2 normal) const;
     void note(CharacterMotion& motion, const CharacterTouch& touch) const;
-    void shift(Vec2 way) { position_ = position_ + way; }
+    void shift(Vec2 displacement) { position_ = position_ + displacement; }
     [[nodiscard]] float steepestSlope() const;
     CharacterMotion followDown(float walked, float climbed);
     bool stepUp(float dx);
-    bool passCorner(Vec2 way);
+    bool passCorner(Vec2 displacement);
 
     const CharacterDefinition& definition_;
     CharacterProbe probe_;
-    Place position_;
+    WorldPosition position_;
     Vec2 right_;
     float steepest_;  // cosine
     float feet_;      // m: distance from its position to its feet

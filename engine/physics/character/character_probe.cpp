@@ -4,10 +4,10 @@
 #include <cmath>
 
 #include "physics/effects/one_way.hpp"
+#include "physics/model/shapes.hpp"
 #include "physics/narrowphase/collide.hpp"
 #include "physics/narrowphase/distance.hpp"
 #include "physics/queries/candidates.hpp"
-#include "physics/shapes.hpp"
 #include "physics/shapes/shape_types.hpp"
 
 namespace plumb::physics {
@@ -32,11 +32,11 @@ void note(Shapes8& shapes, std::size_t& count, std::uint32_t shape) {
 }
 
 /// Bounds of a sweep (m), enlarged for rounding errors far from the origin.
-AABB boxAlong(const AABB& bounds, Place from, Vec2 way, float gap) {
+AABB boxAlong(const AABB& bounds, WorldPosition from, Vec2 displacement, float gap) {
     const Vec2 start = toVec2(from);
     const float margin = gap + 1.0e-6f * (std::fabs(start.x) + std::fabs(start.y));
     const AABB box{start + bounds.min, start + bounds.max};
-    return grown(merged(box, {box.min + way, box.max + way}), margin);
+    return grown(merged(box, {box.min + displacement, box.max + displacement}), margin);
 }
 
 }  // namespace
@@ -66,11 +66,12 @@ BodyPose CharacterProbe::poseOf(std::uint32_t body) const {
     return pose;
 }
 
-std::span<const std::uint32_t> CharacterProbe::around(const AABB& bounds, Place from, Vec2 way) const {
-    if (!isUsable(from) || !isUsable(way)) return {};
+std::span<const std::uint32_t> CharacterProbe::around(const AABB& bounds, WorldPosition from,
+                                                      Vec2 displacement) const {
+    if (!isUsable(from) || !isUsable(displacement)) return {};
     const float reach = kFastestSeen * dt_ + definition_.gap;
-    return candidatesAlong(world_, from + bounds.center(), way, 0.5f * bounds.size() + Vec2{reach, reach},
-                           filter);
+    return candidatesAlong(world_, from + bounds.center(), displacement,
+                           0.5f * bounds.size() + Vec2{reach, reach}, filter);
 }
 
 bool CharacterProbe::hasPassed(std::uint32_t shape) const { return contains(passed_, passedCount_, shape); }
@@ -100,20 +101,21 @@ bool CharacterProbe::stops(const CastHit& hit, const BodyPose& pose, const Movin
     return onFace || feet >= 0.0f;
 }
 
-std::optional<CharacterHit> CharacterProbe::first(const Geometry& outline, Place from, Vec2 way) const {
-    const MovingOutline moving{convexOf(outline, {}), from, {}, way};
+std::optional<CharacterHit> CharacterProbe::first(const Geometry& outline, WorldPosition from,
+                                                  Vec2 displacement) const {
+    const MovingOutline moving{convexOf(outline, {}), from, {}, displacement};
     const AABB bounds = boundsOf(outline, {}, {});
-    const float along = kAlong * length(way);
-    const AABB box = boxAlong(bounds, from, way, definition_.gap);
+    const float along = kAlong * length(displacement);
+    const AABB box = boxAlong(bounds, from, displacement, definition_.gap);
     std::optional<CastHit> first;
     float closing = 0.0f;
-    for (const std::uint32_t shape : around(bounds, from, way)) {
+    for (const std::uint32_t shape : around(bounds, from, displacement)) {
         const bool elsewhere = !intersects(box, world_.shapes.bounds[shape]);
         if (ignores(shape) || (elsewhere && !isCarried(world_.shapes.info[shape].body))) continue;
         const BodyPose pose = poseOf(world_.shapes.info[shape].body);
         const auto hit = meet(world_, shape, pose, moving);
         if (!hit || (first && hit->fraction >= first->fraction)) continue;
-        const float nearer = -dot(way, hit->normal);
+        const float nearer = -dot(displacement, hit->normal);
         if ((hit->fraction == 0.0f && !(nearer > along)) || !stops(*hit, pose, moving)) continue;
         if (hit->separation < 0.0f && hasPassed(shape)) continue;
         first = hit;
@@ -126,15 +128,16 @@ std::optional<CharacterHit> CharacterProbe::first(const Geometry& outline, Place
                         first->separation};
 }
 
-std::optional<CharacterHit> CharacterProbe::cast(Place from, Vec2 way) const {
-    return first(definition_.outline, from, way);
+std::optional<CharacterHit> CharacterProbe::cast(WorldPosition from, Vec2 displacement) const {
+    return first(definition_.outline, from, displacement);
 }
 
-std::optional<CharacterHit> CharacterProbe::castDisc(Place from, float radius, Vec2 way) const {
-    return first(circle(radius), from, way);
+std::optional<CharacterHit> CharacterProbe::castDisc(WorldPosition from, float radius,
+                                                     Vec2 displacement) const {
+    return first(circle(radius), from, displacement);
 }
 
-std::optional<CharacterHit> CharacterProbe::apart(std::uint32_t shape, Place at, float within) const {
+std::optional<CharacterHit> CharacterProbe::apart(std::uint32_t shape, WorldPosition at, float within) const {
     const ShapeInfo& info = world_.shapes.info[shape];
     const BodyPose pose = poseOf(info.body);
     const Geometry& geometry = world_.shapes.geometry[shape];
@@ -161,7 +164,7 @@ std::optional<CharacterHit> CharacterProbe::apart(std::uint32_t shape, Place at,
     return hit;
 }
 
-std::optional<CharacterHit> CharacterProbe::nearest(Place at, float within) const {
+std::optional<CharacterHit> CharacterProbe::nearest(WorldPosition at, float within) const {
     std::optional<CharacterHit> best;
     for (const std::uint32_t shape : around(boundsOf(definition_.outline, {}, {}), at, {})) {
         const ShapeInfo& info = world_.shapes.info[shape];
@@ -173,7 +176,8 @@ std::optional<CharacterHit> CharacterProbe::nearest(Place at, float within) cons
     return best;
 }
 
-std::size_t CharacterProbe::pushesAt(Place at, Vec2 ride, Vec2 own, BodyId except, std::span<Push> room) {
+std::size_t CharacterProbe::pushesAt(WorldPosition at, Vec2 ride, Vec2 own, BodyId except,
+                                     std::span<Push> room) {
     MovingOutline moving{convexOf(definition_.outline, {}), at, {}, {}};
     std::size_t count = 0;
     passedCount_ = behindCount_ = 0;
@@ -182,9 +186,10 @@ std::size_t CharacterProbe::pushesAt(Place at, Vec2 ride, Vec2 own, BodyId excep
         if (ignores(shape) || !isCarried(body) || (except && except.index == body)) continue;
         const BodyPose& pose = world_.bodies.pose[body];
         const Vec2 taken = placeOf(poseOf(body), seenFrom(pose, at)) - at;
-        moving.way = ride + own - taken;
+        moving.displacement = ride + own - taken;
         const auto hit = meet(world_, shape, pose, moving);
-        const bool meets = hit && -dot(moving.way, hit->normal) > kAlong * length(moving.way);
+        const bool meets =
+            hit && -dot(moving.displacement, hit->normal) > kAlong * length(moving.displacement);
         const bool stopped = meets && stops(*hit, pose, moving);
         const bool fromBehind = (world_.shapes.info[shape].flags & kOneWay) != 0 && hit && !stopped;
         if (!meets) note(passed_, passedCount_, shape);

@@ -32,16 +32,17 @@ public:
     BodyId carrier;      ///< a body that carries the character, and does not collide with it meanwhile
 
     /// First hit of a straight displacement.
-    [[nodiscard]] std::optional<CharacterHit> cast(Place from, Vec2 way) const;
+    [[nodiscard]] std::optional<CharacterHit> cast(WorldPosition from, Vec2 displacement) const;
     /// The same for a small disc.
-    [[nodiscard]] std::optional<CharacterHit> castDisc(Place from, float radius, Vec2 way) const;
+    [[nodiscard]] std::optional<CharacterHit> castDisc(WorldPosition from, float radius,
+                                                       Vec2 displacement) const;
     /// The shape with the deepest overlap, or else the nearest one, within a distance of `within` (m).
-    [[nodiscard]] std::optional<CharacterHit> nearest(Place at, float within) const;
+    [[nodiscard]] std::optional<CharacterHit> nearest(WorldPosition at, float within) const;
     /// Collision with a body that the next step moves, while the character moves by itself.
     struct Push {
         BodyId body;
         ShapeId shape;
-        Vec2 way;               ///< m: displacement that the character has to give way by
+        Vec2 displacement;      ///< m: displacement that the character has to give way by
         float fraction = 0.0f;  ///< ratio of its own displacement until the collision
     };
     /// Collisions with moving bodies. Overlaps with shapes that move past the character are ignored until
@@ -51,7 +52,7 @@ public:
     /// @param except  its ground
     /// @param room  receives the results
     /// @return their number
-    std::size_t pushesAt(Place at, Vec2 ride, Vec2 own, BodyId except, std::span<Push> room);
+    std::size_t pushesAt(WorldPosition at, Vec2 ride, Vec2 own, BodyId except, std::span<Push> room);
 
     /// Pose of a body after the next step, as far as it is known.
     [[nodiscard]] BodyPose poseOf(std::uint32_t body) const;
@@ -61,12 +62,15 @@ public:
     [[nodiscard]] World& world() const { return world_; }
 
 private:
-    [[nodiscard]] std::span<const std::uint32_t> around(const AABB& bounds, Place from, Vec2 way) const;
-    [[nodiscard]] std::optional<CharacterHit> first(const Geometry& outline, Place from, Vec2 way) const;
+    [[nodiscard]] std::span<const std::uint32_t> around(const AABB& bounds, WorldPosition from,
+                                                        Vec2 displacement) const;
+    [[nodiscard]] std::optional<CharacterHit> first(const Geometry& outline, WorldPosition from,
+                                                    Vec2 displacement) const;
     [[nodiscard]] bool hasPassed(std::uint32_t shape) const;
     [[nodiscard]] bool ignores(std::uint32_t shape) const;
     [[nodiscard]] bool stops(const CastHit& hit, const BodyPose& pose, const MovingOutline& moving) const;
-    [[nodiscard]] std::optional<CharacterHit> apart(std::uint32_t shape, Place at, float within) const;
+    [[nodiscard]] std::optional<CharacterHit> apart(std::uint32_t shape, WorldPosition at,
+                                                    float within) const;
 
     World& world_;
     const CharacterDefinition& definition_;

@@ -1,10 +1,10 @@
-#include "physics/contacts.hpp"
+#include "physics/contacts/contacts.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 #include "physics/debug/picture.hpp"
-#include "physics/solver/quality.hpp"
+#include "physics/islands/quality.hpp"
 #include "physics/workspace.hpp"
 
 namespace plumb::physics {

@@ -1,7 +1,7 @@
 #include <algorithm>
 
-#include "physics/bodies.hpp"
 #include "physics/debug/picture.hpp"
+#include "physics/model/bodies.hpp"
 
 namespace plumb::physics {
 
@@ -12,10 +12,10 @@ constexpr float kLevelWidth = 4.0f;   // m: half the drawn width of an unbounded
 constexpr float kPullRadius = 0.25f;  // m: size of the symbol of an attractor
 constexpr float kSpringEnd = 0.06f;   // m
 
-bool isTied(const FieldDefinition& field) { return field.kind == FieldKind::Spring; }
+bool hasNBodyConstraint(const FieldDefinition& field) { return field.kind == FieldKind::Spring; }
 
 /// The point of a body to which a spring is attached, or its fixed end.
-Vec2 endOf(const Picture& picture, BodyId body, Vec2 anchor, Place place) {
+Vec2 endOf(const Picture& picture, BodyId body, Vec2 anchor, WorldPosition place) {
     return alive(picture.world, body) ? apply(picture.frame(body.index), anchor) : picture.seen(place);
 }
 
@@ -45,10 +45,11 @@ void drawRegion(const Picture& picture, const FieldDefinition& field) {
 
 /// m: arrow of a flow or acceleration.
 Vec2 arrowOf(const FieldDefinition& field) {
-    const Vec2 way = field.kind == FieldKind::AreaGravity ? kArrowPerAcceleration * field.acceleration
-                                                          : kFlowLength * field.velocity;
-    const float size = length(way);
-    return size > kLongestArrow ? (kLongestArrow / size) * way : way;
+    const Vec2 displacement = field.kind == FieldKind::AreaGravity
+                                  ? kArrowPerAcceleration * field.acceleration
+                                  : kFlowLength * field.velocity;
+    const float size = length(displacement);
+    return size > kLongestArrow ? (kLongestArrow / size) * displacement : displacement;
 }
 
 /// Four arrows towards the center of an attractor, or away from it.
@@ -60,13 +61,13 @@ void drawPull(const Picture& picture, Vec2 centre, bool inwards) {
 }
 
 void drawField(const Picture& picture, const FieldDefinition& field) {
-    if (isTied(field)) return drawSpring(picture, field);
+    if (hasNBodyConstraint(field)) return drawSpring(picture, field);
     drawRegion(picture, field);
     const Vec2 centre = field.kind == FieldKind::Attractor && alive(picture.world, field.a)
                             ? picture.centre(field.a.index)
                             : picture.seen(field.place);
-    if (const Vec2 way = arrowOf(field); way != Vec2{})
-        picture.canvas.arrow(centre - 0.5f * way, centre + 0.5f * way, DebugRole::Field);
+    if (const Vec2 displacement = arrowOf(field); displacement != Vec2{})
+        picture.canvas.arrow(centre - 0.5f * displacement, centre + 0.5f * displacement, DebugRole::Field);
     if (field.strength != 0.0f) drawPull(picture, centre, field.strength > 0.0f);
 }
 
@@ -76,7 +77,7 @@ bool isShown(const Picture& picture, std::size_t field) {
     const auto isChosen = [&](BodyId body) {
         return alive(picture.world, body) && picture.shows(body.index);
     };
-    return isTied(definition) && (isChosen(definition.a) || isChosen(definition.b));
+    return hasNBodyConstraint(definition) && (isChosen(definition.a) || isChosen(definition.b));
 }
 
 }  // namespace

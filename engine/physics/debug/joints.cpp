@@ -9,7 +9,7 @@ namespace plumb::physics {
 namespace {
 
 constexpr float kFanPart = 0.6f;      // ratio to the arm: radius of the sector of a hinge's limits
-constexpr float kLeastFan = 0.08f;    // m
+constexpr float kMinFan = 0.08f;      // m
 constexpr float kLargestFan = 0.35f;  // m
 constexpr float kTick = 0.1f;         // m: half the length of the ticks at limits
 constexpr float kFreeWay = 0.5f;      // m: drawn range of a slider without limits, to either side
@@ -34,7 +34,7 @@ void drawFan(const Picture& picture, const JointPlace& at) {
     const Vec2 arm = hasArm ? normalized(-at.joint.anchorB) : Vec2{1.0f, 0.0f};
     const Rot zero = picture.pose(at.joint.bodyA).rotation * rotFromAngle(at.definition.referenceAngle) *
                      Rot{arm.x, arm.y};
-    const float radius = std::clamp(kFanPart * length(at.joint.anchorB), kLeastFan, kLargestFan);
+    const float radius = std::clamp(kFanPart * length(at.joint.anchorB), kMinFan, kLargestFan);
     const Rot from = zero * rotFromAngle(limit.lower), to = zero * rotFromAngle(limit.upper);
     const float angle = std::min(limit.upper - limit.lower, 2.0f * std::numbers::pi_v<float>);
     drawArc(picture.canvas, at.b, radius, from, angle, DebugRole::JointLimit);
@@ -56,9 +56,9 @@ void drawWay(const Picture& picture, const JointPlace& at) {
 
 /// Minimum and maximum length of a rod.
 void drawReach(const Picture& picture, const JointPlace& at) {
-    const Vec2 way = at.b - at.a;
-    if (way == Vec2{}) return;
-    const Vec2 along = normalized(way);
+    const Vec2 displacement = at.b - at.a;
+    if (displacement == Vec2{}) return;
+    const Vec2 along = normalized(displacement);
     const JointLimit& limit = at.definition.limit;
     if (limit.lower > 0.0f) drawTick(picture, at.a + limit.lower * along, along);
     drawTick(picture, at.a + limit.upper * along, along);
@@ -132,10 +132,11 @@ void drawJointForces(const Picture& picture) {
         const auto& masses = picture.world.bodies.mass;
         const float lightest =
             std::max(masses[at.joint.bodyA].inverseMass, masses[at.joint.bodyB].inverseMass);
-        const Vec2 way = (kArrowPerAcceleration * lightest) * at.joint.force;
-        const float size = length(way);
+        const Vec2 displacement = (kArrowPerAcceleration * lightest) * at.joint.force;
+        const float size = length(displacement);
         if (!(size > 0.0f)) return;
-        picture.canvas.arrow(at.b, at.b + std::min(1.0f, kLongestArrow / size) * way, DebugRole::JointForce);
+        picture.canvas.arrow(at.b, at.b + std::min(1.0f, kLongestArrow / size) * displacement,
+                             DebugRole::JointForce);
     });
 }
 

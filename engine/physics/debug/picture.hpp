@@ -35,7 +35,7 @@ struct Picture {
         const BodyInfo& info = world.bodies.info[body];
         return info.kind == BodyKind::Kinematic || (info.kind == BodyKind::Dynamic && info.place != kNone);
     }
-    [[nodiscard]] Vec2 seen(Place place) const { return place - choice.origin; }
+    [[nodiscard]] Vec2 seen(WorldPosition place) const { return place - choice.origin; }
     [[nodiscard]] Vec2 centre(std::uint32_t body) const { return seen(pose(body).centre); }
     /// A point given relative to a body's center of mass, in the body's frame.
     [[nodiscard]] Vec2 place(std::uint32_t body, Vec2 arm) const {
@@ -64,15 +64,15 @@ struct Picture {
     /// @param box  of the shape
     [[nodiscard]] bool isInSight(const AABB& box, std::uint32_t body) const {
         if (choice.sight == nullptr) return true;
-        const float way = choice.behind == 0.0f || !moves(body)
-                              ? 0.0f
-                              : std::abs(choice.behind) * length(world.bodies.motion[body].velocity);
-        return intersects(grown(box, way + kAround), *choice.sight);
+        const float displacement = choice.behind == 0.0f || !moves(body)
+                                       ? 0.0f
+                                       : std::abs(choice.behind) * length(world.bodies.motion[body].velocity);
+        return intersects(grown(box, displacement + kAround), *choice.sight);
     }
     /// True if a shape is so small on the canvas that its bounds look like its outline.
     [[nodiscard]] bool isDot(const AABB& box) const {
         const Vec2 size = box.size();
-        return size.x < choice.least && size.y < choice.least;
+        return size.x < choice.minimum && size.y < choice.minimum;
     }
     [[nodiscard]] bool shows(std::uint32_t body) const { return isAmong(choice.bodies, body); }
     /// True if an object is selected, or if all of its kind are shown.

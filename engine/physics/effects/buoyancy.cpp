@@ -13,8 +13,8 @@ constexpr float kEndless = 1.0e7f;
 
 /// A fluid in a frame whose y axis points along gravity.
 struct Fluid {
-    Place surface;  // m: middle of the surface
-    Rot turn;       // from the frame of FluidBox to the world: x along the surface, y down
+    WorldPosition surface;  // m: middle of the surface
+    Rot turn;               // from the frame of FluidBox to the world: x along the surface, y down
     FluidBox box;
 };
 

@@ -27,11 +27,12 @@ bool isOnLayers(const World& world, std::uint32_t layers, std::uint32_t body) {
     return false;
 }
 
-bool isInRegion(const FieldDefinition& field, Vec2 way, float reach) {
+bool isInRegion(const FieldDefinition& field, Vec2 displacement, float reach) {
     switch (field.region) {
         case RegionKind::Box:
-            return std::fabs(way.x) <= field.half.x + reach && std::fabs(way.y) <= field.half.y + reach;
-        case RegionKind::Circle: return length(way) <= field.radius + reach;
+            return std::fabs(displacement.x) <= field.half.x + reach &&
+                   std::fabs(displacement.y) <= field.half.y + reach;
+        case RegionKind::Circle: return length(displacement) <= field.radius + reach;
         case RegionKind::Everywhere:
         case RegionKind::Count: break;
     }
@@ -47,16 +48,16 @@ bool actsOn(const World& world, const FieldDefinition& field, std::uint32_t body
     if (field.kind == FieldKind::Attractor && field.a && field.a.index == body) return false;
     if (!isOnLayers(world, field.layers, body)) return false;
     const bool follows = field.kind == FieldKind::Attractor && field.a;
-    const Place middle = follows ? world.bodies.pose[field.a.index].centre : field.place;
-    const Vec2 way = world.bodies.pose[body].centre - middle;
+    const WorldPosition middle = follows ? world.bodies.pose[field.a.index].centre : field.place;
+    const Vec2 displacement = world.bodies.pose[body].centre - middle;
     // Fluids and explosions act on outlines, all other fields on centers of mass.
     const bool byOutline = field.kind == FieldKind::Buoyancy || field.kind == FieldKind::Explosion;
     const float reach = byOutline ? world.bodies.info[body].reach : 0.0f;
-    if (field.kind == FieldKind::Explosion) return length(way) <= field.radius + reach;
-    return isInRegion(field, way, reach);
+    if (field.kind == FieldKind::Explosion) return length(displacement) <= field.radius + reach;
+    return isInRegion(field, displacement, reach);
 }
 
-bool isInRegion(const FieldDefinition& field, Place place) {
+bool isInRegion(const FieldDefinition& field, WorldPosition place) {
     return isInRegion(field, place - field.place, 0.0f);
 }
 

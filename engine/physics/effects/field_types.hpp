@@ -8,7 +8,7 @@ namespace plumb::physics {
 
 /// State of a body at some time within a step.
 struct BodyState {
-    Place centre;  ///< m
+    WorldPosition centre;  ///< m
     Rot rotation;
     Vec2 velocity;                 ///< m/s
     float angularVelocity = 0.0f;  ///< rad/s
@@ -52,7 +52,7 @@ const FieldType& fieldTypeOf(FieldKind kind);
 /// True if a field acts on a body at its current position.
 [[nodiscard]] bool actsOn(const World& world, const FieldDefinition& field, std::uint32_t body);
 /// True if a position lies in the region of a field.
-[[nodiscard]] bool isInRegion(const FieldDefinition& field, Place place);
+[[nodiscard]] bool isInRegion(const FieldDefinition& field, WorldPosition place);
 /// m/s: velocity of the air of a Wind in a given step, gusts included.
 [[nodiscard]] Vec2 airOf(const FieldDefinition& field, std::uint64_t step);
 /// True if its acceleration depends neither on position nor on velocity, so that trajectories have a closed

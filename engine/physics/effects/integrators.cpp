@@ -55,16 +55,16 @@ Rot turnedBy(const World& world, const Flyer& flyer, float angle) {
 }
 
 /// Sets the trial state: `now`, advanced by a displacement, a rotation and a change of velocity.
-void tryOut(const Flight& flight, Flyer& flyer, Vec2 way, float turn, const Acceleration& gained) {
-    flyer.trial.centre = flyer.now.centre + way;
+void tryOut(const Flight& flight, Flyer& flyer, Vec2 displacement, float turn, const Acceleration& gained) {
+    flyer.trial.centre = flyer.now.centre + displacement;
     flyer.trial.rotation = turnedBy(flight.world, flyer, flyer.turned + turn);
     flyer.trial.velocity = flyer.now.velocity + gained.linear;
     flyer.trial.angularVelocity = flyer.now.angularVelocity + gained.angular;
 }
 
 /// The same, as the new state.
-void take(const Flight& flight, Flyer& flyer, Vec2 way, float turn, const Acceleration& gained) {
-    tryOut(flight, flyer, way, turn, gained);
+void take(const Flight& flight, Flyer& flyer, Vec2 displacement, float turn, const Acceleration& gained) {
+    tryOut(flight, flyer, displacement, turn, gained);
     flyer.turned += turn;
     flyer.now = flyer.trial;
 }
@@ -128,9 +128,9 @@ void rungeKutta(const Flight& flight, float elapsed) {
         for (Flyer& f : flight.flyers) {
             if (i == 0) continue;
             // The velocity of the previous stage is that of `trial`.
-            const Vec2 way = part * f.trial.velocity;
+            const Vec2 displacement = part * f.trial.velocity;
             const float turn = part * f.trial.angularVelocity;
-            tryOut(flight, f, way, turn, part * (f.at[i - 1] + f.steady));
+            tryOut(flight, f, displacement, turn, part * (f.at[i - 1] + f.steady));
         }
         evaluate(flight, i, elapsed + part);
     }

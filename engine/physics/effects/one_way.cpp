@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "physics/bounds.hpp"
+#include "physics/model/bounds.hpp"
 #include "physics/shapes/convex.hpp"
 
 namespace plumb::physics {
@@ -19,7 +19,7 @@ Vec2 openDirection(const World& world, std::uint32_t shape) {
 }
 
 /// m: extent of an outline along a direction, from `origin`.
-float farEnd(const World& world, std::uint32_t shape, Vec2 direction, Place origin) {
+float farEnd(const World& world, std::uint32_t shape, Vec2 direction, WorldPosition origin) {
     const BodyPose& pose = world.bodies.pose[world.shapes.info[shape].body];
     const Convex convex = convexOf(world.shapes.geometry[shape], world.shapes.corners);
     const Vec2 local = unrotate(pose.rotation, direction);
@@ -41,7 +41,7 @@ float heightBefore(const World& world, const Contact& contact, bool platformIsA,
     if (dot(out, open) > kSolidSide) {
         return std::min(contact.separation0, contact.count == 2 ? contact.separation1 : kFarAway) + before;
     }
-    const Place origin = world.bodies.pose[world.shapes.info[platform].body].centre;
+    const WorldPosition origin = world.bodies.pose[world.shapes.info[platform].body].centre;
     return -farEnd(world, other, -open, origin) - farEnd(world, platform, open, origin) + before;
 }
 
@@ -62,8 +62,8 @@ bool passesThrough(const World& world, const Contact& contact, float dt) {
            ((contact.flags & kOneWayB) != 0 && heightBefore(world, contact, false, dt) < on);
 }
 
-bool passesThrough(const World& world, std::uint32_t oneWayShape, Vec2 way) {
-    return dot(openDirection(world, oneWayShape), way) >= 0.0f;
+bool passesThrough(const World& world, std::uint32_t oneWayShape, Vec2 displacement) {
+    return dot(openDirection(world, oneWayShape), displacement) >= 0.0f;
 }
 
 }  // namespace plumb::physics

@@ -16,6 +16,6 @@ inline constexpr float kSolidSide = 0.7f;
 [[nodiscard]] bool passesThrough(const World& world, const Contact& contact, float dt);
 
 /// The same for a body that is swept by `way` (m) and starts outside: true if the shape does not stop it.
-[[nodiscard]] bool passesThrough(const World& world, std::uint32_t oneWayShape, Vec2 way);
+[[nodiscard]] bool passesThrough(const World& world, std::uint32_t oneWayShape, Vec2 displacement);
 
 }  // namespace plumb::physics

@@ -8,7 +8,7 @@ namespace {
 
 /// One end of a spring, with the inverse mass and inertia of its body.
 struct End {
-    Place place;  // m
+    WorldPosition place;  // m
     Vec2 velocity;
     Vec2 arm;  // m, from the center of mass
     float inverseMass = 0.0f;
@@ -44,10 +44,10 @@ Acceleration spring(const FieldView& view, const FieldDefinition& field, std::ui
         const std::uint32_t other = isA ? field.b.index : field.a.index;
         there = endOf(view.world, other, view.stateOf(view, other), isA ? field.anchorB : field.anchorA);
     }
-    const Vec2 way = there.place - here.place;
-    const float size = length(way);
+    const Vec2 displacement = there.place - here.place;
+    const float size = length(displacement);
     if (size <= 0.0f) return {};
-    const Vec2 along = way / size;
+    const Vec2 along = displacement / size;
     const float ease = easeOf(here, along) + easeOf(there, along);
     if (ease <= 0.0f) return {};
     const float damping = std::min(field.damping, 1.0f / (ease * view.h));

@@ -80,11 +80,11 @@ struct Arc {
 
 /// Adds a cut at an angle if the arc contains it.
 void cutAt(Cuts& cuts, const Arc& arc, float angle) {
-    float way = angle - arc.start;
+    float displacement = angle - arc.start;
     const float sign = arc.sweep < 0.0f ? -1.0f : 1.0f;
-    while (sign * way < 0.0f) way += sign * kTau;
-    while (sign * way >= kTau) way -= sign * kTau;
-    cuts.add(static_cast<double>(way) / static_cast<double>(arc.sweep));
+    while (sign * displacement < 0.0f) displacement += sign * kTau;
+    while (sign * displacement >= kTau) displacement -= sign * kTau;
+    cuts.add(static_cast<double>(displacement) / static_cast<double>(arc.sweep));
 }
 
 void cutAtDepth(Cuts& cuts, const Arc& arc, float depth) {

@@ -2,7 +2,7 @@
 
 #include <span>
 
-#include "physics/geometry.hpp"
+#include "physics/model/geometry.hpp"
 
 namespace plumb::physics {
 

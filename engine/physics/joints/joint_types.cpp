@@ -67,7 +67,7 @@ ValueParts valueParts(const JointView& view) {
     if (definition.motor.on) {
         value.driven = true;
         value.speed = definition.motor.speed;
-        value.mostMotor = std::min(definition.motor.maxForce * view.timing.h, kNoLimit);
+        value.maxMotor = std::min(definition.motor.maxForce * view.timing.h, kNoLimit);
     }
     if (definition.limit.on) {
         value.limited = true;

@@ -2,7 +2,7 @@
 
 #include <string_view>
 
-#include "physics/solver/tie.hpp"
+#include "physics/solver/n_body_constraint.hpp"
 #include "physics/world.hpp"
 
 namespace plumb::physics {
@@ -32,13 +32,13 @@ inline constexpr float kNoLimit = 1.0e18f;
 /// these.
 struct ValueParts {
     bool held = false;
-    bool springs = false;   ///< held by a spring instead of rigidly
-    Grip grip;              ///< soft constraint parameters with which it is held
-    float rest = 0.0f;      ///< m or rad: the value at which it is held
-    float most = kNoLimit;  ///< N s or N m s: maximum impulse per substep
+    bool springs = false;      ///< held by a spring instead of rigidly
+    Grip grip;                 ///< soft constraint parameters with which it is held
+    float rest = 0.0f;         ///< m or rad: the value at which it is held
+    float maximum = kNoLimit;  ///< N s or N m s: maximum impulse per substep
     bool driven = false;
-    float speed = 0.0f;      ///< m/s or rad/s
-    float mostMotor = 0.0f;  ///< N s or N m s: maximum motor impulse per substep
+    float speed = 0.0f;     ///< m/s or rad/s
+    float maxMotor = 0.0f;  ///< N s or N m s: maximum motor impulse per substep
     bool limited = false;
     float lower = -kNoLimit;  ///< m or rad
     float upper = kNoLimit;
@@ -52,13 +52,13 @@ struct JointParts {
     Vec2 apart;  ///< m: from A's anchor to B's
     Grip grip;   ///< soft constraint parameters of the point constraint
     bool springs = false;
-    float most = kNoLimit;  ///< N s: maximum impulse per substep
-    float angle = 0.0f;     ///< rad: rotation of B relative to A, minus the reference angle
-    ValueParts value;       ///< on the angle (hinges) or the length (rods, sliders)
-    Vec2 axis;              ///< world: sliding axis
+    float maximum = kNoLimit;  ///< N s: maximum impulse per substep
+    float angle = 0.0f;        ///< rad: rotation of B relative to A, minus the reference angle
+    ValueParts value;          ///< on the angle (hinges) or the length (rods, sliders)
+    Vec2 axis;                 ///< world: sliding axis
     bool holdsAngle = false;
-    float spin = 0.0f;      ///< rad/s: target speed of a slider's rotational motor (wheel)
-    float mostSpin = 0.0f;  ///< N m s: maximum impulse of that motor per substep
+    float spin = 0.0f;     ///< rad/s: target speed of a slider's rotational motor (wheel)
+    float maxSpin = 0.0f;  ///< N m s: maximum impulse of that motor per substep
 };
 
 /// One kind of joint. A new kind is a file in joints/, a row in the table, and a test.
@@ -67,7 +67,8 @@ struct JointType {
     JointBlockKind (*block)(std::uint8_t flags);  ///< block layout, by bits of JointFlag
     JointParts (*parts)(const JointView& view);
     /// Replaces both for joints that are not defined by two bodies and their anchors (gears, pulleys).
-    Tie (*tie)(const World& world, const Joint& joint, const JointDefinition& definition) = nullptr;
+    NBodyConstraint (*constraint)(const World& world, const Joint& joint,
+                                  const JointDefinition& definition) = nullptr;
 };
 
 const JointType& jointType(JointKind kind);

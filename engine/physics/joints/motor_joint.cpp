@@ -22,12 +22,12 @@ JointParts partsOf(const JointView& view) {
     parts.grip =
         springGrip(own ? definition.hertz : kHertz, own ? definition.dampingRatio : 1.0f, view.timing.h);
     parts.springs = true;
-    parts.most = std::min(definition.maxForce * view.timing.h, kNoLimit);
+    parts.maximum = std::min(definition.maxForce * view.timing.h, kNoLimit);
     parts.angle = angleOf(view);
     parts.value.held = true;
     parts.value.springs = parts.springs;
     parts.value.grip = parts.grip;
-    parts.value.most = std::min(definition.maxTorque * view.timing.h, kNoLimit);
+    parts.value.maximum = std::min(definition.maxTorque * view.timing.h, kNoLimit);
     return parts;
 }
 

@@ -20,7 +20,7 @@ JointParts partsOf(const JointView& view) {
     parts.grip =
         springGrip(spring.on ? spring.hertz : kHertz, spring.on ? spring.dampingRatio : 1.0f, view.timing.h);
     parts.springs = true;
-    parts.most = std::min(view.definition.maxForce * view.timing.h, kNoLimit);
+    parts.maximum = std::min(view.definition.maxForce * view.timing.h, kNoLimit);
     return parts;
 }
 

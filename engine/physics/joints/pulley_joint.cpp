@@ -6,26 +6,28 @@ namespace {
 
 /// Adds one side of the rope.
 /// @return its length times `ratio`
-float addSide(const World& world, std::uint32_t body, Vec2 anchor, Vec2 ground, float ratio, Tie& tie) {
+float addSide(const World& world, std::uint32_t body, Vec2 anchor, Vec2 ground, float ratio,
+              NBodyConstraint& constraint) {
     const BodyPose& pose = world.bodies.pose[body];
     const Vec2 arm = rotate(pose.rotation, anchor);
-    const Vec2 rope = (pose.centre - Place{ground}) + arm;
+    const Vec2 rope = (pose.centre - WorldPosition{ground}) + arm;
     const Vec2 along = ratio * normalized(rope);
-    tie.add({body, along.x, along.y, cross(arm, along)});
+    constraint.add({body, along.x, along.y, cross(arm, along)});
     return ratio * length(rope);
 }
 
-Tie tieOf(const World& world, const Joint& joint, const JointDefinition& definition) {
-    Tie tie;
-    const float a = addSide(world, joint.bodyA, joint.anchorA, definition.groundA, 1.0f, tie);
-    const float b = addSide(world, joint.bodyB, joint.anchorB, definition.groundB, definition.ratio, tie);
-    tie.error = a + b - definition.length;
-    return tie;
+NBodyConstraint nBodyConstraintOf(const World& world, const Joint& joint, const JointDefinition& definition) {
+    NBodyConstraint constraint;
+    const float a = addSide(world, joint.bodyA, joint.anchorA, definition.groundA, 1.0f, constraint);
+    const float b =
+        addSide(world, joint.bodyB, joint.anchorB, definition.groundB, definition.ratio, constraint);
+    constraint.error = a + b - definition.length;
+    return constraint;
 }
 
 }  // namespace
 
 extern const JointType kPulleyJoint;
-const JointType kPulleyJoint{"pulley", nullptr, nullptr, tieOf};
+const JointType kPulleyJoint{"pulley", nullptr, nullptr, nBodyConstraintOf};
 
 }  // namespace plumb::physics

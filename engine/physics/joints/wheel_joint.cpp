@@ -11,7 +11,7 @@ JointParts partsOf(const JointView& view) {
     parts.axis = rotate(view.turnA, view.definition.axis);
     parts.value = valueParts(view);
     parts.spin = parts.value.speed;
-    parts.mostSpin = parts.value.mostMotor;
+    parts.maxSpin = parts.value.maxMotor;
     parts.value.driven = false;  // the motor drives the rotation, not the translation
     return parts;
 }

@@ -2,7 +2,7 @@
 
 #include <span>
 
-#include "physics/geometry.hpp"
+#include "physics/model/geometry.hpp"
 #include "physics/narrowphase/manifold.hpp"
 
 namespace plumb::physics {

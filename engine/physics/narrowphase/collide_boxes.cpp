@@ -23,10 +23,11 @@ bool any(bool condition) { return condition; }
 
 Manifold collideBoxes(const Geometry& a, const Geometry& b, std::span<const Corner>, const Frame& bInA,
                       float speculative) {
-    const Vec2 way = unrotate(a.turn, apply(bInA, b.a) - a.a);
+    const Vec2 displacement = unrotate(a.turn, apply(bInA, b.a) - a.a);
     const Rot turn = between(a.turn, bInA.rotation * b.turn);
-    const BoxTouch<float> touch = touchBoxes<float>(
-        {a.b.x, a.b.y, b.b.x, b.b.y, way.x, way.y, turn.cos, turn.sin, a.radius, b.radius, speculative});
+    const BoxTouch<float> touch =
+        touchBoxes<float>({a.b.x, a.b.y, b.b.x, b.b.y, displacement.x, displacement.y, turn.cos, turn.sin,
+                           a.radius, b.radius, speculative});
     Manifold manifold;
     if (!(touch.count > 0.0f)) return manifold;
     manifold.count = static_cast<int>(touch.count);

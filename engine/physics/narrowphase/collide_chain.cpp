@@ -1,5 +1,5 @@
 #include "physics/narrowphase/collide.hpp"
-#include "physics/narrowphase/sides.hpp"
+#include "physics/narrowphase/reference_face.hpp"
 
 namespace plumb::physics {
 
@@ -83,10 +83,10 @@ JointGap widestJointGap(const Chain& chain, const Side& other) {
 }
 
 /// Corner against corner, if the joint is convex and the direction is between its normals.
-Manifold touchCorner(const Chain& chain, const Side& other, std::size_t end, std::size_t corner, Vec2 way,
-                     float speculative) {
-    const float distance = length(way);
-    const Vec2 direction = way / distance;
+Manifold touchCorner(const Chain& chain, const Side& other, std::size_t end, std::size_t corner,
+                     Vec2 displacement, float speculative) {
+    const float distance = length(displacement);
+    const Vec2 direction = displacement / distance;
     if (!chain.joints[end].allows(direction)) return {};
     Manifold manifold =
         touchJoint(chain.joints[end], end, direction, distance, other.radius, corner, speculative);
@@ -122,7 +122,7 @@ Manifold touchBeside(const Chain& chain, const Side& other, std::size_t end, flo
     const Side neighbour{corners, 0.0f, joint.point};
     const auto pair = nearestCorners(edgeOnEdge(neighbour, 0, other), neighbour, other);
     if (!pair || !(corners[pair->reference].point == joint.point)) return {};
-    return touchCorner(chain, other, end, pair->other, pair->way, speculative);
+    return touchCorner(chain, other, end, pair->other, pair->displacement, speculative);
 }
 
 /// A contact with the front face of the chain segment.
@@ -130,7 +130,7 @@ Manifold touchFace(const Chain& chain, const Side& other, float gap, float specu
     const EdgeOnEdge edges = edgeOnEdge(chain.side(), 0, other);
     if (gap > 0.0f) {
         if (const auto pair = nearestCorners(edges, chain.side(), other)) {
-            return touchCorner(chain, other, pair->reference, pair->other, pair->way, speculative);
+            return touchCorner(chain, other, pair->reference, pair->other, pair->displacement, speculative);
         }
     }
     // Beyond an end the contact belongs to the neighbour, unless the corner between both is nearest.
@@ -195,9 +195,9 @@ Manifold collideChain(const Geometry& a, const Geometry& b, std::span<const Corn
     const JointGap joint = widestJointGap(chain, other);
     const JointGap beside = widestNeighbourGap(chain, other);
     if (joint.gap > reach || beside.gap > reach) return {};
-    const float tie = tieOf(distance(chain.corners[0].point, chain.corners[1].point));
-    const bool byFace = gap + tie >= joint.gap;
-    if (beside.gap > (byFace ? gap + tie : joint.gap)) {
+    const float constraint = nBodyConstraintOf(distance(chain.corners[0].point, chain.corners[1].point));
+    const bool byFace = gap + constraint >= joint.gap;
+    if (beside.gap > (byFace ? gap + constraint : joint.gap)) {
         return touchBeside(chain, other, beside.end, speculative);
     }
     if (!inFront && (byFace ? gap : joint.gap) < -speculative) return {};  // it came from the back side

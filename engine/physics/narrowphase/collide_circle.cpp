@@ -20,13 +20,13 @@ Manifold onePoint(const Geometry& circle, Vec2 normal, float separation, float r
 
 Manifold collideCircles(const Geometry& a, const Geometry& b, std::span<const Corner>, const Frame& bInA,
                         float speculative) {
-    const Vec2 way = apply(bInA, b.a) - a.a;
+    const Vec2 displacement = apply(bInA, b.a) - a.a;
     const float radii = a.radius + b.radius;
     const float reach = radii + speculative;
-    const float square = lengthSquared(way);
+    const float square = lengthSquared(displacement);
     if (!(square <= reach * reach)) return {};
     const float distance = std::sqrt(square);
-    const Vec2 normal = distance > kNoDistance ? way / distance : kAnyNormal;
+    const Vec2 normal = distance > kNoDistance ? displacement / distance : kAnyNormal;
     return onePoint(a, normal, distance - radii, b.radius);
 }
 

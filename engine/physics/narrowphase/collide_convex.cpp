@@ -1,5 +1,5 @@
 #include "physics/narrowphase/collide.hpp"
-#include "physics/narrowphase/sides.hpp"
+#include "physics/narrowphase/reference_face.hpp"
 
 namespace plumb::physics {
 

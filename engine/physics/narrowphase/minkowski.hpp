@@ -6,7 +6,7 @@ namespace plumb::physics {
 
 /// A vertex of the Minkowski difference B - A, and the corners of A and B that it comes from.
 struct Way {
-    Vec2 way;
+    Vec2 displacement;
     Vec2 a, b;
     std::uint8_t indexA = 0;
     std::uint8_t indexB = 0;
@@ -17,19 +17,19 @@ struct Way {
 };
 
 /// The Minkowski difference B - A: the outlines overlap if it contains the origin. In A's frame.
-struct Ways {
+struct Displacements {
     const Convex& a;
     const Convex& b;
     const Frame& bInA;
 
     [[nodiscard]] Way at(int indexA, int indexB) const {
-        Way way;
-        way.a = a.corners()[static_cast<std::size_t>(indexA)].point;
-        way.b = apply(bInA, b.corners()[static_cast<std::size_t>(indexB)].point);
-        way.way = way.b - way.a;
-        way.indexA = static_cast<std::uint8_t>(indexA);
-        way.indexB = static_cast<std::uint8_t>(indexB);
-        return way;
+        Way displacement;
+        displacement.a = a.corners()[static_cast<std::size_t>(indexA)].point;
+        displacement.b = apply(bInA, b.corners()[static_cast<std::size_t>(indexB)].point);
+        displacement.displacement = displacement.b - displacement.a;
+        displacement.indexA = static_cast<std::uint8_t>(indexA);
+        displacement.indexB = static_cast<std::uint8_t>(indexB);
+        return displacement;
     }
     [[nodiscard]] Way farthestAlong(Vec2 direction) const {
         return at(farthest(a.corners(), -direction),
@@ -39,7 +39,7 @@ struct Ways {
 
 /// The point of the Minkowski difference nearest to the origin, on the edge between two vertices: `part` is 0
 /// at the first, 1 at the second.
-struct WayBetween {
+struct DisplacementBetween {
     Way first, second;
     float part = 0.0f;
     Vec2 normal;            ///< unit length, from A to B
@@ -48,6 +48,6 @@ struct WayBetween {
 };
 
 /// The shortest displacement that separates two overlapping cores.
-WayBetween deepestOverlap(const Ways& ways);
+DisplacementBetween deepestOverlap(const Displacements& displacements);
 
 }  // namespace plumb::physics

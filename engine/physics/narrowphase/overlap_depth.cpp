@@ -5,42 +5,44 @@ namespace plumb::physics {
 namespace {
 
 /// The Minkowski difference has at most as many vertices as both outlines together.
-constexpr int kMostWays = 2 * kMaxCorners + 4;
+constexpr int kMaxWays = 2 * kMaxCorners + 4;
 /// Ratio to the size of the polytope: a new vertex must extend it by more than this.
 constexpr float kFlat = 1.0e-6f;
 
 /// A polygon inside the Minkowski difference that is expanded towards its boundary. Its vertices are in the
 /// order in which normals rotate.
 struct Polytope {
-    Way ways[kMostWays];
+    Way displacements[kMaxWays];
     int count = 0;
     float size = 0.0f;  ///< m: maximum coordinate of its vertices
 
-    bool contains(const Way& way) const {
+    bool contains(const Way& displacement) const {
         for (int i = 0; i < count; ++i) {
-            if (ways[i] == way) return true;
+            if (displacements[i] == displacement) return true;
         }
         return false;
     }
-    void insert(int place, const Way& way) {
-        for (int i = count; i > place; --i) ways[i] = ways[i - 1];
-        ways[place] = way;
+    void insert(int place, const Way& displacement) {
+        for (int i = count; i > place; --i) displacements[i] = displacements[i - 1];
+        displacements[place] = displacement;
         ++count;
-        size = std::max(size, std::max(std::fabs(way.way.x), std::fabs(way.way.y)));
+        size = std::max(
+            size, std::max(std::fabs(displacement.displacement.x), std::fabs(displacement.displacement.y)));
     }
 };
 
 /// The extreme vertices along both axes: a polygon, or two points if the difference is a segment. It need not
 /// contain the origin; if it does not, the origin is outside of the edge that is expanded first.
-Polytope startFrom(const Ways& set) {
+Polytope startFrom(const Displacements& set) {
     Polytope polytope;
     for (const Vec2 direction : {Vec2{1, 0}, Vec2{0, 1}, Vec2{-1, 0}, Vec2{0, -1}}) {
-        const Way way = set.farthestAlong(direction);
+        const Way displacement = set.farthestAlong(direction);
         bool known = false;
         for (int i = 0; i < polytope.count; ++i) {
-            known = known || distance(polytope.ways[i].way, way.way) <= kFlat * polytope.size;
+            known = known || distance(polytope.displacements[i].displacement, displacement.displacement) <=
+                                 kFlat * polytope.size;
         }
-        if (!known) polytope.insert(polytope.count, way);
+        if (!known) polytope.insert(polytope.count, displacement);
     }
     return polytope;
 }
@@ -55,8 +57,8 @@ struct NearestSide {
 NearestSide nearestSide(const Polytope& polytope) {
     NearestSide nearest;
     for (int i = 0; i < polytope.count; ++i) {
-        const Vec2 start = polytope.ways[i].way;
-        const Vec2 side = polytope.ways[i + 1 < polytope.count ? i + 1 : 0].way - start;
+        const Vec2 start = polytope.displacements[i].displacement;
+        const Vec2 side = polytope.displacements[i + 1 < polytope.count ? i + 1 : 0].displacement - start;
         const Vec2 normal = normalized(Vec2{side.y, -side.x});
         const float distance = dot(normal, start);
         if (normal == Vec2{} || !(distance < nearest.distance)) continue;
@@ -67,28 +69,29 @@ NearestSide nearestSide(const Polytope& polytope) {
 
 }  // namespace
 
-WayBetween deepestOverlap(const Ways& ways) {
-    Polytope polytope = startFrom(ways);
-    WayBetween result{polytope.ways[0], polytope.ways[0], 0.0f, kAnyNormal, 0.0f, 0};
+DisplacementBetween deepestOverlap(const Displacements& displacements) {
+    Polytope polytope = startFrom(displacements);
+    DisplacementBetween result{
+        polytope.displacements[0], polytope.displacements[0], 0.0f, kAnyNormal, 0.0f, 0};
     if (polytope.count < 2) return result;  // two discs with the same centre
     NearestSide side = nearestSide(polytope);
-    while (polytope.count < kMostWays) {
+    while (polytope.count < kMaxWays) {
         ++result.iterations;
-        const Way way = ways.farthestAlong(side.normal);
-        const float out = dot(way.way, side.normal) - side.distance;
-        if (!(out > kFlat * polytope.size) || polytope.contains(way)) break;
-        polytope.insert(side.index + 1, way);
+        const Way displacement = displacements.farthestAlong(side.normal);
+        const float out = dot(displacement.displacement, side.normal) - side.distance;
+        if (!(out > kFlat * polytope.size) || polytope.contains(displacement)) break;
+        polytope.insert(side.index + 1, displacement);
         side = nearestSide(polytope);
     }
-    result.first = polytope.ways[side.index];
-    result.second = polytope.ways[side.index + 1 < polytope.count ? side.index + 1 : 0];
+    result.first = polytope.displacements[side.index];
+    result.second = polytope.displacements[side.index + 1 < polytope.count ? side.index + 1 : 0];
     // The difference is B - A, and the origin lies this deep inside it, so B has to move in the opposite
     // direction to separate.
     result.normal = -side.normal;
     result.distance = -side.distance;
-    const Vec2 edge = result.second.way - result.first.way;
+    const Vec2 edge = result.second.displacement - result.first.displacement;
     const float square = lengthSquared(edge);
-    result.part = square > 0.0f ? -dot(result.first.way, edge) / square : 0.0f;
+    result.part = square > 0.0f ? -dot(result.first.displacement, edge) / square : 0.0f;
     result.part = result.part < 0.0f ? 0.0f : result.part > 1.0f ? 1.0f : result.part;
     return result;
 }

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <array>
 
-#include "physics/contacts.hpp"
+#include "physics/contacts/contacts.hpp"
 #include "physics/effects/one_way.hpp"
-#include "physics/joints.hpp"
+#include "physics/model/joints.hpp"
 #include "physics/shapes/shape_types.hpp"
 
 namespace plumb::physics {
@@ -43,7 +43,7 @@ bool opensFor(const World& world, const Mover& mover, const Mover& target) {
     if ((world.shapes.info[target.shape].flags & kOneWay) != 0) {
         const std::uint32_t body = world.shapes.info[mover.shape].body;
         if ((world.bodies.info[body].flags & kDropsThrough) != 0) return true;
-        if (passesThrough(world, target.shape, mover.sweep.way)) return true;
+        if (passesThrough(world, target.shape, mover.sweep.displacement)) return true;
     }
     if (outline.kind != ShapeKind::ChainSegment) return false;
     const float begin = std::max(mover.sweep.begin, target.sweep.begin);
@@ -55,7 +55,7 @@ bool opensFor(const World& world, const Mover& mover, const Mover& target) {
     return dot(normal, centre - start) < 0.0f;
 }
 
-bool mayMeet(const World& world, std::uint32_t a, std::uint32_t b) {
+bool mayCollide(const World& world, std::uint32_t a, std::uint32_t b) {
     const Shapes& shapes = world.shapes;
     if (((shapes.info[a].flags | shapes.info[b].flags) & kTrigger) != 0) return false;
     if (!meet(shapes.filter[a], shapes.filter[b]) || !comesTo(world, a, b)) return false;
@@ -66,7 +66,7 @@ bool mayMeet(const World& world, std::uint32_t a, std::uint32_t b) {
 }  // namespace
 
 void meetOnPath(const World& world, const Mover& mover, const Mover& target, PathHit& next) {
-    if (!mayMeet(world, mover.shape, target.shape) || opensFor(world, mover, target)) return;
+    if (!mayCollide(world, mover.shape, target.shape) || opensFor(world, mover, target)) return;
     const Geometry& geometry = world.shapes.geometry[mover.shape];
     const std::span<const Corner> corners = world.shapes.corners;
     const Convex theirs = convexOf(world.shapes.geometry[target.shape], corners);
@@ -86,9 +86,9 @@ void meetOnPath(const World& world, const Mover& mover, const Mover& target, Pat
     if (!isPressed) {
         // Head-on, or along it? Its core tells, in this step or, where it goes on after the hit, within its
         // own length of path after that.
-        const float way = length(mover.sweep.way - target.sweep.way);
+        const float displacement = length(mover.sweep.displacement - target.sweep.displacement);
         const float size = 2.0f * world.bodies.info[world.shapes.info[mover.shape].body].reach;
-        const float further = mover.goesOn ? (way > size ? size / way : 1.0f) : 0.0f;
+        const float further = mover.goesOn ? (displacement > size ? size / displacement : 1.0f) : 0.0f;
         const Core core{geometry, corners, kSweptCore};
         if (impactOf(core.outline(), 0.0f, std::max(part + further, 1.0f)) == kNever) return;
     }

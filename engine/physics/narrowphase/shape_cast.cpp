@@ -4,7 +4,7 @@ namespace plumb::physics {
 
 namespace {
 
-constexpr int kMostIterations = 48;
+constexpr int kMaxIterations = 48;
 /// Ratio: a displacement that approaches the surface by less than this part of its length is parallel to it.
 constexpr float kAlong = 1.0e-4f;
 
@@ -17,19 +17,19 @@ float touchOf(const Convex& a, const Frame& bInA) {
 
 }  // namespace
 
-std::optional<ConvexHit> castShape(const Convex& a, const Convex& b, const Frame& bInA, Vec2 way) {
+std::optional<ConvexHit> castShape(const Convex& a, const Convex& b, const Frame& bInA, Vec2 displacement) {
     SimplexCache cache;
     ConvexHit hit;
-    for (int iteration = 0; iteration < kMostIterations; ++iteration) {
-        const Frame frame{bInA.position + way * hit.fraction, bInA.rotation};
+    for (int iteration = 0; iteration < kMaxIterations; ++iteration) {
+        const Frame frame{bInA.position + displacement * hit.fraction, bInA.rotation};
         const Distance apart = distanceBetween(a, b, frame, &cache);
         hit.normal = apart.normal;
         hit.point = apart.pointA;
         if (iteration == 0) hit.separation = apart.distance;
-        const float speed = -dot(way, apart.normal);
+        const float speed = -dot(displacement, apart.normal);
         const float touch = touchOf(a, frame);
         if (!(apart.distance > touch)) {
-            const bool slides = apart.distance >= -touch && speed <= kAlong * length(way);
+            const bool slides = apart.distance >= -touch && speed <= kAlong * length(displacement);
             return slides ? std::nullopt : std::optional{hit};
         }
         if (!(speed > 0.0f)) return std::nullopt;

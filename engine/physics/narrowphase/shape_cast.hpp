@@ -17,6 +17,6 @@ struct ConvexHit {
 /// Moves B along `way`, without rotation, until it touches A. In A's frame. An initial overlap is a hit at 0;
 /// an initial touch is no hit if the displacement leads away or along the surface.
 /// Source: conservative advancement, see sweep.hpp; for a straight path it converges quadratically
-std::optional<ConvexHit> castShape(const Convex& a, const Convex& b, const Frame& bInA, Vec2 way);
+std::optional<ConvexHit> castShape(const Convex& a, const Convex& b, const Frame& bInA, Vec2 displacement);
 
 }  // namespace plumb::physics

@@ -9,7 +9,7 @@ namespace plumb::physics {
 
 namespace {
 
-constexpr int kMostAdvances = 64;
+constexpr int kMaxAdvances = 64;
 
 /// m: how far the outline's corners are from the centre that they turn about. Its radius turns in place.
 float armOf(const SweptOutline& swept) {
@@ -20,7 +20,9 @@ float armOf(const SweptOutline& swept) {
     return std::sqrt(square);
 }
 
-Place originOf(const BodyPose& pose) { return pose.centre + -rotate(pose.rotation, pose.localCentre); }
+WorldPosition originOf(const BodyPose& pose) {
+    return pose.centre + -rotate(pose.rotation, pose.localCentre);
+}
 
 Frame seenFrom(const BodyPose& a, const BodyPose& b) {
     return {unrotate(a.rotation, originOf(b) - originOf(a)), between(a.rotation, b.rotation)};
@@ -29,25 +31,25 @@ Frame seenFrom(const BodyPose& a, const BodyPose& b) {
 }  // namespace
 
 BodyPose Sweep::at(float part) const {
-    return {start + way * part, normalized(rotFromAngle(turn * part) * rotation), localCentre};
+    return {start + displacement * part, normalized(rotFromAngle(turn * part) * rotation), localCentre};
 }
 
-Sweep sweepThrough(const BodyPose& pose, float part, Vec2 way, float turn) {
+Sweep sweepThrough(const BodyPose& pose, float part, Vec2 displacement, float turn) {
     const Rot before = turn == 0.0f ? pose.rotation : normalized(rotFromAngle(-turn * part) * pose.rotation);
-    return {pose.centre + way * -part, way, before, turn, pose.localCentre, part};
+    return {pose.centre + displacement * -part, displacement, before, turn, pose.localCentre, part};
 }
 
 float firstImpact(const SweptOutline& a, const SweptOutline& b, float gap, float latest) {
     // No point comes nearer along a normal than by this in a whole step.
-    const Vec2 way = a.sweep.way - b.sweep.way;
+    const Vec2 displacement = a.sweep.displacement - b.sweep.displacement;
     const float turning = std::fabs(a.sweep.turn) * armOf(a) + std::fabs(b.sweep.turn) * armOf(b);
     SimplexCache cache;
     float part = std::max(a.sweep.begin, b.sweep.begin);
-    for (int i = 0; i < kMostAdvances && part <= latest; ++i) {
+    for (int i = 0; i < kMaxAdvances && part <= latest; ++i) {
         const BodyPose poseA = a.sweep.at(part), poseB = b.sweep.at(part);
         const Distance now = distanceBetween(a.outline, b.outline, seenFrom(poseA, poseB), &cache);
         if (now.distance <= gap + kSweepTolerance) return part;
-        const float closing = dot(rotate(poseA.rotation, now.normal), way) + turning;
+        const float closing = dot(rotate(poseA.rotation, now.normal), displacement) + turning;
         part = closing > 0.0f ? part + (now.distance - gap) / closing : kNever;
     }
     return part <= latest ? part : kNever;

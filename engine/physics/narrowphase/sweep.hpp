@@ -8,19 +8,19 @@ namespace plumb::physics {
 /// The path of a body through a step, or through what is left of it: straight and even. Parts of it are 0 at
 /// the start of the step and 1 at its end.
 struct Sweep {
-    Place start;         ///< m, of the centre of mass at part 0
-    Vec2 way;            ///< m in a whole step
-    Rot rotation;        ///< at part 0
-    float turn = 0.0f;   ///< rad in a whole step; may be several full turns
-    Vec2 localCentre;    ///< m: the centre of mass in the frame of the shapes
-    float begin = 0.0f;  ///< from this part on
+    WorldPosition start;  ///< m, of the centre of mass at part 0
+    Vec2 displacement;    ///< m in a whole step
+    Rot rotation;         ///< at part 0
+    float turn = 0.0f;    ///< rad in a whole step; may be several full turns
+    Vec2 localCentre;     ///< m: the centre of mass in the frame of the shapes
+    float begin = 0.0f;   ///< from this part on
 
     [[nodiscard]] BodyPose at(float part) const;
 };
 
 /// The path that leads through a pose at a part of the step.
 /// @param way, turn  in a whole step
-Sweep sweepThrough(const BodyPose& pose, float part, Vec2 way, float turn);
+Sweep sweepThrough(const BodyPose& pose, float part, Vec2 displacement, float turn);
 /// The path of a body that stays where it is.
 inline Sweep resting(const BodyPose& pose, float part = 0.0f) { return sweepThrough(pose, part, {}, 0.0f); }
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "physics/broadphase_update.hpp"
-#include "physics/checks.hpp"
+#include "physics/broadphase/broadphase_update.hpp"
+#include "physics/model/checks.hpp"
 #include "physics/shapes/shape_types.hpp"
 
 namespace plumb::physics {
@@ -33,13 +33,16 @@ std::span<const std::uint32_t> choose(World& world, const QueryFilter& filter) {
 
 }  // namespace
 
-bool isUsable(Place place) { return std::fabs(place.x) <= kFarthest && std::fabs(place.y) <= kFarthest; }
-bool isUsable(Vec2 way) {
-    return std::fabs(way.x) <= static_cast<float>(kFarthest) &&
-           std::fabs(way.y) <= static_cast<float>(kFarthest);
+bool isUsable(WorldPosition place) {
+    return std::fabs(place.x) <= kFarthest && std::fabs(place.y) <= kFarthest;
+}
+bool isUsable(Vec2 displacement) {
+    return std::fabs(displacement.x) <= static_cast<float>(kFarthest) &&
+           std::fabs(displacement.y) <= static_cast<float>(kFarthest);
 }
 
-std::span<const std::uint32_t> candidatesIn(World& world, Place low, Place high, const QueryFilter& filter) {
+std::span<const std::uint32_t> candidatesIn(World& world, WorldPosition low, WorldPosition high,
+                                            const QueryFilter& filter) {
     Workspace& work = world.work.get();
     updateBroadPhase(world, work);
     work.candidates.clear();
@@ -49,14 +52,14 @@ std::span<const std::uint32_t> candidatesIn(World& world, Place low, Place high,
     return choose(world, filter);
 }
 
-std::span<const std::uint32_t> candidatesAlong(World& world, Place from, Vec2 way, Vec2 half,
+std::span<const std::uint32_t> candidatesAlong(World& world, WorldPosition from, Vec2 displacement, Vec2 half,
                                                const QueryFilter& filter) {
     Workspace& work = world.work.get();
     updateBroadPhase(world, work);
     work.candidates.clear();
     const Vec2 start = toVec2(from);
-    const float margin = std::max(roundingAt(start), roundingAt(start + way));
-    work.broadPhase->cast(proxiesOf(world), start, way, half + Vec2{margin, margin}, filter.mask,
+    const float margin = std::max(roundingAt(start), roundingAt(start + displacement));
+    work.broadPhase->cast(proxiesOf(world), start, displacement, half + Vec2{margin, margin}, filter.mask,
                           work.candidates, Among::All);
     return choose(world, filter);
 }
@@ -67,13 +70,13 @@ void sortByFraction(std::vector<CastHit>& hits) {
     });
 }
 
-Vec2 seenFrom(const BodyPose& body, Place place) {
+Vec2 seenFrom(const BodyPose& body, WorldPosition place) {
     return body.localCentre + unrotate(body.rotation, place - body.centre);
 }
-Frame seenFrom(const BodyPose& body, Place position, Rot rotation) {
+Frame seenFrom(const BodyPose& body, WorldPosition position, Rot rotation) {
     return {seenFrom(body, position), between(body.rotation, rotation)};
 }
-Place placeOf(const BodyPose& body, Vec2 point) {
+WorldPosition placeOf(const BodyPose& body, Vec2 point) {
     return body.centre + rotate(body.rotation, point - body.localCentre);
 }
 

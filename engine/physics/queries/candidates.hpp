@@ -6,14 +6,15 @@ namespace plumb::physics {
 
 // Common parts of all queries: selecting the shapes to test, and transforming between world and body space.
 
-[[nodiscard]] bool isUsable(Place place);
-[[nodiscard]] bool isUsable(Vec2 way);
+[[nodiscard]] bool isUsable(WorldPosition place);
+[[nodiscard]] bool isUsable(Vec2 displacement);
 
 /// The shapes that pass the filter and whose bounds overlap the box from `low` to `high` (m), in ascending
 /// order of their indices. Valid until the next query.
-std::span<const std::uint32_t> candidatesIn(World& world, Place low, Place high, const QueryFilter& filter);
+std::span<const std::uint32_t> candidatesIn(World& world, WorldPosition low, WorldPosition high,
+                                            const QueryFilter& filter);
 /// The same for a box with these half sizes that moves from `from` by `way`.
-std::span<const std::uint32_t> candidatesAlong(World& world, Place from, Vec2 way, Vec2 half,
+std::span<const std::uint32_t> candidatesAlong(World& world, WorldPosition from, Vec2 displacement, Vec2 half,
                                                const QueryFilter& filter);
 
 [[nodiscard]] inline const BodyPose& poseOf(const World& world, std::uint32_t shape) {
@@ -24,11 +25,11 @@ void sortByFraction(std::vector<CastHit>& hits);
 
 /// A position in the frame of a body's shapes. The difference of positions is taken first, so that the result
 /// is as accurate far from the origin.
-[[nodiscard]] Vec2 seenFrom(const BodyPose& body, Place place);
+[[nodiscard]] Vec2 seenFrom(const BodyPose& body, WorldPosition place);
 /// A frame relative to that of a body's shapes.
-[[nodiscard]] Frame seenFrom(const BodyPose& body, Place position, Rot rotation);
+[[nodiscard]] Frame seenFrom(const BodyPose& body, WorldPosition position, Rot rotation);
 /// The inverse of seenFrom().
-[[nodiscard]] Place placeOf(const BodyPose& body, Vec2 point);
+[[nodiscard]] WorldPosition placeOf(const BodyPose& body, Vec2 point);
 
 [[nodiscard]] ShapeId idOf(const World& world, std::uint32_t shape);
 

@@ -10,9 +10,9 @@ namespace plumb::physics {
 /// An outline that moves in a straight line, to be cast against shapes one at a time.
 struct MovingOutline {
     Convex outline;
-    Place position;  ///< m
+    WorldPosition position;  ///< m
     Rot rotation;
-    Vec2 way;  ///< m: displacement
+    Vec2 displacement;  ///< m: displacement
 };
 
 /// The first contact with a shape, if the shape's body is at `pose`.

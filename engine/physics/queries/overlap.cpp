@@ -2,10 +2,10 @@
 
 #include <cmath>
 
-#include "physics/checks.hpp"
+#include "physics/model/checks.hpp"
+#include "physics/model/shapes.hpp"
 #include "physics/narrowphase/distance.hpp"
 #include "physics/queries/candidates.hpp"
-#include "physics/shapes.hpp"
 #include "physics/shapes/shape_types.hpp"
 
 namespace plumb::physics {
@@ -24,17 +24,18 @@ void overlapShape(World& world, const QueryShape& shape, const QueryFilter& filt
     }
 }
 
-void overlapBox(World& world, Place low, Place high, const QueryFilter& filter, std::vector<ShapeId>& found) {
+void overlapBox(World& world, WorldPosition low, WorldPosition high, const QueryFilter& filter,
+                std::vector<ShapeId>& found) {
     const Vec2 half = 0.5f * (high - low);
     overlapShape(world, {.geometry = box(half), .position = low + half, .rotation = {}}, filter, found);
 }
 
-void overlapCircle(World& world, Place centre, float radius, const QueryFilter& filter,
+void overlapCircle(World& world, WorldPosition centre, float radius, const QueryFilter& filter,
                    std::vector<ShapeId>& found) {
     overlapShape(world, {.geometry = circle(radius), .position = centre, .rotation = {}}, filter, found);
 }
 
-void overlapPoint(World& world, Place point, const QueryFilter& filter, std::vector<ShapeId>& found) {
+void overlapPoint(World& world, WorldPosition point, const QueryFilter& filter, std::vector<ShapeId>& found) {
     found.clear();
     if (!isUsable(point)) return;
     for (const std::uint32_t shape : candidatesIn(world, point, point, filter)) {
@@ -44,7 +45,8 @@ void overlapPoint(World& world, Place point, const QueryFilter& filter, std::vec
     }
 }
 
-std::optional<ClosestHit> closestPoint(World& world, Place place, float within, const QueryFilter& filter) {
+std::optional<ClosestHit> closestPoint(World& world, WorldPosition place, float within,
+                                       const QueryFilter& filter) {
     if (!isUsable(place) || !(within >= 0.0f) || !(within <= static_cast<float>(kFarthest)))
         return std::nullopt;
     const Vec2 reach{within, within};

@@ -13,24 +13,25 @@ namespace plumb::physics {
 void overlapShape(World& world, const QueryShape& shape, const QueryFilter& filter,
                   std::vector<ShapeId>& found);
 /// Finds the shapes that overlap an axis-aligned box between its lower and upper corner (m).
-void overlapBox(World& world, Place low, Place high, const QueryFilter& filter, std::vector<ShapeId>& found);
-void overlapCircle(World& world, Place centre, float radius, const QueryFilter& filter,
+void overlapBox(World& world, WorldPosition low, WorldPosition high, const QueryFilter& filter,
+                std::vector<ShapeId>& found);
+void overlapCircle(World& world, WorldPosition centre, float radius, const QueryFilter& filter,
                    std::vector<ShapeId>& found);
 /// Finds the shapes that contain a point. A segment has no inside.
-void overlapPoint(World& world, Place point, const QueryFilter& filter, std::vector<ShapeId>& found);
+void overlapPoint(World& world, WorldPosition point, const QueryFilter& filter, std::vector<ShapeId>& found);
 
 /// The point on the surface of a shape that is nearest to a given point.
 struct ClosestHit {
     ShapeId shape;
     BodyId body;
-    Place point;            ///< m
+    WorldPosition point;    ///< m
     Vec2 normal;            ///< unit length, outward from the shape
     float distance = 0.0f;  ///< m; negative: depth inside the shape
 };
 /// The shape nearest to a point; at equal distances the one with the lowest index. Inside several shapes, the
 /// one with the greatest depth.
 /// @param within  m: maximum distance; must be finite
-std::optional<ClosestHit> closestPoint(World& world, Place place, float within,
+std::optional<ClosestHit> closestPoint(World& world, WorldPosition place, float within,
                                        const QueryFilter& filter = {});
 
 }  // namespace plumb::physics

@@ -25,7 +25,7 @@ struct QueryFilter {
 /// An outline in the world, for a query.
 struct QueryShape {
     Geometry geometry{};
-    Place position{};  ///< m, of the frame that the geometry is defined in
+    WorldPosition position{};  ///< m, of the frame that the geometry is defined in
     Rot rotation{};
     std::span<const Corner> corners = {};  ///< of a polygon, by Geometry::first; if empty, Shapes::corners
 };
@@ -34,7 +34,7 @@ struct QueryShape {
 struct CastHit {
     ShapeId shape;
     BodyId body;
-    Place point;            ///< m, on the shape's surface
+    WorldPosition point;    ///< m, on the shape's surface
     Vec2 normal;            ///< unit length, outward from the shape
     float fraction = 0.0f;  ///< fraction of the displacement, 0..1; 0 if it started inside
     float distance = 0.0f;  ///< m travelled

@@ -11,10 +11,12 @@ namespace plumb::physics {
 // has no inside, and a chain segment is only hit on its solid side.
 
 /// The first shape hit; at equal distances the one with the lowest index.
-std::optional<CastHit> castRay(World& world, Place from, Vec2 way, const QueryFilter& filter = {});
+std::optional<CastHit> castRay(World& world, WorldPosition from, Vec2 displacement,
+                               const QueryFilter& filter = {});
 /// True if the ray hits anything.
-bool isRayBlocked(World& world, Place from, Vec2 way, const QueryFilter& filter = {});
+bool isRayBlocked(World& world, WorldPosition from, Vec2 displacement, const QueryFilter& filter = {});
 /// All shapes hit, each once: nearest first; at equal distances the lowest index first.
-void castRayAll(World& world, Place from, Vec2 way, const QueryFilter& filter, std::vector<CastHit>& hits);
+void castRayAll(World& world, WorldPosition from, Vec2 displacement, const QueryFilter& filter,
+                std::vector<CastHit>& hits);
 
 }  // namespace plumb::physics

@@ -12,10 +12,10 @@ namespace plumb::physics {
 // range hit nothing.
 
 /// The first shape hit; at equal distances the one with the lowest index.
-std::optional<CastHit> castShape(World& world, const QueryShape& shape, Vec2 way,
+std::optional<CastHit> castShape(World& world, const QueryShape& shape, Vec2 displacement,
                                  const QueryFilter& filter = {});
 /// All shapes hit, each once: nearest first; at equal distances the lowest index first.
-void castShapeAll(World& world, const QueryShape& shape, Vec2 way, const QueryFilter& filter,
+void castShapeAll(World& world, const QueryShape& shape, Vec2 displacement, const QueryFilter& filter,
                   std::vector<CastHit>& hits);
 
 }  // namespace plumb::physics

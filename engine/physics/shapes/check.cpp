@@ -18,9 +18,9 @@ Error badPlace(const char* where, Vec2 found) {
 }
 
 /// @param least  m; 0 for an optional size
-Result<Done> checkSize(const char* where, float found, float least) {
-    if (found >= least && found <= kLargest) return Done{};
-    return Error{where, format("expected {} to {} m, found {}", least, kLargest, found),
+Result<Done> checkSize(const char* where, float found, float minimum) {
+    if (found >= minimum && found <= kLargest) return Done{};
+    return Error{where, format("expected {} to {} m, found {}", minimum, kLargest, found),
                  "use metres, not pixels, and a size within this range"};
 }
 
@@ -29,8 +29,8 @@ Result<Done> checkSize(const char* where, float found, float least) {
 bool isConvex(Corners corners) {
     float size = 0.0f;
     for (const Corner& corner : corners) {
-        const Vec2 way = corner.point - corners[0].point;
-        size = std::max(size, std::max(std::fabs(way.x), std::fabs(way.y)));
+        const Vec2 displacement = corner.point - corners[0].point;
+        size = std::max(size, std::max(std::fabs(displacement.x), std::fabs(displacement.y)));
     }
     const float slack = 1.0e-3f * size;
     for (std::size_t i = 0; i < corners.size(); ++i) {

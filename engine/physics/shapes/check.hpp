@@ -3,7 +3,7 @@
 #include <span>
 
 #include "core/result.hpp"
-#include "physics/geometry.hpp"
+#include "physics/model/geometry.hpp"
 
 namespace plumb::physics {
 

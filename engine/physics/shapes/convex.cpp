@@ -3,8 +3,8 @@
 namespace plumb::physics {
 
 std::array<Corner, 2> cornersOfSegment(Vec2 start, Vec2 end) {
-    const Vec2 way = normalized(end - start);
-    return {Corner{start, {way.y, -way.x}}, Corner{end, {-way.y, way.x}}};
+    const Vec2 displacement = normalized(end - start);
+    return {Corner{start, {displacement.y, -displacement.x}}, Corner{end, {-displacement.y, displacement.x}}};
 }
 
 std::array<Corner, 4> cornersOfBox(Vec2 centre, Vec2 half, Rot turn) {
@@ -18,11 +18,11 @@ std::array<Corner, 4> cornersOfBox(Vec2 centre, Vec2 half, Rot turn) {
 
 int farthest(std::span<const Corner> corners, Vec2 direction) {
     int best = 0;
-    float most = dot(corners[0].point, direction);
+    float maximum = dot(corners[0].point, direction);
     for (int i = 1; i < static_cast<int>(corners.size()); ++i) {
         const float reach = dot(corners[static_cast<std::size_t>(i)].point, direction);
-        if (reach > most) {
-            most = reach;
+        if (reach > maximum) {
+            maximum = reach;
             best = i;
         }
     }

@@ -3,7 +3,7 @@
 #include <array>
 #include <span>
 
-#include "physics/geometry.hpp"
+#include "physics/model/geometry.hpp"
 
 namespace plumb::physics {
 

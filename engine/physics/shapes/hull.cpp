@@ -40,17 +40,17 @@ std::vector<Vec2> loopAround(std::vector<Vec2> points) {
 void dropFlat(std::vector<Vec2>& loop, double height) {
     while (loop.size() >= 3) {
         std::size_t flattest = 0;
-        double least = height;
+        double minimum = height;
         for (std::size_t i = 0; i < loop.size(); ++i) {
             const Vec2 before = loop[i > 0 ? i - 1 : loop.size() - 1];
             const Vec2 after = loop[i + 1 < loop.size() ? i + 1 : 0];
             const double over = heightOver(before, after, loop[i]);
-            if (over < least) {
-                least = over;
+            if (over < minimum) {
+                minimum = over;
                 flattest = i;
             }
         }
-        if (least >= height) return;
+        if (minimum >= height) return;
         loop.erase(loop.begin() + static_cast<std::ptrdiff_t>(flattest));
     }
 }

@@ -4,7 +4,7 @@
 
 #include "core/fixed_list.hpp"
 #include "core/result.hpp"
-#include "physics/geometry.hpp"
+#include "physics/model/geometry.hpp"
 
 namespace plumb::physics {
 

@@ -32,12 +32,12 @@ struct Moments {
         second += part / 6.0 * (dot(a, a) + dot(a, b) + dot(b, b));
     }
     void addStrip(Wide start, Wide end, Wide normal, double width) {
-        const Wide way = end - start;
-        const double part = std::sqrt(dot(way, way)) * width;
+        const Wide displacement = end - start;
+        const double part = std::sqrt(dot(displacement, displacement)) * width;
         const Wide middle = (start + end) * 0.5 + normal * (0.5 * width);
         area += part;
         first = first + middle * part;
-        second += part * ((dot(way, way) + width * width) / 12.0 + dot(middle, middle));
+        second += part * ((dot(displacement, displacement) + width * width) / 12.0 + dot(middle, middle));
     }
     void addSector(Wide corner, Wide from, Wide to, double angle, double radius) {
         const double part = 0.5 * angle * radius * radius;

@@ -24,9 +24,9 @@ Face faceTowards(std::span<const Corner> corners, Vec2 place) {
 
 /// The point of a segment that is nearest: 0 at its start, 1 at its end.
 float nearestOn(Vec2 start, Vec2 end, Vec2 place) {
-    const Vec2 way = end - start;
-    const float along = dot(place - start, way);
-    const float square = lengthSquared(way);
+    const Vec2 displacement = end - start;
+    const float along = dot(place - start, displacement);
+    const float square = lengthSquared(displacement);
     if (!(along > 0.0f)) return 0.0f;
     return along < square ? along / square : 1.0f;
 }
@@ -40,9 +40,9 @@ void keep(std::optional<RayHit>& first, float fraction, Vec2 normal) {
 /// Computed relative to the point of the ray that is nearest to the centre, so that a long ray does not miss
 /// a small disc due to rounding.
 void castAtDisc(const Ray& ray, Vec2 centre, float radius, std::optional<RayHit>& first) {
-    const float length = plumb::length(ray.way);
+    const float length = plumb::length(ray.displacement);
     if (!(length > 0.0f)) return;
-    const Vec2 direction = ray.way / length;
+    const Vec2 direction = ray.displacement / length;
     const float along = dot(centre - ray.from, direction);
     const Vec2 aside = ray.from + direction * along - centre;
     const float square = radius * radius - lengthSquared(aside);
@@ -52,11 +52,11 @@ void castAtDisc(const Ray& ray, Vec2 centre, float radius, std::optional<RayHit>
 }
 
 void castAtFace(const Ray& ray, const Corner& corner, Vec2 next, float radius, std::optional<RayHit>& first) {
-    const float speed = dot(ray.way, corner.normal);
+    const float speed = dot(ray.displacement, corner.normal);
     if (!(speed < 0.0f)) return;
     const float fraction = (dot(corner.point - ray.from, corner.normal) + radius) / speed;
     const Vec2 edge = next - corner.point;
-    const float along = dot(ray.from + ray.way * fraction - corner.point, edge);
+    const float along = dot(ray.from + ray.displacement * fraction - corner.point, edge);
     if (along >= 0.0f && along <= lengthSquared(edge)) keep(first, fraction, corner.normal);
 }
 
@@ -80,7 +80,7 @@ std::optional<RayHit> castAtSharp(std::span<const Corner> corners, const Ray& ra
     std::optional<Vec2> normal;
     for (const Corner& corner : corners) {
         const float depth = dot(corner.normal, corner.point - ray.from);
-        const float speed = dot(corner.normal, ray.way);
+        const float speed = dot(corner.normal, ray.displacement);
         if (speed < 0.0f) {
             if (depth < enter * speed) {
                 enter = depth / speed;

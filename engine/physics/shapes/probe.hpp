@@ -18,8 +18,8 @@ ClosestPoint closestPointOf(const Convex& convex, Vec2 place);
 
 /// A line segment from `from` to `from + way`.
 struct Ray {
-    Vec2 from;  ///< m
-    Vec2 way;   ///< m: displacement
+    Vec2 from;          ///< m
+    Vec2 displacement;  ///< m: displacement
 };
 
 struct RayHit {

@@ -45,7 +45,7 @@ std::optional<RayHit> castAtConvex(const Geometry& geometry, Corners corners, co
 }
 
 std::optional<RayHit> castAtChain(const Geometry& geometry, Corners corners, const Ray& ray) {
-    if (!(dot(ray.way, normalOfChain(geometry)) < 0.0f)) return std::nullopt;
+    if (!(dot(ray.displacement, normalOfChain(geometry)) < 0.0f)) return std::nullopt;
     return castAtConvex(geometry, corners, ray);
 }
 

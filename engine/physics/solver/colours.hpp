@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-#include "physics/contact.hpp"
+#include "physics/model/contact.hpp"
 
 namespace plumb::physics {
 

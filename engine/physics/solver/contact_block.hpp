@@ -9,13 +9,14 @@ namespace plumb::physics {
 /// State of the bodies of a step, by solver slot, in flat arrays so that a pass reads nothing else. Eight
 /// idle slots at the end serve SIMD lanes without a body.
 struct SolverBodies {
-    Float4* velocity;  ///< m/s, m/s, rad/s, 1/kg: x, y, angular, inverse mass
-    Float4* shift;  ///< m, m: displacement since the start of the step; sine and (cosine - 1) of the rotation
-                    ///< since then
-    Float4* drive;  ///< m/s2, m/s2, rad/s2, 0: acceleration by external forces
-    Float4* keep;   ///< damping: factor on the velocity in each substep, w: 1; null without drag
-    Float4* flight;       ///< m, m, s: a substep moves a body by x, y + z * velocity: exact ballistic motion
-    Float4* undisturbed;  ///< the velocity without the impulses of this substep
+    Float4* velocity;       ///< m/s, m/s, rad/s, 1/kg: x, y, angular, inverse mass
+    Float4* deltaPosition;  ///< m, m: displacement since the start of the step; sine and (cosine - 1) of the
+                            ///< rotation since then
+    Float4* drive;          ///< m/s2, m/s2, rad/s2, 0: acceleration by external forces
+    Float4* keep;           ///< damping: factor on the velocity in each substep, w: 1; null without drag
+    Float4*
+        ballisticDrift;  ///< m, m, s: a substep moves a body by x, y + z * velocity: exact ballistic motion
+    Float4* velocityBeforeImpulses;  ///< the velocity without the impulses of this substep
 };
 
 /// One of the two points of eight contacts.
@@ -74,17 +75,17 @@ struct FixedContactBlock {
 };
 
 /// State of bodies in a step without rotation, by solver slot: all that a contact needs in one row.
-struct PlainBodies {
+struct BodiesWithoutRotation {
     Float4* state;  ///< m/s, m/s, m, m: velocity; displacement since the start of the step
     // As in SolverBodies.
     const Float4* drive;
     const Float4* keep;
-    const Float4* flight;
-    Float4* undisturbed;
+    const Float4* ballisticDrift;
+    Float4* velocityBeforeImpulses;
 };
 
 /// Eight contacts of one color in a step without rotation: one point each, without a lever arm.
-struct PlainBlock {
+struct BlockWithoutRotation {
     std::uint32_t a[kLanes];  ///< byte offset of a body's state
     std::uint32_t b[kLanes];
     float inverseMassA[kLanes];
@@ -101,7 +102,7 @@ struct PlainBlock {
 };
 
 /// The same for a dynamic body B and a static or kinematic body A.
-struct PlainFixedBlock {
+struct FixedBlockWithoutRotation {
     std::uint32_t b[kLanes];
     float inverseMass[kLanes];
     float normalX[kLanes];
@@ -137,7 +138,7 @@ struct ImpactPlace {
 struct HitBody {
     std::size_t slot = 0;
     Float4 velocity;
-    Float4 shift;
+    Float4 deltaPosition;
 };
 
 /// Result of the substeps for an impact.

@@ -215,11 +215,12 @@ inline Float8 speedAlong(const Body8& body, Two8 direction, Float8 lever) {
 }
 
 /// Displacement of a body's point along the normal since the start of the step.
-inline Float8 movedAlong(const Float8 (&shift)[4], Two8 normal, Float8 lever, Float8 turn) {
-    return shift[0] * normal.x + shift[1] * normal.y + (shift[2] * lever + shift[3] * turn);
+inline Float8 movedAlong(const Float8 (&deltaPosition)[4], Two8 normal, Float8 lever, Float8 turn) {
+    return deltaPosition[0] * normal.x + deltaPosition[1] * normal.y +
+           (deltaPosition[2] * lever + deltaPosition[3] * turn);
 }
 
-template <bool kRubs>
+template <bool kHasFriction>
 void warmStart(const SolverBodies& bodies, const BlockLanes* lanes, ContactBlock* blocks, int begin,
                int end) {
     for (int n = begin; n < end; ++n) {
@@ -227,7 +228,7 @@ void warmStart(const SolverBodies& bodies, const BlockLanes* lanes, ContactBlock
         Body8 a = bodyAt(bodies.velocity, block.a, block.inverseInertiaA);
         Body8 b = bodyAt(bodies.velocity, block.b, block.inverseInertiaB);
         const Float8 push0 = load(block.points[0].impulse), push1 = load(block.points[1].impulse);
-        const Float8 slide = kRubs ? load(block.slideImpulse) : all(0.0f), push = push0 + push1;
+        const Float8 slide = kHasFriction ? load(block.slideImpulse) : all(0.0f), push = push0 + push1;
         const Float8 nx = load(block.normalX), ny = load(block.normalY);
         const Two8 impulse{push * nx - slide * ny, push * ny + slide * nx};
         a.push({-impulse.x, -impulse.y},
@@ -240,14 +241,14 @@ void warmStart(const SolverBodies& bodies, const BlockLanes* lanes, ContactBlock
     }
 }
 
-template <bool kRubs>
+template <bool kHasFriction>
 void warmStartFixed(const SolverBodies& bodies, const BlockLanes* lanes, FixedContactBlock* blocks, int begin,
                     int end) {
     for (int n = begin; n < end; ++n) {
         const FixedContactBlock& block = blocks[n];
         Body8 b = bodyAt(bodies.velocity, block.b, block.inverseInertia);
         const Float8 push0 = load(block.points[0].impulse), push1 = load(block.points[1].impulse);
-        const Float8 slide = kRubs ? load(block.slideImpulse) : all(0.0f), push = push0 + push1;
+        const Float8 slide = kHasFriction ? load(block.slideImpulse) : all(0.0f), push = push0 + push1;
         const Float8 nx = load(block.normalX), ny = load(block.normalY);
         b.push({push * nx - slide * ny, push * ny + slide * nx}, push0 * load(block.points[0].lever) +
                                                                      push1 * load(block.points[1].lever) +
@@ -291,9 +292,9 @@ inline Float8 relaxed(Float8 speed, Float8 gap, Float8 substepRate, Float8 mass,
 }
 
 /// Coulomb friction: the impulse that stops sliding, limited by the normal impulse.
-inline Float8 rubbed(Float8 speed, Float8 mass, Float8 most, float* total) {
+inline Float8 rubbed(Float8 speed, Float8 mass, Float8 maximum, float* total) {
     const Float8 before = load(total);
-    const Float8 after = clamp(before - mass * speed, -most, most);
+    const Float8 after = clamp(before - mass * speed, -maximum, maximum);
     store(total, after);
     return after - before;
 }
@@ -320,7 +321,7 @@ inline void rub(FixedContactBlock& block, Two8 normal, Float8 pressed, Body8& b)
     b.push({change * along.x, change * along.y}, change * slide);
 }
 
-template <bool kRubs>
+template <bool kHasFriction>
 void push(const SolverBodies& bodies, const ContactPass& pass, const BlockLanes* lanes, ContactBlock* blocks,
           int begin, int end) {
     const SoftPush8 soft{pass};
@@ -329,8 +330,8 @@ void push(const SolverBodies& bodies, const ContactPass& pass, const BlockLanes*
         Body8 a = bodyAt(bodies.velocity, block.a, block.inverseInertiaA);
         Body8 b = bodyAt(bodies.velocity, block.b, block.inverseInertiaB);
         Float8 shiftA[4], shiftB[4];
-        gather(bodies.shift, block.a, shiftA);
-        gather(bodies.shift, block.b, shiftB);
+        gather(bodies.deltaPosition, block.a, shiftA);
+        gather(bodies.deltaPosition, block.b, shiftB);
         const Two8 normal{load(block.normalX), load(block.normalY)};
         const Float8 turnA = load(block.turnA), turnB = load(block.turnB);
         for (ContactBlockPoint& point : block.points) {
@@ -346,14 +347,14 @@ void push(const SolverBodies& bodies, const ContactPass& pass, const BlockLanes*
             a.push({-pushed.x, -pushed.y}, -(change * leverA));
             b.push(pushed, change * leverB);
         }
-        if constexpr (kRubs)
+        if constexpr (kHasFriction)
             rub(block, normal, load(block.points[0].impulse) + load(block.points[1].impulse), a, b);
         scatter(bodies.velocity, block.a, a.lane, lanes[n].count);
         scatter(bodies.velocity, block.b, b.lane, lanes[n].count);
     }
 }
 
-template <bool kRubs>
+template <bool kHasFriction>
 void pushFixed(const SolverBodies& bodies, const ContactPass& pass, const BlockLanes* lanes,
                FixedContactBlock* blocks, int begin, int end) {
     const SoftPush8 soft{pass};
@@ -361,14 +362,14 @@ void pushFixed(const SolverBodies& bodies, const ContactPass& pass, const BlockL
     for (int n = begin; n < end; ++n) {
         FixedContactBlock& block = blocks[n];
         Body8 b = bodyAt(bodies.velocity, block.b, block.inverseInertia);
-        Float8 shift[4];
-        gather(bodies.shift, block.b, shift);
+        Float8 deltaPosition[4];
+        gather(bodies.deltaPosition, block.b, deltaPosition);
         const Two8 normal{load(block.normalX), load(block.normalY)};
         const Float8 turn = load(block.turn);
         for (FixedContactBlockPoint& point : block.points) {
             const Float8 lever = load(point.lever), approach = load(point.approach);
-            const Float8 gap =
-                load(point.separation) + (movedAlong(shift, normal, lever, turn) - approach * elapsed);
+            const Float8 gap = load(point.separation) +
+                               (movedAlong(deltaPosition, normal, lever, turn) - approach * elapsed);
             const Float8 speed = speedAlong(b, normal, lever) - approach;
             Float8 impulse = load(point.impulse);
             const Float8 change = soft.answer(speed, gap, load(point.mass), impulse);
@@ -376,13 +377,13 @@ void pushFixed(const SolverBodies& bodies, const ContactPass& pass, const BlockL
             store(point.impulse, impulse);
             b.push({change * normal.x, change * normal.y}, change * lever);
         }
-        if constexpr (kRubs)
+        if constexpr (kHasFriction)
             rub(block, normal, load(block.points[0].impulse) + load(block.points[1].impulse), b);
         scatter(bodies.velocity, block.b, b.lane, lanes[n].count);
     }
 }
 
-template <bool kRubs>
+template <bool kHasFriction>
 void relax(const SolverBodies& bodies, const ContactPass& pass, const BlockLanes* lanes, ContactBlock* blocks,
            int begin, int end) {
     const Float8 substepRate = all(pass.substepRate);
@@ -402,13 +403,13 @@ void relax(const SolverBodies& bodies, const ContactPass& pass, const BlockLanes
             a.push({-pushed.x, -pushed.y}, -(change * leverA));
             b.push(pushed, change * leverB);
         }
-        if constexpr (kRubs) rub(block, normal, impulses[0] + impulses[1], a, b);
+        if constexpr (kHasFriction) rub(block, normal, impulses[0] + impulses[1], a, b);
         scatter(bodies.velocity, block.a, a.lane, lanes[n].count);
         scatter(bodies.velocity, block.b, b.lane, lanes[n].count);
     }
 }
 
-template <bool kRubs>
+template <bool kHasFriction>
 void relaxFixed(const SolverBodies& bodies, const ContactPass& pass, const BlockLanes* lanes,
                 FixedContactBlock* blocks, int begin, int end) {
     const Float8 substepRate = all(pass.substepRate);
@@ -425,19 +426,19 @@ void relaxFixed(const SolverBodies& bodies, const ContactPass& pass, const Block
             store(point.impulse, impulses[p]);
             b.push({change * normal.x, change * normal.y}, change * lever);
         }
-        if constexpr (kRubs) rub(block, normal, impulses[0] + impulses[1], b);
+        if constexpr (kHasFriction) rub(block, normal, impulses[0] + impulses[1], b);
         scatter(bodies.velocity, block.b, b.lane, lanes[n].count);
     }
 }
 
 /// Stores the impulses for warm starting of the next step.
-template <bool kRubs, class Block>
+template <bool kHasFriction, class Block>
 void storeImpulses(Float4* contacts, const BlockLanes* lanes, const Block* blocks, int begin, int end) {
     for (int n = begin; n < end; ++n) {
         const Block& block = blocks[n];
         for (int i = 0; i < lanes[n].count; ++i) {
             Float4* rows = contacts + lanes[n].contact[i] * kContactRows;
-            if constexpr (kRubs) rows[kNormalRow].w = block.slideImpulse[i];
+            if constexpr (kHasFriction) rows[kNormalRow].w = block.slideImpulse[i];
             rows[kImpulseRow].y = block.points[0].impulse[i];
             rows[kImpulseRow].w = block.points[1].impulse[i];
         }

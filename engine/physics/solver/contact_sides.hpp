@@ -57,40 +57,40 @@ inline void pushApart(Workspace& work, const FixedContactBlock& block, int p, in
 }
 
 /// m: displacement of a body's point along the normal in this step.
-inline float movedAlong(const Float4& shift, float nx, float ny, float lever, float turn) {
-    return shift.x * nx + shift.y * ny + (shift.z * lever + shift.w * turn);
+inline float movedAlong(const Float4& deltaPosition, float nx, float ny, float lever, float turn) {
+    return deltaPosition.x * nx + deltaPosition.y * ny + (deltaPosition.z * lever + deltaPosition.w * turn);
 }
 
 /// Relative motion of two bodies along the normal during the step.
 struct Approach {
-    float way;           // m: change of their separation since the start of the step
+    float displacement;  // m: change of their separation since the start of the step
     float acceleration;  // m/s2 of B relative to A
 };
 
 inline Approach approachIn(const Workspace& work, const ContactBlock& block, int p, int i, float /*dt*/) {
     const auto a = static_cast<std::size_t>(block.a[i]), b = static_cast<std::size_t>(block.b[i]);
     const float nx = block.normalX[i], ny = block.normalY[i];
-    return {movedAlong(work.shift[b], nx, ny, block.points[p].leverB[i], block.turnB[i]) -
-                movedAlong(work.shift[a], nx, ny, block.points[p].leverA[i], block.turnA[i]),
+    return {movedAlong(work.deltaPosition[b], nx, ny, block.points[p].leverB[i], block.turnB[i]) -
+                movedAlong(work.deltaPosition[a], nx, ny, block.points[p].leverA[i], block.turnA[i]),
             (work.drive[b].x - work.drive[a].x) * nx + (work.drive[b].y - work.drive[a].y) * ny};
 }
 inline Approach approachIn(const Workspace& work, const FixedContactBlock& block, int p, int i, float dt) {
     const auto b = static_cast<std::size_t>(block.b[i]);
     const float nx = block.normalX[i], ny = block.normalY[i];
-    return {movedAlong(work.shift[b], nx, ny, block.points[p].lever[i], block.turn[i]) -
+    return {movedAlong(work.deltaPosition[b], nx, ny, block.points[p].lever[i], block.turn[i]) -
                 block.points[p].approach[i] * dt,
             work.drive[b].x * nx + work.drive[b].y * ny};
 }
 
 /// m2/s2: square of a speed after a displacement: v^2 = v0^2 + 2 a s.
-inline float squareAfter(float square, float acceleration, float way) {
-    return std::max(square + 2.0f * acceleration * way, 0.0f);
+inline float squareAfter(float square, float acceleration, float displacement) {
+    return std::max(square + 2.0f * acceleration * displacement, 0.0f);
 }
 
 /// m/s: relative velocity at the impact. Gravity acts between the start of the step and the impact: without
 /// it a ball would lose or gain height in each bounce.
 inline float speedOfImpact(float before, const Approach& approach) {
-    return -std::sqrt(squareAfter(before * before, approach.acceleration, approach.way));
+    return -std::sqrt(squareAfter(before * before, approach.acceleration, approach.displacement));
 }
 
 /// m/s: relative velocity at the end of the step. The bounce happens where the bodies touch, be that before
@@ -98,10 +98,11 @@ inline float speedOfImpact(float before, const Approach& approach) {
 /// would lose that depth in height. Never faster than a bounce without loss.
 /// @param gap  m, at the start of the step
 inline float speedOfBounce(float before, float bounciness, float gap, const Approach& approach) {
-    const float pull = approach.acceleration, most = squareAfter(before * before, pull, approach.way);
+    const float pull = approach.acceleration,
+                maximum = squareAfter(before * before, pull, approach.displacement);
     const float met = squareAfter(before * before, pull, -gap);
-    const float left = squareAfter(bounciness * bounciness * met, pull, gap + approach.way);
-    return std::sqrt(std::min(left, most));
+    const float left = squareAfter(bounciness * bounciness * met, pull, gap + approach.displacement);
+    return std::sqrt(std::min(left, maximum));
 }
 
 }  // namespace plumb::physics

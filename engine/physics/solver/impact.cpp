@@ -47,8 +47,8 @@ public:
         for (int turn = 0; turn < kTurns; ++turn) {
             for (ImpactPoint& point : points()) {
                 push(point, -point.closing);
-                const float most = contact_.friction * point.push, before = point.rub;
-                point.rub = std::clamp(before - point.massAcross * speedAt(point).y, -most, most);
+                const float maximum = contact_.friction * point.push, before = point.rub;
+                point.rub = std::clamp(before - point.massAcross * speedAt(point).y, -maximum, maximum);
                 apply(point, (point.rub - before) * along_);
             }
         }

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "physics/contact.hpp"
+#include "physics/model/contact.hpp"
 #include "physics/world.hpp"
 
 namespace plumb::physics {

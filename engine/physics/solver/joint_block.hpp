@@ -23,7 +23,7 @@ struct GripLanes {
     float pull[kLanes];
     float give[kLanes];
     float springs[kLanes];  ///< 1 or 0
-    float most[kLanes];     ///< N s or N m s: maximum impulse per substep
+    float maximum[kLanes];  ///< N s or N m s: maximum impulse per substep
 };
 
 /// The two bodies of eight joints of one color.
@@ -48,11 +48,11 @@ struct AnchorLanes {
 
 /// Constraints on a value: what holds it, a motor, and two limits.
 struct RowLanes {
-    std::int32_t uses;        ///< bits of RowUse, of all lanes together
-    float value[kLanes];      ///< m or rad, as of the last biased pass
-    float rest[kLanes];       ///< value at which it is held
-    float speed[kLanes];      ///< m/s or rad/s: of the motor
-    float mostMotor[kLanes];  ///< N s or N m s: maximum impulse per substep
+    std::int32_t uses;       ///< bits of RowUse, of all lanes together
+    float value[kLanes];     ///< m or rad, as of the last biased pass
+    float rest[kLanes];      ///< value at which it is held
+    float speed[kLanes];     ///< m/s or rad/s: of the motor
+    float maxMotor[kLanes];  ///< N s or N m s: maximum impulse per substep
     float lower[kLanes];
     float upper[kLanes];
     GripLanes grip;
@@ -115,7 +115,7 @@ struct SliderBlock {
     float angleImpulse[kLanes];   ///< N m s
     std::int32_t spins;           ///< nonzero if some lane has a rotational motor
     float spin[kLanes];           ///< rad/s: target speed of that motor
-    float mostSpin[kLanes];       ///< N m s: maximum impulse per substep
+    float maxSpin[kLanes];        ///< N m s: maximum impulse per substep
     float spinImpulse[kLanes];
     RowLanes along;
 };

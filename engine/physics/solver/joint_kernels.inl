@@ -40,8 +40,8 @@ inline Couple8 coupleOf(const SolverBodies& bodies, const JointBodies& block) {
     Couple8 couple;
     couple.a = bodyAt(bodies.velocity, block.a, block.inverseInertiaA);
     couple.b = bodyAt(bodies.velocity, block.b, block.inverseInertiaB);
-    gather(bodies.shift, block.a, couple.shiftA);
-    gather(bodies.shift, block.b, couple.shiftB);
+    gather(bodies.deltaPosition, block.a, couple.shiftA);
+    gather(bodies.deltaPosition, block.b, couple.shiftB);
     return couple;
 }
 
@@ -60,8 +60,9 @@ inline void write(const SolverBodies& bodies, const JointBodies& block, const Co
 }
 
 /// Change of an arm by the rotation of its body since the start of the step.
-inline Two8 changeOf(Two8 arm, const Float8 (&shift)[4]) {
-    return {shift[3] * arm.x - shift[2] * arm.y, shift[2] * arm.x + shift[3] * arm.y};
+inline Two8 changeOf(Two8 arm, const Float8 (&deltaPosition)[4]) {
+    return {deltaPosition[3] * arm.x - deltaPosition[2] * arm.y,
+            deltaPosition[2] * arm.x + deltaPosition[3] * arm.y};
 }
 
 /// Two anchors at the current poses.
@@ -98,10 +99,10 @@ inline Grip8 gripOf(const GripLanes& lanes) {
 inline constexpr Grip kRelaxed{1.0f, 0.0f, 0.0f};
 
 /// Maximum speed at which joint errors are closed, times `take`. Springs are not limited.
-inline Float8 mostPull(const JointPass& pass, const GripLanes& lanes, const Grip8& grip) {
+inline Float8 maxPull(const JointPass& pass, const GripLanes& lanes, const Grip8& grip) {
     return select(load(lanes.springs) > all(0.5f), all(1.0e30f), grip.take * all(pass.pushSpeed));
 }
-inline Float8 mostPull(const JointPass& pass, const Grip8& grip) { return grip.take * all(pass.pushSpeed); }
+inline Float8 maxPull(const JointPass& pass, const Grip8& grip) { return grip.take * all(pass.pushSpeed); }
 
 // Point constraint: two rows, solved together.
 
@@ -116,17 +117,17 @@ inline Two8 solvePoint(const Couple8& couple, const Anchors8& at, Two8 wanted) {
     return {inverse * (yy * wanted.x - xy * wanted.y), inverse * (xx * wanted.y - xy * wanted.x)};
 }
 
-/// `grip.pull` times the error, limited to `most`: mostPull().
-inline Two8 closing(const Grip8& grip, Two8 apart, Float8 most) {
+/// `grip.pull` times the error, limited to `most`: maxPull().
+inline Two8 closing(const Grip8& grip, Two8 apart, Float8 maximum) {
     const Two8 pull = grip.pull * apart;
     const Float8 square = dot8(pull, pull);
-    const Mask8 fast = square > most * most;
+    const Mask8 fast = square > maximum * maximum;
     if (bits(fast) == 0) return pull;
-    const Float8 ratio = most / sqrt(select(fast, square, all(1.0f)));
+    const Float8 ratio = maximum / sqrt(select(fast, square, all(1.0f)));
     return select(fast, ratio, all(1.0f)) * pull;
 }
-inline Float8 closing(const Grip8& grip, Float8 apart, Float8 most) {
-    return clamp(grip.pull * apart, -most, most);
+inline Float8 closing(const Grip8& grip, Float8 apart, Float8 maximum) {
+    return clamp(grip.pull * apart, -maximum, maximum);
 }
 
 /// Impulse of a soft point constraint.
@@ -180,7 +181,7 @@ void pushPoints(const SolverBodies& bodies, const JointPass& pass, const JointLa
         const Anchors8 at = anchorsAt(block.anchors, couple);
         if (pass.first) makeUp(couple, block);
         const Two8 before = load2(block.impulseX, block.impulseY);
-        const Two8 pull = closing(grip, at.apart, mostPull(pass, grip));
+        const Two8 pull = closing(grip, at.apart, maxPull(pass, grip));
         const Two8 change = answerPoint(couple, at, grip, pull, before), after = before + change;
         givePoint(couple, at, change);
         store2(block.impulseX, block.impulseY, after);
@@ -219,10 +220,10 @@ inline void warmStartRows(const RowLanes& rows, Line line) {
 template <bool kPush, class Line>
 inline void hold(RowLanes& rows, const JointPass& pass, Float8 value, Float8 mass, Line line) {
     const Grip8 grip = gripOf<kPush>(rows.grip);
-    const Float8 before = load(rows.holdImpulse), most = load(rows.grip.most);
-    const Float8 pull = closing(grip, value - load(rows.rest), mostPull(pass, rows.grip, grip));
+    const Float8 before = load(rows.holdImpulse), maximum = load(rows.grip.maximum);
+    const Float8 pull = closing(grip, value - load(rows.rest), maxPull(pass, rows.grip, grip));
     const Float8 wanted = grip.take * line.speed() + pull;
-    const Float8 after = clamp(before - (mass * wanted + grip.give * before), -most, most);
+    const Float8 after = clamp(before - (mass * wanted + grip.give * before), -maximum, maximum);
     store(rows.holdImpulse, after);
     line.push(after - before);
 }
@@ -240,14 +241,14 @@ inline Float8 speedTo(const JointPass& pass, Float8 gap) {
 /// are left to the limit: the motor does not brake for it.
 template <bool kPush, class Line>
 inline void drive(RowLanes& rows, const JointPass& pass, Float8 value, Float8 mass, Line line) {
-    const Float8 before = load(rows.motorImpulse), most = load(rows.mostMotor), speed = line.speed();
+    const Float8 before = load(rows.motorImpulse), maximum = load(rows.maxMotor), speed = line.speed();
     const Float8 wanted = load(rows.speed), zero = all(0.0f);
-    Float8 after = clamp(before - mass * (speed - wanted), -most, most);
+    Float8 after = clamp(before - mass * (speed - wanted), -maximum, maximum);
     if ((rows.uses & kLimits) != 0) {
         const Float8 lowest = -speedTo<kPush>(pass, value - load(rows.lower));
         const Float8 highest = speedTo<kPush>(pass, load(rows.upper) - value);
         const Float8 allowed = clamp(wanted, lowest, highest);
-        const Float8 there = clamp(before - mass * (speed - allowed), -most, most);
+        const Float8 there = clamp(before - mass * (speed - allowed), -maximum, maximum);
         const Mask8 stops = (wanted < lowest) | (wanted > highest);
         after = select(stops, clamp(there, min(after, zero), max(after, zero)), after);
     }
@@ -332,9 +333,9 @@ void warmStartHinges(const SolverBodies& bodies, const JointPass&, const JointLa
 }
 
 /// An impulse, limited to a magnitude of `most`.
-inline Two8 shortened(Two8 impulse, Float8 most) {
+inline Two8 shortened(Two8 impulse, Float8 maximum) {
     const Float8 size = sqrt(dot8(impulse, impulse));
-    const Float8 ratio = most / max(size, all(1.0e-30f));
+    const Float8 ratio = maximum / max(size, all(1.0e-30f));
     return min(ratio, all(1.0f)) * impulse;
 }
 
@@ -358,9 +359,9 @@ void answerHinges(const SolverBodies& bodies, const JointPass& pass, const Joint
         answerRows<kPush>(block.turning, pass, load(block.turning.value), angleMass(couple),
                           AngleLine8{couple});
         const Grip8 grip = gripOf<kPush>(block.grip);
-        const Two8 pull = closing(grip, at.apart, mostPull(pass, block.grip, grip));
+        const Two8 pull = closing(grip, at.apart, maxPull(pass, block.grip, grip));
         const Two8 change = answerPoint(couple, at, grip, pull, before);
-        const Two8 after = shortened(before + change, load(block.grip.most));
+        const Two8 after = shortened(before + change, load(block.grip.maximum));
         givePoint(couple, at, after - before);
         store2(point.impulseX, point.impulseY, after);
         if constexpr (kPush) noteTurns(point, at, after);

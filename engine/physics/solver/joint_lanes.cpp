@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "physics/joints.hpp"
 #include "physics/joints/joint_types.hpp"
+#include "physics/model/joints.hpp"
 #include "physics/solver/joint_kernels.hpp"
-#include "physics/solver/joint_ties.hpp"
+#include "physics/solver/n_body_joints.hpp"
 #include "physics/solver/softness.hpp"
-#include "physics/solver/solve_trees.hpp"
+#include "physics/trees/joint_tree_solver.hpp"
 
 namespace plumb::physics {
 
@@ -43,7 +43,7 @@ std::int32_t keyOf(const World& world, const Workspace& work, std::uint32_t inde
         while (slot >= work.groups[group].end) ++group;
     }
     const JointType& type = jointType(joint.kind);
-    if (type.tie != nullptr) return -2 - static_cast<std::int32_t>(group);
+    if (type.constraint != nullptr) return -2 - static_cast<std::int32_t>(group);
     return static_cast<std::int32_t>(group * kKeysOfGroup) + joint.colour * kJointBlockKinds +
            type.block(joint.flags);
 }
@@ -120,7 +120,7 @@ void noteBreakables(const World& world, JointWork& joints) {
 
 void collectTies(StepContext& step) {
     JointWork& joints = step.work.joints;
-    joints.ties.clear();
+    joints.nBodyConstraints.clear();
     for (std::size_t i = 0; i < joints.keys.size(); ++i) {
         if (joints.keys[i] > -2) continue;
         const auto group = static_cast<std::uint8_t>(-2 - joints.keys[i]);
@@ -184,21 +184,21 @@ void setAnchors(const JointParts& parts, AnchorLanes& anchors, int lane) {
     anchors.apartY[lane] = parts.apart.y;
 }
 
-void setGrip(const Grip& grip, bool springs, float most, GripLanes& lanes, int lane) {
+void setGrip(const Grip& grip, bool springs, float maximum, GripLanes& lanes, int lane) {
     lanes.take[lane] = grip.take;
     lanes.pull[lane] = grip.pull;
     lanes.give[lane] = grip.give;
     lanes.springs[lane] = springs ? 1.0f : 0.0f;
-    lanes.most[lane] = most;
+    lanes.maximum[lane] = maximum;
 }
 
 void setRows(const Preparation& all, const Joint& joint, const ValueParts& value, RowLanes& rows, int lane) {
     rows.uses |= (value.held ? kHolds : 0) | (value.driven ? kDrives : 0) | (value.limited ? kLimits : 0);
     // A value that is not held is a spring without force, in both passes.
-    setGrip(value.held ? value.grip : Grip{}, value.springs || !value.held, value.most, rows.grip, lane);
+    setGrip(value.held ? value.grip : Grip{}, value.springs || !value.held, value.maximum, rows.grip, lane);
     rows.rest[lane] = value.rest;
     rows.speed[lane] = value.speed;
-    rows.mostMotor[lane] = value.driven ? value.mostMotor : 0.0f;
+    rows.maxMotor[lane] = value.driven ? value.maxMotor : 0.0f;
     rows.lower[lane] = value.lower;
     rows.upper[lane] = value.upper;
     const float h = all.timing.h;
@@ -224,7 +224,7 @@ void setLane(const Preparation& all, const Joint& joint, const JointParts& parts
 void setLane(const Preparation& all, const Joint& joint, const JointParts& parts, HingeBlock& block,
              int lane) {
     setLane(all, joint, parts, block.point, lane);
-    setGrip(parts.grip, parts.springs, parts.most, block.grip, lane);
+    setGrip(parts.grip, parts.springs, parts.maximum, block.grip, lane);
     block.angle[lane] = parts.angle;
     setRows(all, joint, parts.value, block.turning, lane);
 }
@@ -244,9 +244,9 @@ void setLane(const Preparation& all, const Joint& joint, const JointParts& parts
     block.axisY[lane] = parts.axis.y;
     block.angle[lane] = parts.angle;
     block.holdsAngle[lane] = parts.holdsAngle ? 1.0f : 0.0f;
-    block.spins |= parts.mostSpin > 0.0f ? 1 : 0;
+    block.spins |= parts.maxSpin > 0.0f ? 1 : 0;
     block.spin[lane] = parts.spin;
-    block.mostSpin[lane] = parts.mostSpin;
+    block.maxSpin[lane] = parts.maxSpin;
     block.acrossImpulse[lane] = joint.rows[4] * all.timing.h;
     (parts.holdsAngle ? block.angleImpulse : block.spinImpulse)[lane] = joint.rows[5] * all.timing.h;
 }
@@ -286,8 +286,9 @@ Given givenBy(const Workspace& work, const HingeBlock& block, int i, float rate)
 }
 Given givenBy(const Workspace& work, const RodBlock& block, int i, float rate) {
     const auto arm = [&](const float* x, const float* y, const std::int32_t* slot) {
-        const Float4& shift = work.shift[static_cast<std::size_t>(slot[i])];
-        return Vec2{shift.x, shift.y} + rotate(Rot{1.0f + shift.w, shift.z}, {x[i], y[i]}) - Vec2{x[i], y[i]};
+        const Float4& deltaPosition = work.deltaPosition[static_cast<std::size_t>(slot[i])];
+        return Vec2{deltaPosition.x, deltaPosition.y} +
+               rotate(Rot{1.0f + deltaPosition.w, deltaPosition.z}, {x[i], y[i]}) - Vec2{x[i], y[i]};
     };
     const Vec2 apart = Vec2{block.anchors.apartX[i], block.anchors.apartY[i]} +
                        (arm(block.anchors.armBX, block.anchors.armBY, block.bodies.b) -
@@ -295,8 +296,8 @@ Given givenBy(const Workspace& work, const RodBlock& block, int i, float rate) {
     return {totalOf(block.along, i) * rate * normalized(apart), 0.0f};
 }
 Given givenBy(const Workspace& work, const SliderBlock& block, int i, float rate) {
-    const Float4& shift = work.shift[static_cast<std::size_t>(block.bodies.a[i])];
-    const Vec2 axis = rotate(Rot{1.0f + shift.w, shift.z}, {block.axisX[i], block.axisY[i]});
+    const Float4& deltaPosition = work.deltaPosition[static_cast<std::size_t>(block.bodies.a[i])];
+    const Vec2 axis = rotate(Rot{1.0f + deltaPosition.w, deltaPosition.z}, {block.axisX[i], block.axisY[i]});
     return {rate * (totalOf(block.along, i) * axis + block.acrossImpulse[i] * perpendicular(axis)),
             rate * (block.angleImpulse[i] + block.spinImpulse[i])};
 }
@@ -333,7 +334,7 @@ void noteInTree(StepContext& step, const SolveGroup& group, BreakableJoint& brea
     const auto place = static_cast<std::size_t>(breakable.block);
     const Link& link =
         place < trees.links.size() ? trees.links[place] : trees.holds[place - trees.links.size()];
-    const std::int32_t slot = trees.limbs[static_cast<std::size_t>(link.limb)].slot;
+    const std::int32_t slot = trees.treeBodies[static_cast<std::size_t>(link.treeBody)].slot;
     if (slot < group.begin || slot >= group.end) return;
     const LinkForce given = forceOf(link);
     breakable.force = std::max(breakable.force, length(given.force));

@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "physics/solver/joint_trees.hpp"
-#include "physics/solver/tie.hpp"
+#include "physics/solver/n_body_constraint.hpp"
+#include "physics/trees/joint_trees.hpp"
 
 namespace plumb::physics {
 
@@ -31,7 +31,7 @@ struct JointWork {
     JointStore<HingeBlock> hinges;
     JointStore<RodBlock> rods;
     JointStore<SliderBlock> sliders;
-    std::vector<Tie> ties;
+    std::vector<NBodyConstraint> nBodyConstraints;
     JointTrees trees;
     std::vector<std::uint8_t> leverages;  ///< by joint: leverageOf()
     bool someLeverage = false;            ///< some are above 0

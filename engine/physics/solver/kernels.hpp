@@ -41,8 +41,8 @@ struct SolverKernels {
     // Without and with friction.
     ContactKernels<ContactBlock> contacts[2];
     ContactKernels<FixedContactBlock> fixedContacts[2];
-    ContactKernels<PlainBlock, PlainBodies> plain[2];  ///< for steps without rotation
-    ContactKernels<PlainFixedBlock, PlainBodies> plainFixed[2];
+    ContactKernels<BlockWithoutRotation, BodiesWithoutRotation> plain[2];  ///< for steps without rotation
+    ContactKernels<FixedBlockWithoutRotation, BodiesWithoutRotation> plainFixed[2];
 
     // Ranges are bodies in multiples of eight.
 
@@ -51,8 +51,8 @@ struct SolverKernels {
     void (*accelerate)(const SolverBodies& bodies, float h, bool first, int begin, int end);
     void (*move)(const SolverBodies& bodies, float h, int begin, int end);
     void (*moveUnturned)(const SolverBodies& bodies, float h, int begin, int end);
-    void (*acceleratePlain)(const PlainBodies& bodies, float h, bool first, int begin, int end);
-    void (*movePlain)(const PlainBodies& bodies, int begin, int end);
+    void (*acceleratePlain)(const BodiesWithoutRotation& bodies, float h, bool first, int begin, int end);
+    void (*movePlain)(const BodiesWithoutRotation& bodies, int begin, int end);
 
     /// Gives the same bits as collideBoxes() for a single pair.
     void (*collideBoxes)(const BoxPairs& pairs, float speculative, BoxTouches& touches);

@@ -1,6 +1,6 @@
 // Source of kernels_*.cpp. It may use only lanes.hpp and plain arrays: see there.
 
-#include "physics/contact_rows.hpp"
+#include "physics/model/contact_rows.hpp"
 #include "physics/solver/kernels.hpp"
 
 namespace plumb::physics::PLUMB_LANES {
@@ -27,7 +27,7 @@ inline Float8 inverseOrZero(Float8 x) {
 // Contacts.
 
 #include "physics/solver/contact_kernels.inl"
-#include "physics/solver/plain_kernels.inl"
+#include "physics/solver/kernels_without_rotation.inl"
 
 // Bodies.
 
@@ -35,12 +35,12 @@ void accelerate(const SolverBodies& bodies, float h, bool first, int begin, int 
     const Float8 step = all(h);
     for (int i = 4 * begin; i < 4 * end; i += kLanes) {
         float* velocity = &bodies.velocity[0].x + i;
-        float* undisturbed = &bodies.undisturbed[0].x + i;
+        float* velocityBeforeImpulses = &bodies.velocityBeforeImpulses[0].x + i;
         const Float8 now = load(velocity);
         const Float8 kept = bodies.keep != nullptr ? now * load(&bodies.keep[0].x + i) : now;
         const Float8 driven = kept + load(&bodies.drive[0].x + i) * step;
-        store(velocity, first ? driven : driven + (now - load(undisturbed)));
-        store(undisturbed, driven);
+        store(velocity, first ? driven : driven + (now - load(velocityBeforeImpulses)));
+        store(velocityBeforeImpulses, driven);
     }
 }
 
@@ -79,18 +79,18 @@ void move(const SolverBodies& bodies, float h, int begin, int end) {
     for (int n = begin; n < end; n += kLanes) {
         std::int32_t slots[kLanes];
         for (int i = 0; i < kLanes; ++i) slots[i] = n + i;
-        Float8 velocity[4], shift[4], flight[4];
+        Float8 velocity[4], deltaPosition[4], ballisticDrift[4];
         gather(bodies.velocity, slots, velocity);
-        gather(bodies.shift, slots, shift);
-        gather(bodies.flight, slots, flight);
-        shift[0] += velocity[0] * flight[2] + flight[0];
-        shift[1] += velocity[1] * flight[2] + flight[1];
+        gather(bodies.deltaPosition, slots, deltaPosition);
+        gather(bodies.ballisticDrift, slots, ballisticDrift);
+        deltaPosition[0] += velocity[0] * ballisticDrift[2] + ballisticDrift[0];
+        deltaPosition[1] += velocity[1] * ballisticDrift[2] + ballisticDrift[1];
         if constexpr (kTurns) {
-            const Turn8 turn = turnedBy({shift[2], shift[3]}, velocity[2] * step);
-            shift[2] = turn.sine;
-            shift[3] = turn.versine;
+            const Turn8 turn = turnedBy({deltaPosition[2], deltaPosition[3]}, velocity[2] * step);
+            deltaPosition[2] = turn.sine;
+            deltaPosition[3] = turn.versine;
         }
-        scatter(bodies.shift, slots, shift, kLanes);
+        scatter(bodies.deltaPosition, slots, deltaPosition, kLanes);
     }
 }
 
@@ -119,25 +119,26 @@ void collideBoxes(const BoxPairs& pairs, float speculative, BoxTouches& touches)
 
 }  // namespace
 
-template <bool kRubs>
-constexpr ContactKernels<ContactBlock> kContacts{prepare, warmStart<kRubs>, push<kRubs>, relax<kRubs>,
-                                                 storeImpulses<kRubs, ContactBlock>};
-template <bool kRubs>
-constexpr ContactKernels<FixedContactBlock> kFixedContacts{prepareFixed, warmStartFixed<kRubs>,
-                                                           pushFixed<kRubs>, relaxFixed<kRubs>,
-                                                           storeImpulses<kRubs, FixedContactBlock>};
-template <bool kRubs, class Block>
-constexpr ContactKernels<Block, PlainBodies> kPlain{preparePlain<kRubs>, warmStartPlain<kRubs>,
-                                                    pushPlain<kRubs>, relaxPlain<kRubs>,
-                                                    storePlain<kRubs, Block>};
+template <bool kHasFriction>
+constexpr ContactKernels<ContactBlock> kContacts{prepare, warmStart<kHasFriction>, push<kHasFriction>,
+                                                 relax<kHasFriction>,
+                                                 storeImpulses<kHasFriction, ContactBlock>};
+template <bool kHasFriction>
+constexpr ContactKernels<FixedContactBlock> kFixedContacts{prepareFixed, warmStartFixed<kHasFriction>,
+                                                           pushFixed<kHasFriction>, relaxFixed<kHasFriction>,
+                                                           storeImpulses<kHasFriction, FixedContactBlock>};
+template <bool kHasFriction, class Block>
+constexpr ContactKernels<Block, BodiesWithoutRotation> kPlain{
+    preparePlain<kHasFriction>, warmStartPlain<kHasFriction>, pushPlain<kHasFriction>,
+    relaxPlain<kHasFriction>, storePlain<kHasFriction, Block>};
 
 extern const SolverKernels kKernels;
 const SolverKernels kKernels{
     PLUMB_LANES_NAME,
     {kContacts<false>, kContacts<true>},
     {kFixedContacts<false>, kFixedContacts<true>},
-    {kPlain<false, PlainBlock>, kPlain<true, PlainBlock>},
-    {kPlain<false, PlainFixedBlock>, kPlain<true, PlainFixedBlock>},
+    {kPlain<false, BlockWithoutRotation>, kPlain<true, BlockWithoutRotation>},
+    {kPlain<false, FixedBlockWithoutRotation>, kPlain<true, FixedBlockWithoutRotation>},
     accelerate,
     move<true>,
     move<false>,

@@ -23,7 +23,7 @@ void prepareLocks(StepContext& step) {
         work.locks.push_back({static_cast<std::uint32_t>(slot), flags});
         lock(work.velocity[slot], flags);
         lock(work.drive[slot], flags);
-        lock(work.flight[slot], flags);
+        lock(work.ballisticDrift[slot], flags);
     }
 }
 

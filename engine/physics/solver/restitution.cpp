@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "physics/solver/contact_sides.hpp"
-#include "physics/solver/impact_chains.hpp"
+#include "physics/solver/simultaneous_impacts.hpp"
 
 namespace plumb::physics {
 

@@ -68,10 +68,10 @@ void relaxBlocks(Workspace& work, const std::vector<Block>& blocks, std::vector<
         for (int i = 0; i < kLanes; ++i) {
             if (rolling.resistance[i] <= 0.0f) continue;
             const float pressed = blocks[n].points[0].impulse[i] + blocks[n].points[1].impulse[i];
-            const float most = rolling.resistance[i] * pressed;
+            const float maximum = rolling.resistance[i] * pressed;
             const float before = rolling.impulse[i];
             const float wanted = before - rolling.mass[i] * rollingSpeed(work, blocks[n], rolling, i);
-            rolling.impulse[i] = std::clamp(wanted, -most, most);
+            rolling.impulse[i] = std::clamp(wanted, -maximum, maximum);
             turn(work, blocks[n], i, rolling.impulse[i] - before);
         }
     }

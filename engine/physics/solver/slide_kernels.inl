@@ -99,8 +99,8 @@ void answerRods(const SolverBodies& bodies, const JointPass& pass, const JointLa
 
 struct Slider8 {
     SlideLine8 along, across;
-    Float8 way;     // of B's anchor along the axis,
-    Float8 offWay;  // and across it
+    Float8 displacement;  // of B's anchor along the axis,
+    Float8 offWay;        // and across it
 };
 
 inline Slider8 sliderAt(Couple8& couple, const SliderBlock& block) {
@@ -135,8 +135,9 @@ void warmStartSliders(const SolverBodies& bodies, const JointPass&, const JointL
 }
 
 inline void spin(SliderBlock& block, Couple8& couple) {
-    const Float8 before = load(block.spinImpulse), most = load(block.mostSpin);
-    const Float8 after = clamp(before - angleMass(couple) * (couple.spin() - load(block.spin)), -most, most);
+    const Float8 before = load(block.spinImpulse), maximum = load(block.maxSpin);
+    const Float8 after =
+        clamp(before - angleMass(couple) * (couple.spin() - load(block.spin)), -maximum, maximum);
     store(block.spinImpulse, after);
     couple.turn(after - before);
 }
@@ -153,16 +154,19 @@ inline void keepOnWay(SliderBlock& block, Couple8& couple, const Slider8& slider
     const Float8 aa = select(turns, turnA + turnB, all(1.0f));
     const Float8 offAngle = load(block.angle) + turnBetween(couple);
     const Grip8 soft = gripOf(grip);
-    const Float8 way = soft.take * across.speed() + closing(soft, slider.offWay, mostPull(pass, soft));
-    const Float8 turning = soft.take * couple.spin() + closing(soft, offAngle, mostPull(pass, soft));
+    const Float8 displacement =
+        soft.take * across.speed() + closing(soft, slider.offWay, maxPull(pass, soft));
+    const Float8 turning = soft.take * couple.spin() + closing(soft, offAngle, maxPull(pass, soft));
     const Float8 angle = select(turns, turning, zero);
     const Float8 inverse = inverseOrZero(ww * aa - wa * wa);
-    const Float8 wayBefore = load(block.acrossImpulse), angleBefore = load(block.angleImpulse);
-    const Float8 wayChange = -(inverse * (aa * way - wa * angle) + all(grip.give) * wayBefore);
-    const Float8 angleChange = -(inverse * (ww * angle - wa * way) + all(grip.give) * angleBefore);
-    store(block.acrossImpulse, wayBefore + wayChange);
+    const Float8 displacementBefore = load(block.acrossImpulse), angleBefore = load(block.angleImpulse);
+    const Float8 displacementChange =
+        -(inverse * (aa * displacement - wa * angle) + all(grip.give) * displacementBefore);
+    const Float8 angleChange = -(inverse * (ww * angle - wa * displacement) + all(grip.give) * angleBefore);
+    store(block.acrossImpulse, displacementBefore + displacementChange);
     store(block.angleImpulse, angleBefore + angleChange);
-    couple.push(wayChange * across.axis, wayChange * across.leverA, wayChange * across.leverB);
+    couple.push(displacementChange * across.axis, displacementChange * across.leverA,
+                displacementChange * across.leverB);
     couple.turn(angleChange);
 }
 
@@ -175,7 +179,7 @@ void answerSliders(const SolverBodies& bodies, const JointPass& pass, const Join
         const Slider8 slider = sliderAt(couple, block);
         if constexpr (kPush) {
             if (pass.first) makeUp(couple, block.carry);
-            store(block.along.value, slider.way);
+            store(block.along.value, slider.displacement);
         } else if (pass.first) {
             noteLack(block.carry, carryOf(slider, block));
         }

@@ -1,16 +1,16 @@
 #include <algorithm>
 
-#include "physics/bodies.hpp"
 #include "physics/effects/forces.hpp"
-#include "physics/fields.hpp"
-#include "physics/sleeping.hpp"
+#include "physics/islands/sleeping.hpp"
+#include "physics/model/bodies.hpp"
+#include "physics/model/fields.hpp"
 #include "physics/stages.hpp"
 
 namespace plumb::physics {
 
 namespace {
 
-bool isTied(const FieldDefinition& field) {
+bool hasNBodyConstraint(const FieldDefinition& field) {
     return field.kind == FieldKind::Spring || (field.kind == FieldKind::Attractor && field.a);
 }
 
@@ -19,7 +19,7 @@ void dropOrphans(World& world) {
     for (std::uint32_t i = 0; i < world.fields.all.size(); ++i) {
         const Field& field = world.fields.all[i];
         const FieldDefinition& d = field.definition;
-        if (!field.isAlive || !isTied(d)) continue;
+        if (!field.isAlive || !hasNBodyConstraint(d)) continue;
         if (!alive(world, d.a) || (d.kind == FieldKind::Spring && d.b && !alive(world, d.b))) {
             destroyField(world, {i, field.generation});
         }

@@ -1,5 +1,5 @@
-#include "physics/solver/grow_trees.hpp"
 #include "physics/solver/joint_lanes.hpp"
+#include "physics/trees/joint_tree_builder.hpp"
 
 namespace plumb::physics {
 

@@ -1,6 +1,6 @@
 #include "physics/effects/explosion.hpp"
 #include "physics/effects/field_types.hpp"
-#include "physics/fields.hpp"
+#include "physics/model/fields.hpp"
 #include "physics/stages.hpp"
 
 namespace plumb::physics {

@@ -1,7 +1,7 @@
-#include "physics/contacts.hpp"
+#include "physics/contacts/chain_events.hpp"
+#include "physics/contacts/contacts.hpp"
 #include "physics/effects/one_way.hpp"
 #include "physics/stages.hpp"
-#include "physics/surfaces.hpp"
 
 namespace plumb::physics {
 

@@ -1,10 +1,10 @@
 #include <algorithm>
 
-#include "physics/broadphase_update.hpp"
-#include "physics/contacts.hpp"
-#include "physics/joints.hpp"
+#include "physics/broadphase/broadphase_update.hpp"
+#include "physics/contacts/contacts.hpp"
+#include "physics/islands/sleeping.hpp"
+#include "physics/model/joints.hpp"
 #include "physics/narrowphase/sweep.hpp"
-#include "physics/sleeping.hpp"
 #include "physics/stages.hpp"
 
 namespace plumb::physics {

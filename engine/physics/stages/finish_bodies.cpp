@@ -2,7 +2,7 @@
 #include <atomic>
 #include <cmath>
 
-#include "physics/bounds.hpp"
+#include "physics/model/bounds.hpp"
 #include "physics/narrowphase/sweep.hpp"
 #include "physics/ranges.hpp"
 #include "physics/shapes/shape_types.hpp"
@@ -32,26 +32,26 @@ bool isFinite(const Float4& a) { return 0.0f * a.x + 0.0f * a.y + 0.0f * a.z == 
 /// Which of the two zeros a speed of nothing is says how it was worked out: make it the one.
 Vec2 unsigned0(Vec2 a) { return a + Vec2{}; }
 
-void limitSpeed(BodyMotion& motion, float most) {
+void limitSpeed(BodyMotion& motion, float maximum) {
     const float square = lengthSquared(motion.velocity);
-    if (square > most * most) motion.velocity *= most / std::sqrt(square);
+    if (square > maximum * maximum) motion.velocity *= maximum / std::sqrt(square);
 }
 
 /// Substeps may be faster than the speed that is left at the end of the step, and would carry a body as far.
-void limitDisplacement(Float4& shift, float most) {
-    const float square = shift.x * shift.x + shift.y * shift.y;
-    if (square <= most * most) return;
-    const float part = most / std::sqrt(square);
-    shift.x *= part;
-    shift.y *= part;
+void limitDisplacement(Float4& deltaPosition, float maximum) {
+    const float square = deltaPosition.x * deltaPosition.x + deltaPosition.y * deltaPosition.y;
+    if (square <= maximum * maximum) return;
+    const float part = maximum / std::sqrt(square);
+    deltaPosition.x *= part;
+    deltaPosition.y *= part;
 }
 
 /// No point of a body is faster than bodies may be. Spins that nothing limits would grow until they are no
 /// numbers, where joints have arms of many times a body's size.
-void limitSpin(BodyMotion& motion, float reach, float most) {
+void limitSpin(BodyMotion& motion, float reach, float maximum) {
     const float spin = std::fabs(motion.angularVelocity);
-    if (spin * reach <= most && spin <= kFastest) return;
-    motion.angularVelocity = std::copysign(std::min(most / reach, kFastest), motion.angularVelocity);
+    if (spin * reach <= maximum && spin <= kFastest) return;
+    motion.angularVelocity = std::copysign(std::min(maximum / reach, kFastest), motion.angularVelocity);
 }
 
 /// Whether some point of the body is too fast to rest, about.
@@ -90,15 +90,15 @@ void updateShapes(World& world, std::uint32_t body, Findings& found) {
 /// velocity gained. Bodies that nothing holds fly exactly already, and a blow is no steady force.
 Vec2 overshoot(const StepContext& step, std::size_t slot, std::uint32_t body, Vec2 before, Vec2 velocity) {
     const Vec2 gained = velocity - before;
-    const Float4& flight = step.work.flight[slot];
+    const Float4& ballisticDrift = step.work.ballisticDrift[slot];
     const Float4& pull = step.work.drive[slot];
-    const bool held = flight.x == 0.0f && flight.y == 0.0f;
+    const bool held = ballisticDrift.x == 0.0f && ballisticDrift.y == 0.0f;
     const float slowest = kLivelyPart * step.world.settings.bounceSpeed;
     const float rounding = lengthSquared(velocity) > slowest * slowest ? kRounded : 1.0f;
-    const float most = rounding * (pull.x * pull.x + pull.y * pull.y) * step.dt * step.dt;
-    if (!held || lengthSquared(gained) > most) return {};
+    const float maximum = rounding * (pull.x * pull.x + pull.y * pull.y) * step.dt * step.dt;
+    if (!held || lengthSquared(gained) > maximum) return {};
     if (step.world.bodies.info[body].firstJoint != kNone) return {};  // its turning would have to follow
-    return (0.5f * flight.z) * gained;
+    return (0.5f * ballisticDrift.z) * gained;
 }
 
 /// Where a body is after the step. @return false when its numbers went bad: it stays where it was, and stops
@@ -106,23 +106,24 @@ bool takeAlong(StepContext& step, std::size_t slot, std::uint32_t body) {
     Bodies& bodies = step.world.bodies;
     BodyMotion& motion = bodies.motion[body];
     const Float4& velocity = step.work.velocity[slot];
-    Float4& shift = step.work.shift[slot];
-    if (!isFinite(velocity) || !isFinite(shift)) {
+    Float4& deltaPosition = step.work.deltaPosition[slot];
+    if (!isFinite(velocity) || !isFinite(deltaPosition)) {
         motion.velocity = {};
         motion.angularVelocity = 0.0f;
         return false;
     }
-    limitDisplacement(shift, step.world.settings.maxSpeed * step.dt);
+    limitDisplacement(deltaPosition, step.world.settings.maxSpeed * step.dt);
     const Vec2 before = motion.velocity;
     motion.velocity = unsigned0({velocity.x, velocity.y});
     motion.angularVelocity = velocity.z + 0.0f;
     limitSpeed(motion, step.world.settings.maxSpeed);
     limitSpin(motion, bodies.info[body].reach, step.world.settings.maxSpeed);
-    const Vec2 way = Vec2{shift.x, shift.y} - overshoot(step, slot, body, before, motion.velocity);
+    const Vec2 displacement =
+        Vec2{deltaPosition.x, deltaPosition.y} - overshoot(step, slot, body, before, motion.velocity);
     BodyPose& pose = bodies.pose[body];
-    pose.centre = pose.centre + unsigned0(way);
-    if (shift.z != 0.0f || shift.w != 0.0f)
-        pose.rotation = normalized(Rot{1.0f + shift.w, shift.z} * pose.rotation);
+    pose.centre = pose.centre + unsigned0(displacement);
+    if (deltaPosition.z != 0.0f || deltaPosition.w != 0.0f)
+        pose.rotation = normalized(Rot{1.0f + deltaPosition.w, deltaPosition.z} * pose.rotation);
     return true;
 }
 
@@ -133,8 +134,8 @@ void finish(StepContext& step, std::size_t slot, std::uint32_t body, Findings& f
         found.broken.push_back(body);
         return;
     }
-    const Float4& shift = step.work.shift[slot];
-    const bool moved = shift.x != 0.0f || shift.y != 0.0f || shift.z != 0.0f;
+    const Float4& deltaPosition = step.work.deltaPosition[slot];
+    const bool moved = deltaPosition.x != 0.0f || deltaPosition.y != 0.0f || deltaPosition.z != 0.0f;
     info.flags = static_cast<std::uint8_t>(moved ? info.flags | kMoved : info.flags & ~kMoved);
     BodyMotion& motion = world.bodies.motion[body];
     if (info.kind == BodyKind::Kinematic) {
@@ -146,7 +147,9 @@ void finish(StepContext& step, std::size_t slot, std::uint32_t body, Findings& f
         motion.restTime += step.dt;
         found.sleepy = found.sleepy || motion.restTime >= world.settings.sleepTime;
     }
-    const bool isSwept = info.kind == BodyKind::Dynamic ? isFast({shift.x, shift.y}, shift.z, info) : moved;
+    const bool isSwept = info.kind == BodyKind::Dynamic
+                             ? isFast({deltaPosition.x, deltaPosition.y}, deltaPosition.z, info)
+                             : moved;
     if (isSwept && world.settings.continuous) found.fast.push_back(body);
     updateShapes(world, body, found);
 }

@@ -1,10 +1,10 @@
 #include <algorithm>
 
 #include "math/portable.hpp"
-#include "physics/sleeping.hpp"
-#include "physics/solver/grow_trees.hpp"
-#include "physics/solver/quality.hpp"
+#include "physics/islands/quality.hpp"
+#include "physics/islands/sleeping.hpp"
 #include "physics/stages.hpp"
+#include "physics/trees/joint_tree_builder.hpp"
 
 namespace plumb::physics {
 
@@ -47,9 +47,9 @@ void gatherBody(World& world, Workspace& work, Vec2 gravity, std::uint32_t body,
     work.slots[body] = static_cast<std::int32_t>(slot);
     work.bodyOf[slot] = body;
     work.velocity[slot] = {motion.velocity.x, motion.velocity.y, motion.angularVelocity, mass.inverseMass};
-    work.shift[slot] = {};
+    work.deltaPosition[slot] = {};
     work.drive[slot] = {};
-    work.flight[slot] = {0.0f, 0.0f, h, 0.0f};
+    work.ballisticDrift[slot] = {0.0f, 0.0f, h, 0.0f};
     if (mass.inverseMass == 0.0f) return;
     Vec2 pull = gravity;
     float spin = 0.0f;
@@ -61,7 +61,7 @@ void gatherBody(World& world, Workspace& work, Vec2 gravity, std::uint32_t body,
         drive.torque = 0.0f;
     }
     work.drive[slot] = {pull.x, pull.y, spin, 0.0f};
-    if (isFree(world, work, body)) work.flight[slot] = flightOf(work.drive[slot], {1.0f, h}, 0.0f, h);
+    if (isFree(world, work, body)) work.ballisticDrift[slot] = flightOf(work.drive[slot], {1.0f, h}, 0.0f, h);
 }
 
 void applyDrag(const World& world, Workspace& work, std::uint32_t body, std::size_t slot, float h) {
@@ -71,7 +71,7 @@ void applyDrag(const World& world, Workspace& work, std::uint32_t body, std::siz
     if (world.bodies.mass[body].inverseMass == 0.0f) return;  // its owner moves it, and nothing slows it
     const Decay linear = decayOf(drive.linearDrag, h), angular = decayOf(drive.angularDrag, h);
     if (isFree(world, work, body))
-        work.flight[slot] = flightOf(work.drive[slot], linear, drive.linearDrag, h);
+        work.ballisticDrift[slot] = flightOf(work.drive[slot], linear, drive.linearDrag, h);
     work.keep[slot] = {linear.keep, linear.keep, angular.keep, 1.0f};
     work.drive[slot].x *= linear.drive / h;
     work.drive[slot].y *= linear.drive / h;
@@ -93,10 +93,10 @@ void applySoftPush(const World& world, Workspace& work, const SoftPush& push, fl
     sum.y += linear.drive / h * push.acceleration.y;
     sum.z += angular.drive / h * push.spinUp;
     if (!isFree(world, work, push.body)) return;
-    const Float4 way =
+    const Float4 displacement =
         flightOf({push.acceleration.x, push.acceleration.y, 0.0f, 0.0f}, linear, drive.linearDrag, h);
-    work.flight[slot].x += way.x;
-    work.flight[slot].y += way.y;
+    work.ballisticDrift[slot].x += displacement.x;
+    work.ballisticDrift[slot].y += displacement.y;
 }
 
 void makeRoom(StepContext& step, std::size_t slots) {
@@ -105,16 +105,16 @@ void makeRoom(StepContext& step, std::size_t slots) {
     work.bodyOf.assign(slots, kNone);
     // The eight after the last are for lanes without a body.
     const std::size_t count = slots + kLanes;
-    for (std::vector<Float4>* array :
-         {&work.velocity, &work.shift, &work.drive, &work.flight, &work.undisturbed}) {
+    for (std::vector<Float4>* array : {&work.velocity, &work.deltaPosition, &work.drive, &work.ballisticDrift,
+                                       &work.velocityBeforeImpulses}) {
         array->resize(count);
     }
     work.keep.resize(step.starts(Effect::Drag) ? count : 0);
 }
 
 void clearSlot(Workspace& work, std::size_t slot) {
-    work.velocity[slot] = work.shift[slot] = work.drive[slot] = work.flight[slot] =
-        work.undisturbed[slot] = {};
+    work.velocity[slot] = work.deltaPosition[slot] = work.drive[slot] = work.ballisticDrift[slot] =
+        work.velocityBeforeImpulses[slot] = {};
     if (!work.keep.empty()) work.keep[slot] = {};
 }
 

@@ -10,11 +10,11 @@ namespace {
 
 /// Writes where a flyer is over what the solver, which did not know of its fields, has made of it.
 void land(const World& world, Workspace& work, const Flyer& flyer) {
-    const Vec2 way = flyer.now.centre - world.bodies.pose[flyer.body].centre;
+    const Vec2 displacement = flyer.now.centre - world.bodies.pose[flyer.body].centre;
     const SinCos turn = sinCos(flyer.turned);
     // cosine - 1 without the loss of digits near 0.
     const float versine = turn.cos > 0.0f ? -turn.sin * turn.sin / (1.0f + turn.cos) : turn.cos - 1.0f;
-    work.shift[flyer.slot] = {way.x, way.y, turn.sin, versine};
+    work.deltaPosition[flyer.slot] = {displacement.x, displacement.y, turn.sin, versine};
     Float4& velocity = work.velocity[flyer.slot];
     velocity.x = flyer.now.velocity.x;
     velocity.y = flyer.now.velocity.y;

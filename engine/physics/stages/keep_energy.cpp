@@ -1,9 +1,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "physics/islands/sleeping.hpp"
+#include "physics/islands/substep_estimate.hpp"
 #include "physics/joints/joint_types.hpp"
-#include "physics/sleeping.hpp"
-#include "physics/solver/hardness.hpp"
 #include "physics/solver/joint_lanes.hpp"
 #include "physics/stages.hpp"
 
@@ -17,7 +17,7 @@ constexpr float kMemory = 2.0f;
 /// s: for so long the most that a group moved at counts as what rounding is measured by.
 constexpr float kPeakMemory = 4.0f;
 /// Of that peak, joints may add this part in all.
-constexpr float kMostGain = 0.005f;
+constexpr float kMaxGain = 0.005f;
 /// Of what an island without joints has, contacts may seem to add this part in a step.
 constexpr float kContactGain = 1e-3f;
 /// Ratios to Settings::pushSpeed: who is no faster is let be, among contacts and among joints. At such speeds
@@ -59,8 +59,9 @@ float energyOf(const BodyMass& mass, Vec2 velocity, float spin) {
 
 /// J: what forces did to a body in this step.
 float workOn(const BodyMass& mass, const Workspace& work, std::size_t slot) {
-    const Float4 &shift = work.shift[slot], &drive = work.drive[slot];
-    return mass.mass * (drive.x * shift.x + drive.y * shift.y) + mass.inertia * drive.z * shift.z;
+    const Float4 &deltaPosition = work.deltaPosition[slot], &drive = work.drive[slot];
+    return mass.mass * (drive.x * deltaPosition.x + drive.y * deltaPosition.y) +
+           mass.inertia * drive.z * deltaPosition.z;
 }
 
 /// J: what a body had before this step.
@@ -70,9 +71,9 @@ float energyBefore(const World& world, std::uint32_t body) {
 }
 
 /// About: of spins as if all bodies were of 1 m.
-bool isSlow(const Float4& velocity, float most) {
+bool isSlow(const Float4& velocity, float maximum) {
     const float square = velocity.x * velocity.x + velocity.y * velocity.y + velocity.z * velocity.z;
-    return square <= most * most;
+    return square <= maximum * maximum;
 }
 
 /// For all bodies, so that a blow allocates nothing.
@@ -90,7 +91,7 @@ void findGainers(StepContext& step) {
     const World& world = step.world;
     Workspace& work = step.work;
     work.gainers.clear();
-    if (!step.runs(Effect::Contacts) || step.isPlain()) return;
+    if (!step.runs(Effect::Contacts) || step.isWithoutRotation()) return;
     makeRoom(world, work);
     const float slow = kParting * world.settings.pushSpeed;
     const bool bounces = step.runs(Effect::Restitution);
@@ -174,7 +175,7 @@ void noteBounces(StepContext& step) {
 
 void book(const World& world, const Workspace& work, std::uint32_t body, EnergyAccount& account) {
     const auto slot = static_cast<std::size_t>(work.slots[body]);
-    const Float4 &velocity = work.velocity[slot], &shift = work.shift[slot];
+    const Float4 &velocity = work.velocity[slot], &deltaPosition = work.deltaPosition[slot];
     const BodyMass& mass = world.bodies.mass[body];
     const float energy = energyOf(mass, {velocity.x, velocity.y}, velocity.z);
     const float done = workOn(mass, work, slot);
@@ -185,7 +186,8 @@ void book(const World& world, const Workspace& work, std::uint32_t body, EnergyA
     account.mass += mass.mass;
     account.isLively |= mass.inverseInertia > 0.0f;
     if (!account.isJointed) return;
-    account.way += 0.5f * mass.mass * (shift.x * shift.x + shift.y * shift.y);
+    account.displacement +=
+        0.5f * mass.mass * (deltaPosition.x * deltaPosition.x + deltaPosition.y * deltaPosition.y);
     const EnergyShare& share = world.bodies.energies[body];
     account.credit += share.credit;
     account.peak += share.peak;
@@ -209,18 +211,19 @@ void settleJoints(EnergyAccount& account, float pushSpeed, float dt) {
     const float due = account.energy - account.gain + std::max(account.credit, 0.0f);
     account.peak = std::max(std::min(account.energy, due), account.peak * fade(dt, kPeakMemory));
     account.credit -= account.gain;
-    const float most = kMostGain * account.peak, excess = -most - account.credit;
+    const float maximum = kMaxGain * account.peak, excess = -maximum - account.credit;
     if (account.isDriven) {
         account.credit = 0.0f;
     } else if (excess > 0.0f) {
         account.excess = excess;
-        account.credit = -most;
+        account.credit = -maximum;
     }
     const float farthest = (kWhippedWay * account.peak + pushed) * dt * dt;
-    if (!account.isDriven && account.way > farthest) account.part = std::sqrt(farthest / account.way);
+    if (!account.isDriven && account.displacement > farthest)
+        account.part = std::sqrt(farthest / account.displacement);
     // What a swing takes for half its time and gives back is not forgotten.
-    const float fading = account.credit - most;
-    if (fading > 0.0f) account.credit = most + fading * fade(dt, kMemory);
+    const float fading = account.credit - maximum;
+    if (fading > 0.0f) account.credit = maximum + fading * fade(dt, kMemory);
 }
 
 /// What of a body's energy can be taken, and what it may keep in any case.
@@ -230,13 +233,13 @@ void bookOwn(const World& world, const Workspace& work, std::uint32_t body, Ener
     const float own = energyOf(mass, Vec2{velocity.x, velocity.y} - account.middle, velocity.z);
     const float creeping = (account.isJointed ? kCreeping : kParting) * world.settings.pushSpeed;
     account.own += own;
-    account.least += std::min(own, 0.5f * mass.mass * creeping * creeping);
+    account.minimum += std::min(own, 0.5f * mass.mass * creeping * creeping);
 }
 
 /// Which part of all speeds leaves an island no more energy than it had or was given.
 float keptOf(const EnergyAccount& account) {
-    if (!(account.own > account.least)) return 1.0f;
-    return std::sqrt(std::max(account.own - account.excess, account.least) / account.own);
+    if (!(account.own > account.minimum)) return 1.0f;
+    return std::sqrt(std::max(account.own - account.excess, account.minimum) / account.own);
 }
 
 /// The same of ways, of what whips: heights are not reached that speeds cannot pay for.
@@ -263,12 +266,12 @@ void slowDown(Float4& velocity, const EnergyAccount& account) {
 }
 
 /// The same of a way: of what whips, or heights would be reached that nothing paid for.
-void shorten(Float4& shift, const EnergyAccount& account, float dt) {
+void shorten(Float4& deltaPosition, const EnergyAccount& account, float dt) {
     const Vec2 middle = dt * account.middle;
-    shift.x = middle.x + account.part * (shift.x - middle.x);
-    shift.y = middle.y + account.part * (shift.y - middle.y);
-    shift.z *= account.part;
-    shift.w *= account.part;
+    deltaPosition.x = middle.x + account.part * (deltaPosition.x - middle.x);
+    deltaPosition.y = middle.y + account.part * (deltaPosition.y - middle.y);
+    deltaPosition.z *= account.part;
+    deltaPosition.w *= account.part;
 }
 
 /// A body of an island that went wild waits for a better step, at the speed that it had.
@@ -277,7 +280,7 @@ void hold(const World& world, Workspace& work, std::uint32_t body) {
     const BodyMotion& motion = world.bodies.motion[body];
     work.velocity[slot] = {motion.velocity.x, motion.velocity.y, motion.angularVelocity,
                            work.velocity[slot].w};
-    work.shift[slot] = {};
+    work.deltaPosition[slot] = {};
 }
 
 /// Which starts from nothing: it went wild by what was given again.
@@ -306,7 +309,7 @@ void share(StepContext& step, std::uint32_t body, const EnergyAccount& account) 
     if (account.isJointed) world.bodies.energies[body] = {account.credit * part, account.peak * part};
     const auto slot = static_cast<std::size_t>(work.slots[body]);
     if (account.keep < 1.0f) slowDown(work.velocity[slot], account);
-    if (account.part < 1.0f) shorten(work.shift[slot], account, step.dt);
+    if (account.part < 1.0f) shorten(work.deltaPosition[slot], account, step.dt);
 }
 
 /// Calls act(body, account) with all bodies of islands that have one.

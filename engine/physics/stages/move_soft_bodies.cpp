@@ -4,8 +4,8 @@
 
 #include "math/portable.hpp"
 #include "physics/effects/field_types.hpp"
+#include "physics/islands/sleeping.hpp"
 #include "physics/shapes/shape_types.hpp"
-#include "physics/sleeping.hpp"
 #include "physics/stages.hpp"
 
 namespace plumb::physics {
@@ -48,13 +48,13 @@ void moveFreely(const SoftStep& soft) {
     const bool pulled = (soft.step.world.manifest.pinnedOff & Manifest::bit(Effect::Gravity)) == 0;
     const Vec2 pull = pulled ? soft.step.world.settings.gravity : Vec2{};
     const float kept = exponential(-soft.body.damping * soft.h);
-    const float most = soft.step.world.settings.maxSpeed;
+    const float maximum = soft.step.world.settings.maxSpeed;
     for (SoftParticle& p : soft.body.particles) {
         p.before = p.place;
         if (p.inverseMass == 0.0f) continue;
         p.velocity = kept * (p.velocity + soft.h * pull);
         const float speed = length(p.velocity);
-        if (!(speed <= most)) p.velocity = std::isfinite(speed) ? (most / speed) * p.velocity : Vec2{};
+        if (!(speed <= maximum)) p.velocity = std::isfinite(speed) ? (maximum / speed) * p.velocity : Vec2{};
         p.place = p.place + soft.h * p.velocity;
     }
 }
@@ -65,10 +65,11 @@ void keepLengths(const SoftStep& soft) {
     for (const SoftLink& link : soft.body.links) {
         SoftParticle& a = soft.body.particles[link.a];
         SoftParticle& b = soft.body.particles[link.b];
-        const Vec2 way = b.place - a.place;
-        const float size = length(way), weight = a.inverseMass + b.inverseMass;
+        const Vec2 displacement = b.place - a.place;
+        const float size = length(displacement), weight = a.inverseMass + b.inverseMass;
         if (size <= 0.0f || weight <= 0.0f) continue;
-        const Vec2 push = (-(size - link.length) / (weight + link.compliance * perStep) / size) * way;
+        const Vec2 push =
+            (-(size - link.length) / (weight + link.compliance * perStep) / size) * displacement;
         a.place = a.place + -a.inverseMass * push;
         b.place = b.place + b.inverseMass * push;
     }
@@ -80,7 +81,7 @@ void keepArea(const SoftStep& soft) {
     if (ring.empty()) return;
     std::vector<SoftParticle>& particles = soft.body.particles;
     const std::size_t count = ring.size();
-    const Place origin = particles[ring[0]].place;
+    const WorldPosition origin = particles[ring[0]].place;
     const auto at = [&](std::size_t i) { return particles[ring[i % count]].place - origin; };
     const auto gradient = [&](std::size_t i) { return -0.5f * perpendicular(at(i + 1) - at(i + count - 1)); };
     float area = 0.0f, weight = soft.body.areaCompliance / (soft.h * soft.h);
@@ -119,10 +120,10 @@ void keepOut(const SoftStep& soft, SoftParticle& p, std::uint32_t shape, SoftObs
     if (!(depth > 0.0f)) return;
     if (obstacle.rests && length(p.velocity) > kRousing) rouse(soft.step, obstacle);
     const Vec2 normal = rotate(obstacle.rotation, nearest.normal), along = perpendicular(normal);
-    const Vec2 way = (p.place - p.before) - obstacle.way(arm);
-    const float came = std::clamp(-dot(way, normal), 0.0f, depth);
+    const Vec2 displacement = (p.place - p.before) - obstacle.displacement(arm);
+    const float came = std::clamp(-dot(displacement, normal), 0.0f, depth);
     const float push = came / (p.inverseMass + obstacle.weight(arm, normal));
-    const float hold = dot(way, along) / (p.inverseMass + obstacle.weight(arm, along));
+    const float hold = dot(displacement, along) / (p.inverseMass + obstacle.weight(arm, along));
     const float rub = std::clamp(hold, -soft.body.friction * push, soft.body.friction * push);
     const Vec2 impulse = push * normal - rub * along;
     const Vec2 eased = easedOf(soft, depth - came) * normal;
@@ -153,7 +154,7 @@ void updateVelocities(const SoftStep& soft) {
 
 /// Those that may meet go through their substeps side by side.
 void moveGroup(StepContext& step, std::span<const std::uint32_t> group) {
-    SoftMeetings& meetings = step.work.softMeetings;
+    SoftSoftContacts& meetings = step.work.softSoftContacts;
     SoftSurroundings& around = step.work.softSurroundings;
     int substeps = 1;
     for (const std::uint32_t index : group)
@@ -187,7 +188,7 @@ void moveGroup(StepContext& step, std::span<const std::uint32_t> group) {
 /// Position based dynamics with compliance, in small steps. Source: M. Macklin, M. Mueller, N. Chentanez,
 /// "XPBD: Position-Based Simulation of Compliant Constrained Dynamics", MIG 2016.
 void moveSoftBodies(StepContext& step) {
-    SoftMeetings& meetings = step.work.softMeetings;
+    SoftSoftContacts& meetings = step.work.softSoftContacts;
     findSurroundings(step);
     groupSoftBodies(step.world, step.dt, step.work.softSurroundings.neighbours, meetings);
     const std::span<const std::uint32_t> order = meetings.order;

@@ -17,9 +17,9 @@ constexpr std::size_t kOfKind = kKinds - 1;
 /// @param number  how many; then the first's place among all lanes
 void makeRoom(std::vector<BlockLanes>& lanes, std::int32_t& number, int colour) {
     const std::int32_t contacts = std::exchange(number, static_cast<std::int32_t>(lanes.size()) * kLanes);
-    const int most = colour == kOverflow ? 1 : kLanes;
-    for (std::int32_t left = contacts; left > 0; left -= most)
-        lanes.emplace_back().count = std::min(left, most);
+    const int maximum = colour == kOverflow ? 1 : kLanes;
+    for (std::int32_t left = contacts; left > 0; left -= maximum)
+        lanes.emplace_back().count = std::min(left, maximum);
 }
 
 void layOut(Workspace& work, std::vector<std::int32_t>& cursors) {
@@ -133,13 +133,15 @@ void prepareConstraints(StepContext& step) {
     fillLanes(step);
     const ContactSource source = sourceOf(step);
     const SolverKernels& kernels = solverKernels();
-    const std::size_t rubs = step.starts(Effect::Friction) ? 1 : 0;
-    if (step.isPlain()) {
-        prepareBlocks(step, source, kernels.plain[rubs], work.contactLanes, work.plainBlocks);
-        prepareBlocks(step, source, kernels.plainFixed[rubs], work.fixedLanes, work.plainFixedBlocks);
+    const std::size_t hasFriction = step.starts(Effect::Friction) ? 1 : 0;
+    if (step.isWithoutRotation()) {
+        prepareBlocks(step, source, kernels.plain[hasFriction], work.contactLanes,
+                      work.blocksWithoutRotation);
+        prepareBlocks(step, source, kernels.plainFixed[hasFriction], work.fixedLanes,
+                      work.fixedBlocksWithoutRotation);
     } else {
-        prepareBlocks(step, source, kernels.contacts[rubs], work.contactLanes, work.contactBlocks);
-        prepareBlocks(step, source, kernels.fixedContacts[rubs], work.fixedLanes, work.fixedBlocks);
+        prepareBlocks(step, source, kernels.contacts[hasFriction], work.contactLanes, work.contactBlocks);
+        prepareBlocks(step, source, kernels.fixedContacts[hasFriction], work.fixedLanes, work.fixedBlocks);
     }
     if (step.runs(Effect::Joints)) prepareJoints(step);
     static_cast<void>(step.starts(Effect::Motors));  // joints with a motor have blocks of their own

@@ -1,5 +1,5 @@
+#include "physics/contacts/chain_events.hpp"
 #include "physics/stages.hpp"
-#include "physics/surfaces.hpp"
 
 namespace plumb::physics {
 

@@ -1,7 +1,7 @@
 #include <algorithm>
 
-#include "physics/sleeping.hpp"
-#include "physics/solver/effort.hpp"
+#include "physics/islands/sleeping.hpp"
+#include "physics/islands/substep_controller.hpp"
 #include "physics/stages.hpp"
 
 namespace plumb::physics {
@@ -42,9 +42,10 @@ void keepOverlappingAwake(World& world, std::vector<std::uint32_t>& verdict) {
 
 /// What slept while it is too deep in something would stay there.
 void keepStrainedAwake(World& world, std::vector<std::uint32_t>& verdict) {
-    if (world.bodies.efforts.empty()) return;
+    if (world.bodies.substepControllers.empty()) return;
     for (const std::uint32_t body : world.awake) {
-        if (world.bodies.info[body].kind == BodyKind::Dynamic && isAtWork(world.bodies.efforts[body]))
+        if (world.bodies.info[body].kind == BodyKind::Dynamic &&
+            isAtWork(world.bodies.substepControllers[body]))
             verdict[islandOf(world, body)] = kNone;
     }
 }

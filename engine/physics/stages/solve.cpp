@@ -1,14 +1,14 @@
 #include <algorithm>
 
-#include "physics/solver/grow_trees.hpp"
 #include "physics/solver/joint_lanes.hpp"
 #include "physics/solver/locks.hpp"
 #include "physics/solver/passes.hpp"
 #include "physics/solver/restitution.hpp"
 #include "physics/solver/rolling.hpp"
-#include "physics/solver/solve_plain.hpp"
-#include "physics/solver/solve_trees.hpp"
+#include "physics/solver/solve_without_rotation.hpp"
 #include "physics/stages.hpp"
+#include "physics/trees/joint_tree_builder.hpp"
+#include "physics/trees/joint_tree_solver.hpp"
 
 namespace plumb::physics {
 
@@ -31,9 +31,9 @@ struct Solver {
 };
 
 SolverBodies bodiesOf(Workspace& work) {
-    return {work.velocity.data(), work.shift.data(),
-            work.drive.data(),    work.keep.empty() ? nullptr : work.keep.data(),
-            work.flight.data(),   work.undisturbed.data()};
+    return {work.velocity.data(),       work.deltaPosition.data(),
+            work.drive.data(),          work.keep.empty() ? nullptr : work.keep.data(),
+            work.ballisticDrift.data(), work.velocityBeforeImpulses.data()};
 }
 
 /// Runs one pass over all constraints of a group, colour by colour: joints, then contacts.
@@ -117,16 +117,16 @@ void solveGroup(Solver& solver) {
 }  // namespace
 
 void solve(StepContext& step) {
-    if (step.isPlain()) return solvePlain(step);
+    if (step.isWithoutRotation()) return solvePlain(step);
     const SolverKernels& kernels = solverKernels();
-    const std::size_t rubs = step.runs(Effect::Friction) ? 1 : 0;
+    const std::size_t hasFriction = step.runs(Effect::Friction) ? 1 : 0;
     Workspace& work = step.work;
     const Settings& settings = step.world.settings;
     prepareRestitution(step);
     prepareRolling(step);
     prepareLocks(step);
-    Contacts contacts{{kernels.contacts[rubs], work.contactLanes, work.contactBlocks},
-                      {kernels.fixedContacts[rubs], work.fixedLanes, work.fixedBlocks}};
+    Contacts contacts{{kernels.contacts[hasFriction], work.contactLanes, work.contactBlocks},
+                      {kernels.fixedContacts[hasFriction], work.fixedLanes, work.fixedBlocks}};
     for (const SolveGroup& group : work.groups) {
         const float h = step.dt / static_cast<float>(group.substeps);
         contacts.startGroup(settings, h);
@@ -137,7 +137,7 @@ void solve(StepContext& step) {
                       contacts,
                       jointPass(settings, h),
                       h,
-                      std::clamp<int>(settings.iterations, group.iterations, kMostIterations),
+                      std::clamp<int>(settings.iterations, group.iterations, kMaxIterations),
                       solvesTrees(step.world, work)};
         solveGroup(solver);
     }

@@ -2,9 +2,9 @@
 #include <cmath>
 #include <functional>
 
-#include "physics/bounds.hpp"
-#include "physics/broadphase_update.hpp"
-#include "physics/contacts.hpp"
+#include "physics/broadphase/broadphase_update.hpp"
+#include "physics/contacts/contacts.hpp"
+#include "physics/model/bounds.hpp"
 #include "physics/solver/impact.hpp"
 #include "physics/stages.hpp"
 
@@ -17,7 +17,7 @@ constexpr int kGrain = 8;
 /// Hits that change the path of a body within one step; at one more it stops, and the next step goes on with
 /// it. What comes into a corner of an angle of a leaves it after at most 1 + pi / a elastic hits: 5 are
 /// enough for 45 degrees.
-constexpr int kMostHits = 5;
+constexpr int kMaxHits = 5;
 
 /// What gets no further than this part of its path is wedged: it reaches into something already, and turns
 /// under it faster than its contact can follow. Else it would stay there at full speed.
@@ -27,7 +27,7 @@ constexpr float kKeptWhenWedged = 0.5f;  // of its speeds
 /// Layers of Workspace::sweptProxies: bullets search for all of them, other bodies for some.
 constexpr std::uint32_t kBulletLayer = 1, kFastLayer = 2, kKinematicLayer = 4;
 
-Rot turnOf(const Float4& shift) { return normalized(Rot{1.0f + shift.w, shift.z}); }
+Rot turnOf(const Float4& deltaPosition) { return normalized(Rot{1.0f + deltaPosition.w, deltaPosition.z}); }
 
 bool isDynamic(const World& world, std::uint32_t body) {
     return world.bodies.info[body].kind == BodyKind::Dynamic;
@@ -42,14 +42,14 @@ bool isHeld(const StepContext& step, std::uint32_t body) { return step.work.colo
 Sweep pathOf(const StepContext& step, std::uint32_t body) {
     const BodyPose& pose = step.world.bodies.pose[body];
     const auto slot = static_cast<std::size_t>(step.work.slots[body]);
-    const Float4& shift = step.work.shift[slot];
-    const Vec2 way{shift.x, shift.y};
-    Sweep sweep{pose.centre + -way, way, pose.rotation, 0.0f, pose.localCentre};
-    if (shift.z == 0.0f && step.work.velocity[slot].z == 0.0f) return sweep;
-    const float angle = angleOf(turnOf(shift));
+    const Float4& deltaPosition = step.work.deltaPosition[slot];
+    const Vec2 displacement{deltaPosition.x, deltaPosition.y};
+    Sweep sweep{pose.centre + -displacement, displacement, pose.rotation, 0.0f, pose.localCentre};
+    if (deltaPosition.z == 0.0f && step.work.velocity[slot].z == 0.0f) return sweep;
+    const float angle = angleOf(turnOf(deltaPosition));
     const float turns = (step.work.velocity[slot].z * step.dt - angle) / kTau;
     sweep.turn = angle + kTau * static_cast<float>(floorToInt(turns + 0.5f));
-    sweep.rotation = normalized(inverse(turnOf(shift)) * pose.rotation);
+    sweep.rotation = normalized(inverse(turnOf(deltaPosition)) * pose.rotation);
     return sweep;
 }
 
@@ -69,7 +69,7 @@ SweptBody sweptBodyOf(const StepContext& step, std::uint32_t body) {
     if (!isDynamic(step.world, body) || swept.isHeld) return swept;
     // Its path would be longer at the velocity of its end, by what made it faster.
     const Vec2 velocity = step.world.bodies.motion[body].velocity;
-    swept.pull = (2.0f / step.dt) * (velocity - (1.0f / step.dt) * swept.sweep.way);
+    swept.pull = (2.0f / step.dt) * (velocity - (1.0f / step.dt) * swept.sweep.displacement);
     return swept;
 }
 
@@ -81,8 +81,8 @@ float reachOf(const StepContext& step, const SweptBody& swept) {
     const float rounding = 5.0e-7f * std::max(std::fabs(from.x), std::fabs(from.y));
     return step.world.bodies.info[swept.body].reach + rounding + step.world.settings.speculativeDistance;
 }
-Vec2 beginOf(const Sweep& sweep) { return toVec2(sweep.start + sweep.way * sweep.begin); }
-Vec2 wayLeft(const Sweep& sweep) { return sweep.way * std::max(1.0f - sweep.begin, 0.0f); }
+Vec2 beginOf(const Sweep& sweep) { return toVec2(sweep.start + sweep.displacement * sweep.begin); }
+Vec2 displacementLeft(const Sweep& sweep) { return sweep.displacement * std::max(1.0f - sweep.begin, 0.0f); }
 
 int hitsOf(const Workspace& work, std::uint32_t body) {
     const std::uint32_t place = work.bodyScratch[body];
@@ -98,7 +98,7 @@ void findNext(const StepContext& step, std::size_t place, std::vector<std::uint3
     SweptBody& swept = step.work.swept[place];
     const Sweep& sweep = swept.sweep;
     swept.next = {};
-    if (!isDynamic(world, swept.body) || swept.hits > kMostHits || sweep.begin >= 1.0f) return;
+    if (!isDynamic(world, swept.body) || swept.hits > kMaxHits || sweep.begin >= 1.0f) return;
     const auto meetAll = [&](std::uint32_t shape) {
         if (shape == swept.passed) return;
         const Sweep path = pathOfMet(step, world.shapes.info[shape].body);
@@ -111,8 +111,9 @@ void findNext(const StepContext& step, std::size_t place, std::vector<std::uint3
     const float reach = reachOf(step, swept);
     const bool all = isBullet(world, swept.body);
     found.clear();
-    work.broadPhase->cast(proxiesOf(world), beginOf(sweep), wayLeft(sweep), {reach, reach}, 0xffffffffu,
-                          found, all || world.manifest.runs(Effect::Kinematics) ? Among::All : Among::Static);
+    work.broadPhase->cast(proxiesOf(world), beginOf(sweep), displacementLeft(sweep), {reach, reach},
+                          0xffffffffu, found,
+                          all || world.manifest.runs(Effect::Kinematics) ? Among::All : Among::Static);
     std::sort(found.begin(), found.end());
     for (const std::uint32_t shape : found) {
         const std::uint32_t body = world.shapes.info[shape].body;
@@ -123,8 +124,8 @@ void findNext(const StepContext& step, std::size_t place, std::vector<std::uint3
     const std::uint32_t layers =
         kKinematicLayer | (all || swept.hits > 0 ? kBulletLayer : 0) | (all ? kFastLayer : 0);
     found.clear();
-    work.sweptProxies.search->cast(work.sweptProxies.view(), beginOf(sweep), wayLeft(sweep), {reach, reach},
-                                   layers, found, Among::All);
+    work.sweptProxies.search->cast(work.sweptProxies.view(), beginOf(sweep), displacementLeft(sweep),
+                                   {reach, reach}, layers, found, Among::All);
     std::sort(found.begin(), found.end());
     for (const std::uint32_t other : found) {
         for (std::uint32_t s = world.bodies.info[work.swept[other].body].firstShape; s != kNone;
@@ -139,7 +140,7 @@ void findNext(const StepContext& step, std::size_t place, std::vector<std::uint3
 /// Whether the solver has to see the hit, together with what else holds or moves the body.
 bool needsSolver(const StepContext& step, std::uint32_t body) {
     if (!isDynamic(step.world, body)) return false;
-    return step.work.slots[body] < 0 || isHeld(step, body) || hitsOf(step.work, body) >= kMostHits ||
+    return step.work.slots[body] < 0 || isHeld(step, body) || hitsOf(step.work, body) >= kMaxHits ||
            (step.world.bodies.info[body].flags & (kLockX | kLockY)) != 0;
 }
 
@@ -148,7 +149,7 @@ bool needsSolver(const StepContext& step, std::uint32_t body) {
 void takeBackGain(StepContext& step, const SweptBody& swept, float part) {
     const Float4& drive = step.work.drive[static_cast<std::size_t>(step.work.slots[swept.body])];
     Vec2& velocity = step.world.bodies.motion[swept.body].velocity;
-    const float gain = 2.0f * part * dot({drive.x, drive.y}, swept.sweep.way);
+    const float gain = 2.0f * part * dot({drive.x, drive.y}, swept.sweep.displacement);
     const float before = lengthSquared(velocity);
     if (gain > 0.0f) velocity *= std::sqrt(std::max(before - gain, 0.0f) / std::max(before, gain));
 }
@@ -167,7 +168,7 @@ void stop(StepContext& step, std::uint32_t body, const PathHit& hit) {
         motion.angularVelocity *= kKeptWhenWedged;
     }
     swept.sweep = resting(swept.sweep.at(part), part);
-    swept.hits = kMostHits + 1;
+    swept.hits = kMaxHits + 1;
 }
 
 /// Takes a held body that a kinematic one hit along with that to the end of the step, where the solver finds
@@ -192,17 +193,19 @@ void carryAlong(StepContext& step, std::uint32_t body, std::uint32_t by, const P
 /// s: how long before the end of the step a body was at the place where it hits a surface that does not
 /// yield. Its path is straight and its flight was not: along the normal it was there at another moment.
 float timeLeft(const SweptBody& swept, Vec2 velocity, Vec2 normal, float left, float dt) {
-    const float way = (left / dt) * dot(swept.sweep.way, normal), speed = dot(velocity, normal);
-    const float square = speed * speed - 2.0f * dot(swept.pull, normal) * way;
+    const float displacement = (left / dt) * dot(swept.sweep.displacement, normal),
+                speed = dot(velocity, normal);
+    const float square = speed * speed - 2.0f * dot(swept.pull, normal) * displacement;
     const float sum = speed + std::copysign(std::sqrt(std::max(square, 0.0f)), speed);
-    return sum * way > 0.0f ? std::min(2.0f * way / sum, (1.0f - swept.sweep.begin) * dt) : left;
+    return sum * displacement > 0.0f ? std::min(2.0f * displacement / sum, (1.0f - swept.sweep.begin) * dt)
+                                     : left;
 }
 
 /// A body at the moment of a hit, so many s before the end of the step.
 ImpactBody bodyAt(const StepContext& step, std::uint32_t body, const Sweep& sweep, float part, float left) {
     const World& world = step.world;
     if (!isDynamic(world, body))
-        return {sweep.at(part), {(1.0f / step.dt) * sweep.way, sweep.turn / step.dt}, {}};
+        return {sweep.at(part), {(1.0f / step.dt) * sweep.displacement, sweep.turn / step.dt}, {}};
     ImpactBody found{sweep.at(part), world.bodies.motion[body], world.bodies.mass[body]};
     found.motion.velocity -= left * step.work.swept[step.work.bodyScratch[body]].pull;
     return found;
@@ -248,7 +251,7 @@ std::uint32_t layerOf(const World& world, std::uint32_t body) {
 
 AABB boundsOf(const StepContext& step, const SweptBody& swept) {
     const float reach = reachOf(step, swept);
-    const Vec2 from = beginOf(swept.sweep), to = from + wayLeft(swept.sweep), half{reach, reach};
+    const Vec2 from = beginOf(swept.sweep), to = from + displacementLeft(swept.sweep), half{reach, reach};
     return {min(from, to) - half, max(from, to) + half};
 }
 
@@ -272,7 +275,7 @@ bool isRefused(const StepContext& step, const PathHit& hit, const Contact& conta
 void hitNext(StepContext& step, std::uint32_t own, std::uint32_t met, const PathHit& hit) {
     Workspace& work = step.work;
     Contact contact = contactOf(step, hit, own, met);
-    if (hitsOf(work, own) < kMostHits && isRefused(step, hit, contact)) {
+    if (hitsOf(work, own) < kMaxHits && isRefused(step, hit, contact)) {
         SweptBody& swept = work.swept[work.bodyScratch[own]];
         swept.passed = hit.met;
         swept.sweep.begin = hit.part;
@@ -427,10 +430,10 @@ void addPassedBodies(StepContext& step) {
         if (isDynamic(world, body)) continue;
         const Sweep path = pathOf(step, body);
         const BodyInfo& info = world.bodies.info[body];
-        if (!isFast(path.way, path.turn, info)) continue;
+        if (!isFast(path.displacement, path.turn, info)) continue;
         work.candidates.clear();
-        work.broadPhase->cast(proxiesOf(world), toVec2(path.start), path.way, {info.reach, info.reach},
-                              0xffffffffu, work.candidates, Among::All);
+        work.broadPhase->cast(proxiesOf(world), toVec2(path.start), path.displacement,
+                              {info.reach, info.reach}, 0xffffffffu, work.candidates, Among::All);
         for (const std::uint32_t shape : work.candidates) {
             const std::uint32_t other = world.shapes.info[shape].body;
             if (known[other] != kNone || !isDynamic(world, other) || work.slots[other] < 0) continue;

@@ -2,12 +2,12 @@
 #include <span>
 #include <utility>
 
-#include "physics/contacts.hpp"
-#include "physics/initial_overlaps.hpp"
-#include "physics/joints.hpp"
-#include "physics/sleeping.hpp"
+#include "physics/contacts/chain_events.hpp"
+#include "physics/contacts/contacts.hpp"
+#include "physics/contacts/initial_overlaps.hpp"
+#include "physics/islands/sleeping.hpp"
+#include "physics/model/joints.hpp"
 #include "physics/stages.hpp"
-#include "physics/surfaces.hpp"
 
 namespace plumb::physics {
 
@@ -22,7 +22,7 @@ bool touches(const Contact& contact) {
     return (contact.flags & kTriggered) == 0 || std::min(contact.separation0, contact.separation1) <= 0.0f;
 }
 
-bool mayMeet(const World& world, const Contact& contact) {
+bool mayCollide(const World& world, const Contact& contact) {
     return meet(world.shapes.filter[contact.shapeA], world.shapes.filter[contact.shapeB]) &&
            !keptApart(world, contact.bodyA, contact.bodyB);
 }
@@ -42,7 +42,7 @@ void lookAt(Look& look, std::size_t first, std::size_t count) {
     std::uint16_t* keys = look.step.work.contactKeys.data() + first;
     for (std::size_t i = 0; i < count; ++i) {
         Contact& contact = contacts[i];
-        if (look.asked && !mayMeet(world, contact)) contact.flags |= kGone;
+        if (look.asked && !mayCollide(world, contact)) contact.flags |= kGone;
         const bool before = (contact.flags & kTouching) != 0;
         if ((contact.flags & kGone) != 0 || touches(contact) != before) {
             look.changed.push_back(static_cast<std::uint32_t>(first + i));

@@ -29,7 +29,7 @@ class Vertex {
 public:
     struct Candidate {
         std::uint32_t edge = kNone;
-        GridPoint way;
+        GridPoint displacement;
         EdgeKind kind;
     };
 
@@ -56,9 +56,11 @@ public:
         for (std::size_t i = 0; i < count_; ++i) sum += wanted(candidates_[i].kind) ? 1 : 0;
         return sum;
     }
-    [[nodiscard]] Turn turnTo(const Candidate& candidate) const { return turnOf(back_, candidate.way); }
+    [[nodiscard]] Turn turnTo(const Candidate& candidate) const {
+        return turnOf(back_, candidate.displacement);
+    }
     [[nodiscard]] bool isEarlierThan(const Candidate& a, const Candidate& b) const {
-        return isEarlier(back_, a.way, b.way);
+        return isEarlier(back_, a.displacement, b.displacement);
     }
 
 private:
@@ -67,7 +69,8 @@ private:
         const Candidate* found = nullptr;
         for (std::size_t i = 0; i < count_; ++i) {
             const Candidate& next = candidates_[i];
-            if (wanted(next.kind) && (found == nullptr || better(next.way, found->way))) found = &next;
+            if (wanted(next.kind) && (found == nullptr || better(next.displacement, found->displacement)))
+                found = &next;
         }
         return found != nullptr ? *found : Candidate{};
     }
@@ -82,7 +85,8 @@ bool isOneWay(EdgeKind kind) { return kind.oneWay != OneWay::No; }
 
 /// @param joined  solids that touch in this point count as one
 EdgeLink linkOfPlain(const Vertex& vertex, bool joined) {
-    const Vertex::Candidate outline = joined ? vertex.first(isPlain) : vertex.last(isPlain);
+    const Vertex::Candidate outline =
+        joined ? vertex.first(isPlain) : vertex.last(isPlain);
     if (vertex.turnTo(outline) != Turn::More) return {outline.edge, outline.edge};
     const Vertex::Candidate joint = vertex.first(isOneWay);
     const bool goesOn = joint.edge != kNone && vertex.isEarlierThan(joint, outline);
@@ -103,7 +107,9 @@ EdgeLink linkOfInner(const Vertex& vertex, std::uint8_t layers) {
     return {own.edge, own.edge};
 }
 
-constexpr GridPoint mirroredIf(bool mirror, GridPoint way) { return mirror ? GridPoint{-way.x, way.y} : way; }
+constexpr GridPoint mirroredIf(bool mirror, GridPoint displacement) {
+    return mirror ? GridPoint{-displacement.x, displacement.y} : displacement;
+}
 
 }  // namespace
 

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "physics/geometry.hpp"
+#include "physics/model/geometry.hpp"
 #include "physics/terrain/edge_links.hpp"
 
 namespace plumb::physics {
@@ -51,7 +51,7 @@ public:
     void build(const TileMask& mask, CellRect rect, TerrainOutline& outline);
 
 private:
-    struct Place {
+    struct EdgePlace {
         std::uint32_t before = kNone;  ///< edges that provide the ghost vertices
         std::uint32_t after = kNone;
         std::uint32_t outlineBefore = kNone;
@@ -69,7 +69,7 @@ private:
     EdgeLinks links_;
     std::vector<TileEdge> edges_;  // the chunk's own edges, then those around it that touch its border
     std::uint32_t own_ = 0;
-    std::vector<Place> places_;             // parallel to the chunk's own edges
+    std::vector<EdgePlace> places_;         // parallel to the chunk's own edges
     std::vector<std::uint32_t> firstEdge_;  // by segment
     std::vector<std::uint32_t> lastEdge_;
 };

@@ -15,8 +15,8 @@ struct Merging {
 bool isBox(const TileOutline& outline) {
     if (outline.count != 4) return false;
     for (int i = 0; i < 4; ++i) {
-        const GridPoint way = outline.cornerAfter(i) - outline.corner(i);
-        if (way.x != 0 && way.y != 0) return false;
+        const GridPoint displacement = outline.cornerAfter(i) - outline.corner(i);
+        if (displacement.x != 0 && displacement.y != 0) return false;
     }
     return true;
 }
@@ -57,9 +57,9 @@ PieceCorners cornersOf(const TerrainPiece& piece, const TilePalette& palette) {
 }
 
 /// The length of the run of equal cells that starts at `at`, at most `most`.
-int PieceBuilder::runOf(std::size_t at, int most) const {
+int PieceBuilder::runOf(std::size_t at, int maximum) const {
     int run = 1;
-    while (run < most && rest_[at + static_cast<std::size_t>(run)] == rest_[at]) ++run;
+    while (run < maximum && rest_[at + static_cast<std::size_t>(run)] == rest_[at]) ++run;
     return run;
 }
 

@@ -32,7 +32,7 @@ public:
     void build(const TileMask& mask, CellRect rect, std::vector<TerrainPiece>& pieces);
 
 private:
-    [[nodiscard]] int runOf(std::size_t at, int most) const;
+    [[nodiscard]] int runOf(std::size_t at, int maximum) const;
 
     std::vector<MaskCell> rest_;  // cells that are not in a piece yet
 };

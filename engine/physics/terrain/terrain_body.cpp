@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include "physics/bodies.hpp"
-#include "physics/checks.hpp"
-#include "physics/shapes.hpp"
+#include "physics/model/bodies.hpp"
+#include "physics/model/checks.hpp"
+#include "physics/model/shapes.hpp"
 
 namespace plumb::physics {
 
@@ -18,7 +18,8 @@ GridPoint cornerOf(const TerrainOutlines& terrain, std::uint32_t chunk) {
     return cornerOfCell(cells.x0, cells.y0);
 }
 
-Place placeOf(const TerrainOutlines& terrain, const TerrainDefinition& definition, std::uint32_t chunk) {
+WorldPosition placeOf(const TerrainOutlines& terrain, const TerrainDefinition& definition,
+                      std::uint32_t chunk) {
     const CellRect cells = terrain.cellsOf(chunk);
     return {definition.position.x + cells.x0 * static_cast<double>(definition.cellSize.x),
             definition.position.y + cells.y0 * static_cast<double>(definition.cellSize.y)};

@@ -10,7 +10,7 @@ namespace plumb::physics {
 
 /// Position of a terrain and properties of its shapes.
 struct TerrainDefinition {
-    Place position;             ///< m, of its top-left corner
+    WorldPosition position;     ///< m, of its top-left corner
     Vec2 cellSize{1.0f, 1.0f};  ///< m
     bool reportsContacts = true;
     std::uint64_t user = 0;  ///< the owner's own number for its bodies and shapes

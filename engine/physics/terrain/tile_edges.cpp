@@ -7,7 +7,7 @@ namespace plumb::physics {
 namespace {
 
 /// The edge along a part of a side, clockwise.
-TileEdge alongSide(GridPoint corner, Side side, SideSpan span, EdgeKind kind) {
+TileEdge alongSide(GridPoint corner, Side side, FaceSpan span, EdgeKind kind) {
     switch (side) {
         case kTop: return {corner + GridPoint{span.from, 0}, corner + GridPoint{span.to, 0}, kind};
         case kRight:
@@ -36,7 +36,7 @@ public:
                 edges_.push_back({a, b, kind});
             } else {
                 const bool level = side == kTop || side == kBottom;
-                const SideSpan own =
+                const FaceSpan own =
                     level ? spanOf(a.x - corner.x, b.x - corner.x) : spanOf(a.y - corner.y, b.y - corner.y);
                 appendSide(corner, side, own, kind, cell[toNeighbour_[side]]);
             }
@@ -44,7 +44,7 @@ public:
     }
 
 private:
-    static SideSpan spanOf(std::int32_t a, std::int32_t b) { return {std::min(a, b), std::max(a, b)}; }
+    static FaceSpan spanOf(std::int32_t a, std::int32_t b) { return {std::min(a, b), std::max(a, b)}; }
 
     /// Fast path for the common case: a full cell among full cells with the same layers.
     [[nodiscard]] bool isInside(const MaskCell* cell) const {
@@ -54,18 +54,18 @@ private:
         return true;
     }
 
-    void appendSide(GridPoint corner, Side side, SideSpan own, EdgeKind kind, MaskCell neighbour) {
-        const SideSpan other =
+    void appendSide(GridPoint corner, Side side, FaceSpan own, EdgeKind kind, MaskCell neighbour) {
+        const FaceSpan other =
             palette_.outline(neighbour.form).spans[static_cast<std::size_t>((side + 2) % 4)];
-        const SideSpan both{std::max(own.from, other.from), std::min(own.to, other.to)};
+        const FaceSpan both{std::max(own.from, other.from), std::min(own.to, other.to)};
         if (both.from > both.to) {
             edges_.push_back(alongSide(corner, side, own, kind));
             return;
         }
         // If the neighbour touches the side in a single point only, `both` is that point and the side is
         // split in two edges.
-        const SideSpan first{own.from, both.from};
-        const SideSpan last{both.to, own.to};
+        const FaceSpan first{own.from, both.from};
+        const FaceSpan last{both.to, own.to};
         if (!first.empty()) edges_.push_back(alongSide(corner, side, first, kind));
         if (!last.empty()) edges_.push_back(alongSide(corner, side, last, kind));
         if (!both.empty() && neighbour.layers != kind.layers &&

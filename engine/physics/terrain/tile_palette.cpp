@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "core/assert.hpp"
-#include "physics/checks.hpp"
+#include "physics/model/checks.hpp"
 
 namespace plumb::physics {
 
@@ -23,17 +23,17 @@ Side sideOf(GridPoint a, GridPoint b) {
 }
 
 /// The part of a side that a solid outline fills, or the point at which it touches the side.
-SideSpan spanOf(const TileOutline& outline, Side side) {
+FaceSpan spanOf(const TileOutline& outline, Side side) {
     const bool level = side == kTop || side == kBottom;
     const std::int32_t line = side == kRight || side == kBottom ? kCellUnits : 0;
-    SideSpan span{kCellUnits, 0};
+    FaceSpan span{kCellUnits, 0};
     for (int i = 0; i < outline.count && outline.isSolid(); ++i) {
         const GridPoint corner = outline.corner(i);
         if ((level ? corner.y : corner.x) != line) continue;
         span.from = std::min(span.from, level ? corner.x : corner.y);
         span.to = std::max(span.to, level ? corner.x : corner.y);
     }
-    return span.from <= span.to ? span : SideSpan{};
+    return span.from <= span.to ? span : FaceSpan{};
 }
 
 /// Computes the members that follow from the corners and `oneWay`.
@@ -77,8 +77,9 @@ void dropNeedless(std::vector<GridPoint>& points) {
 bool isConvex(std::span<const GridPoint> points) {
     for (std::size_t i = 0; i < points.size(); ++i) {
         const GridPoint a = points[i];
-        const GridPoint way = points[(i + 1) % points.size()] - a;
-        if (!std::all_of(points.begin(), points.end(), [&](GridPoint p) { return cross(way, p - a) >= 0; }))
+        const GridPoint displacement = points[(i + 1) % points.size()] - a;
+        if (!std::all_of(points.begin(), points.end(),
+                         [&](GridPoint p) { return cross(displacement, p - a) >= 0; }))
             return false;
     }
     return true;

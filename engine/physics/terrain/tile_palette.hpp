@@ -60,12 +60,12 @@ struct TileLayers {
 /// The part of a side of a cell that a solid form fills (units, from left to right or from top to bottom).
 /// Empty where only a corner touches the side; also empty, and at a corner of the cell, where nothing touches
 /// it.
-struct SideSpan {
+struct FaceSpan {
     std::int32_t from = 0;
     std::int32_t to = 0;
 
     [[nodiscard]] constexpr bool empty() const { return from >= to; }
-    friend constexpr bool operator==(SideSpan, SideSpan) = default;
+    friend constexpr bool operator==(FaceSpan, FaceSpan) = default;
 };
 
 /// The sides of a cell, clockwise on screen, as its outline.
@@ -77,7 +77,7 @@ struct TileOutline {
 
     std::array<GridPoint, kMaxCorners> corners{};
     std::array<Side, kMaxCorners> sides{};  ///< by edge: the side that the edge from each corner lies on
-    std::array<SideSpan, 4> spans{};        ///< the part of each side that it fills; empty for a one-way form
+    std::array<FaceSpan, 4> spans{};        ///< the part of each side that it fills; empty for a one-way form
     std::uint8_t count = 0;
     std::uint8_t stops = 0;  ///< bits: edges that stop bodies; all except for one-way forms
     OneWay oneWay = OneWay::No;

@@ -35,7 +35,7 @@ struct Cloth : SoftLook {
         for (const int value : {columns, rows, static_cast<int>(pinned)})
             hasher.add(static_cast<std::uint64_t>(value));
     }
-    [[nodiscard]] Result<physics::SoftBodyId> make(physics::World& world, physics::Place at,
+    [[nodiscard]] Result<physics::SoftBodyId> make(physics::World& world, physics::WorldPosition at,
                                                    float metres) const {
         return physics::createCloth(world, at, size * metres, across(), std::clamp(rows, 2, 100),
                                     material(metres));

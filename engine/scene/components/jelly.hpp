@@ -38,7 +38,7 @@ struct Jelly : SoftLook {
         SoftLook::addTo(hasher);
         hasher.add(radius), hasher.add(squeeze), hasher.add(static_cast<std::uint64_t>(points));
     }
-    [[nodiscard]] Result<physics::SoftBodyId> make(physics::World& world, physics::Place at,
+    [[nodiscard]] Result<physics::SoftBodyId> make(physics::World& world, physics::WorldPosition at,
                                                    float metres) const {
         const int count = std::clamp(points, 5, kMostPoints);
         std::array<Vec2, kMostPoints> outline;

@@ -29,7 +29,7 @@ struct Rope : SoftLook {
         hasher.add(static_cast<std::uint64_t>(points) << 2 | std::uint64_t{pinStart} << 1 |
                    std::uint64_t{pinEnd});
     }
-    [[nodiscard]] Result<physics::SoftBodyId> make(physics::World& world, physics::Place at,
+    [[nodiscard]] Result<physics::SoftBodyId> make(physics::World& world, physics::WorldPosition at,
                                                    float metres) const {
         return physics::createRope(world, at, at + to * metres, std::clamp(points, 2, 500), material(metres));
     }

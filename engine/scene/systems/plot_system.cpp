@@ -4,8 +4,8 @@
 #include <utility>
 
 #include "ecs/world.hpp"
-#include "physics/bodies.hpp"
-#include "physics/measures.hpp"
+#include "physics/measure/measures.hpp"
+#include "physics/model/bodies.hpp"
 #include "physics/simulation.hpp"
 #include "scene/body_sync.hpp"
 #include "scene/components/ghost.hpp"

@@ -12,10 +12,10 @@
 #include "core/random.hpp"
 #include "core/text.hpp"
 #include "math/rot.hpp"
-#include "physics/fields.hpp"
-#include "physics/joints.hpp"
+#include "physics/model/fields.hpp"
+#include "physics/model/joints.hpp"
 #include "physics/simulation.hpp"
-#include "physics/softbody.hpp"
+#include "physics/soft/softbody.hpp"
 
 namespace plumb::families {
 
@@ -45,11 +45,11 @@ struct CostScene {
     }
 
     [[nodiscard]] int columns() const { return static_cast<int>(std::ceil(std::sqrt(count))); }
-    [[nodiscard]] physics::Place cell(int i) const {
+    [[nodiscard]] physics::WorldPosition cell(int i) const {
         return {kCell * (i % columns()), kCell * (1.0 + static_cast<double>(i / columns()))};
     }
-    BodyId body(physics::Place at, const physics::Geometry& outline, physics::BodyDefinition definition = {},
-                const physics::ShapeDefinition& shape = {}) {
+    BodyId body(physics::WorldPosition at, const physics::Geometry& outline,
+                physics::BodyDefinition definition = {}, const physics::ShapeDefinition& shape = {}) {
         definition.position = at;
         const BodyId made = *physics::createBody(world, definition);
         static_cast<void>(*physics::createShape(world, made, outline, shape));
@@ -57,7 +57,7 @@ struct CostScene {
         return made;
     }
     /// A static platform below a cell, so that nothing falls out of it.
-    void shelf(physics::Place at) {
+    void shelf(physics::WorldPosition at) {
         body({at.x, at.y - 0.6}, physics::box({1.2f, 0.1f}), {.kind = BodyKind::Static});
     }
     Vec2 anyDirection(float speed) {
@@ -112,7 +112,7 @@ void triggers(CostScene& scene) {
 
 void oneWayPlatforms(CostScene& scene) {
     for (int i = 0; i < scene.count; ++i) {
-        const physics::Place at = scene.cell(i);
+        const physics::WorldPosition at = scene.cell(i);
         scene.body({at.x, at.y - 0.6}, physics::box({1.2f, 0.1f}), {.kind = BodyKind::Static},
                    {.oneWay = true, .oneWayDirection = {0.0f, 1.0f}});
         scene.body(at, physics::box({0.5f, 0.5f}));
@@ -121,7 +121,7 @@ void oneWayPlatforms(CostScene& scene) {
 
 void conveyors(CostScene& scene) {
     for (int i = 0; i < scene.count; ++i) {
-        const physics::Place at = scene.cell(i);
+        const physics::WorldPosition at = scene.cell(i);
         scene.body({at.x, at.y - 0.6}, physics::box({1.2f, 0.1f}), {.kind = BodyKind::Static},
                    {.surfaceSpeed = 0.1f});
         scene.body(at, physics::box({0.5f, 0.5f}));
@@ -131,7 +131,7 @@ void conveyors(CostScene& scene) {
 template <JointKind kKind>
 void joints(CostScene& scene) {
     for (int i = 0; i < scene.count; ++i) {
-        const physics::Place at = scene.cell(i);
+        const physics::WorldPosition at = scene.cell(i);
         const BodyId hook = scene.body(at, physics::circle(0.1f), {.kind = BodyKind::Static}, {.mask = 0});
         const BodyId bob = scene.body({at.x + 1.0, at.y}, physics::circle(0.3f), {}, {.mask = 0});
         physics::JointDefinition joint{.kind = kKind, .a = hook, .b = bob, .anchorB = {-1.0f, 0.0f}};
@@ -147,8 +147,8 @@ void chainLinks(CostScene& scene) {
     constexpr int kLinks = 20;
     for (int i = 0; i < scene.count; ++i) {
         const bool first = i % kLinks == 0;
-        const physics::Place at = scene.cell(i / kLinks);
-        const physics::Place here{at.x + 0.5 * (i % kLinks), at.y};
+        const physics::WorldPosition at = scene.cell(i / kLinks);
+        const physics::WorldPosition here{at.x + 0.5 * (i % kLinks), at.y};
         const BodyId above = first ? scene.ground : scene.bodies.back();
         const Vec2 anchor =
             first ? Vec2{static_cast<float>(here.x - 0.25), static_cast<float>(here.y)} : Vec2{0.25f, 0.0f};

@@ -7,7 +7,7 @@
 // height^2 > 6 s (1 - s), at most 1.5. Damped by more than 1/s, it rests after 10 s. What is heavier lies on
 // the ground. About the center of a linear pull k all swings as cos(sqrt(k) t), along x and along y.
 
-#include "physics/fields.hpp"
+#include "physics/model/fields.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -8,7 +8,7 @@
 
 #include "core/hash.hpp"
 #include "core/text.hpp"
-#include "physics/measures.hpp"
+#include "physics/measure/measures.hpp"
 #include "tests/bench/physics/scene_error.hpp"
 
 namespace plumb::families {

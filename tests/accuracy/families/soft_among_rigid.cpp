@@ -11,8 +11,8 @@
 #include <cmath>
 #include <memory>
 
-#include "physics/measures.hpp"
-#include "physics/softbody.hpp"
+#include "physics/measure/measures.hpp"
+#include "physics/soft/softbody.hpp"
 #include "tests/accuracy/families/family.hpp"
 #include "tests/accuracy/families/goals.hpp"
 

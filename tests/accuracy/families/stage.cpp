@@ -155,15 +155,15 @@ Material Stage::placed(Material material) const {
     return material;
 }
 
-physics::Place Stage::placeOf(Vec2 point) const {
+physics::WorldPosition Stage::placeOf(Vec2 point) const {
     const Vec2 at = vectorOf(point);
     const Placement& placement = variation_.placement;
-    return physics::Place{placement.originX, placement.originY} + at;
+    return physics::WorldPosition{placement.originX, placement.originY} + at;
 }
 
-Vec2 Stage::pointOf(physics::Place place) const {
+Vec2 Stage::pointOf(physics::WorldPosition place) const {
     const Placement& placement = variation_.placement;
-    return unplaced((1.0f / scale_) * (place - physics::Place{placement.originX, placement.originY}));
+    return unplaced((1.0f / scale_) * (place - physics::WorldPosition{placement.originX, placement.originY}));
 }
 
 bool Stage::isAsleep(std::uint32_t body) const {

@@ -60,8 +60,8 @@ public:
 
     // For what Blueprint::extra adds to the world of Plumb: from the blueprint to the world and back.
 
-    [[nodiscard]] physics::Place placeOf(Vec2 point) const;
-    [[nodiscard]] Vec2 pointOf(physics::Place place) const;
+    [[nodiscard]] physics::WorldPosition placeOf(Vec2 point) const;
+    [[nodiscard]] Vec2 pointOf(physics::WorldPosition place) const;
     [[nodiscard]] Vec2 vectorOf(Vec2 vector) const { return scale_ * placed(vector); }
     [[nodiscard]] float scale() const { return scale_; }
 

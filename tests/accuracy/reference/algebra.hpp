@@ -3,7 +3,7 @@
 #include <cmath>
 #include <limits>
 
-#include "physics/body.hpp"
+#include "physics/model/body.hpp"
 
 namespace plumb::reference {
 

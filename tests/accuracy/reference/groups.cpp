@@ -59,7 +59,7 @@ std::vector<std::pair<std::uint32_t, std::uint32_t>> pairsOf(const Scene& scene,
         for (const Bounds& other : open) {
             if (other.top > next.bottom || next.top > other.bottom) continue;
             const auto [a, b] = std::minmax(other.outline, next.outline);
-            if (mayMeet(scene, a, b)) pairs.emplace_back(a, b);
+            if (mayCollide(scene, a, b)) pairs.emplace_back(a, b);
         }
         open.push_back(next);
     }

@@ -5,7 +5,7 @@
 
 #include "core/clock.hpp"
 #include "core/text.hpp"
-#include "physics/bodies.hpp"
+#include "physics/model/bodies.hpp"
 #include "tests/accuracy/reference/run.hpp"
 
 namespace plumb::reference {
@@ -15,14 +15,14 @@ namespace {
 std::string text(double value) { return shortestText(static_cast<float>(value)); }
 
 /// The largest differences between two runs, or between what is left of an error.
-struct Spread {
+struct BoxStatistics {
     double place = 0.0;     // m
     double angle = 0.0;     // rad
     double velocity = 0.0;  // m/s
 };
 
-Spread spreadOf(const Scene& scene, const RunState& one, const RunState& two) {
-    Spread spread;
+BoxStatistics statisticsOf(const Scene& scene, const RunState& one, const RunState& two) {
+    BoxStatistics spread;
     for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
         if (!scene.bodies[i].isPushed) continue;
         const Triple pose = one.poses[i] - two.poses[i], velocity = one.velocities[i] - two.velocities[i];
@@ -35,7 +35,7 @@ Spread spreadOf(const Scene& scene, const RunState& one, const RunState& two) {
 
 /// What rounding alone does to a run. Where rows are solved, speeds are as exact as 1e-16 times how much
 /// stiffer than their bodies rows are made for it (solve_rows.cpp); places are put right to 1e-12 m.
-Spread roundingOf(const Scene& scene, const RunState& state, double seconds) {
+BoxStatistics roundingOf(const Scene& scene, const RunState& state, double seconds) {
     constexpr double kSpeeds = 2.0e-11;  // ratio
     const double ratio =
         4.0 * std::numeric_limits<double>::epsilon() * std::sqrt(static_cast<double>(state.steps) + 1.0);
@@ -75,7 +75,7 @@ public:
         if (!finer.trouble.empty()) {
             return Error{"reference", finer.trouble, format("at a step of {} s", text(step_))};
         }
-        if (count_++ > 0) spreads_.push_back(spreadOf(scene_, state_, finer));
+        if (count_++ > 0) spreads_.push_back(statisticsOf(scene_, state_, finer));
         state_ = std::move(finer);
         return Done{};
     }
@@ -85,15 +85,15 @@ public:
     [[nodiscard]] int count() const { return count_; }
     [[nodiscard]] double step() const { return step_; }
     [[nodiscard]] const RunState& state() const { return state_; }
-    [[nodiscard]] const std::vector<Spread>& spreads() const { return spreads_; }
+    [[nodiscard]] const std::vector<BoxStatistics>& spreads() const { return spreads_; }
 
-    [[nodiscard]] double orderOf(double Spread::*part) const {
+    [[nodiscard]] double orderOf(double BoxStatistics::*part) const {
         if (spreads_.size() < 2) return 1.0;
         const double before = spreads_[spreads_.size() - 2].*part, last = spreads_.back().*part;
         return last > 0.0 ? std::log2(before / last) : 2.0;
     }
     /// m, rad or m/s: how far off the last run is.
-    [[nodiscard]] double errorOf(double Spread::*part) const {
+    [[nodiscard]] double errorOf(double BoxStatistics::*part) const {
         const double rounding = roundingOf(scene_, state_, seconds_).*part;
         if (spreads_.empty()) return kEndless;
         return leftOf(spreads_.back().*part, orderOf(part)) + rounding;
@@ -103,7 +103,7 @@ public:
         return !spreads_.empty() && spreads_.back().place <= rounding;
     }
     [[nodiscard]] bool comesTogether() const {
-        return isRounding() || (orderOf(&Spread::place) >= kLeastOrder);
+        return isRounding() || (orderOf(&BoxStatistics::place) >= kLeastOrder);
     }
 
 private:
@@ -114,7 +114,7 @@ private:
     double lastTime_ = 0.0, spent_ = 0.0;  // s of the clock
     int count_ = 0;
     RunState state_;
-    std::vector<Spread> spreads_;
+    std::vector<BoxStatistics> spreads_;
 };
 
 double energyOf(const Scene& scene, const RunState& state) {
@@ -171,13 +171,13 @@ Answer answerOf(const Scene& scene, const Runs& runs, double seconds) {
     for (const Press& press : state.presses) answer.contacts.push_back(answerOf(scene, state, press));
     addJoints(scene, state, answer);
     answer.energy = energyOf(scene, state);
-    answer.error = runs.errorOf(&Spread::place);
-    answer.angleError = runs.errorOf(&Spread::angle);
-    answer.velocityError = runs.errorOf(&Spread::velocity);
-    answer.order = runs.isRounding() ? 0.0 : runs.orderOf(&Spread::place);
+    answer.error = runs.errorOf(&BoxStatistics::place);
+    answer.angleError = runs.errorOf(&BoxStatistics::angle);
+    answer.velocityError = runs.errorOf(&BoxStatistics::velocity);
+    answer.order = runs.isRounding() ? 0.0 : runs.orderOf(&BoxStatistics::place);
     answer.step = runs.step();
     answer.runs = runs.count();
-    for (const Spread& spread : runs.spreads()) answer.differences.push_back(spread.place);
+    for (const BoxStatistics& spread : runs.spreads()) answer.differences.push_back(spread.place);
     answer.residual = state.worstResidual;
     answer.steps = state.steps;
     answer.hits = state.events;
@@ -188,7 +188,8 @@ Answer answerOf(const Scene& scene, const Runs& runs, double seconds) {
 
 Error notTogether(const Runs& runs) {
     std::string list;
-    for (const Spread& spread : runs.spreads()) list += (list.empty() ? "" : ", ") + text(spread.place);
+    for (const BoxStatistics& spread : runs.spreads())
+        list += (list.empty() ? "" : ", ") + text(spread.place);
     return {"reference",
             format("runs do not come together: steps halved down to {} s differ by {} m", text(runs.step()),
                    list),
@@ -205,10 +206,11 @@ Result<Answer> solveReference(const physics::World& world, double seconds, const
     if (!scene) return scene.error();
     Runs runs{*scene, seconds, options};
     const int least = std::max(options.leastRuns, 2);
-    while (runs.count() < least || (runs.errorOf(&Spread::place) > options.wantedError && runs.mayGoOn())) {
+    while (runs.count() < least ||
+           (runs.errorOf(&BoxStatistics::place) > options.wantedError && runs.mayGoOn())) {
         if (const auto added = runs.add(); !added) return added.error();
     }
-    const bool isGood = runs.errorOf(&Spread::place) <= options.wantedError;
+    const bool isGood = runs.errorOf(&BoxStatistics::place) <= options.wantedError;
     if (!isGood && !runs.comesTogether()) return notTogether(runs);
     return answerOf(*scene, runs, seconds);
 }

@@ -23,9 +23,9 @@ struct Options {
 /// A body at the end.
 struct BodyAnswer {
     physics::BodyId body;
-    physics::Place centre;   ///< m: its centre of mass
-    double angle = 0.0;      ///< rad; turns are counted on from the start
-    double velocityX = 0.0;  ///< m/s
+    physics::WorldPosition centre;  ///< m: its centre of mass
+    double angle = 0.0;             ///< rad; turns are counted on from the start
+    double velocityX = 0.0;         ///< m/s
     double velocityY = 0.0;
     double angularVelocity = 0.0;  ///< rad/s
 };
@@ -34,7 +34,7 @@ struct BodyAnswer {
 struct ContactAnswer {
     physics::BodyId a, b;
     std::uint32_t shapeA = 0, shapeB = 0;  ///< in World::shapes
-    physics::Place point;                  ///< m
+    physics::WorldPosition point;          ///< m
     double normalX = 0.0, normalY = 0.0;   ///< from a to b
     double force = 0.0;                    ///< N on b along the normal
     double friction = 0.0;                 ///< N on b along the normal turned from x towards y

@@ -178,9 +178,9 @@ void addState(const World& world, std::uint32_t index, Scene& scene) {
     scene.velocities.push_back(velocity);
 }
 
-physics::Place originOf(const World& world) {
+physics::WorldPosition originOf(const World& world) {
     for (std::size_t i = 0; i < world.bodies.size(); ++i) {
-        const physics::Place centre = world.bodies.pose[i].centre;
+        const physics::WorldPosition centre = world.bodies.pose[i].centre;
         if (world.bodies.info[i].kind != BodyKind::Dynamic) continue;
         // Near 0 all stays as it is, so that round numbers stay round.
         const auto far = [](double at) { return std::fabs(at) < 1.0e4 ? 0.0 : std::floor(at); };
@@ -236,7 +236,7 @@ Result<Scene> makeScene(const World& world) {
     return scene;
 }
 
-bool mayMeet(const Scene& scene, std::uint32_t a, std::uint32_t b) {
+bool mayCollide(const Scene& scene, std::uint32_t a, std::uint32_t b) {
     const std::uint32_t bodyA = scene.outlines[a].body, bodyB = scene.outlines[b].body;
     if (!scene.bodies[bodyA].isPushed && !scene.bodies[bodyB].isPushed) return false;
     if (!physics::meet(scene.filters[a], scene.filters[b])) return false;

@@ -73,7 +73,7 @@ struct Scene {
     std::vector<Law> laws;
     std::vector<Triple> poses;             ///< from `origin`
     std::vector<Triple> velocities;        ///< m/s, rad/s
-    physics::Place origin;                 ///< m: far from 0 a double is not exact enough
+    physics::WorldPosition origin;         ///< m: far from 0 a double is not exact enough
     double bounceSpeed = 1.0;              ///< m/s
     std::vector<physics::Filter> filters;  ///< by outline
     std::vector<std::uint64_t> apart;      ///< pairs of bodies that joints keep apart, sorted
@@ -87,6 +87,6 @@ Result<Scene> makeScene(const physics::World& world);
 Result<std::vector<Law>> lawsOf(const physics::World& world);
 
 /// True when two outlines may touch.
-bool mayMeet(const Scene& scene, std::uint32_t a, std::uint32_t b);
+bool mayCollide(const Scene& scene, std::uint32_t a, std::uint32_t b);
 
 }  // namespace plumb::reference

@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "physics/joints.hpp"
+#include "physics/model/joints.hpp"
 
 namespace plumb::stability {
 
@@ -86,7 +86,7 @@ void FairScene::addShape(physics::BodyId body) {
 
 void FairScene::addBody(Vec2 middle) {
     physics::BodyDefinition definition;
-    definition.position = physics::Place{middle};
+    definition.position = physics::WorldPosition{middle};
     definition.angle = static_cast<float>(between(-3.0, 3.0));
     if (gravity_ == 0.0 || !oneIn(3)) {
         const double speed = static_cast<double>(decades(0.1, oneIn(4) ? 200.0 : 20.0));
@@ -109,7 +109,7 @@ void FairScene::addHinge() {
     if (bodies_.size() < 2) return;
     const std::uint32_t first = random_.below(static_cast<std::uint32_t>(bodies_.size() - 1));
     const physics::BodyId a = bodies_[first], b = bodies_[first + 1];
-    const physics::Place start = physics::positionOf(world_, a), end = physics::positionOf(world_, b);
+    const physics::WorldPosition start = physics::positionOf(world_, a), end = physics::positionOf(world_, b);
     const Vec2 half = 0.5f * (end - start);
     const auto local = [&](physics::BodyId body, Vec2 arm) {
         return unrotate(physics::rotationOf(world_, body), arm);

@@ -28,7 +28,8 @@ Lab::Lab(const Terms& terms, const Yardstick& yardstick)
 BodyHandle Lab::create(scenes::Motion motion, const Outline& outline, Vec2 centre, const Material& material,
                        double angle) {
     const BodyHandle body = scene_.createBody({.motion = motion});
-    const physics::Place place{static_cast<double>(centre.x) + terms_.origin, static_cast<double>(centre.y)};
+    const physics::WorldPosition place{static_cast<double>(centre.x) + terms_.origin,
+                                       static_cast<double>(centre.y)};
     const auto put = physics::setPosition(world(), scene_.idOf(body), place, static_cast<float>(angle));
     scene_.addShape(body, outline, material);
     sound_ = sound_ && put.ok() && scene_.missing().empty();

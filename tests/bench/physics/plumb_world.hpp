@@ -45,7 +45,7 @@ public:
     void step(float dt) override { physics::step(world_, dt, options_); }
 
     [[nodiscard]] Pose poseOf(BodyHandle body) const override {
-        const physics::Place place = physics::positionOf(world_, at(body));
+        const physics::WorldPosition place = physics::positionOf(world_, at(body));
         const Rot rotation = physics::rotationOf(world_, at(body));
         return {place.x - origin_.x, place.y - origin_.y, static_cast<double>(rotation.cos),
                 static_cast<double>(rotation.sin)};
@@ -79,7 +79,7 @@ private:
     }
 
     physics::World world_;
-    physics::Place origin_;
+    physics::WorldPosition origin_;
     TaskPool pool_;
     Profile profile_;
     physics::StepOptions options_;

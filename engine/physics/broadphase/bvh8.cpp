@@ -1,0 +1,225 @@
+#include "physics/broadphase/bvh8.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <limits>
+
+#include "physics/broadphase/overlap.hpp"
+#include "physics/broadphase/regions.hpp"
+
+namespace plumb::physics {
+
+namespace {
+
+constexpr std::uint64_t kStretchUnit = 16;
+constexpr float kMaxStretch = 1e6f;
+
+constexpr TreeBoxes emptyBoxes() {
+    TreeBoxes boxes{};
+    for (auto& side : boxes.low) std::fill_n(side, kBranch, std::numeric_limits<float>::infinity());
+    return boxes;
+}
+constexpr TreeNode kEmptyNode{emptyBoxes(), {}, {}};
+constexpr TreeLeaf kEmptyLeaf{emptyBoxes(), {}, {}, 0, 0};
+
+float minOf(const float (&side)[kBranch]) {
+    float four[4];
+    for (int i = 0; i < 4; ++i) four[i] = std::min(side[i], side[i + 4]);
+    return std::min(std::min(four[0], four[2]), std::min(four[1], four[3]));
+}
+
+void mergeBoxes(TreeNode& parent, std::size_t lane, const TreeBoxes& boxes) {
+    for (int side = 0; side < 4; ++side) parent.boxes.low[side][lane] = minOf(boxes.low[side]);
+}
+
+/// Writes the union of a node's children into a lane of its parent.
+void mergeInto(TreeNode& parent, std::size_t lane, const TreeNode& node) {
+    mergeBoxes(parent, lane, node.boxes);
+    std::uint32_t layers = 0;
+    std::uint32_t masks = 0;
+    for (std::uint32_t i = 0; i < kBranch; ++i) {
+        layers |= node.layers[i];
+        masks |= node.masks[i];
+    }
+    parent.layers[lane] = layers;
+    parent.masks[lane] = masks;
+}
+
+void mergeInto(TreeNode& parent, std::size_t lane, const TreeLeaf& leaf) {
+    mergeBoxes(parent, lane, leaf.boxes);
+    std::uint32_t layers = 0;
+    std::uint32_t masks = 0;
+    for (const Filter& filter : leaf.filters) {
+        layers |= filter.layers | overruledBy(filter.group);
+        masks |= filter.mask | overruledBy(filter.group);
+    }
+    parent.layers[lane] = layers;
+    parent.masks[lane] = masks;
+}
+
+/// Calls `call` with the index of each set bit, and clears the bits.
+template <class Call>
+void takeBits(std::vector<std::uint64_t>& words, Call call) {
+    for (std::size_t i = 0; i < words.size(); ++i) {
+        for (std::uint64_t bits = words[i]; bits != 0; bits &= bits - 1)
+            call(i * 64 + static_cast<std::size_t>(std::countr_zero(bits)));
+        words[i] = 0;
+    }
+}
+
+void setBit(std::vector<std::uint64_t>& words, std::size_t i) { words[i / 64] |= std::uint64_t{1} << i % 64; }
+
+}  // namespace
+
+void Bvh8::makeRoom(std::uint32_t lanes) {
+    std::size_t nodes = (lanes + kBranch - 1) / kBranch;
+    leaves_.resize(nodes, kEmptyLeaf);
+    stretches_.resize(nodes);
+    stale_[0].resize((nodes + 63) / 64);
+    height_ = 0;
+    while (nodes > 1 || (nodes == 1 && height_ == 0)) {
+        nodes = (nodes + kBranch - 1) / kBranch;
+        if (levels_[height_].empty()) setBit(stale_[height_], 0);  // the former top level has a parent now
+        levels_[height_].resize(nodes, kEmptyNode);
+        stale_[++height_].resize((nodes + 63) / 64);
+    }
+}
+
+void Bvh8::visitRegions(RegionVisitor& visitor) const {
+    std::size_t lanes = (std::size_t{used_} + kBranch - 1) / kBranch;
+    for (std::uint32_t level = 0; level < height_; ++level) {
+        for (std::size_t i = 0; i < lanes; ++i) {
+            const auto& low = levels_[level][i / kBranch].boxes.low;
+            const std::size_t lane = i % kBranch;
+            const AABB box{{low[0][lane], low[1][lane]}, {-low[2][lane], -low[3][lane]}};
+            if (box.min.x <= box.max.x) visitor.region(box);
+        }
+        lanes = (lanes + kBranch - 1) / kBranch;
+    }
+}
+
+void Bvh8::clear() {
+    for (auto& level : levels_) level.clear();
+    for (auto& bits : stale_) bits.clear();
+    leaves_.clear();
+    sortedSizes_.clear();
+    stretches_.clear();
+    stretch_ = lost_ = 0;
+    height_ = used_ = holes_ = sorted_ = 0;
+}
+
+void Bvh8::write(const Proxies& proxies, std::uint32_t lane, std::uint32_t id) {
+    TreeLeaf& leaf = leaves_[lane / kBranch];
+    const std::uint32_t i = lane % kBranch;
+    const auto bit = static_cast<std::uint8_t>(1u << i);
+    const AABB box = usable(proxies.bounds[id]);
+    leaf.boxes.low[0][i] = box.min.x;
+    leaf.boxes.low[1][i] = box.min.y;
+    leaf.boxes.low[2][i] = -box.max.x;
+    leaf.boxes.low[3][i] = -box.max.y;
+    leaf.filters[i] = proxies.filters[id];
+    leaf.ids[i] = id;
+    leaf.live |= bit;
+    leaf.awake &= static_cast<std::uint8_t>(~bit);
+    if (proxies.motions[id] == ProxyMotion::Awake) leaf.awake |= bit;
+}
+
+std::uint32_t Bvh8::move(const Proxies& proxies, std::uint32_t lane) {
+    write(proxies, lane, idAt(lane));
+    setBit(stale_[0], lane / kBranch);
+    return lane;
+}
+
+void Bvh8::erase(std::uint32_t lane) {
+    TreeLeaf& leaf = leaves_[lane / kBranch];
+    const std::uint32_t i = lane % kBranch;
+    const auto others = static_cast<std::uint8_t>(~(1u << i));
+    for (int side = 0; side < 4; ++side) leaf.boxes.low[side][i] = kEmptyLeaf.boxes.low[side][i];
+    leaf.filters[i] = kEmptyLeaf.filters[i];
+    leaf.live &= others;
+    leaf.awake &= others;
+    setBit(stale_[0], lane / kBranch);
+    ++holes_;
+}
+
+void Bvh8::append(const Proxies& proxies, std::span<const std::uint32_t> arrivals,
+                  std::span<std::uint32_t> places, std::uint32_t first) {
+    makeRoom(used_ + static_cast<std::uint32_t>(arrivals.size()));
+    for (const std::uint32_t id : arrivals) {
+        write(proxies, used_, id);
+        setBit(stale_[0], used_ / kBranch);
+        places[id] = first + used_++;
+    }
+}
+
+void Bvh8::sort(const Proxies& proxies, std::span<const std::uint32_t> arrivals,
+                std::span<std::uint32_t> places, std::uint32_t first) {
+    order_.clear();
+    for (const TreeLeaf& leaf : leaves_) {
+        for (std::uint32_t i = 0; i < kBranch; ++i) {
+            if ((leaf.live >> i & 1) != 0) order_.push_back(leaf.ids[i]);
+        }
+    }
+    order_.insert(order_.end(), arrivals.begin(), arrivals.end());
+    clear();
+    curve_.sort(proxies.bounds, order_);
+    append(proxies, order_, places, first);
+    sorted_ = used_;
+}
+
+bool Bvh8::take(const Proxies& proxies, std::span<std::uint32_t> arrivals, std::uint32_t,
+                std::span<std::uint32_t> places, std::uint32_t first) {
+    if (isDue(arrivals.size())) {
+        sort(proxies, arrivals, places, first);
+        return true;
+    }
+    if (!arrivals.empty()) {
+        curve_.sort(proxies.bounds, arrivals);
+        append(proxies, arrivals, places, first);
+    }
+    return false;
+}
+
+void Bvh8::noteSize(std::size_t leaf, const TreeNode& parent) {
+    const std::size_t lane = leaf % kBranch;
+    const auto& low = parent.boxes.low;
+    const float size = -(low[0][lane] + low[2][lane]) - (low[1][lane] + low[3][lane]);
+    if (sortedSizes_.size() <= leaf && sorted_ == used_) {
+        sortedSizes_.push_back(size);  // first visit after a sort
+        return;
+    }
+    // Leaves that were added later are compared with any one of the sorted leaves.
+    const float wanted = sortedSizes_[leaf % sortedSizes_.size()];
+    std::uint32_t stretch = 0;
+    if (size > wanted) {
+        const float ratio = std::min(size / wanted, kMaxStretch);
+        stretch = static_cast<std::uint32_t>(std::min(ratio * ratio - 1.0f, kMaxStretch) * kStretchUnit);
+    }
+    stretch_ += stretch - std::uint64_t{stretches_[leaf]};
+    stretches_[leaf] = stretch;
+}
+
+void Bvh8::settle(std::size_t searches) {
+    if (height_ == 0) return;
+    takeBits(stale_[0], [&](std::size_t leaf) {
+        TreeNode& parent = levels_[0][leaf / kBranch];
+        mergeInto(parent, leaf % kBranch, leaves_[leaf]);
+        noteSize(leaf, parent);
+        setBit(stale_[1], leaf / kBranch);
+    });
+    for (std::size_t level = 0; level + 1 < height_; ++level) {
+        takeBits(stale_[level + 1], [&](std::size_t node) {
+            mergeInto(levels_[level + 1][node / kBranch], node % kBranch, levels_[level][node]);
+            setBit(stale_[level + 2], node / kBranch);
+        });
+    }
+    stale_[height_][0] = 0;
+    lost_ += searches * stretch_ / leaves_.size();
+}
+
+bool Bvh8::isDue(std::size_t arrivals) const {
+    if (used_ + arrivals - sorted_ > sorted_ / 8 + (sorted_ > 0 ? 32 : 0)) return true;
+    return holes_ > size() + 64 || lost_ > kStretchUnit * used_;
+}
+
+}  // namespace plumb::physics

@@ -1,0 +1,180 @@
+#include "physics/broadphase/sweep_and_prune_axis.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+#include "physics/broadphase/box_statistics.hpp"
+#include "physics/broadphase/overlap.hpp"
+#include "physics/broadphase/regions.hpp"
+
+namespace plumb::physics {
+
+namespace {
+
+constexpr float kLonger = 4.0f;         // ratio of the lengths of successive segments
+constexpr float kStray = 0.25f;         // ratio to the usual length
+constexpr float kRounding = 1e-6f;      // ratio: eight times the last bit of a float
+constexpr std::size_t kMaxShifts = 16;  // per key: with more shifts the keys are not nearly sorted
+
+/// An integer that sorts in the same order as the float. Not for NaN.
+std::uint32_t sortable(float x) {
+    const auto bits = std::bit_cast<std::uint32_t>(x + 0.0f);  // turns -0 into 0
+    return (bits & 0x80000000u) != 0 ? ~bits : bits | 0x80000000u;
+}
+
+/// Insertion sort; gives up when it takes too long.
+/// @return false if it gave up; the keys are then partly sorted
+bool sortNearlySorted(std::vector<std::uint64_t>& keys) {
+    std::size_t left = kMaxShifts * keys.size();
+    for (std::size_t i = 1; i < keys.size(); ++i) {
+        const std::uint64_t key = keys[i];
+        std::size_t at = i;
+        for (; at > 0 && keys[at - 1] > key; --at) keys[at] = keys[at - 1];
+        keys[at] = key;
+        if (i - at > left) return false;
+        left -= i - at;
+    }
+    return true;
+}
+
+/// Radix sort by the four bytes of the upper half; stable for equal upper halves.
+void sortByByte(std::vector<std::uint64_t>& keys, std::vector<std::uint64_t>& spare) {
+    spare.resize(keys.size());
+    for (int shift = 32; shift < 64; shift += 8) {
+        std::uint32_t counts[257] = {};
+        for (const std::uint64_t key : keys) ++counts[(key >> shift & 255) + 1];
+        for (int i = 1; i < 257; ++i) counts[i] += counts[i - 1];
+        for (const std::uint64_t key : keys) spare[counts[key >> shift & 255]++] = key;
+        keys.swap(spare);
+    }
+}
+
+}  // namespace
+
+void SweepAndPruneAxis::visitRegions(RegionVisitor& visitor) const {
+    for (const Segment& segment : segments_) {
+        AABB all = kNowhere;
+        for (std::uint32_t place = segment.begin; place < segment.end; ++place) {
+            if (!rows_.isFree(place)) all = merged(all, rows_.boxAt(place));
+        }
+        if (all.min.x <= all.max.x) visitor.region(all);
+    }
+}
+
+void SweepAndPruneAxis::clear() {
+    clearRows();
+    starts_.clear();
+    for (Segment& segment : segments_) segment = {};
+}
+
+/// Chooses the axis for the boxes in order_, if the boxes changed much or the last choice is old.
+void SweepAndPruneAxis::chooseAxis(const Proxies& proxies) {
+    if (!choiceIsDue()) return;
+    const BoxStatistics spread = statisticsOf(proxies, order_);
+    axis_ = spread.aspect >= 1.0f ? 0 : 1;
+    usual_ = spread.extent;
+    stray_ = spread.extent * kStray;
+}
+
+std::uint32_t SweepAndPruneAxis::segmentOf(const AABB& box) const {
+    const float length = endOf(box) - startOf(box);
+    float maximum = usual_;
+    for (std::uint32_t i = 0; i + 1 < kSegments; ++i) {
+        if (!(length > maximum)) return i;  // kNowhere is in the first segment
+        maximum *= kLonger;
+    }
+    return kSegments - 1;
+}
+
+void SweepAndPruneAxis::sort(const Proxies& proxies, std::span<std::uint32_t> places, std::uint32_t first) {
+    chooseAxis(proxies);
+    for (Segment& segment : segments_) segment = {};
+    for (auto& keys : keys_) keys.clear();
+    boxes_.resize(order_.size());
+    for (std::uint32_t k = 0; k < order_.size(); ++k) {
+        const AABB box = usable(proxies.bounds[order_[k]]);
+        const std::uint32_t i = segmentOf(box);
+        boxes_[k] = box;
+        keys_[i].push_back(Key{sortable(startOf(box))} << 32 | k);
+        segments_[i].longest = std::max(segments_[i].longest, endOf(box) - startOf(box));
+    }
+    rows_.reset(static_cast<std::uint32_t>(order_.size()));
+    starts_.resize(order_.size());
+    std::uint32_t place = 0;
+    for (std::uint32_t i = 0; i < kSegments; ++i) {
+        if (!sortNearlySorted(keys_[i])) sortByByte(keys_[i], spare_);
+        segments_[i].begin = place;
+        for (const Key key : keys_[i]) {
+            const std::uint32_t id = order_[key & 0xffffffffu];
+            const AABB& box = boxes_[key & 0xffffffffu];
+            rows_.write(proxies, place, id, box);
+            starts_[place] = startOf(box);
+            places[id] = first + place++;
+        }
+        segments_[i].end = place;
+    }
+    noteSorted(place);
+}
+
+/// The first slot from `begin` on whose lower end is above x.
+std::uint32_t SweepAndPruneAxis::firstAbove(float x, std::uint32_t begin, std::uint32_t end) const {
+    if (begin >= end) return end;
+    const float* at = starts_.data() + begin;
+    std::uint32_t left = end - begin;
+    while (left > 1) {
+        const std::uint32_t half = left / 2;
+        at = at[half - 1] <= x ? at + half : at;  // unpredictable, so without a branch
+        left -= half;
+    }
+    return static_cast<std::uint32_t>(at - starts_.data()) + (*at <= x ? 1 : 0);
+}
+
+Stretch SweepAndPruneAxis::findStarts(const Segment& segment, const AABB& box, std::uint32_t from) const {
+    // Boxes may have moved from where they were sorted to; lengths and positions may have been rounded.
+    const float low = startOf(box) - segment.longest - stray_;
+    const float high = endOf(box) + stray_ + std::fabs(endOf(box)) * kRounding;
+    if (from > segment.begin) {
+        // The search is for boxes after one in this segment, so the last one is not far away.
+        std::uint32_t step = 8;
+        while (from + step < segment.end && starts_[from + step] <= high) step *= 2;
+        return {from, firstAbove(high, from, std::min(from + step, segment.end))};
+    }
+    const float lost = (std::fabs(startOf(box)) + segment.longest) * kRounding;
+    const std::uint32_t begin = firstAbove(low - lost, segment.begin, segment.end);
+    return {begin, firstAbove(high, begin, segment.end)};
+}
+
+bool SweepAndPruneAxis::take(const Proxies& proxies, std::span<std::uint32_t> arrivals, std::uint32_t moving,
+                             std::span<std::uint32_t> places, std::uint32_t first) {
+    const bool maxMove = moving > rows_.size() / 2 && rows_.size() > kFew;
+    if (!maxMove && !isDue(arrivals.size())) {
+        for (const std::uint32_t id : arrivals) {
+            const std::uint32_t place = rows_.addPlace();
+            rows_.write(proxies, place, id, usable(proxies.bounds[id]));
+            places[id] = first + place;
+        }
+        return false;
+    }
+    collect(arrivals);
+    sort(proxies, places, first);
+    return true;
+}
+
+std::uint32_t SweepAndPruneAxis::move(const Proxies& proxies, std::uint32_t place) {
+    const std::uint32_t id = rows_.ids[place];
+    const AABB box = usable(proxies.bounds[id]);
+    if (place < sorted_) {
+        const float strayed = std::fabs(startOf(box) - starts_[place]);
+        std::uint32_t segment = 0;
+        while (place >= segments_[segment].end) ++segment;
+        if (!(strayed <= stray_) || endOf(box) - startOf(box) > segments_[segment].longest) {
+            rows_.erase(place);
+            place = rows_.addPlace();
+        }
+    }
+    rows_.write(proxies, place, id, box);
+    return place;
+}
+
+}  // namespace plumb::physics

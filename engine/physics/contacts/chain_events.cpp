@@ -1,0 +1,115 @@
+#include "physics/contacts/chain_events.hpp"
+
+#include <algorithm>
+
+#include "physics/contacts/contacts.hpp"
+
+namespace plumb::physics {
+
+namespace {
+
+constexpr std::uint32_t kIsSurface = 1u << 31;
+
+std::uint32_t sideOf(const World& world, std::uint32_t shape) {
+    const std::uint32_t surface = world.shapes.info[shape].surface;
+    return surface != 0 ? surface | kIsSurface : shape;
+}
+
+bool isOfSurface(const World& world, const Contact& contact) {
+    return (world.shapes.info[contact.shapeA].surface | world.shapes.info[contact.shapeB].surface) != 0;
+}
+
+PairKey keyOf(const World& world, const Contact& contact) {
+    return pairKey(sideOf(world, contact.shapeA), sideOf(world, contact.shapeB));
+}
+
+/// Combined result of the changes of one pair.
+struct Outcome {
+    std::int32_t count = 0;  // of contacts
+    const ContactEvent* first = nullptr;
+    const ContactEvent* last = nullptr;
+};
+
+void publish(World& world, std::int32_t before, const Outcome& now) {
+    const auto add = [&](const ContactEvent& event, ContactPhase phase) {
+        world.events.push_back(event);
+        world.events.back().phase = phase;
+    };
+    if (before == 0 && now.count > 0) return add(*now.first, ContactPhase::Began);
+    if (before > 0 && now.count == 0) return add(*now.last, ContactPhase::Ended);
+    if (before > 0 && world.settings.stayEvents && now.first->phase != ContactPhase::Ended) {
+        add(*now.first, ContactPhase::Stayed);
+    }
+}
+
+constexpr std::int32_t stepOf(ContactPhase phase) {
+    return phase == ContactPhase::Began ? 1 : (phase == ContactPhase::Ended ? -1 : 0);
+}
+
+}  // namespace
+
+void report(World& world, Workspace& work, const Contact& contact, ContactPhase phase) {
+    if (!isReported(world, contact)) return;
+    const ContactEvent event = eventOf(world, contact, phase);
+    if (!isOfSurface(world, contact)) {
+        world.events.push_back(event);
+        return;
+    }
+    const auto order = static_cast<std::uint32_t>(work.chainChanges.size());
+    work.chainChanges.push_back({keyOf(world, contact), order, event});
+}
+
+void publishSurfaces(World& world, Workspace& work) {
+    std::vector<ChainChange>& changes = work.chainChanges;
+    if (changes.empty()) return;
+    // Continuing and new contacts first, so that an event refers to a contact that exists.
+    const auto rank = [](const ChainChange& change) { return change.event.phase == ContactPhase::Ended; };
+    std::sort(changes.begin(), changes.end(), [&](const ChainChange& a, const ChainChange& b) {
+        if (a.pair != b.pair) return a.pair < b.pair;
+        return rank(a) != rank(b) ? rank(b) : a.order < b.order;
+    });
+    std::vector<ChainTouch>& merged = work.chainScratch;
+    merged.clear();
+    auto known = work.chainTouches.begin();
+    for (auto change = changes.begin(); change != changes.end();) {
+        const PairKey pair = change->pair;
+        while (known != work.chainTouches.end() && known->pair < pair) merged.push_back(*known++);
+        const bool isKnown = known != work.chainTouches.end() && known->pair == pair;
+        const std::int32_t before = isKnown ? (known++)->count : 0;
+        Outcome now{before, &change->event, &change->event};
+        for (; change != changes.end() && change->pair == pair; ++change) {
+            now.count += stepOf(change->event.phase);
+            now.last = &change->event;
+        }
+        now.count = std::max(now.count, 0);
+        publish(world, before, now);
+        if (now.count > 0) merged.push_back({pair, now.count});
+    }
+    merged.insert(merged.end(), known, work.chainTouches.end());
+    work.chainTouches.swap(merged);
+    changes.clear();
+}
+
+void countSurfaces(const World& world, Workspace& work) {
+    std::vector<PairKey> pairs;
+    const auto note = [&](const Contact& contact) {
+        const bool counts = (contact.flags & kTouching) != 0 && isReported(world, contact);
+        if (counts && isOfSurface(world, contact)) pairs.push_back(keyOf(world, contact));
+    };
+    for (const Contact& contact : world.contacts) note(contact);
+    for (const SleepingIsland& island : world.sleepers.islands) {
+        for (std::uint32_t c = island.firstContact; c != kNone; c = world.sleepers.nextContact[c]) {
+            note(world.sleepers.contacts[c]);
+        }
+    }
+    std::sort(pairs.begin(), pairs.end());
+    work.chainTouches.clear();
+    work.chainChanges.clear();
+    for (const PairKey pair : pairs) {
+        const bool again = !work.chainTouches.empty() && work.chainTouches.back().pair == pair;
+        if (!again) work.chainTouches.push_back({pair, 0});
+        ++work.chainTouches.back().count;
+    }
+}
+
+}  // namespace plumb::physics

@@ -1,0 +1,501 @@
+#include "physics/contacts/contacts.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "physics/broadphase/overlap.hpp"
+#include "physics/contacts/initial_overlaps.hpp"
+#include "physics/narrowphase/axis_aligned_boxes.hpp"
+#include "physics/narrowphase/collide.hpp"
+#include "physics/narrowphase/sweep.hpp"
+#include "physics/solver/kernels.hpp"
+#include "physics/workspace.hpp"
+
+namespace plumb::physics {
+
+namespace {
+
+/// Both bodies at the moment, B seen from A's centre of mass.
+struct Encounter {
+    Rot turnA;
+    Rot turn;      // B's rotation seen from A
+    Vec2 between;  // m: from A's centre to B's, in A's frame
+};
+
+Encounter encounterOf(const BodyPose& a, const BodyPose& b) {
+    return {a.rotation, between(a.rotation, b.rotation), unrotate(a.rotation, b.centre - a.centre)};
+}
+
+/// Both after so many s of going on as they do.
+Encounter ahead(const World& world, const Contact& contact, float time) {
+    const auto moved = [&](std::uint32_t body) {
+        BodyPose pose = world.bodies.pose[body];
+        const BodyMotion& motion = world.bodies.motion[body];
+        const float angle = time * motion.angularVelocity;
+        pose.centre = pose.centre + time * motion.velocity;
+        pose.rotation = normalized(Rot{pose.rotation.cos - angle * pose.rotation.sin,
+                                       pose.rotation.sin + angle * pose.rotation.cos});
+        return pose;
+    };
+    return encounterOf(moved(contact.bodyA), moved(contact.bodyB));
+}
+
+float separationOf(const Encounter& now, const ContactAnchors& anchors, Vec2 normalInA) {
+    return dot(normalInA, now.between + rotate(now.turn, anchors.b) - anchors.a);
+}
+
+float longest(Vec2 a) { return std::max(std::fabs(a.x), std::fabs(a.y)); }
+
+/// rad, about: a body that has turned by more since the points were found has them found anew. With 0.1
+/// boxes that rock on balls are fed by the stale directions and never come to rest.
+constexpr float kMaxTurn = 0.03f;
+
+/// Ratio to what is about half the size of the smaller body: it has moved far, seen from itself.
+constexpr float kMaxOfSize = 0.1f;
+
+/// True when the bodies have hardly moved to each other since the points were found.
+/// @param normal  the contact's, in A's frame as it is now
+bool hardlyMoved(const Contact& contact, const Encounter& now, Vec2 normal, float tolerance) {
+    if (std::fabs(cross(contact.normalInA, normal)) > kMaxTurn) return false;
+    const float turned = contact.turn.cos * now.turn.sin - contact.turn.sin * now.turn.cos;
+    const float arm =
+        longest(contact.anchors[0].b) + longest(contact.anchors[1].b) + longest(contact.anchors[0].a);
+    if (std::fabs(turned) * arm > tolerance) return false;
+    const Vec2 apart = now.between + rotate(now.turn, contact.anchors[0].b) - contact.anchors[0].a;
+    return std::fabs(cross(normal, apart)) <= tolerance;
+}
+
+/// m: how far bodies may move along each other before points are found anew. Of small things, a small part.
+float displacementToKeep(const Contact& contact, const Settings& settings) {
+    const float size = std::min(longest(contact.anchors[0].a), longest(contact.anchors[0].b));
+    return std::min(settings.recycleDistance, kMaxOfSize * size);
+}
+
+/// Takes the points along: how far they are apart is new, while the normal and the arms stay as they were in
+/// the world (see prepare() of the kernels). So a load does not feel that its column leans a little, and high
+/// stacks do not buckle on contacts that are springs.
+/// @return false when they have to be found anew
+bool recycle(Contact& contact, const Encounter& now, const Settings& settings) {
+    // Nothing keeps a body from going along the normal through what does not push, and out on the far side.
+    if ((contact.flags & (kTouching | kRound | kTriggered | kPassing | kDisabled)) != kTouching) return false;
+    const int all = (contact.flags & kUnturned) != 0 ? 1 : 2;
+    if (contact.count > all) return false;
+    // One point of two says little of what comes next: a second may be about to touch.
+    const float maximum = displacementToKeep(contact, settings);
+    const float tolerance = contact.count == all ? maximum : 0.05f * maximum;
+    const Vec2 normal = unrotate(now.turnA, contact.normal);
+    if (!hardlyMoved(contact, now, normal, tolerance)) return false;
+    const float separation0 = separationOf(now, contact.anchors[0], normal);
+    if (separation0 > settings.slop) return false;
+    contact.separation0 = separation0;
+    if (contact.count == 2) contact.separation1 = separationOf(now, contact.anchors[1], normal);
+    return true;
+}
+
+/// Impulses of points that were there before.
+struct Known {
+    std::uint16_t ids[2];
+    float impulses[2];
+    int count;
+
+    explicit Known(const Contact& contact)
+        : ids{contact.ids[0], contact.ids[1]},
+          impulses{contact.impulse0, contact.impulse1},
+          count{contact.count} {}
+    [[nodiscard]] float impulseOf(std::uint16_t id) const {
+        for (int i = 0; i < count; ++i) {
+            if (ids[i] == id) return impulses[i];
+        }
+        return 0.0f;
+    }
+};
+
+void forgetPoints(Contact& contact) {
+    contact.count = 0;
+    contact.impulse0 = contact.impulse1 = 0.0f;
+    contact.frictionImpulse = contact.rollingImpulse = 0.0f;
+}
+
+/// Writes the points of a manifold that was found in the frame of A's shapes.
+void takeManifold(const World& world, Contact& contact, const Manifold& manifold, const Encounter& now) {
+    const Known known{contact};
+    const BodyPose& a = world.bodies.pose[contact.bodyA];
+    contact.count = static_cast<std::uint8_t>(manifold.count);
+    contact.turn = now.turn;
+    contact.normalInA = manifold.normal;
+    contact.normal = rotate(now.turnA, manifold.normal);
+    contact.roundA = manifold.roundA;
+    contact.roundB = manifold.roundB;
+    for (int i = 0; i < 2; ++i) {
+        const ManifoldPoint& point = manifold.points[std::min(i, manifold.count - 1)];
+        const Vec2 middle = point.point - a.localCentre;
+        const Vec2 halfway = (0.5f * point.separation) * manifold.normal;
+        contact.anchors[i] = {middle - halfway, unrotate(now.turn, middle + halfway - now.between)};
+        contact.ids[i] = point.id;
+    }
+    contact.separation0 = manifold.points[0].separation;
+    contact.impulse0 = known.impulseOf(contact.ids[0]);
+    contact.separation1 = manifold.count == 2 ? manifold.points[1].separation : kFarAway;
+    contact.impulse1 = manifold.count == 2 ? known.impulseOf(contact.ids[1]) : 0.0f;
+}
+
+Frame frameInA(const World& world, const Contact& contact, const Encounter& now) {
+    const BodyPose& a = world.bodies.pose[contact.bodyA];
+    const BodyPose& b = world.bodies.pose[contact.bodyB];
+    return {a.localCentre + now.between - rotate(now.turn, b.localCentre), now.turn};
+}
+
+bool nearByCircles(const World& world, const Contact& contact, const Encounter& now) {
+    const float reach = world.bodies.info[contact.bodyA].reach + world.bodies.info[contact.bodyB].reach +
+                        world.settings.speculativeDistance;
+    return lengthSquared(now.between) <= reach * reach;
+}
+
+bool isRound(ShapeKind kind) { return kind == ShapeKind::Circle; }
+
+/// Where nobody turns all points of a contact come as near: the deepest speaks for both.
+void keepDeepest(Manifold& manifold) {
+    if (manifold.count < 2) return;
+    if (manifold.points[1].separation < manifold.points[0].separation)
+        manifold.points[0] = manifold.points[1];
+    manifold.count = 1;
+}
+
+/// What comes so fast that its sweep finds it in this step is left to that, which knows the moment of the
+/// hit: the solver would keep it at the surface for the rest of the step.
+bool isLeftToSweep(const World& world, const Contact& contact, const Manifold& manifold,
+                   const Encounter& now) {
+    if ((contact.flags & (kTouching | kTriggered)) != 0 || !world.settings.continuous) return false;
+    const auto isBullet = [&](std::uint32_t body) { return (world.bodies.info[body].flags & kBullet) != 0; };
+    const bool isB = (contact.flags & kFixedA) != 0 || isBullet(contact.bodyB);
+    if (!isB && !isBullet(contact.bodyA)) return false;
+    const std::uint32_t swept = isB ? contact.bodyB : contact.bodyA;
+    float gap = manifold.points[0].separation;
+    if (manifold.count == 2) gap = std::min(gap, manifold.points[1].separation);
+    if (gap <= kSweptGap + 2.0f * kSweepTolerance) return false;
+    const std::vector<BodyMotion>& motion = world.bodies.motion;
+    const Vec2 speed = motion[contact.bodyB].velocity - motion[contact.bodyA].velocity;
+    const float closing =
+        std::min(-dot(rotate(now.turnA, manifold.normal), speed), length(motion[swept].velocity));
+    // Its core then passes the surface, and it moves far enough to be swept at all.
+    return closing * world.stepLength > gap + kSweptCore * world.bodies.info[swept].reach;
+}
+
+/// Takes note of what was found.
+void take(const World& world, Contact& contact, const Encounter& now, Manifold manifold,
+          DetectionCounts& counts) {
+    if ((contact.flags & kUnturned) != 0) keepDeepest(manifold);
+    if (manifold.count == 0 || isLeftToSweep(world, contact, manifold, now)) {
+        ++counts.apartByAxes;
+        forgetPoints(contact);
+        return;
+    }
+    ++counts.touching;
+    takeManifold(world, contact, manifold, now);
+    if ((contact.flags & kTouching) == 0) return markInitialOverlap(world, contact);
+    if ((contact.flags & kInitialOverlap) != 0) hideInitialOverlap(world, contact);
+}
+
+/// Where something round touches wanders while it rolls, and the normal turns with it. The step holds on to
+/// one direction, so that of its middle is taken: with that of its start, what rocks on something round would
+/// swing higher and higher, and piles with balls in them would never come to rest.
+/// @return false when it will no longer touch there, or with something else, as at a seam
+bool takeHalfway(const World& world, Contact& contact, const Encounter& now, float halfStep,
+                 DetectionCounts& counts) {
+    constexpr float kMinCosine = 0.95f;
+    const Geometry& a = world.shapes.geometry[contact.shapeA];
+    const Geometry& b = world.shapes.geometry[contact.shapeB];
+    const bool rolls = contact.count == 1 && a.radius + b.radius > 0.0f;
+    if ((contact.flags & (kTouching | kTriggered)) != kTouching || !rolls) return false;
+    const Encounter then = ahead(world, contact, halfStep);
+    const Manifold manifold = collide(a, b, world.shapes.corners, frameInA(world, contact, then),
+                                      world.settings.speculativeDistance);
+    if (manifold.count != 1 || manifold.points[0].id != contact.ids[0] ||
+        dot(manifold.normal, contact.normalInA) < kMinCosine)
+        return false;
+    ++counts.touching;
+    takeManifold(world, contact, manifold, then);
+    contact.separation0 = separationOf(now, contact.anchors[0], unrotate(now.turnA, contact.normal));
+    if ((contact.flags & kInitialOverlap) != 0) hideInitialOverlap(world, contact);
+    return true;
+}
+
+/// Two boxes along the axes.
+struct AxisAlignedPair {
+    const Geometry& a;
+    const Geometry& b;
+    Vec2 between;       // m: from A's centre of mass to B's
+    Vec2 displacement;  // m: from A's middle to B's
+};
+
+AxisAlignedPair uprightPairOf(const World& world, const Contact& contact) {
+    const BodyPose& poseA = world.bodies.pose[contact.bodyA];
+    const BodyPose& poseB = world.bodies.pose[contact.bodyB];
+    const Geometry& a = world.shapes.geometry[contact.shapeA];
+    const Geometry& b = world.shapes.geometry[contact.shapeB];
+    const Vec2 between = poseB.centre - poseA.centre;
+    return {a, b, between, between + (b.a - poseB.localCentre) - (a.a - poseA.localCentre)};
+}
+
+Manifold manifoldOf(const World& world, const AxisAlignedPair& pair) {
+    Manifold manifold =
+        collideUpright(pair.a.b, pair.b.b, pair.displacement, world.settings.speculativeDistance);
+    manifold.points[0].point += pair.a.a;
+    return manifold;
+}
+
+/// While the same two faces touch, all that changes is how deep. Where they do is worked out when somebody
+/// asks: pointOf().
+bool slideUpright(Contact& contact, const AxisAlignedPair& pair, float speculative) {
+    if ((contact.flags & (kTouching | kTriggered)) != kTouching || contact.count != 1) return false;
+    const Vec2 gap = gapOf(pair.a.b, pair.b.b, pair.displacement);
+    if (std::max(gap.x, gap.y) > speculative || std::min(gap.x, gap.y) > 0.0f) return false;
+    const bool alongY = goesAlongY(pair.a.b, pair.b.b, gap);
+    const Vec2 normal = alongY ? Vec2{0.0f, pair.displacement.y < 0.0f ? -1.0f : 1.0f}
+                               : Vec2{pair.displacement.x < 0.0f ? -1.0f : 1.0f, 0.0f};
+    if (!(normal == contact.normal)) return false;
+    contact.separation0 = alongY ? gap.y : gap.x;
+    return true;
+}
+
+/// All of it, for boxes that stay along the axes.
+void touchUpright(const World& world, Contact& contact, DetectionCounts& counts) {
+    const AxisAlignedPair pair = uprightPairOf(world, contact);
+    if (slideUpright(contact, pair, world.settings.speculativeDistance)) {
+        ++counts.recycled;
+        ++counts.touching;
+        if ((contact.flags & kInitialOverlap) != 0) hideInitialOverlap(world, contact);
+        return;
+    }
+    const Manifold manifold = manifoldOf(world, pair);
+    if (manifold.count == 0 &&
+        !touch(world.shapes.bounds[contact.shapeA], world.shapes.bounds[contact.shapeB])) {
+        ++counts.apartByBounds;
+        contact.flags |= kGone;
+        return;
+    }
+    take(world, contact, {{}, {}, pair.between}, manifold, counts);
+}
+
+/// What can be said without a look at the outlines: still the same, gone, or too far apart.
+bool isSettled(const World& world, Contact& contact, const Encounter& now, DetectionCounts& counts) {
+    if (recycle(contact, now, world.settings)) {
+        ++counts.recycled;
+        ++counts.touching;
+        if ((contact.flags & kInitialOverlap) != 0) hideInitialOverlap(world, contact);
+        return true;
+    }
+    if (!touch(world.shapes.bounds[contact.shapeA], world.shapes.bounds[contact.shapeB])) {
+        ++counts.apartByBounds;
+        contact.flags |= kGone;
+        return true;
+    }
+    if ((contact.flags & kFixedA) == 0 && !nearByCircles(world, contact, now)) {
+        ++counts.apartByCircles;
+        forgetPoints(contact);
+        return true;
+    }
+    return false;
+}
+
+/// Pairs of boxes, gathered until there are eight of them.
+class BoxBatch {
+public:
+    BoxBatch(const World& world, DetectionCounts& counts) : world_{world}, counts_{counts} {}
+
+    void add(Contact& contact, const Encounter& now, const Geometry& a, const Geometry& b) {
+        const Frame bInA = frameInA(world_, contact, now);
+        const Vec2 displacement = unrotate(a.turn, apply(bInA, b.a) - a.a);
+        const Rot turn = between(a.turn, bInA.rotation * b.turn);
+        contacts_[count_] = &contact;
+        encounters_[count_] = now;
+        pairs_.halfAx[count_] = a.b.x;
+        pairs_.halfAy[count_] = a.b.y;
+        pairs_.halfBx[count_] = b.b.x;
+        pairs_.halfBy[count_] = b.b.y;
+        pairs_.x[count_] = displacement.x;
+        pairs_.y[count_] = displacement.y;
+        pairs_.cosine[count_] = turn.cos;
+        pairs_.sine[count_] = turn.sin;
+        pairs_.radiusA[count_] = a.radius;
+        pairs_.radiusB[count_] = b.radius;
+        if (++count_ == kLanes) finish();
+    }
+
+    void finish() {
+        if (count_ == 0) return;
+        kernels_.collideBoxes(pairs_, world_.settings.speculativeDistance, touches_);
+        for (int i = 0; i < count_; ++i) take(world_, *contacts_[i], encounters_[i], manifoldOf(i), counts_);
+        count_ = 0;
+    }
+
+private:
+    [[nodiscard]] Manifold manifoldOf(int i) const {
+        Manifold manifold;
+        if (!(touches_.count[i] > 0.0f)) return manifold;
+        const Geometry& a = world_.shapes.geometry[contacts_[i]->shapeA];
+        manifold.count = static_cast<int>(touches_.count[i]);
+        manifold.normal = rotate(a.turn, {touches_.normalX[i], touches_.normalY[i]});
+        manifold.roundA = touches_.roundA[i];
+        manifold.roundB = touches_.roundB[i];
+        for (int p = 0; p < manifold.count; ++p) {
+            manifold.points[p] = {a.a + rotate(a.turn, {touches_.pointX[p][i], touches_.pointY[p][i]}),
+                                  touches_.separation[p][i], static_cast<std::uint16_t>(touches_.id[p][i])};
+        }
+        return manifold;
+    }
+
+    const World& world_;
+    DetectionCounts& counts_;
+    const SolverKernels& kernels_ = solverKernels();
+    Contact* contacts_[kLanes] = {};
+    Encounter encounters_[kLanes];
+    BoxPairs pairs_{};  // lanes that are not used repeat what was there before, which is harmless
+    BoxTouches touches_;
+    int count_ = 0;
+};
+
+/// Along the axes of the world, for as long as its body is not told otherwise.
+bool staysUpright(const World& world, std::uint32_t body, const Geometry& outline) {
+    return world.bodies.info[body].kind != BodyKind::Kinematic && outline.kind == ShapeKind::Box &&
+           outline.radius == 0.0f && outline.turn == Rot{} && world.bodies.pose[body].rotation == Rot{};
+}
+
+}  // namespace
+
+bool canTurn(const World& world, std::uint32_t body) {
+    const BodyInfo& info = world.bodies.info[body];
+    return info.kind == BodyKind::Dynamic && (info.flags & kFixedRotation) == 0;
+}
+
+void copyMaterials(const World& world, Contact& contact) {
+    const ShapeInfo& a = world.shapes.info[contact.shapeA];
+    const ShapeInfo& b = world.shapes.info[contact.shapeB];
+    const Geometry& outlineA = world.shapes.geometry[contact.shapeA];
+    const Geometry& outlineB = world.shapes.geometry[contact.shapeB];
+    contact.friction = std::sqrt(a.friction * b.friction);
+    contact.bounciness = std::max(a.bounciness, b.bounciness);
+    const ShapeExtras& moreA = world.shapes.extras[a.extras];
+    const ShapeExtras& moreB = world.shapes.extras[b.extras];
+    contact.rollingResistance = std::max(moreA.rollingResistance, moreB.rollingResistance) *
+                                std::max(outlineA.radius, outlineB.radius);
+    contact.surfaceSpeed = moreA.surfaceSpeed + moreB.surfaceSpeed;
+    const bool triggered = ((a.flags | b.flags) & kTrigger) != 0;
+    const bool reports = ((a.flags | b.flags) & kReportsContacts) != 0;
+    const bool fixed = world.bodies.info[contact.bodyA].kind != BodyKind::Dynamic;
+    const bool unturned = !canTurn(world, contact.bodyA) && !canTurn(world, contact.bodyB);
+    const bool upright = unturned && staysUpright(world, contact.bodyA, outlineA) &&
+                         staysUpright(world, contact.bodyB, outlineB);
+    if (contact.friction == 0.0f) contact.frictionImpulse = 0.0f;
+    const int kept = contact.flags & (kTouching | kBegan | kDisabled | kPassing | kInitialOverlap);
+    contact.flags = static_cast<std::uint16_t>(
+        kept | (triggered ? kTriggered : 0) | (reports ? kReports : 0) |
+        ((a.flags & kOneWay) != 0 ? kOneWayA : 0) | ((b.flags & kOneWay) != 0 ? kOneWayB : 0) |
+        (fixed ? kFixedA : 0) | (isRound(outlineA.kind) || isRound(outlineB.kind) ? kRound : 0) |
+        (unturned ? kUnturned : 0) | (upright ? kAlongAxes : 0));
+}
+
+bool comesTo(const World& world, std::uint32_t shapeA, std::uint32_t shapeB) {
+    const Shapes& shapes = world.shapes;
+    const auto isStopped = [&](const ShapeExtras& border, const Filter& other) {
+        return (border.frontLayers & other.mask) != 0 && (border.frontMask & other.layers) != 0;
+    };
+    const BodyInfo& a = world.bodies.info[shapes.info[shapeA].body];
+    const BodyInfo& b = world.bodies.info[shapes.info[shapeB].body];
+    if (a.kind != BodyKind::Dynamic || b.kind != BodyKind::Dynamic) {
+        // Who cannot be pushed comes to triggers only, and somebody has to be up.
+        const bool trigger = ((shapes.info[shapeA].flags | shapes.info[shapeB].flags) & kTrigger) != 0;
+        const bool pushed = a.kind == BodyKind::Dynamic || b.kind == BodyKind::Dynamic;
+        if ((!pushed && !trigger) || (a.place == kNone && b.place == kNone)) return false;
+    }
+    return !isStopped(shapes.extrasOf(shapeA), shapes.filter[shapeB]) &&
+           !isStopped(shapes.extrasOf(shapeB), shapes.filter[shapeA]);
+}
+
+Contact makeContact(const World& world, std::uint32_t shapeA, std::uint32_t shapeB) {
+    Contact contact;
+    const std::uint32_t bodyA = world.shapes.info[shapeA].body, bodyB = world.shapes.info[shapeB].body;
+    const bool fixedB = world.bodies.info[bodyB].kind != BodyKind::Dynamic;
+    contact.shapeA = fixedB ? shapeB : shapeA;
+    contact.shapeB = fixedB ? shapeA : shapeB;
+    contact.bodyA = fixedB ? bodyB : bodyA;
+    contact.bodyB = fixedB ? bodyA : bodyB;
+    copyMaterials(world, contact);
+    return contact;
+}
+
+void findTouches(const World& world, std::span<Contact> contacts, float dt, DetectionCounts& counts) {
+    BoxBatch boxes{world, counts};
+    const Shapes& shapes = world.shapes;
+    for (Contact& contact : contacts) {
+        ++counts.pairs;
+        contact.flags &= static_cast<std::uint16_t>(~(kBegan | kGone));
+        const Encounter now = encounterOf(world.bodies.pose[contact.bodyA], world.bodies.pose[contact.bodyB]);
+        const bool alongAxes = (contact.flags & kAlongAxes) != 0;
+        const bool settled = !alongAxes && isSettled(world, contact, now, counts);
+        contact.flags &= static_cast<std::uint16_t>(~kDisabled);  // of the last step
+        if (alongAxes) touchUpright(world, contact, counts);
+        if (settled || alongAxes) continue;
+        if (takeHalfway(world, contact, now, 0.5f * dt, counts)) continue;
+        const Geometry& a = shapes.geometry[contact.shapeA];
+        const Geometry& b = shapes.geometry[contact.shapeB];
+        if (a.kind == ShapeKind::Box && b.kind == ShapeKind::Box) {
+            boxes.add(contact, now, a, b);
+        } else {
+            take(world, contact, now,
+                 collide(a, b, shapes.corners, frameInA(world, contact, now),
+                         world.settings.speculativeDistance),
+                 counts);
+        }
+    }
+    boxes.finish();
+}
+
+void findTouch(const World& world, Contact& contact, float distance) {
+    const Encounter now = encounterOf(world.bodies.pose[contact.bodyA], world.bodies.pose[contact.bodyB]);
+    Manifold manifold = collide(world.shapes.geometry[contact.shapeA], world.shapes.geometry[contact.shapeB],
+                                world.shapes.corners, frameInA(world, contact, now), distance);
+    if ((contact.flags & kUnturned) != 0) keepDeepest(manifold);
+    contact.count = 0;
+    if (manifold.count > 0) takeManifold(world, contact, manifold, now);
+}
+
+Vec2 pointOf(const World& world, const Contact& contact, int point) {
+    if ((contact.flags & kAlongAxes) != 0) {
+        const AxisAlignedPair pair = uprightPairOf(world, contact);
+        const Manifold manifold = manifoldOf(world, pair);
+        const ManifoldPoint& found = manifold.points[0];
+        if (manifold.count > 0)
+            return found.point - (0.5f * found.separation) * manifold.normal -
+                   world.bodies.pose[contact.bodyA].localCentre;
+    }
+    return contact.anchors[point].a;
+}
+
+bool isReported(const World& world, const Contact& contact) {
+    if ((contact.flags & kPassing) != 0) return false;
+    return (contact.flags & kTriggered) != 0 ||
+           ((contact.flags & kReports) != 0 && world.manifest.runs(Effect::ContactEvents));
+}
+
+ContactEvent eventOf(const World& world, const Contact& contact, ContactPhase phase) {
+    const auto bodyId = [&](std::uint32_t body) { return BodyId{body, world.bodies.info[body].generation}; };
+    const auto shapeId = [&](std::uint32_t shape) {
+        return ShapeId{shape, world.shapes.info[shape].generation};
+    };
+    const BodyPose& a = world.bodies.pose[contact.bodyA];
+    ContactEvent event;
+    event.a = bodyId(contact.bodyA);
+    event.b = bodyId(contact.bodyB);
+    event.shapeA = shapeId(contact.shapeA);
+    event.shapeB = shapeId(contact.shapeB);
+    event.phase = phase;
+    event.isTrigger = (contact.flags & kTriggered) != 0;
+    event.normal = contact.normal;
+    event.point = toVec2(a.centre + rotate(a.rotation, pointOf(world, contact, 0)));
+    event.impulse = std::fabs(contact.impulse0) + std::fabs(contact.impulse1);
+    return event;
+}
+
+}  // namespace plumb::physics

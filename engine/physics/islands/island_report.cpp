@@ -1,0 +1,127 @@
+#include "physics/islands/island_report.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "physics/measure/constraint_errors.hpp"
+#include "physics/workspace.hpp"
+
+namespace plumb::physics {
+
+namespace {
+
+/// Islands recomputed from scratch: the world's own may be larger than needed, and lookups change them.
+class Forest {
+public:
+    explicit Forest(const World& world) : world_{world}, parent_(world.bodies.size()) {
+        for (std::uint32_t body = 0; body < parent_.size(); ++body) parent_[body] = body;
+        for (const Contact& contact : world.contacts) {
+            if ((contact.flags & (kTouching | kTriggered)) == kTouching) join(contact.bodyA, contact.bodyB);
+        }
+        for (const std::uint32_t j : world.joints.awake)
+            join(world.joints.hot[j].bodyA, world.joints.hot[j].bodyB);
+    }
+
+    [[nodiscard]] bool isPushed(std::uint32_t body) const {
+        const BodyInfo& info = world_.bodies.info[body];
+        return info.kind == BodyKind::Dynamic && info.place != kNone;
+    }
+    /// The body of its island with the lowest index.
+    std::uint32_t firstOf(std::uint32_t body) {
+        while (parent_[body] != body) body = std::exchange(parent_[body], parent_[parent_[body]]);
+        return body;
+    }
+
+private:
+    void join(std::uint32_t a, std::uint32_t b) {
+        if (!isPushed(a) || !isPushed(b)) return;
+        const std::uint32_t firstA = firstOf(a), firstB = firstOf(b);
+        parent_[std::max(firstA, firstB)] = std::min(firstA, firstB);
+    }
+
+    const World& world_;
+    std::vector<std::uint32_t> parent_;
+};
+
+/// Of a single body, in the last step.
+Quality qualityOf(const World& world, std::uint32_t body) {
+    const std::vector<SubstepController>& substepControllers = world.bodies.substepControllers;
+    if (body < substepControllers.size() && substepControllers[body].quality != kQualityOfWorld)
+        return substepControllers[body].quality;
+    const Workspace* work = world.work.lastStep();
+    if (work == nullptr || work->groups.empty() || body >= work->slots.size() || work->slots[body] < 0)
+        return std::max(world.bodies.info[body].quality, world.settings.quality);
+    const auto solvedIn = [&](const SolveGroup& group) { return work->slots[body] < group.end; };
+    return std::find_if(work->groups.begin(), work->groups.end(), solvedIn)->quality;
+}
+
+std::vector<std::uint32_t> indicesOf(const World& world, Forest& forest, std::vector<IslandReport>& islands) {
+    std::vector<std::uint32_t> indices(world.bodies.size(), kNone);
+    for (std::uint32_t body = 0; body < indices.size(); ++body) {
+        if (!forest.isPushed(body)) continue;
+        std::uint32_t& index = indices[forest.firstOf(body)];
+        if (index == kNone) {  // the first body itself: none is lower
+            index = static_cast<std::uint32_t>(islands.size());
+            islands.emplace_back().first = {body, world.bodies.info[body].generation};
+        }
+        indices[body] = index;
+    }
+    return indices;
+}
+
+void addBodies(const World& world, const std::vector<std::uint32_t>& indices,
+               std::vector<IslandReport>& islands) {
+    for (std::uint32_t body = 0; body < indices.size(); ++body) {
+        if (indices[body] == kNone) continue;
+        IslandReport& island = islands[indices[body]];
+        ++island.bodies;
+        island.quality = std::max(island.quality, qualityOf(world, body));
+        island.speed = std::max(island.speed, length(world.bodies.motion[body].velocity));
+    }
+}
+
+/// Index of whichever of the two is dynamic.
+std::uint32_t indexOf(const std::vector<std::uint32_t>& indices, std::uint32_t a, std::uint32_t b) {
+    return indices[b] != kNone ? indices[b] : indices[a];
+}
+
+void addConstraints(const World& world, const std::vector<std::uint32_t>& indices,
+                    std::vector<IslandReport>& islands) {
+    for (const Contact& contact : world.contacts) {
+        const std::uint32_t index = indexOf(indices, contact.bodyA, contact.bodyB);
+        if (index == kNone || (contact.flags & (kTouching | kTriggered | kDisabled)) != kTouching) continue;
+        ++islands[index].contacts;
+        islands[index].overlap = std::max(islands[index].overlap, overlapOf(contact));
+    }
+    for (const std::uint32_t j : world.joints.awake) {
+        const Joint& joint = world.joints.hot[j];
+        const std::uint32_t index = indexOf(indices, joint.bodyA, joint.bodyB);
+        if (index == kNone) continue;
+        ++islands[index].joints;
+        islands[index].jointError = std::max(islands[index].jointError, openingOf(world, j));
+    }
+}
+
+}  // namespace
+
+std::vector<IslandReport> reportIslands(const World& world) {
+    std::vector<IslandReport> islands;
+    Forest forest{world};
+    const std::vector<std::uint32_t> indices = indicesOf(world, forest, islands);
+    addBodies(world, indices, islands);
+    addConstraints(world, indices, islands);
+    return islands;
+}
+
+std::vector<std::uint32_t> islandIndices(const World& world) {
+    std::vector<IslandReport> islands;
+    Forest forest{world};
+    return indicesOf(world, forest, islands);
+}
+
+std::uint32_t islandIndexOf(const World& world, BodyId body) {
+    const std::vector<std::uint32_t> indices = islandIndices(world);
+    return body.index < indices.size() ? indices[body.index] : kNone;
+}
+
+}  // namespace plumb::physics

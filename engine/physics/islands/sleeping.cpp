@@ -1,0 +1,275 @@
+#include "physics/islands/sleeping.hpp"
+
+#include <utility>
+#include <vector>
+
+#include "physics/model/bounds.hpp"
+#include "physics/workspace.hpp"
+
+namespace plumb::physics {
+
+namespace {
+
+template <class Act>
+void forShapesOf(World& world, std::uint32_t body, Act&& act) {
+    for (std::uint32_t s = world.bodies.info[body].firstShape; s != kNone; s = world.shapes.info[s].next)
+        act(s);
+}
+
+template <class Act>
+void forJointsOf(World& world, std::uint32_t body, Act&& act) {
+    for (std::uint32_t j = world.bodies.info[body].firstJoint; j != kNone;) {
+        const Joint& joint = world.joints.hot[j];
+        const std::uint32_t next = joint.bodyA == body ? joint.nextA : joint.nextB;
+        act(j);
+        j = next;
+    }
+}
+
+/// Room for all to be free again, so that waking up allocates nothing.
+template <class T>
+void growFree(std::vector<std::uint32_t>& free, const std::vector<T>& all) {
+    if (free.capacity() < all.size()) free.reserve(all.capacity());
+}
+
+std::uint32_t takeIsland(Sleepers& sleepers) {
+    if (sleepers.freeIslands.empty()) {
+        sleepers.islands.emplace_back();
+        growFree(sleepers.freeIslands, sleepers.islands);
+        return static_cast<std::uint32_t>(sleepers.islands.size() - 1);
+    }
+    const std::uint32_t island = sleepers.freeIslands.back();
+    sleepers.freeIslands.pop_back();
+    sleepers.islands[island] = {};
+    return island;
+}
+
+void putInIsland(World& world, std::uint32_t island, std::uint32_t body) {
+    Sleepers& sleepers = world.sleepers;
+    sleepers.islandOf[body] = island;
+    sleepers.nextBody[body] = std::exchange(sleepers.islands[island].firstBody, body);
+    BodyMotion& motion = world.bodies.motion[body];
+    motion.velocity = {};
+    motion.angularVelocity = 0.0f;
+    forShapesOf(world, body, [&](std::uint32_t s) {
+        world.shapes.motion[s] = ProxyMotion::Asleep;
+        noteChanged(world, s);
+    });
+}
+
+void putInIsland(Sleepers& sleepers, std::uint32_t island, const Contact& contact) {
+    std::uint32_t place = static_cast<std::uint32_t>(sleepers.contacts.size());
+    if (sleepers.freeContacts.empty()) {
+        sleepers.contacts.push_back(contact);
+        sleepers.nextContact.push_back(kNone);
+        growFree(sleepers.freeContacts, sleepers.contacts);
+    } else {
+        place = sleepers.freeContacts.back();
+        sleepers.freeContacts.pop_back();
+        sleepers.contacts[place] = contact;
+    }
+    sleepers.nextContact[place] = std::exchange(sleepers.islands[island].firstContact, place);
+}
+
+/// True for a body that can be pushed and is awake.
+bool isUp(const World& world, std::uint32_t body) {
+    const BodyInfo& info = world.bodies.info[body];
+    return info.kind == BodyKind::Dynamic && info.place != kNone;
+}
+
+/// A kinematic body can begin or end a contact while the other body sleeps, unless that rests on it: then it
+/// wakes the sleeper when it starts to move (wakeForMotion).
+bool staysInStep(const World& world, const Contact& contact) {
+    if ((contact.flags & (kTouching | kTriggered)) == kTouching) return false;
+    return world.bodies.info[contact.bodyA].kind == BodyKind::Kinematic ||
+           world.bodies.info[contact.bodyB].kind == BodyKind::Kinematic;
+}
+
+/// Contacts of islands that sleep go with them; those that do not touch are forgotten, and found again.
+void takeContactsAlong(World& world) {
+    std::vector<Contact>& contacts = world.contacts;
+    for (std::size_t i = contacts.size(); i-- > 0;) {
+        const Contact& contact = contacts[i];
+        if (isUp(world, contact.bodyA) || isUp(world, contact.bodyB)) continue;
+        if (staysInStep(world, contact)) continue;
+        const std::uint32_t islandB = world.sleepers.islandOf[contact.bodyB];
+        const std::uint32_t island = islandB != kNone ? islandB : world.sleepers.islandOf[contact.bodyA];
+        if (island == kNone) continue;
+        if ((contact.flags & kTouching) != 0) {
+            putInIsland(world.sleepers, island, contact);
+        } else if (!world.work.stale()) {
+            world.work.get().pairs.remove(pairKey(contact.shapeA, contact.shapeB));
+        }
+        contacts[i] = contacts.back();
+        contacts.pop_back();
+    }
+}
+
+void wakeIsland(World& world, std::uint32_t island) {
+    Sleepers& sleepers = world.sleepers;
+    for (std::uint32_t body = sleepers.islands[island].firstBody; body != kNone;) {
+        const std::uint32_t next = std::exchange(sleepers.nextBody[body], kNone);
+        sleepers.islandOf[body] = kNone;
+        addAwake(world, body);
+        world.bodies.motion[body].restTime = 0.0f;
+        forShapesOf(world, body, [&](std::uint32_t s) {
+            world.shapes.motion[s] = ProxyMotion::Awake;
+            noteChanged(world, s);
+            noteMoved(world, s);
+        });
+        forJointsOf(world, body, [&](std::uint32_t j) { addAwakeJoint(world, j); });
+        body = next;
+    }
+    for (std::uint32_t c = sleepers.islands[island].firstContact; c != kNone;) {
+        world.contacts.push_back(sleepers.contacts[c]);
+        sleepers.freeContacts.push_back(c);
+        c = std::exchange(sleepers.nextContact[c], kNone);
+    }
+    sleepers.islands[island] = {};
+    sleepers.freeIslands.push_back(island);
+}
+
+}  // namespace
+
+void addAwake(World& world, std::uint32_t body) {
+    world.bodies.info[body].place = static_cast<std::uint32_t>(world.awake.size());
+    world.awake.push_back(body);
+}
+
+void addAsleep(World& world, std::uint32_t body) { putInIsland(world, takeIsland(world.sleepers), body); }
+
+void removeAwake(World& world, std::uint32_t body) {
+    const std::uint32_t place = world.bodies.info[body].place;
+    if (place == kNone) return;
+    world.awake[place] = world.awake.back();
+    world.bodies.info[world.awake[place]].place = place;
+    world.bodies.info[body].place = kNone;  // after the other: it may be the last itself
+    world.awake.pop_back();
+}
+
+void removeAwakeJoint(World& world, std::uint32_t joint) {
+    std::vector<std::uint32_t>& awake = world.joints.awake;
+    const std::uint32_t place = world.joints.hot[joint].place;
+    if (place == kNone) return;
+    world.work.get().joints.trees.stale = true;
+    awake[place] = awake.back();
+    world.joints.hot[awake[place]].place = place;
+    world.joints.hot[joint].place = kNone;  // after the other: it may be the last itself
+    awake.pop_back();
+}
+
+void addAwakeJoint(World& world, std::uint32_t joint) {
+    if (world.joints.hot[joint].place != kNone) return;
+    world.work.get().joints.trees.stale = true;
+    world.joints.hot[joint].place = static_cast<std::uint32_t>(world.joints.awake.size());
+    world.joints.awake.push_back(joint);
+}
+
+void wake(World& world, std::uint32_t body) {
+    const std::uint32_t island = world.sleepers.islandOf[body];
+    if (island != kNone) wakeIsland(world, island);
+    world.bodies.motion[body].restTime = 0.0f;
+}
+
+void wakeAll(World& world) {
+    for (std::uint32_t island = 0; island < world.sleepers.islands.size(); ++island) {
+        const std::uint32_t body = world.sleepers.islands[island].firstBody;
+        if (body != kNone) wake(world, body);
+    }
+}
+
+void wakeTouching(World& world, std::uint32_t body) {
+    wake(world, body);
+    if (world.bodies.info[body].kind == BodyKind::Dynamic) return;
+    forJointsOf(world, body, [&](std::uint32_t j) {
+        const Joint& joint = world.joints.hot[j];
+        wake(world, joint.bodyA == body ? joint.bodyB : joint.bodyA);
+    });
+    std::vector<std::uint32_t> touched;
+    for (const SleepingIsland& island : world.sleepers.islands) {
+        for (std::uint32_t c = island.firstContact; c != kNone; c = world.sleepers.nextContact[c]) {
+            const Contact& contact = world.sleepers.contacts[c];
+            if (contact.bodyA == body || contact.bodyB == body) {
+                touched.push_back(island.firstBody);
+                break;
+            }
+        }
+    }
+    for (const std::uint32_t other : touched) wake(world, other);
+}
+
+void wakeForMotion(World& world, std::uint32_t body) {
+    const BodyMotion& motion = world.bodies.motion[body];
+    const bool moved = (world.bodies.info[body].flags & kMoved) != 0;
+    const bool starts = !moved && motion.velocity == Vec2{} && motion.angularVelocity == 0.0f;
+    starts ? wakeTouching(world, body) : wake(world, body);
+}
+
+void sleepIslands(World& world, std::vector<std::uint32_t>& sleepingRoots) {
+    // One pass over bodies, contacts and joints, whatever the number of islands. `sleepingRoots` has, by
+    // body, kNone for a root that stays awake and anything else for one that goes to sleep.
+    std::vector<std::uint32_t>& awake = world.awake;
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < awake.size(); ++i) {
+        const std::uint32_t body = awake[i];
+        BodyInfo& info = world.bodies.info[body];
+        const std::uint32_t root = info.kind == BodyKind::Dynamic ? islandOf(world, body) : kNone;
+        if (root == kNone || sleepingRoots[root] == kNone) {
+            info.place = static_cast<std::uint32_t>(kept);
+            awake[kept++] = body;
+            continue;
+        }
+        if (sleepingRoots[root] == kIslandToBe) sleepingRoots[root] = takeIsland(world.sleepers);
+        info.place = kNone;
+        putInIsland(world, sleepingRoots[root], body);
+        forJointsOf(world, body, [&](std::uint32_t j) { removeAwakeJoint(world, j); });
+    }
+    awake.resize(kept);
+    takeContactsAlong(world);
+}
+
+void sleepNow(World& world, std::uint32_t body) {
+    if (!isUp(world, body)) return;
+    std::vector<std::uint32_t> roots(world.bodies.size(), kNone);
+    rebuildIslands(world);
+    roots[islandOf(world, body)] = kIslandToBe;
+    sleepIslands(world, roots);
+}
+
+std::uint32_t islandOf(World& world, std::uint32_t body) {
+    std::vector<BodyInfo>& info = world.bodies.info;
+    while (info[body].island != body) {
+        info[body].island = info[info[body].island].island;
+        body = info[body].island;
+    }
+    return body;
+}
+
+void joinIslands(World& world, std::uint32_t a, std::uint32_t b) {
+    const std::uint32_t rootA = islandOf(world, a), rootB = islandOf(world, b);
+    // The lower index is the root, so that the forest does not depend on the order of joining.
+    if (rootA < rootB) {
+        world.bodies.info[rootB].island = rootA;
+    } else {
+        world.bodies.info[rootA].island = rootB;
+    }
+}
+
+void rebuildIslands(World& world) {
+    for (const std::uint32_t body : world.awake) world.bodies.info[body].island = body;
+    for (const Contact& contact : world.contacts) {
+        if ((contact.flags & kTouching) == 0) continue;
+        if (isUp(world, contact.bodyA) && isUp(world, contact.bodyB)) {
+            joinIslands(world, contact.bodyA, contact.bodyB);
+        }
+    }
+    for (const std::uint32_t j : world.joints.awake) {
+        const Joint& joint = world.joints.hot[j];
+        if (isUp(world, joint.bodyA) && isUp(world, joint.bodyB))
+            joinIslands(world, joint.bodyA, joint.bodyB);
+    }
+    world.islandsStale = false;
+    world.islandsAge = 0.0f;
+}
+
+}  // namespace plumb::physics

@@ -1,0 +1,72 @@
+#include "physics/islands/substep_estimate.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+#include "physics/islands/sleeping.hpp"
+#include "physics/trees/joint_tree_builder.hpp"
+
+namespace plumb::physics {
+
+namespace {
+
+/// One level for a value above a limit, and one more for each `factor` above it, up to three: each level
+/// reduces errors three to four times.
+int stepsAbove(float value, float limit, float factor) {
+    int steps = 0;
+    for (; steps < 3 && value > limit; limit *= factor) ++steps;
+    return steps;
+}
+
+void addTo(SubstepEstimate& island, const World& world, const Workspace& work, std::uint32_t body,
+           std::uint32_t root, Vec2 down) {
+    const BodyMass& mass = world.bodies.mass[body];
+    // Trees are solved accurately at any quality.
+    if (mass.inverseMass == 0.0f || isInTree(world, work, body)) return;
+    const float depth = dot(world.bodies.pose[body].centre - world.bodies.pose[root].centre, down);
+    island.lightest = std::min(island.lightest, mass.mass);
+    island.heaviest = std::max(island.heaviest, mass.mass);
+    island.lowest = std::min(island.lowest, depth);
+    island.highest = std::max(island.highest, depth);
+    island.size += world.bodies.info[body].core;
+    island.bodies += 1.0f;
+    for (std::uint32_t j = world.bodies.info[body].firstJoint; j != kNone;) {
+        const Joint& joint = world.joints.hot[j];
+        island.joints += 0.5f;  // the other body adds the other half
+        j = joint.bodyA == body ? joint.nextA : joint.nextB;
+    }
+}
+
+}  // namespace
+
+int extraQuality(const SubstepEstimate& island) {
+    if (island.bodies == 0.0f) return 0;
+    const float layers =
+        (island.highest - island.lowest) * island.bodies / std::max(2.0f * island.size, 1e-6f);
+    // Limits fitted to keep hard cases within millimeters (plumb-accuracy-physics).
+    return std::max({stepsAbove(island.heaviest, 10.0f * island.lightest, 3.0f),
+                     stepsAbove(layers, 7.0f, 2.0f), stepsAbove(island.joints, 8.0f, 4.0f)});
+}
+
+void estimateSubsteps(World& world, Workspace& work) {
+    const Vec2 gravity = world.settings.gravity;
+    const Vec2 down = lengthSquared(gravity) > 0.0f ? normalized(gravity) : Vec2{};
+    work.estimate.assign(world.bodies.size(), SubstepEstimate{});
+    for (const std::uint32_t body : world.awake) {
+        const std::uint32_t root = work.roots[body];
+        addTo(work.estimate[root], world, work, body, root, down);
+    }
+}
+
+void findRoots(World& world, Workspace& work) {
+    if (work.rootsKnown) return;
+    if (world.islandsStale) rebuildIslands(world);
+    work.roots.resize(world.bodies.size());
+    std::iota(work.roots.begin(), work.roots.end(), 0u);
+    for (const std::uint32_t body : world.awake) {
+        if (world.bodies.info[body].kind == BodyKind::Dynamic) work.roots[body] = islandOf(world, body);
+    }
+    work.rootsKnown = true;
+}
+
+}  // namespace plumb::physics

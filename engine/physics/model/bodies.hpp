@@ -1,0 +1,71 @@
+#pragma once
+
+#include "core/result.hpp"
+#include "physics/world.hpp"
+
+namespace plumb::physics {
+
+/// Creates a body without shapes.
+/// @error a number that is not finite or out of range, a negative drag
+Result<BodyId> createBody(World& world, const BodyDefinition& definition);
+
+/// Destroys a body with its shapes and joints; its contacts end in the next step. A stale id does nothing.
+void destroyBody(World& world, BodyId body);
+
+[[nodiscard]] bool alive(const World& world, BodyId body);
+[[nodiscard]] std::size_t bodyCount(const World& world);
+
+// Getters. All need a living body.
+
+[[nodiscard]] WorldPosition positionOf(const World& world, BodyId body);  ///< m, of the frame of its shapes
+[[nodiscard]] inline WorldPosition centreOf(const World& world, BodyId body) {
+    return world.bodies.pose[body.index].centre;
+}
+[[nodiscard]] inline Rot rotationOf(const World& world, BodyId body) {
+    return world.bodies.pose[body.index].rotation;
+}
+[[nodiscard]] inline Vec2 velocityOf(const World& world, BodyId body) {
+    return world.bodies.motion[body.index].velocity;
+}
+[[nodiscard]] inline float angularVelocityOf(const World& world, BodyId body) {
+    return world.bodies.motion[body.index].angularVelocity;
+}
+[[nodiscard]] inline float massOf(const World& world, BodyId body) {
+    return world.bodies.mass[body.index].mass;
+}
+[[nodiscard]] bool isAwake(const World& world, BodyId body);
+/// The pose after dt (s) if only gravity, the body's own acceleration and the forces applied for the next
+/// step acted on it. Predicts at most a million seconds; a NaN dt counts as 0.
+[[nodiscard]] Frame predictTransform(const World& world, BodyId body, float dt);
+
+// Setters. They return an error for values that are not finite or out of range, and then change nothing. A
+// setter that moves or accelerates a body wakes it.
+
+Result<Done> setPosition(World& world, BodyId body, WorldPosition position,
+                         float angle);                                       ///< m, rad; a teleport
+Result<Done> setVelocity(World& world, BodyId body, Vec2 velocity);          ///< m/s
+Result<Done> setAngularVelocity(World& world, BodyId body, float velocity);  ///< rad/s
+Result<Done> setAcceleration(World& world, BodyId body, Vec2 acceleration);  ///< m/s2, added to gravity
+Result<Done> setGravityScale(World& world, BodyId body, float scale);
+Result<Done> setDrag(World& world, BodyId body, float linear, float angular);  ///< 1/s, at least 0
+/// kg: replaces the mass computed from the shapes; the distribution of mass stays. 0 restores the computed
+/// mass.
+Result<Done> setMass(World& world, BodyId body, float mass);
+Result<Done> setQuality(World& world, BodyId body, Quality quality);
+/// Acts in the next step only. `point` is in the world (m); without it, the force acts at the centre of mass.
+Result<Done> applyForce(World& world, BodyId body, Vec2 force);  ///< N
+Result<Done> applyForceAt(World& world, BodyId body, Vec2 force, WorldPosition point);
+Result<Done> applyTorque(World& world, BodyId body, float torque);   ///< N m
+Result<Done> applyImpulse(World& world, BodyId body, Vec2 impulse);  ///< N s
+Result<Done> applyImpulseAt(World& world, BodyId body, Vec2 impulse, WorldPosition point);
+/// Gives a kinematic body the velocity that reaches the target within dt (s); it stops after that step.
+Result<Done> moveTo(World& world, BodyId body, WorldPosition position, float angle, float dt);
+void setAwake(World& world, BodyId body, bool awake);
+void setFixedRotation(World& world, BodyId body, bool fixed);
+void setBullet(World& world, BodyId body, bool bullet);
+void setCanSleep(World& world, BodyId body, bool canSleep);
+void setLocks(World& world, BodyId body, bool lockX, bool lockY);  ///< its velocity along an axis stays 0
+/// While on, one-way shapes let the body through, including those that it stands on.
+void setDropThrough(World& world, BodyId body, bool drops);
+
+}  // namespace plumb::physics

@@ -1,0 +1,95 @@
+#include "physics/model/bounds.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "physics/contacts/contacts.hpp"
+#include "physics/shapes/shape_types.hpp"
+#include "physics/workspace.hpp"
+
+namespace plumb::physics {
+
+namespace {
+
+/// m: float coordinates far from the origin are rounded, so bounds must be wider there.
+float roundingAt(const AABB& box) {
+    const float far = std::max(std::max(std::fabs(box.min.x), std::fabs(box.max.x)),
+                               std::max(std::fabs(box.min.y), std::fabs(box.max.y)));
+    return far * 2.5e-7f;
+}
+
+float marginOf(const AABB& tight, const Settings& settings) {
+    const Vec2 size = tight.size();
+    // std::min() returns its first argument if the second is NaN, so a NaN setting is ignored.
+    return std::max(std::min(0.125f * std::max(size.x, size.y), settings.boundsMargin), 0.0f);
+}
+
+}  // namespace
+
+ProxyMotion motionOf(const World& world, std::uint32_t shape) {
+    const ShapeInfo& outline = world.shapes.info[shape];
+    const BodyInfo& info = world.bodies.info[outline.body];
+    // A trigger of a body that is not dynamic also detects bodies that move without forces, so it pairs with
+    // everything.
+    if (info.kind != BodyKind::Dynamic && (outline.flags & kTrigger) != 0) return ProxyMotion::Awake;
+    if (info.kind == BodyKind::Static) return ProxyMotion::Static;
+    if (info.kind == BodyKind::Kinematic) return ProxyMotion::Kinematic;
+    return info.place == kNone ? ProxyMotion::Asleep : ProxyMotion::Awake;
+}
+
+AABB tightBounds(const World& world, std::uint32_t shape) {
+    const Shapes& shapes = world.shapes;
+    return boundsOf(shapes.geometry[shape], shapes.corners,
+                    frameOf(world.bodies.pose[shapes.info[shape].body]));
+}
+
+void setBounds(World& world, std::uint32_t shape) {
+    ShapeInfo& info = world.shapes.info[shape];
+    const AABB tight = tightBounds(world, shape);
+    // A static shape needs no margin: the shapes that approach it have one.
+    const bool moves = world.bodies.info[info.body].kind != BodyKind::Static;
+    info.margin = moves ? marginOf(tight, world.settings) : 0.0f;
+    world.shapes.bounds[shape] = grown(tight, info.margin + roundingAt(tight));
+    noteChanged(world, shape);
+    noteMoved(world, shape);
+}
+
+void refreshBounds(World& world, std::uint32_t body) {
+    for (std::uint32_t s = world.bodies.info[body].firstShape; s != kNone; s = world.shapes.info[s].next) {
+        setBounds(world, s);
+    }
+}
+
+void noteChanged(World& world, std::uint32_t shape) {
+    if (world.work.stale()) return;  // it will be rebuilt
+    Workspace& work = world.work.get();
+    if (work.isChanged.size() < world.shapes.size()) work.isChanged.resize(world.shapes.size());
+    if (work.isChanged[shape] != 0) return;
+    work.isChanged[shape] = 1;
+    work.changedProxies.push_back(shape);
+}
+
+void noteMoved(World& world, std::uint32_t shape) {
+    ShapeInfo& info = world.shapes.info[shape];
+    if ((info.flags & kLeftBounds) != 0) return;
+    info.flags |= kLeftBounds;
+    world.moved.push_back(shape);
+}
+
+void refreshContacts(World& world, std::uint32_t shape) {
+    const auto refresh = [&](Contact& contact) {
+        if (contact.shapeA == shape || contact.shapeB == shape) copyMaterials(world, contact);
+    };
+    for (Contact& contact : world.contacts) refresh(contact);
+    for (Contact& contact : world.sleepers.contacts) refresh(contact);
+}
+
+void refreshContactsOf(World& world, std::uint32_t body) {
+    const auto refresh = [&](Contact& contact) {
+        if (contact.bodyA == body || contact.bodyB == body) copyMaterials(world, contact);
+    };
+    for (Contact& contact : world.contacts) refresh(contact);
+    for (Contact& contact : world.sleepers.contacts) refresh(contact);
+}
+
+}  // namespace plumb::physics

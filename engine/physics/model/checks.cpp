@@ -1,0 +1,65 @@
+#include "physics/model/checks.hpp"
+
+#include <cmath>
+
+#include "core/text.hpp"
+#include "physics/model/bodies.hpp"
+#include "physics/model/joints.hpp"
+#include "physics/model/shapes.hpp"
+
+namespace plumb::physics {
+
+Error wrong(const char* where, const std::string& what, const char* remedy) { return {where, what, remedy}; }
+
+namespace {
+
+/// Most values come from floats and are printed as such, to avoid the digits of the conversion to double.
+std::string textOf(double value) {
+    const auto near = static_cast<float>(value);
+    return double{near} == value ? shortestText(near) : shortestText(value);
+}
+
+}  // namespace
+
+Result<Done> checkNumber(const char* where, double value, double low, double high) {
+    if (value >= low && value <= high) return Done{};
+    return wrong(where,
+                 "expected a number from " + textOf(low) + " to " + textOf(high) + ", found " + textOf(value),
+                 "check how the value was computed");
+}
+
+Result<Done> checkVector(const char* where, Vec2 value, float maximum) {
+    return firstOf(checkNumber(where, value.x, -maximum, maximum),
+                   checkNumber(where, value.y, -maximum, maximum));
+}
+
+Result<Done> checkPlace(const char* where, WorldPosition value) {
+    return firstOf(checkNumber(where, value.x, -kFarthest, kFarthest),
+                   checkNumber(where, value.y, -kFarthest, kFarthest));
+}
+
+Result<Done> checkQuality(const char* where, int quality) {
+    return checkNumber(where, quality, kQualityOfWorld, kMaxQuality);
+}
+
+namespace {
+
+Result<Done> checkAlive(const char* where, bool lives, const std::string& what) {
+    if (lives) return Done{};
+    return wrong(where, "expected a living " + what + ", found one that was destroyed or never made",
+                 "check alive() first, or drop the id when its object is destroyed");
+}
+
+}  // namespace
+
+Result<Done> checkAlive(const char* where, const World& world, BodyId body) {
+    return checkAlive(where, alive(world, body), "body");
+}
+Result<Done> checkAlive(const char* where, const World& world, ShapeId shape) {
+    return checkAlive(where, alive(world, shape), "shape");
+}
+Result<Done> checkAlive(const char* where, const World& world, JointId joint) {
+    return checkAlive(where, alive(world, joint), "joint");
+}
+
+}  // namespace plumb::physics

@@ -1,0 +1,103 @@
+#pragma once
+
+#include <cstdint>
+
+#include "math/rect.hpp"
+#include "math/rot.hpp"
+
+namespace plumb::physics {
+
+/// A coordinate frame. apply(frame, point) maps a point of the frame to the space around it.
+struct Frame {
+    Vec2 position;
+    Rot rotation;
+
+    friend constexpr bool operator==(const Frame&, const Frame&) = default;
+};
+
+constexpr Vec2 apply(const Frame& frame, Vec2 point) {
+    return frame.position + rotate(frame.rotation, point);
+}
+constexpr Vec2 applyInverse(const Frame& frame, Vec2 point) {
+    return unrotate(frame.rotation, point - frame.position);
+}
+/// The inverse map: inverse(f) * f is the identity.
+constexpr Frame inverse(const Frame& frame) {
+    return {-unrotate(frame.rotation, frame.position), inverse(frame.rotation)};
+}
+/// Applies `b` first, then `a`.
+constexpr Frame operator*(const Frame& a, const Frame& b) {
+    return {apply(a, b.position), a.rotation * b.rotation};
+}
+
+/// The kinds of outlines. Each has a row in shapes/shape_types.cpp.
+enum class ShapeKind : std::uint8_t { Circle, Capsule, Box, Polygon, Segment, ChainSegment, Count };
+
+/// A corner of a polygon and the outward normal of the edge from it to the next corner.
+struct Corner {
+    Vec2 point;
+    Vec2 normal;
+
+    friend constexpr bool operator==(const Corner&, const Corner&) = default;
+};
+
+/// An outline in the frame of its body (m). The meaning of a member depends on the kind:
+///
+///            | a               | b          | turn      | radius            | first, count
+///   Circle   | centre          |            |           | of the circle     |
+///   Capsule  | start           | end        |           | of its ends       |
+///   Box      | centre          | half size  | rotation  | of round corners  |
+///   Polygon  | centroid        |            |           | of round corners  | its corners in Shapes::corners
+///   Segment  | start           | end        |           | 0                 |
+///
+/// A ChainSegment is a Segment with ghost vertices: the far ends of its neighbours, beforeOf() and `after`.
+/// It is solid only on the side of its normal (see normalOfChain()): to the right of the direction from a to
+/// b when y points up, to the left on a screen with y down. Where a ghost vertex equals the end next to it,
+/// there is no neighbour and the chain ends.
+///
+/// The radius of a box or a polygon enlarges it by that amount on all sides.
+struct Geometry {
+    ShapeKind kind = ShapeKind::Box;
+    std::uint8_t count = 0;
+    std::uint16_t reserved = 0;  ///< no padding: the hash of a world reads raw memory
+    std::uint32_t first = 0;
+    float radius = 0.0f;
+    Vec2 a{};
+    Vec2 b{0.5f, 0.5f};
+    Rot turn{};  ///< rotation; a chain segment stores its first ghost vertex here: see beforeOf()
+    Vec2 after{};
+
+    friend constexpr bool operator==(const Geometry&, const Geometry&) = default;
+};
+
+inline constexpr int kMaxCorners = 32;  ///< of one polygon; contiguous in Shapes::corners
+
+/// The ghost vertex before a chain segment. It is stored in `turn`, which a segment does not need, to keep
+/// shapes small.
+constexpr Vec2 beforeOf(const Geometry& segment) { return {segment.turn.cos, segment.turn.sin}; }
+
+/// The unit normal of the solid side of a chain segment.
+inline Vec2 normalOfChain(const Geometry& segment) {
+    const Vec2 displacement = segment.b - segment.a;
+    return normalized(Vec2{displacement.y, -displacement.x});
+}
+
+constexpr Geometry circle(float radius, Vec2 centre = {}) {
+    return {.kind = ShapeKind::Circle, .radius = radius, .a = centre, .b = {}};
+}
+constexpr Geometry capsule(Vec2 start, Vec2 end, float radius) {
+    return {.kind = ShapeKind::Capsule, .radius = radius, .a = start, .b = end};
+}
+constexpr Geometry box(Vec2 half, Vec2 centre = {}, Rot turn = {}, float radius = 0.0f) {
+    return {.kind = ShapeKind::Box, .radius = radius, .a = centre, .b = half, .turn = turn};
+}
+constexpr Geometry segment(Vec2 start, Vec2 end) {
+    return {.kind = ShapeKind::Segment, .a = start, .b = end};
+}
+/// A segment from `start` to `end`, with the ghost vertices `before` and `after`.
+constexpr Geometry chainSegment(Vec2 before, Vec2 start, Vec2 end, Vec2 after) {
+    return {
+        .kind = ShapeKind::ChainSegment, .a = start, .b = end, .turn = {before.x, before.y}, .after = after};
+}
+
+}  // namespace plumb::physics

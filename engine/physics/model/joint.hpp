@@ -1,0 +1,82 @@
+#pragma once
+
+#include <cstdint>
+#include <limits>
+
+#include "math/vec2.hpp"
+#include "physics/model/body.hpp"
+
+namespace plumb::physics {
+
+// clang-format off
+/// The table of joints. Each has a file joints/<name>_joint.cpp with a JointType named k<Name>Joint.
+#define PLUMB_JOINTS(JOINT)                                                                                \
+    JOINT(Distance)  /* keeps two points at a distance: a rod, a rope (only an upper limit) or a spring */ \
+    JOINT(Revolute)  /* a hinge: two points coincide; angle with spring, limit and motor */                \
+    JOINT(Prismatic) /* a slider: B moves along A's axis without rotating; spring, limit and motor */      \
+    JOINT(Weld)      /* keeps the relative pose of both bodies, rigid or springy */                        \
+    JOINT(Wheel)     /* B rotates freely and moves along A's axis on a spring; a motor rotates it */       \
+    JOINT(Mouse)     /* pulls a point of B to `target` by a spring of limited force */                     \
+    JOINT(Motor)     /* drives B to an offset from A with limited force and torque */                      \
+    JOINT(Gear)      /* keeps angle of jointA + ratio * angle of jointB constant */                        \
+    JOINT(Pulley)    /* keeps lengthA + ratio * lengthB constant */
+// clang-format on
+
+enum class JointKind : std::uint8_t {
+#define PLUMB_NAME(name) name,
+    PLUMB_JOINTS(PLUMB_NAME)
+#undef PLUMB_NAME
+        Count
+};
+
+struct JointLimit {
+    bool on = false;
+    float lower = 0.0f;  ///< rad or m
+    float upper = 0.0f;
+};
+
+struct JointMotor {
+    bool on = false;
+    float speed = 0.0f;     ///< rad/s or m/s
+    float maxForce = 0.0f;  ///< N m or N
+};
+
+struct JointSpring {
+    bool on = false;
+    float hertz = 0.0f;         ///< Hz: frequency of the spring with the effective mass of the two bodies
+    float dampingRatio = 0.0f;  ///< 1: critically damped
+    float rest = 0.0f;          ///< rad or m: rest position
+};
+
+/// Everything that a new joint needs. Members that a kind does not use are ignored.
+struct JointDefinition {
+    JointKind kind = JointKind::Revolute;
+    BodyId a{};
+    BodyId b{};
+    Vec2 anchorA{};               ///< m, in A's frame
+    Vec2 anchorB{};               ///< m, in B's frame
+    Vec2 axis{1.0f, 0.0f};        ///< in A's frame: of Prismatic and Wheel
+    float referenceAngle = 0.0f;  ///< rad: difference of angles (B minus A) that counts as 0
+    float length = 1.0f;          ///< m: of Distance; total length of Pulley
+    float ratio = 1.0f;           ///< of Gear and Pulley
+    Vec2 groundA{};  ///< m, in the world: fixed ends of Pulley; float, so they must be near the origin
+    Vec2 groundB{};
+    WorldPosition target{};  ///< m: of Mouse
+    Vec2 offset{};           ///< m, in A's frame: of Motor
+    JointId jointA{};        ///< of Gear
+    JointId jointB{};
+    JointLimit limit{};
+    JointMotor motor{};
+    JointSpring spring{};
+    float maxForce = std::numeric_limits<float>::infinity();     ///< N: of Mouse and Motor
+    float maxTorque = std::numeric_limits<float>::infinity();    ///< N m: of Motor
+    float breakForce = std::numeric_limits<float>::infinity();   ///< N: a larger force breaks the joint
+    float breakTorque = std::numeric_limits<float>::infinity();  ///< N m: a larger torque breaks the joint
+    float hertz = 0.0f;         ///< Hz: stiffness of the joint itself; 0: as stiff as the substeps allow
+    float dampingRatio = 2.0f;  ///< used with `hertz`
+    bool collideConnected = false;
+    Quality quality = kQualityOfWorld;
+    std::uint64_t user = 0;
+};
+
+}  // namespace plumb::physics

@@ -1,0 +1,213 @@
+#include "physics/model/joints.hpp"
+
+#include "physics/islands/sleeping.hpp"
+#include "physics/model/bodies.hpp"
+#include "physics/model/bounds.hpp"
+#include "physics/model/checks.hpp"
+#include "physics/solver/joint_lanes.hpp"
+#include "physics/workspace.hpp"
+
+namespace plumb::physics {
+
+namespace {
+
+constexpr float kEndless = std::numeric_limits<float>::infinity();
+
+Result<Done> checkNumbers(const JointDefinition& d) {
+    return firstOf(checkVector("JointDefinition.anchorA", d.anchorA, kLargest),
+                   checkVector("JointDefinition.anchorB", d.anchorB, kLargest),
+                   checkVector("JointDefinition.axis", d.axis, kLargest),
+                   checkNumber("JointDefinition.axis length", length(d.axis), 1.0e-6, 1.0e7),
+                   checkNumber("JointDefinition.referenceAngle", d.referenceAngle, -1.0e5, 1.0e5),
+                   checkNumber("JointDefinition.length", d.length, 0.0, kLargest),
+                   checkNumber("JointDefinition.ratio", d.ratio, -kLargest, kLargest),
+                   checkVector("JointDefinition.groundA", d.groundA, 1.0e9f),
+                   checkVector("JointDefinition.groundB", d.groundB, 1.0e9f),
+                   checkPlace("JointDefinition.target", d.target),
+                   checkVector("JointDefinition.offset", d.offset, kLargest),
+                   checkNumber("JointDefinition.limit.lower", d.limit.lower, -kLargest, kLargest),
+                   checkNumber("JointDefinition.limit.upper", d.limit.upper, d.limit.lower, kLargest),
+                   checkNumber("JointDefinition.motor.speed", d.motor.speed, -kFastest, kFastest),
+                   checkNumber("JointDefinition.motor.maxForce", d.motor.maxForce, 0.0, kEndless),
+                   checkNumber("JointDefinition.spring.hertz", d.spring.hertz, 0.0, 1.0e4),
+                   checkNumber("JointDefinition.spring.dampingRatio", d.spring.dampingRatio, 0.0, 1.0e4),
+                   checkNumber("JointDefinition.spring.rest", d.spring.rest, -kLargest, kLargest),
+                   checkNumber("JointDefinition.maxForce", d.maxForce, 0.0, kEndless),
+                   checkNumber("JointDefinition.maxTorque", d.maxTorque, 0.0, kEndless),
+                   checkNumber("JointDefinition.breakForce", d.breakForce, 0.0, kEndless),
+                   checkNumber("JointDefinition.breakTorque", d.breakTorque, 0.0, kEndless),
+                   checkNumber("JointDefinition.hertz", d.hertz, 0.0, 1.0e4),
+                   checkNumber("JointDefinition.dampingRatio", d.dampingRatio, 0.0, 1.0e4),
+                   checkQuality("JointDefinition.quality", d.quality));
+}
+
+Result<Done> check(const World& world, const JointDefinition& d) {
+    if (d.kind >= JointKind::Count)
+        return wrong("JointDefinition.kind", "expected a kind of joint, found another number",
+                     "use a JointKind");
+    if (const auto a =
+            firstOf(checkAlive("JointDefinition.a", world, d.a), checkAlive("JointDefinition.b", world, d.b));
+        !a) {
+        return a;
+    }
+    if (d.a == d.b) {
+        return wrong("createJoint", "expected two bodies, found the same one twice",
+                     "connect it to another body, such as a static one");
+    }
+    if (world.bodies.info[d.a.index].kind != BodyKind::Dynamic &&
+        world.bodies.info[d.b.index].kind != BodyKind::Dynamic) {
+        return wrong("createJoint", "expected at least one dynamic body, found none",
+                     "make one of them dynamic");
+    }
+    if (d.kind == JointKind::Mouse && world.bodies.info[d.b.index].kind != BodyKind::Dynamic) {
+        return wrong("createJoint", "expected b, the body that a mouse joint pulls, to be dynamic",
+                     "pass the pulled body as b");
+    }
+    const auto gears = [&](JointId joint) {
+        if (!alive(world, joint)) return false;
+        const JointKind kind = world.joints.hot[joint.index].kind;
+        return kind == JointKind::Revolute || kind == JointKind::Prismatic;
+    };
+    if (d.kind == JointKind::Gear && !(gears(d.jointA) && gears(d.jointB))) {
+        return wrong("createJoint", "expected two living revolute or prismatic joints to gear together",
+                     "create both first, and pass their ids as jointA and jointB");
+    }
+    return checkNumbers(d);
+}
+
+std::uint32_t allocateIndex(Joints& joints) {
+    if (!joints.free.empty()) {
+        const std::uint32_t index = joints.free.back();
+        joints.free.pop_back();
+        return index;
+    }
+    joints.hot.emplace_back();
+    joints.definition.emplace_back();
+    return static_cast<std::uint32_t>(joints.size() - 1);
+}
+
+void callFor(World& world, const JointDefinition& definition, int times) {
+    world.manifest.call(Effect::Joints, true, times);
+    world.manifest.call(Effect::Motors, definition.motor.on, times);
+    if (definition.quality != kQualityOfWorld) world.qualityCallers += static_cast<std::uint32_t>(times);
+}
+
+void unlink(World& world, std::uint32_t body, std::uint32_t joint, std::uint32_t next) {
+    std::uint32_t* link = &world.bodies.info[body].firstJoint;
+    while (*link != joint) {
+        Joint& other = world.joints.hot[*link];
+        link = other.bodyA == body ? &other.nextA : &other.nextB;
+    }
+    *link = next;
+}
+
+/// The broad phase searches the body's pairs again: whether they may collide has changed.
+void refreshPairs(World& world, std::uint32_t body) {
+    for (std::uint32_t s = world.bodies.info[body].firstShape; s != kNone; s = world.shapes.info[s].next) {
+        noteMoved(world, s);
+    }
+}
+
+}  // namespace
+
+bool alive(const World& world, JointId joint) {
+    return joint.generation != 0 && joint.index < world.joints.size() &&
+           world.joints.hot[joint.index].generation == joint.generation &&
+           world.joints.hot[joint.index].bodyA != kNone;
+}
+
+bool keptApart(const World& world, std::uint32_t bodyA, std::uint32_t bodyB) {
+    for (std::uint32_t j = world.bodies.info[bodyA].firstJoint; j != kNone;) {
+        const Joint& joint = world.joints.hot[j];
+        const std::uint32_t other = joint.bodyA == bodyA ? joint.bodyB : joint.bodyA;
+        if (other == bodyB && (joint.flags & kKeepsApart) != 0) return true;
+        j = joint.bodyA == bodyA ? joint.nextA : joint.nextB;
+    }
+    return false;
+}
+
+Result<JointId> createJoint(World& world, const JointDefinition& definition) {
+    if (const auto checked = check(world, definition); !checked) return checked.error();
+    const std::uint32_t index = allocateIndex(world.joints);
+    Joint& joint = world.joints.hot[index];
+    const std::uint32_t generation = joint.generation + 1;
+    joint = {};
+    joint.generation = generation;
+    joint.bodyA = definition.a.index;
+    joint.bodyB = definition.b.index;
+    joint.kind = definition.kind;
+    joint.anchorA = definition.anchorA - world.bodies.pose[joint.bodyA].localCentre;
+    joint.anchorB = definition.anchorB - world.bodies.pose[joint.bodyB].localCentre;
+    joint.quality = definition.quality;
+    joint.flags = static_cast<std::uint8_t>(
+        (definition.limit.on ? kLimited : 0) | (definition.motor.on ? kDriven : 0) |
+        (definition.spring.on ? kSprung : 0) | (definition.hertz > 0.0f ? kSoft : 0) |
+        (definition.breakForce < kEndless || definition.breakTorque < kEndless ? kBreakable : 0) |
+        (definition.collideConnected ? 0 : kKeepsApart));
+    joint.nextA = std::exchange(world.bodies.info[joint.bodyA].firstJoint, index);
+    joint.nextB = std::exchange(world.bodies.info[joint.bodyB].firstJoint, index);
+    world.joints.definition[index] = definition;
+    world.joints.definition[index].axis = normalized(definition.axis);
+    callFor(world, definition, 1);
+    wake(world, joint.bodyA);
+    wake(world, joint.bodyB);
+    addAwakeJoint(world, index);
+    const auto dynamic = [&](std::uint32_t body) {
+        return world.bodies.info[body].kind == BodyKind::Dynamic;
+    };
+    if (dynamic(joint.bodyA) && dynamic(joint.bodyB)) joinIslands(world, joint.bodyA, joint.bodyB);
+    if (!definition.collideConnected) world.filtersStale = true;
+    world.newJoints = true;
+    return JointId{index, generation};
+}
+
+void destroyJoint(World& world, JointId id) {
+    if (!alive(world, id)) return;
+    Joint& joint = world.joints.hot[id.index];
+    wake(world, joint.bodyA);
+    wake(world, joint.bodyB);
+    unlink(world, joint.bodyA, id.index, joint.nextA);
+    unlink(world, joint.bodyB, id.index, joint.nextB);
+    if ((joint.flags & kKeepsApart) != 0) {
+        refreshPairs(world, joint.bodyA);
+        refreshPairs(world, joint.bodyB);
+    }
+    callFor(world, world.joints.definition[id.index], -1);
+    if (!world.work.stale()) {
+        const PushedBodies pushed = pushedBodies(world, joint);
+        const bool fixedB = pushed.b == kNone;
+        freeColour(world.work.get(), fixedB ? kNone : pushed.a, fixedB ? pushed.a : pushed.b, joint.colour);
+    }
+    removeAwakeJoint(world, id.index);
+    joint.bodyA = joint.bodyB = kNone;
+    world.islandsStale = true;
+    world.joints.free.push_back(id.index);
+}
+
+Vec2 jointForce(const World& world, JointId joint) {
+    return alive(world, joint) ? world.joints.hot[joint.index].force : Vec2{};
+}
+
+float jointTorque(const World& world, JointId joint) {
+    return alive(world, joint) ? world.joints.hot[joint.index].torque : 0.0f;
+}
+
+Result<Done> setMotorSpeed(World& world, JointId id, float speed) {
+    const auto checked = firstOf(checkAlive("setMotorSpeed", world, id),
+                                 checkNumber("setMotorSpeed", speed, -kFastest, kFastest));
+    if (!checked) return checked;
+    world.joints.definition[id.index].motor.speed = speed;
+    wake(world, world.joints.hot[id.index].bodyB);
+    wake(world, world.joints.hot[id.index].bodyA);
+    return Done{};
+}
+
+Result<Done> setTarget(World& world, JointId id, WorldPosition target) {
+    const auto checked = firstOf(checkAlive("setTarget", world, id), checkPlace("setTarget", target));
+    if (!checked) return checked;
+    world.joints.definition[id.index].target = target;
+    wake(world, world.joints.hot[id.index].bodyB);
+    return Done{};
+}
+
+}  // namespace plumb::physics

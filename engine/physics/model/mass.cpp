@@ -1,0 +1,83 @@
+#include "physics/model/mass.hpp"
+
+#include <algorithm>
+
+#include "physics/shapes/shape_types.hpp"
+#include "physics/workspace.hpp"
+
+namespace plumb::physics {
+
+namespace {
+
+/// The mass properties of all shapes together, in the body's frame.
+struct Sum {
+    float mass = 0.0f;
+    Vec2 centre;
+    float inertia = 0.0f;  // about `centre`
+};
+
+Sum sumOfShapes(const World& world, std::uint32_t body) {
+    const Shapes& shapes = world.shapes;
+    Sum sum;
+    Vec2 moment;
+    float aboutOrigin = 0.0f;
+    for (std::uint32_t s = world.bodies.info[body].firstShape; s != kNone; s = shapes.info[s].next) {
+        if (shapes.info[s].density <= 0.0f) continue;
+        const MassProperties part =
+            massProperties(shapes.geometry[s], shapes.corners, shapes.info[s].density);
+        sum.mass += part.mass;
+        moment += part.mass * part.centre;
+        aboutOrigin += part.inertia + part.mass * lengthSquared(part.centre);
+    }
+    if (sum.mass <= 0.0f) return {};
+    sum.centre = moment / sum.mass;
+    sum.inertia = std::max(aboutOrigin - sum.mass * lengthSquared(sum.centre), 0.0f);
+    return sum;
+}
+
+constexpr float kMinInertia = 1.0e-20f;  // kg m2: the solver cannot use the inverse of a smaller one
+
+void setMassOf(BodyMass& mass, const Sum& sum, const BodyInfo& info) {
+    const float ofShapes = sum.mass > 0.0f ? sum.mass : 1.0f;
+    mass.mass = std::max(kLightest, info.hasSetMass ? mass.mass : ofShapes);
+    mass.inertia = sum.mass > 0.0f ? sum.inertia * (mass.mass / sum.mass) : 0.0f;
+    mass.inverseMass = 1.0f / mass.mass;
+    const bool turns = mass.inertia > 0.0f && (info.flags & kFixedRotation) == 0;
+    mass.inverseInertia = turns ? 1.0f / std::max(mass.inertia, kMinInertia) : 0.0f;
+}
+
+void updateExtent(World& world, std::uint32_t body) {
+    const Shapes& shapes = world.shapes;
+    BodyInfo& info = world.bodies.info[body];
+    const Vec2 centre = world.bodies.pose[body].localCentre;
+    info.reach = 0.0f;
+    info.core = 0.0f;
+    for (std::uint32_t s = info.firstShape; s != kNone; s = shapes.info[s].next) {
+        info.reach = std::max(info.reach, reachOf(shapes.geometry[s], shapes.corners, centre));
+        info.core = std::max(info.core, coreOf(shapes.geometry[s], shapes.corners, centre));
+    }
+}
+
+}  // namespace
+
+void updateMass(World& world, std::uint32_t body) {
+    const BodyInfo& info = world.bodies.info[body];
+    BodyMass& mass = world.bodies.mass[body];
+    if (info.kind != BodyKind::Dynamic) {
+        mass = {};
+    } else {
+        const Sum sum = sumOfShapes(world, body);
+        setMassOf(mass, sum, info);
+        BodyPose& pose = world.bodies.pose[body];
+        BodyMotion& motion = world.bodies.motion[body];
+        const Vec2 displacement = rotate(pose.rotation, sum.centre - pose.localCentre);
+        pose.centre = pose.centre + displacement;
+        pose.localCentre = sum.centre;
+        motion.velocity += cross(motion.angularVelocity, displacement);
+    }
+    if (info.firstJoint != kNone)
+        world.work.get().joints.trees.stale = true;  // its effective masses may have changed
+    updateExtent(world, body);
+}
+
+}  // namespace plumb::physics

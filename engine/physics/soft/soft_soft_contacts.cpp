@@ -1,0 +1,251 @@
+#include "physics/soft/soft_soft_contacts.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace plumb::physics {
+
+namespace {
+
+/// m: margin for particles that move further within a step than their velocities predict.
+constexpr double kSlack = 0.01;
+
+SoftBox boxOf(const SoftParticle& p, float dt) {
+    const WorldPosition there = p.place + dt * p.velocity;
+    return {{std::min(p.place.x, there.x), std::min(p.place.y, there.y)},
+            {std::max(p.place.x, there.x), std::max(p.place.y, there.y)}};
+}
+
+SoftBox merged(const SoftBox& a, const SoftBox& b) {
+    return {{std::min(a.min.x, b.min.x), std::min(a.min.y, b.min.y)},
+            {std::max(a.max.x, b.max.x), std::max(a.max.y, b.max.y)}};
+}
+
+SoftBox grown(const SoftBox& box, double by) {
+    return {{box.min.x - by, box.min.y - by}, {box.max.x + by, box.max.y + by}};
+}
+
+bool overlap(const SoftBox& a, const SoftBox& b) {
+    return a.min.x <= b.max.x && b.min.x <= a.max.x && a.min.y <= b.max.y && b.min.y <= a.max.y;
+}
+
+SoftBox boxOf(const SoftBody& body, float dt) {
+    SoftBox box = boxOf(body.particles.front(), dt);
+    for (const SoftParticle& p : body.particles) box = merged(box, boxOf(p, dt));
+    return grown(box, static_cast<double>(body.radius) + kSlack);
+}
+
+bool mayCollide(const SoftBody& a, const SoftBody& b) {
+    return (a.mask & b.layers) != 0 && (b.mask & a.layers) != 0;
+}
+
+std::uint32_t leaderOf(const SoftSoftContacts& meetings, std::uint32_t body) {
+    while (meetings.leaders[body] != body) body = meetings.leaders[body];
+    return body;
+}
+
+void join(SoftSoftContacts& meetings, std::uint32_t a, std::uint32_t b) {
+    const std::uint32_t first = leaderOf(meetings, a), second = leaderOf(meetings, b);
+    meetings.leaders[std::max(first, second)] = std::min(first, second);
+}
+
+/// Finds the potential contacts of one body's particles with another's edges.
+class Finder {
+public:
+    Finder(const World& world, float dt, std::uint32_t body, std::uint32_t other, SoftSoftContacts& meetings)
+        : dt_{dt},
+          own_{world.softBodies.all[body]},
+          other_{world.softBodies.all[other]},
+          reach_{static_cast<double>(own_.radius + other_.radius) + kSlack},
+          ids_{.body = body, .other = other},
+          meetings_{meetings} {}
+
+    void run() {
+        const SoftBox& near = meetings_.boxes[ids_.body];
+        takeEdges(near);
+        for (std::uint32_t i = 0; i < own_.particles.size(); ++i) {
+            const SoftParticle& p = own_.particles[i];
+            const SoftBox box = grown(boxOf(p, dt_), reach_);
+            if (overlap(box, meetings_.boxes[ids_.other]) && !findWayOut(p, i)) findEdges(p, i, box);
+        }
+    }
+
+private:
+    void takeEdges(const SoftBox& near) {
+        meetings_.edges.clear();
+        widest_ = 0.0;
+        for (const std::uint32_t index : other_.edges) {
+            const SoftLink& link = other_.links[index];
+            const SoftBox box =
+                merged(boxOf(other_.particles[link.a], dt_), boxOf(other_.particles[link.b], dt_));
+            if (!overlap(grown(box, reach_), near)) continue;
+            meetings_.edges.push_back({box, index});
+            widest_ = std::max(widest_, box.max.x - box.min.x);
+        }
+        std::sort(meetings_.edges.begin(), meetings_.edges.end(), [](const SoftEdge& a, const SoftEdge& b) {
+            return a.box.min.x != b.box.min.x ? a.box.min.x < b.box.min.x : a.link < b.link;
+        });
+    }
+
+    void findEdges(const SoftParticle& p, std::uint32_t particle, const SoftBox& box) {
+        const auto first =
+            std::lower_bound(meetings_.edges.begin(), meetings_.edges.end(), box.min.x - widest_,
+                             [](const SoftEdge& edge, double left) { return edge.box.min.x < left; });
+        for (auto edge = first; edge != meetings_.edges.end() && edge->box.min.x <= box.max.x; ++edge) {
+            if (!overlap(edge->box, box)) continue;
+            const SoftLink& link = other_.links[edge->link];
+            const WorldPosition a = other_.particles[link.a].place;
+            const bool left = cross(other_.particles[link.b].place - a, p.place - a) >= 0.0f;
+            meet(particle, link.a, link.b, left ? 1.0f : -1.0f, false);
+        }
+    }
+
+    /// For a particle inside the other's ring: the nearest edge.
+    /// @return false if it is not inside
+    bool findWayOut(const SoftParticle& p, std::uint32_t particle) {
+        const std::vector<std::uint32_t>& ring = other_.ring;
+        bool inside = false;
+        float shortest = 0.0f;
+        std::size_t nearest = ring.size();
+        for (std::size_t i = 0; i < ring.size(); ++i) {
+            const Vec2 a = other_.particles[ring[i]].place - p.place;
+            const Vec2 b = other_.particles[ring[(i + 1) % ring.size()]].place - p.place;
+            // A ray to the right of p crosses the edge.
+            if ((a.y > 0.0f) != (b.y > 0.0f) && (cross(a, b) > 0.0f) == (b.y > a.y)) inside = !inside;
+            const Vec2 edge = b - a;
+            const float square = lengthSquared(edge);
+            const float t = square > 0.0f ? std::clamp(-dot(a, edge) / square, 0.0f, 1.0f) : 0.0f;
+            const float distance = lengthSquared(a + t * edge);
+            if (nearest < ring.size() && !(distance < shortest)) continue;
+            shortest = distance;
+            nearest = i;
+        }
+        if (!inside) return false;
+        // The interior is to the left of the edges if the area is positive.
+        meet(particle, ring[nearest], ring[(nearest + 1) % ring.size()], other_.area > 0.0f ? -1.0f : 1.0f,
+             true);
+        return true;
+    }
+
+    void meet(std::uint32_t particle, std::uint32_t a, std::uint32_t b, float side, bool inside) {
+        SoftSoftContact meeting = ids_;
+        meeting.particle = particle;
+        meeting.a = a;
+        meeting.b = b;
+        meeting.side = side;
+        meeting.inside = inside;
+        meetings_.all.push_back(meeting);
+    }
+
+    float dt_;
+    const SoftBody& own_;
+    const SoftBody& other_;
+    double reach_;  // m
+    SoftSoftContact ids_;
+    SoftSoftContacts& meetings_;
+    double widest_ = 0.0;  // m: maximum width of the edges
+};
+
+/// A particle, the closest point of an edge, and the direction in which they separate.
+struct Meeting {
+    SoftParticle& p;
+    SoftParticle& a;
+    SoftParticle& b;
+    float t = 0.0f;  // position on the edge, from a to b
+    Vec2 normal{};
+
+    [[nodiscard]] Vec2 between(WorldPosition SoftParticle::*when) const {
+        return (p.*when - a.*when) - t * (b.*when - a.*when);
+    }
+    [[nodiscard]] float weight() const {
+        return p.inverseMass + ((1.0f - t) * (1.0f - t) * a.inverseMass + t * t * b.inverseMass);
+    }
+    void push(Vec2 impulse) {
+        p.place = p.place + p.inverseMass * impulse;
+        a.place = a.place + -(1.0f - t) * a.inverseMass * impulse;
+        b.place = b.place + -t * b.inverseMass * impulse;
+    }
+};
+
+/// @return false if the direction is undefined
+bool aim(const SoftSoftContact& which, Meeting& meeting) {
+    const Vec2 edge = meeting.b.place - meeting.a.place;
+    const float square = lengthSquared(edge);
+    if (!(square > 0.0f)) return false;
+    meeting.t = std::clamp(dot(meeting.p.place - meeting.a.place, edge) / square, 0.0f, 1.0f);
+    meeting.normal = (which.side / std::sqrt(square)) * perpendicular(edge);
+    if (which.inside || (meeting.t > 0.0f && meeting.t < 1.0f)) return true;
+    const Vec2 displacement = meeting.between(&SoftParticle::place);  // around its end
+    const float size = length(displacement);
+    if (!(size > 0.0f)) return false;
+    meeting.normal = displacement / size;
+    return true;
+}
+
+}  // namespace
+
+void groupSoftBodies(const World& world, float dt, std::span<const SoftNeighbour> neighbours,
+                     SoftSoftContacts& meetings) {
+    const std::vector<SoftBody>& all = world.softBodies.all;
+    meetings.order.clear();
+    for (std::uint32_t i = 0; i < all.size(); ++i) {
+        if (all[i].isAlive) meetings.order.push_back(i);
+    }
+    if (meetings.order.size() < 2) return;
+    meetings.boxes.resize(all.size());
+    meetings.leaders.resize(all.size());
+    for (const std::uint32_t body : meetings.order) {
+        meetings.boxes[body] = boxOf(all[body], dt);
+        meetings.leaders[body] = body;
+    }
+    for (const std::uint32_t b : meetings.order) {
+        for (const std::uint32_t a : meetings.order) {
+            if (a == b) break;
+            if (overlap(meetings.boxes[a], meetings.boxes[b]) && mayCollide(all[a], all[b]))
+                join(meetings, a, b);
+        }
+    }
+    for (std::size_t i = 1; i < neighbours.size(); ++i) {
+        if (neighbours[i].body == neighbours[i - 1].body)
+            join(meetings, neighbours[i].soft, neighbours[i - 1].soft);
+    }
+    for (const std::uint32_t body : meetings.order) meetings.leaders[body] = leaderOf(meetings, body);
+    std::sort(meetings.order.begin(), meetings.order.end(), [&](std::uint32_t a, std::uint32_t b) {
+        const std::uint32_t first = meetings.leaders[a], second = meetings.leaders[b];
+        return first != second ? first < second : a < b;
+    });
+}
+
+void findMeetings(const World& world, float dt, std::span<const std::uint32_t> group,
+                  SoftSoftContacts& meetings) {
+    meetings.all.clear();
+    const std::vector<SoftBody>& all = world.softBodies.all;
+    for (const std::uint32_t a : group) {
+        for (const std::uint32_t b : group) {
+            if (a != b && overlap(meetings.boxes[a], meetings.boxes[b]) && mayCollide(all[a], all[b]))
+                Finder{world, dt, a, b, meetings}.run();
+        }
+    }
+}
+
+void keepSoftApart(World& world, float h, std::span<const SoftSoftContact> meetings) {
+    for (const SoftSoftContact& which : meetings) {
+        SoftBody& own = world.softBodies.all[which.body];
+        SoftBody& other = world.softBodies.all[which.other];
+        Meeting meeting{own.particles[which.particle], other.particles[which.a], other.particles[which.b]};
+        if (!aim(which, meeting)) continue;
+        // An overlap from before the substep is pushed out at a limited speed.
+        const float before = dot(meeting.between(&SoftParticle::before), meeting.normal);
+        const float apart = std::min(own.radius + other.radius, before + world.settings.pushSpeed * h);
+        const float depth = apart - dot(meeting.between(&SoftParticle::place), meeting.normal);
+        const float weight = meeting.weight();
+        if (!(depth > 0.0f) || !(weight > 0.0f)) continue;
+        meeting.push((depth / weight) * meeting.normal);
+        const Vec2 along = perpendicular(meeting.normal);
+        const Vec2 slid = meeting.between(&SoftParticle::place) - meeting.between(&SoftParticle::before);
+        const float maximum = std::sqrt(own.friction * other.friction) * depth;
+        meeting.push(-(std::clamp(dot(slid, along), -maximum, maximum) / weight) * along);
+    }
+}
+
+}  // namespace plumb::physics

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <span>
+
+#include "core/result.hpp"
+#include "physics/world.hpp"
+
+namespace plumb::physics {
+
+/// Material of ropes, cloth and jellies.
+struct SoftMaterial {
+    float mass = 1.0f;                 ///< kg, of the whole body
+    float radius = 0.05f;              ///< m: distance from shapes; from other soft bodies that of both
+    float stretchCompliance = 0.0f;    ///< m/N: 0 does not stretch
+    float bendCompliance = 1.0e-2f;    ///< m/N: larger bends more easily; negative: no resistance to bending
+    float areaCompliance = 0.0f;       ///< m/N, of a jelly: larger is easier to compress
+    float damping = 0.5f;              ///< 1/s: of its motion through space
+    float friction = 0.5f;             ///< Coulomb coefficient
+    std::uint32_t layers = 1;          ///< bits: layers that it is on
+    std::uint32_t mask = 0xffffffffu;  ///< bits: layers of the shapes and soft bodies that it collides with
+    std::uint8_t substeps = 8;         ///< per step; more is stiffer
+};
+
+/// A chain of particles.
+/// @param count  of particles, 2..10000
+Result<SoftBodyId> createRope(World& world, WorldPosition from, WorldPosition to, int count,
+                              const SoftMaterial& material = {});
+/// A grid of particles. Particle (column, row) has the index row * columns + column; (0, 0) is at `corner`.
+/// @param size  m: displacement to the opposite corner
+/// @param columns, rows  2..200 each
+Result<SoftBodyId> createCloth(World& world, WorldPosition corner, Vec2 size, int columns, int rows,
+                               const SoftMaterial& material = {});
+/// A closed outline that keeps its area.
+/// @param outline  m, relative to `place`; 3..500 points, one particle each; must not intersect itself
+Result<SoftBodyId> createJelly(World& world, WorldPosition place, std::span<const Vec2> outline,
+                               const SoftMaterial& material = {});
+/// A stale id does nothing.
+void destroySoftBody(World& world, SoftBodyId body);
+
+[[nodiscard]] bool alive(const World& world, SoftBodyId body);
+/// @pre the body is alive
+[[nodiscard]] std::span<const SoftParticle> particlesOf(const World& world, SoftBodyId body);
+[[nodiscard]] const SoftBody& softBodyOf(const World& world, SoftBodyId body);
+
+/// Fixes a particle in its position, or releases it.
+Result<Done> pinParticle(World& world, SoftBodyId body, int particle, bool pinned);
+/// Moves a particle; a pinned one drags its neighbors along.
+Result<Done> moveParticle(World& world, SoftBodyId body, int particle, WorldPosition place);
+/// @param velocity  m/s; ignored by pinned particles
+Result<Done> setParticleVelocity(World& world, SoftBodyId body, int particle, Vec2 velocity);
+
+}  // namespace plumb::physics

@@ -1,0 +1,242 @@
+#include "physics/solver/simultaneous_impacts.hpp"
+
+#include <algorithm>
+#include <vector>
+
+#include "physics/solver/contact_sides.hpp"
+
+namespace plumb::physics {
+
+namespace {
+
+constexpr float kMaxLoad = 0.1f;      // ratio to the impulse: a contact that was loaded more is in no chain
+constexpr float kLively = 0.5f;       // minimum bounciness: duller crowds would absorb impacts and sink
+constexpr float kNoApproach = 1e-3f;  // m/s
+constexpr float kNoOverlap = 1e-5f;   // m
+constexpr std::uint8_t kNoted = 3;    // in Workspace::hits: the body is recorded
+constexpr int kMaxRounds = 64;
+/// Maximum energy gain, as a ratio. A larger one means that other constraints held the bodies too when the
+/// impulses were taken back; the balls of a cradle gain up to a tenth of it, from their strings.
+constexpr float kMaxGain = 1e-2f;
+
+/// Calls act(block, bounce, lane) for the contact of an impact.
+template <class Act>
+void visit(Workspace& work, const ImpactPlace& impact, Act&& act) {
+    if (impact.fixed) {
+        act(work.fixedBlocks[impact.block], work.fixedBounces[impact.block], int{impact.lane});
+    } else {
+        act(work.contactBlocks[impact.block], work.bounces[impact.block], int{impact.lane});
+    }
+}
+
+template <class Act>
+void forSlots(const ContactBlock& block, int lane, Act&& act) {
+    act(block.a[lane]);
+    act(block.b[lane]);
+}
+template <class Act>
+void forSlots(const FixedContactBlock& block, int lane, Act&& act) {
+    act(block.b[lane]);
+}
+
+void gather(const std::vector<BounceBlock>& bounces, const std::vector<BlockLanes>& lanes, int begin, int end,
+            bool fixed, std::vector<ImpactPlace>& impacts) {
+    for (auto n = static_cast<std::size_t>(begin); n < static_cast<std::size_t>(end); ++n) {
+        const BounceBlock& bounce = bounces[n];
+        for (int i = 0; i < lanes[n].count; ++i) {
+            if (bounce.bounciness[i] < kLively) continue;
+            if (bounce.sum[i] <= 0.0f || bounce.before[i] > kMaxLoad * bounce.largest[0][i]) continue;
+            impacts.push_back({fixed, static_cast<std::uint8_t>(i), static_cast<std::uint32_t>(n)});
+        }
+    }
+}
+
+/// Keeps the impacts that share a body with another one.
+void keepChains(Workspace& work) {
+    work.hits.resize(work.velocity.size());
+    const auto forHits = [&](const ImpactPlace& impact, auto&& act) {
+        visit(work, impact, [&](const auto& block, const BounceBlock&, int lane) {
+            forSlots(block, lane, [&](std::int32_t slot) { act(work.hits[static_cast<std::size_t>(slot)]); });
+        });
+    };
+    for (const ImpactPlace& impact : work.impacts) forHits(impact, [](std::uint8_t& hits) { hits = 0; });
+    for (const ImpactPlace& impact : work.impacts)
+        forHits(impact, [](std::uint8_t& hits) { hits = hits == 0 ? 1 : 2; });
+    std::erase_if(work.impacts, [&](const ImpactPlace& impact) {
+        bool shares = false;
+        forHits(impact, [&](const std::uint8_t& hits) { shares = shares || hits == 2; });
+        return !shares;
+    });
+}
+
+/// Records the bodies of all impacts in their current state.
+void noteBodies(Workspace& work) {
+    work.hitBodies.clear();
+    work.hitImpulses.clear();
+    for (const ImpactPlace& impact : work.impacts) {
+        visit(work, impact, [&](const auto& block, const BounceBlock& bounce, int lane) {
+            work.hitImpulses.push_back({block.points[0].impulse[lane], bounce.approach[0][lane]});
+            forSlots(block, lane, [&](std::int32_t slot) {
+                const auto s = static_cast<std::size_t>(slot);
+                if (work.hits[s] == kNoted || work.velocity[s].w == 0.0f) return;
+                work.hits[s] = kNoted;
+                work.hitBodies.push_back({s, work.velocity[s], work.deltaPosition[s]});
+            });
+        });
+    }
+}
+
+float energyOf(const BodyMass& mass, float x, float y, float spin) {
+    return 0.5f * (mass.mass * (x * x + y * y) + mass.inertia * spin * spin);
+}
+
+/// True if the bodies have more energy than at the start of the step plus the work of forces since.
+bool gainsEnergy(const World& world, const Workspace& work) {
+    float before = 0.0f, given = 0.0f, now = 0.0f;
+    for (const HitBody& body : work.hitBodies) {
+        const std::uint32_t index = work.bodyOf[body.slot];
+        const BodyMass& mass = world.bodies.mass[index];
+        const BodyMotion& motion = world.bodies.motion[index];
+        const Float4 &velocity = work.velocity[body.slot], &deltaPosition = work.deltaPosition[body.slot];
+        const Float4& drive = work.drive[body.slot];
+        before += energyOf(mass, motion.velocity.x, motion.velocity.y, motion.angularVelocity);
+        given += mass.mass * (drive.x * deltaPosition.x + drive.y * deltaPosition.y) +
+                 mass.inertia * drive.z * deltaPosition.z;
+        now += energyOf(mass, velocity.x, velocity.y, velocity.z);
+    }
+    return !(now <= (1.0f + kMaxGain) * before + given);
+}
+
+/// Restores the recorded state: as without propagation.
+void forget(Workspace& work) {
+    for (const HitBody& body : work.hitBodies) {
+        work.velocity[body.slot] = body.velocity;
+        work.deltaPosition[body.slot] = body.deltaPosition;
+    }
+    for (std::size_t i = 0; i < work.impacts.size(); ++i) {
+        visit(work, work.impacts[i], [&](auto& block, BounceBlock& bounce, int lane) {
+            block.points[0].impulse[lane] = work.hitImpulses[i].impulse;
+            bounce.approach[0][lane] = work.hitImpulses[i].approach;
+        });
+    }
+}
+
+bool anyHits(Workspace& work, float slowest) {
+    bool hits = false;
+    for (const ImpactPlace& impact : work.impacts) {
+        visit(work, impact, [&](const auto&, const BounceBlock& bounce, int lane) {
+            hits = hits || bounce.approach[0][lane] < -slowest;
+        });
+    }
+    return hits;
+}
+
+/// Takes back the impulses of the substeps.
+void takeBack(Workspace& work) {
+    for (const ImpactPlace& impact : work.impacts) {
+        visit(work, impact, [&](auto& block, BounceBlock& bounce, int lane) {
+            pushApart(work, block, 0, lane, -bounce.sum[lane]);
+            block.points[0].impulse[lane] = 0.0f;
+        });
+    }
+}
+
+/// Reduces velocities to those at the impact: what accelerated the bodies afterwards would be a gain.
+void endAtImpact(Workspace& work, float slowest, float dt) {
+    for (const ImpactPlace& impact : work.impacts) {
+        visit(work, impact, [&](auto& block, BounceBlock& bounce, int lane) {
+            float& before = bounce.approach[0][lane];
+            if (before < -slowest) {
+                const float met = speedOfImpact(before, approachIn(work, block, 0, lane, dt));
+                const float gain = approachOf(work, block, 0, lane) - met;
+                pushApart(work, block, 0, lane, -block.points[0].mass[lane] * gain);
+            }
+            before = 0.0f;  // nothing is left for applyRestitution()
+        });
+    }
+}
+
+/// @return true if any pair approached
+bool collideInTurn(Workspace& work, float slowest) {
+    bool approached = false;
+    for (const ImpactPlace& impact : work.impacts) {
+        visit(work, impact, [&](auto& block, const BounceBlock& bounce, int lane) {
+            const float speed = approachOf(work, block, 0, lane);
+            if (speed > -kNoApproach) return;
+            approached = true;
+            const float bounciness = speed < -slowest ? bounce.bounciness[lane] : 0.0f;
+            const float impulse = -(1.0f + bounciness) * block.points[0].mass[lane] * speed;
+            block.points[0].impulse[lane] += impulse;
+            pushApart(work, block, 0, lane, impulse);
+        });
+    }
+    return approached;
+}
+
+void deltaPosition(Workspace& work, std::int32_t slot, float distance, float nx, float ny) {
+    Float4& moved = work.deltaPosition[static_cast<std::size_t>(slot)];
+    moved.x += distance * nx;
+    moved.y += distance * ny;
+}
+void part(Workspace& work, const ContactBlock& block, int lane, float depth) {
+    const float a = work.velocity[static_cast<std::size_t>(block.a[lane])].w;
+    const float b = work.velocity[static_cast<std::size_t>(block.b[lane])].w;
+    if (!(a + b > 0.0f)) return;
+    deltaPosition(work, block.a[lane], -depth * a / (a + b), block.normalX[lane], block.normalY[lane]);
+    deltaPosition(work, block.b[lane], depth * b / (a + b), block.normalX[lane], block.normalY[lane]);
+}
+void part(Workspace& work, const FixedContactBlock& block, int lane, float depth) {
+    deltaPosition(work, block.b[lane], depth, block.normalX[lane], block.normalY[lane]);
+}
+
+/// Removes the overlaps that arose before the impact was stopped: pushed out gradually, they would speed up
+/// the balls.
+/// @return true if there were any
+bool partInTurn(Workspace& work, float dt) {
+    bool overlapped = false;
+    for (const ImpactPlace& impact : work.impacts) {
+        visit(work, impact, [&](const auto& block, const BounceBlock&, int lane) {
+            // Overlap from before the step is pushed out as usual: removed at once, it would add height.
+            const float start = std::max(block.points[0].separation[lane], 0.0f);
+            const float depth = -(start + approachIn(work, block, 0, lane, dt).displacement);
+            if (depth <= kNoOverlap) return;
+            overlapped = true;
+            part(work, block, lane, depth);
+        });
+    }
+    return overlapped;
+}
+
+/// An impact is not a load: marks its impulses (negative), so that the next step does not start with them.
+void markBlows(Workspace& work) {
+    for (const ImpactPlace& impact : work.impacts) {
+        visit(work, impact, [&](auto& block, const BounceBlock&, int lane) {
+            block.points[0].impulse[lane] = -block.points[0].impulse[lane];
+        });
+    }
+}
+
+}  // namespace
+
+void runImpactsOn(StepContext& step, const SolveGroup& group) {
+    Workspace& work = step.work;
+    work.impacts.clear();
+    for (const ColourBlocks& colour : group.colours) {
+        gather(work.bounces, work.contactLanes, colour.contactBegin, colour.contactEnd, false, work.impacts);
+        gather(work.fixedBounces, work.fixedLanes, colour.fixedBegin, colour.fixedEnd, true, work.impacts);
+    }
+    if (work.impacts.size() < 2) return;
+    keepChains(work);
+    const float slowest = step.world.settings.bounceSpeed;
+    if (!anyHits(work, slowest)) return;
+    noteBodies(work);
+    takeBack(work);
+    endAtImpact(work, slowest, step.dt);
+    for (int i = 0; i < kMaxRounds && collideInTurn(work, slowest); ++i) {
+    }
+    for (int i = 0; i < kMaxRounds && partInTurn(work, step.dt); ++i) {
+    }
+    gainsEnergy(step.world, work) ? forget(work) : markBlows(work);
+}
+
+}  // namespace plumb::physics

@@ -1,0 +1,246 @@
+#include "physics/trees/joint_tree_builder.hpp"
+
+#include <algorithm>
+#include <optional>
+#include <span>
+
+#include "physics/islands/lever_arms.hpp"
+#include "physics/trees/joint_tree_solver.hpp"
+#include "physics/trees/tree_rows.hpp"
+
+namespace plumb::physics {
+
+namespace {
+
+/// Constraint that a joint contributes to a tree; none for joints with a limit, motor or spring, for soft
+/// joints and for bodies locked along an axis.
+std::optional<TreeJointKind> kindOf(const World& world, const Joint& joint) {
+    if (joint.place == kNone || (joint.flags & (kSoft | kLimited | kDriven | kSprung)) != 0) return {};
+    for (const std::uint32_t body : {joint.bodyA, joint.bodyB}) {
+        const BodyInfo& info = world.bodies.info[body];
+        if (info.kind == BodyKind::Dynamic && (info.flags & (kLockX | kLockY)) != 0) return {};
+    }
+    switch (joint.kind) {
+        case JointKind::Revolute: return TreeJointKind::Point;
+        case JointKind::Weld: return TreeJointKind::Weld;
+        case JointKind::Distance: return TreeJointKind::Rod;
+        case JointKind::Prismatic: return TreeJointKind::Slider;
+        default: return {};
+    }
+}
+
+class Grower {
+public:
+    Grower(const World& world, JointTrees& trees)
+        : world_{world}, trees_{trees}, reached_{trees.reachedBodies}, held_{trees.heldJoints} {}
+
+    void run() {
+        std::vector<std::uint32_t>& joints = trees_.candidates;
+        joints = world_.joints.awake;
+        std::sort(joints.begin(), joints.end());
+        trees_.reached.assign(world_.bodies.size(), 0);
+        // First trees that hang on a static or kinematic body, with the root there; then floating trees,
+        // whose root may be any body.
+        for (const bool hanging : {true, false}) {
+            for (const std::uint32_t index : joints) {
+                const Joint& joint = world_.joints.hot[index];
+                const auto kind = kindOf(world_, joint);
+                if (!kind) continue;
+                const bool a = isPushed(joint.bodyA), b = isPushed(joint.bodyB);
+                if (hanging == (a && b)) continue;
+                const std::uint32_t root = a ? joint.bodyA : joint.bodyB;
+                if (trees_.reached[root] == 0) grow({root, -1, hanging ? index : kNone, *kind});
+            }
+        }
+    }
+
+private:
+    [[nodiscard]] bool isPushed(std::uint32_t body) const {
+        return world_.bodies.info[body].kind == BodyKind::Dynamic;
+    }
+
+    void grow(const ReachedBody& root) {
+        reached_.assign(1, root);
+        held_.clear();
+        trees_.reached[root.body] = 1;
+        bool isTree = true;
+        for (std::size_t i = 0; i < reached_.size(); ++i)
+            isTree &= reachFrom(static_cast<std::int32_t>(i));
+        if (isTree && canBeHeld()) keep();
+    }
+
+    /// Adds the bodies that are joined to one that was reached.
+    /// @return false if a joint closes a loop, or cannot be solved in a tree. Solved in turn with a tree,
+    /// which is
+    ///     rigid at once, a motor, limit or spring in SIMD lanes would see only the inertia of its two
+    ///     bodies: linkages tear, and arms shake.
+    bool reachFrom(std::int32_t place) {
+        const ReachedBody from = reached_[static_cast<std::size_t>(place)];
+        bool isTree = true;
+        for (std::uint32_t j = world_.bodies.info[from.body].firstJoint; j != kNone;) {
+            const Joint& joint = world_.joints.hot[j];
+            const std::uint32_t index = j;
+            const std::uint32_t other = joint.bodyA == from.body ? joint.bodyB : joint.bodyA;
+            j = joint.bodyA == from.body ? joint.nextA : joint.nextB;
+            if (index == from.joint) continue;
+            const auto kind = kindOf(world_, joint);
+            if (!kind) {
+                isTree = false;
+            } else if (!isPushed(other)) {
+                held_.push_back({place, index, *kind});
+            } else if (trees_.reached[other] != 0) {
+                isTree = false;
+            } else {
+                trees_.reached[other] = 1;
+                reached_.push_back({other, place, index, *kind});
+            }
+        }
+        return isTree;
+    }
+
+    /// Whether the joints to static and kinematic bodies leave the tree some freedom: a redundant constraint
+    /// makes the system singular. The root has one of them already.
+    [[nodiscard]] bool canBeHeld() const {
+        int freedom = 0;
+        for (const ReachedBody& body : reached_) freedom += body.joint == kNone ? 3 : 3 - rowsOf(body.kind);
+        for (const HeldJoint& held : held_) {
+            if (held.treeBody == 0) return false;
+            freedom -= rowsOf(held.kind);
+        }
+        return held_.empty() || freedom > 0;
+    }
+
+    Link linkOf(std::uint32_t index, TreeJointKind kind, std::uint32_t body) {
+        const Joint& joint = world_.joints.hot[index];
+        Link link;
+        link.joint = index;
+        link.kind = kind;
+        link.treeBodyIsB = joint.bodyB == body;
+        link.ground = link.treeBodyIsB ? joint.bodyA : joint.bodyB;
+        link.byArms = kind == TreeJointKind::Point;
+        trees_.isDirect[index] = 1;
+        return link;
+    }
+
+    void keep() {
+        JointTree tree;
+        tree.begin = static_cast<std::int32_t>(trees_.treeBodies.size());
+        tree.end = tree.begin + static_cast<std::int32_t>(reached_.size());
+        tree.rooted = reached_[0].joint != kNone;
+        for (auto it = reached_.rbegin(); it != reached_.rend(); ++it) {
+            trees_.treeBodies.push_back({.body = it->body});
+            Link& link = trees_.links.emplace_back();
+            link.joint = kNone;
+            if (it->joint == kNone) continue;
+            link = linkOf(it->joint, it->kind, it->body);
+            link.treeBody = static_cast<std::int32_t>(trees_.treeBodies.size()) - 1;
+            link.parent = it->parent < 0 ? -1 : tree.end - 1 - it->parent;
+        }
+        tree.holdBegin = static_cast<std::int32_t>(trees_.holds.size());
+        for (const HeldJoint& held : held_) {
+            trees_.holds.push_back(
+                linkOf(held.joint, held.kind, reached_[static_cast<std::size_t>(held.treeBody)].body));
+            trees_.holds.back().treeBody = tree.end - 1 - held.treeBody;
+            trees_.holds.back().byArms = false;
+        }
+        tree.holdEnd = static_cast<std::int32_t>(trees_.holds.size());
+        trees_.trees.push_back(tree);
+    }
+
+    const World& world_;
+    JointTrees& trees_;
+    std::vector<ReachedBody>& reached_;
+    std::vector<HeldJoint>& held_;
+};
+
+/// Notes the colors of each body's joints. Any further color of the body then belongs to a contact.
+void noteColours(const World& world, JointTrees& trees) {
+    for (TreeBody& treeBody : trees.treeBodies) {
+        treeBody.colours = 0;
+        for (std::uint32_t j = world.bodies.info[treeBody.body].firstJoint; j != kNone;) {
+            const Joint& joint = world.joints.hot[j];
+            if (joint.colour < kColours) treeBody.colours |= 1u << joint.colour;
+            j = joint.bodyA == treeBody.body ? joint.nextA : joint.nextB;
+        }
+    }
+}
+
+bool touches(const Workspace& work, const TreeBody& treeBody) {
+    return treeBody.colours != work.colourMasks[treeBody.body];
+}
+
+bool isHeld(const JointTree& tree) { return tree.holdBegin < tree.holdEnd; }
+
+/// Leaves a tree to the SIMD solver. The forces in a taut tree that is held at several ends are larger than
+/// soft constraints should start with, so warm starting is reset.
+void leave(World& world, JointTrees& trees, const JointTree& tree) {
+    forLinks(trees, tree, [&](const Link& link) {
+        Joint& joint = world.joints.hot[link.joint];
+        if ((joint.flags & kStretched) == 0 && isHeld(tree)) joint.force = {};
+        joint.flags |= kStretched;
+    });
+}
+
+/// Takes a tree back from the SIMD solver unless that left a joint open: closing it at once would throw
+/// bodies about.
+/// @return true if all joints are closed, as in all trees that were never left to the SIMD solver
+bool comeBack(World& world, JointTrees& trees, const JointTree& tree) {
+    bool stretched = false, closed = true;
+    forLinks(trees, tree, [&](const Link& link) {
+        stretched = stretched || (world.joints.hot[link.joint].flags & kStretched) != 0;
+    });
+    if (!stretched) return true;
+    forLinks(trees, tree, [&](Link& link) { closed = closed && isClosed(world, link, isHeld(tree)); });
+    if (!closed) return false;
+    forLinks(trees, tree, [&](const Link& link) {
+        Joint& joint = world.joints.hot[link.joint];
+        joint.flags = static_cast<std::uint8_t>(joint.flags & ~kStretched);
+    });
+    return true;
+}
+
+/// Decides which trees are solved directly in this step. A tree that touches something is left to the SIMD
+/// solver, which solves contacts and joints sequentially (Gauss-Seidel): against a tree that is rigid at once
+/// contacts converge too slowly, and heaps of chains tremble (measured).
+void choose(World& world, Workspace& work) {
+    JointTrees& trees = work.joints.trees;
+    trees.some = false;
+    trees.freeMasks.resize(trees.trees.empty() ? 0 : world.bodies.size());
+    for (JointTree& tree : trees.trees) {
+        const auto treeBodies = std::span{trees.treeBodies}.subspan(
+            static_cast<std::size_t>(tree.begin), static_cast<std::size_t>(tree.end - tree.begin));
+        const bool touching = std::any_of(treeBodies.begin(), treeBodies.end(),
+                                          [&](const TreeBody& treeBody) { return touches(work, treeBody); });
+        if (touching) leave(world, trees, tree);
+        tree.direct = !touching && comeBack(world, trees, tree);
+        trees.some = trees.some || tree.direct;
+        for (const TreeBody& treeBody : treeBodies)
+            trees.freeMasks[treeBody.body] = tree.direct ? treeBody.colours : 0;
+        forLinks(trees, tree, [&](const Link& link) { trees.isDirect[link.joint] = tree.direct ? 1 : 0; });
+    }
+}
+
+}  // namespace
+
+void growTrees(World& world, Workspace& work) {
+    JointTrees& trees = work.joints.trees;
+    const bool wanted = world.settings.directJoints;
+    if (!trees.stale && !world.work.stale() && trees.wanted == wanted) return choose(world, work);
+    trees.stale = false;
+    trees.wanted = wanted;
+    trees.trees.clear();
+    trees.treeBodies.clear();
+    trees.links.clear();
+    trees.holds.clear();
+    trees.isDirect.assign(world.joints.size(), 0);
+    findLeverages(world, work);
+    if (wanted) Grower{world, trees}.run();
+    for (const std::uint32_t joint : world.joints.awake) {
+        if (trees.isDirect[joint] == 0) world.joints.hot[joint].flags |= kStretched;
+    }
+    noteColours(world, trees);
+    trees.freeMasks.assign(trees.trees.empty() ? 0 : world.bodies.size(), 0);
+    choose(world, work);
+}
+
+}  // namespace plumb::physics

@@ -1,0 +1,425 @@
+#include "physics/trees/joint_tree_solver.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+
+#include "physics/joints/joint_types.hpp"
+#include "physics/trees/tree_joints.hpp"
+#include "physics/trees/tree_rows.hpp"
+
+namespace plumb::physics {
+
+namespace {
+
+constexpr int kGrain = 8;  // trees
+
+/// Compliance of a joint, relative to the response of its bodies: joints that cannot all be satisfied share
+/// the load.
+constexpr double kSoftness = 1.0e-6;
+/// Compliance of a row with zero effective mass; large enough that its impulse is zero.
+constexpr double kNoAnswer = 1.0e30;
+/// A light limb under tension oscillates faster than substeps can follow. Its inertia is at least this
+/// fraction of straining * h^2; below 1/4 the oscillation would grow (Stoermer-Verlet bound).
+constexpr double kCalm = 0.5;
+/// Of gaps beyond Link::reach, which no smooth motion makes, this fraction is closed in a substep.
+constexpr double kSoftRate = 0.28;
+/// Gap, relative to the arms, up to which a joint that the SIMD solver left open may be closed at once. A
+/// tree that is held at both ends may be as taut as a bridge: slightly less length is much less sag, which
+/// would throw what lies on it.
+constexpr double kClosed = 1.0e-3;
+constexpr double kClosedWhereHeld = 2.5e-6;
+
+/// Joints do no work, but seem to where a substep is too long for a whipping motion. Energy that they may add
+/// in a substep, relative to that of the tree. Regular motion stays a hundred times below.
+constexpr double kMaxGain = 2.0e-3;
+
+struct Trees {
+    Workspace& work;
+    JointTrees& all;
+    double h;        // s
+    double rate;     // 1/h
+    double elapsed;  // s since the start of the step, of the poses at which rows are evaluated
+
+    [[nodiscard]] TreeBody& treeBody(std::int32_t i) const {
+        return all.treeBodies[static_cast<std::size_t>(i)];
+    }
+    [[nodiscard]] Link& link(std::int32_t i) const { return all.links[static_cast<std::size_t>(i)]; }
+    [[nodiscard]] TreeBody* parentOf(const Link& link) const {
+        return link.parent >= 0 ? &treeBody(link.parent) : nullptr;
+    }
+    [[nodiscard]] std::span<Link> holdsOf(const JointTree& tree) const {
+        return std::span{all.holds}.subspan(static_cast<std::size_t>(tree.holdBegin),
+                                            static_cast<std::size_t>(tree.holdEnd - tree.holdBegin));
+    }
+};
+
+Triple wide(const Float4& v) {
+    return {static_cast<double>(v.x), static_cast<double>(v.y), static_cast<double>(v.z)};
+}
+
+TreePose groundPose(const Link& link, double elapsed) {
+    const Triple& v = link.groundVelocity;
+    const TreePose moved{v.x * elapsed, v.y * elapsed, 0.0, 0.0};
+    return v.turn == 0.0 ? moved : turnedBy(moved, v.turn * elapsed);
+}
+
+TreePose parentPose(const Link& link, const TreeBody* parent, double elapsed) {
+    return parent != nullptr ? parent->pose : groundPose(link, elapsed);
+}
+
+// Assembly.
+
+double offered(const TreeBody& treeBody, const Triple& row) {
+    const double turned = treeBody.turns ? row.turn * row.turn / treeBody.inertia : 0.0;
+    return (row.x * row.x + row.y * row.y) / treeBody.mass + turned;
+}
+
+/// Computed at the start of the step only: it hardly changes.
+void soften(const TreeBody& treeBody, Link& link, const TreeBody* parent) {
+    const auto softness = [&](int r, Triple onTreeBody, Triple onParent) {
+        // Rows that a joint does not have get no impulse; nor do angle rows between two bodies that cannot
+        // rotate.
+        if (r >= rowsOf(link.kind)) return 1.0;
+        const double all =
+            offered(treeBody, onTreeBody) + (parent != nullptr ? offered(*parent, onParent) : 0.0);
+        return all > 0.0 ? kSoftness * all : kNoAnswer;
+    };
+    if (link.byArms) {
+        link.softness = {softness(0, {1.0, 0.0, link.limbY}, {1.0, 0.0, link.parentY}),
+                         softness(1, {0.0, 1.0, link.limbX}, {0.0, 1.0, link.parentX}), 1.0};
+    } else {
+        link.softness = {softness(0, link.onTreeBody[0], link.onParent[0]),
+                         softness(1, link.onTreeBody[1], link.onParent[1]),
+                         softness(2, link.onTreeBody[2], link.onParent[2])};
+    }
+}
+
+void strain(TreeBody& treeBody, const Link& link, TreeBody* parent) {
+    // Only joints that hold a point have these arms.
+    if (link.kind != TreeJointKind::Point && link.kind != TreeJointKind::Weld) return;
+    treeBody.straining += link.force.x * link.limbX + link.force.y * link.limbY;
+    if (parent != nullptr) parent->straining -= link.force.x * link.parentX + link.force.y * link.parentY;
+}
+
+void setLink(const Trees& trees, Link& link) {
+    TreeBody* const parent = trees.parentOf(link);
+    TreeBody& treeBody = trees.treeBody(link.treeBody);
+    link.gap = setRows(link, treeBody.pose, parentPose(link, parent, trees.elapsed));
+    if (trees.elapsed == 0.0) soften(treeBody, link, parent);
+    strain(treeBody, link, parent);
+}
+
+/// Loads the current motion of a limb.
+void takeMotion(const Trees& trees, TreeBody& treeBody) {
+    const auto slot = static_cast<std::size_t>(treeBody.slot);
+    const Float4& deltaPosition = trees.work.deltaPosition[slot];
+    treeBody.pose = {static_cast<double>(deltaPosition.x), static_cast<double>(deltaPosition.y),
+                     static_cast<double>(deltaPosition.z), static_cast<double>(deltaPosition.w)};
+    treeBody.velocity = wide(trees.work.velocity[slot]);
+    treeBody.impulse = {};
+}
+
+/// Updates motions, rows and gaps to the current poses.
+void setTree(const Trees& trees, const JointTree& tree) {
+    for (std::int32_t i = tree.begin; i < tree.end; ++i) {
+        TreeBody& treeBody = trees.treeBody(i);
+        takeMotion(trees, treeBody);
+        treeBody.straining = 0.0;
+    }
+    forLinks(trees.all, tree, [&](Link& link) { setLink(trees, link); });
+    for (std::int32_t i = tree.begin; i < tree.end; ++i) {
+        TreeBody& treeBody = trees.treeBody(i);
+        const double inertia = std::max(treeBody.inertia, kCalm * trees.h * trees.h * treeBody.straining);
+        treeBody.own = {treeBody.mass, 0.0, treeBody.mass, 0.0, 0.0, inertia};
+    }
+    for (Link& hold : trees.holdsOf(tree)) {
+        hold.stiffness = {1.0 / hold.softness.x,   0.0, 1.0 / hold.softness.y, 0.0, 0.0,
+                          1.0 / hold.softness.turn};
+        addRows(hold.onTreeBody, hold.stiffness, trees.treeBody(hold.treeBody).own);
+    }
+}
+
+/// Factors one limb. To be called from the leaves to the root.
+void factorLimb(const Trees& trees, const JointTree& tree, std::int32_t i) {
+    TreeBody& treeBody = trees.treeBody(i);
+    treeBody.own = treeBody.turns ? inverse(treeBody.own) : inverseUnturned(treeBody.own);
+    if (hasLink(tree, i)) stiffen(treeBody, trees.link(i), trees.parentOf(trees.link(i)));
+}
+
+// Errors.
+
+/// Predicts the pose of a limb at the end of the substep, without joint impulses.
+void lookAhead(const Trees& trees, TreeBody& treeBody) {
+    const Float4& ballisticDrift = trees.work.ballisticDrift[static_cast<std::size_t>(treeBody.slot)];
+    const auto time = static_cast<double>(ballisticDrift.z);
+    treeBody.pose = turnedBy(treeBody.pose, treeBody.velocity.turn * trees.h);
+    treeBody.pose.x += treeBody.velocity.x * time + static_cast<double>(ballisticDrift.x);
+    treeBody.pose.y += treeBody.velocity.y * time + static_cast<double>(ballisticDrift.y);
+}
+
+/// Velocities to be removed so that the gaps are closed at the predicted poses.
+void aimAtGaps(const Trees& trees, Link& link) {
+    const TreePose parent = parentPose(link, trees.parentOf(link), trees.elapsed + trees.h);
+    const Triple ahead = gapsOf(link, trees.treeBody(link.treeBody).pose, parent);
+    const auto reach = static_cast<double>(link.reach);
+    const auto aim = [&](double gap, double then) {
+        const double size = std::fabs(gap), closed = std::max(kSoftRate * size, std::min(size, reach));
+        return ((then - gap) + (gap < 0.0 ? -closed : closed)) * trees.rate;
+    };
+    link.error = {aim(link.gap.x, ahead.x), aim(link.gap.y, ahead.y), aim(link.gap.turn, ahead.turn)};
+}
+
+void findSpeeds(const Trees& trees, Link& link) {
+    const TreeBody* const parent = trees.parentOf(link);
+    link.error = seenFromLimb(link, trees.treeBody(link.treeBody).velocity);
+    link.error += seenFromParent(link, parent != nullptr ? parent->velocity : link.groundVelocity);
+}
+
+// Solution.
+
+void answerHold(const Trees& trees, Link& hold) {
+    hold.answer = -1.0 * (hold.stiffness * hold.error);
+    trees.treeBody(hold.treeBody).impulse += onTreeBody(hold, hold.answer);
+}
+
+void giveHold(const Trees& trees, Link& hold) {
+    hold.given += hold.answer;
+    hold.given += -1.0 * (hold.stiffness * seenFromLimb(hold, trees.treeBody(hold.treeBody).impulse));
+}
+
+void addChange(Float4& velocity, const Triple& change) {
+    velocity.x = static_cast<float>(static_cast<double>(velocity.x) + change.x);
+    velocity.y = static_cast<float>(static_cast<double>(velocity.y) + change.y);
+    velocity.z = static_cast<float>(static_cast<double>(velocity.z) + change.turn);
+}
+
+/// J: change of a limb's kinetic energy by a change of its velocity.
+double gainOf(const TreeBody& treeBody, const Triple& change) {
+    return treeBody.mass * ((treeBody.velocity.x + 0.5 * change.x) * change.x +
+                            (treeBody.velocity.y + 0.5 * change.y) * change.y) +
+           treeBody.inertia * (treeBody.velocity.turn + 0.5 * change.turn) * change.turn;
+}
+
+/// Back substitution, from the root to the leaves: velocity changes and impulses of links.
+void giveTree(const Trees& trees, JointTree& tree) {
+    for (std::int32_t i = tree.end; i-- > tree.begin;) {
+        TreeBody& treeBody = trees.treeBody(i);
+        if (hasLink(tree, i)) {
+            give(treeBody, trees.link(i), trees.parentOf(trees.link(i)));
+        } else {
+            treeBody.impulse = treeBody.own * treeBody.impulse;
+        }
+        // Not warm started: the next substep computes tree impulses anew, along the arms of then.
+        addChange(trees.work.velocity[static_cast<std::size_t>(treeBody.slot)], treeBody.impulse);
+        addChange(trees.work.velocityBeforeImpulses[static_cast<std::size_t>(treeBody.slot)],
+                  treeBody.impulse);
+        tree.gain += gainOf(treeBody, treeBody.impulse);
+    }
+    for (Link& hold : trees.holdsOf(tree)) giveHold(trees, hold);
+}
+
+/// True if a body that a tree hangs on moves, which does work.
+bool isDriven(const Trees& trees, const JointTree& tree) {
+    bool driven = false;
+    forLinks(trees.all, tree, [&](const Link& link) {
+        const Triple& v = link.groundVelocity;
+        driven = driven || (link.parent < 0 && (v.x != 0.0 || v.y != 0.0 || v.turn != 0.0));
+    });
+    return driven;
+}
+
+/// Takes energy from a tree that gained too much. All velocities are scaled alike, which opens no joint;
+/// those of a floating tree relative to its center of mass.
+void calmTree(const Trees& trees, JointTree& tree) {
+    Triple middle;
+    double mass = 0.0, energy = 0.0;
+    for (std::int32_t i = tree.begin; i < tree.end; ++i) {
+        TreeBody& treeBody = trees.treeBody(i);
+        treeBody.velocity += treeBody.impulse;
+        energy += -gainOf(treeBody, -1.0 * treeBody.velocity);
+        middle += treeBody.mass * Triple{treeBody.velocity.x, treeBody.velocity.y, 0.0};
+        mass += treeBody.mass;
+    }
+    const double excess = tree.gain - kMaxGain * energy;
+    if (excess <= 0.0 || isDriven(trees, tree)) return;
+    middle = tree.rooted ? Triple{} : 1.0 / mass * middle;
+    const double own = energy - 0.5 * mass * (middle.x * middle.x + middle.y * middle.y);
+    const double less = own > excess ? 1.0 - std::sqrt(1.0 - excess / own) : 1.0;
+    for (std::int32_t i = tree.begin; i < tree.end; ++i) {
+        TreeBody& treeBody = trees.treeBody(i);
+        Triple change = treeBody.velocity;
+        change += -1.0 * middle;
+        change = -less * change;
+        addChange(trees.work.velocity[static_cast<std::size_t>(treeBody.slot)], change);
+        addChange(trees.work.velocityBeforeImpulses[static_cast<std::size_t>(treeBody.slot)], change);
+    }
+    tree.gain -= excess;
+}
+
+void pushTree(const Trees& trees, JointTree& tree, bool again) {
+    if (!again) tree.gain = 0.0;
+    if (trees.elapsed == 0.0 && !again) {  // later substeps reuse the factors of the relax pass
+        setTree(trees, tree);
+        for (std::int32_t i = tree.begin; i < tree.end; ++i) factorLimb(trees, tree, i);
+    }
+    if (!again) forLinks(trees.all, tree, [](Link& link) { link.given = {}; });
+    for (std::int32_t i = tree.begin; i < tree.end; ++i) {
+        takeMotion(trees, trees.treeBody(i));
+        lookAhead(trees, trees.treeBody(i));
+    }
+    for (Link& hold : trees.holdsOf(tree)) {
+        aimAtGaps(trees, hold);
+        answerHold(trees, hold);
+    }
+    for (std::int32_t i = tree.begin; i < tree.end; ++i) {
+        if (!hasLink(tree, i)) continue;
+        Link& link = trees.link(i);
+        aimAtGaps(trees, link);
+        answer(trees.treeBody(i), link, trees.parentOf(link));
+    }
+    giveTree(trees, tree);
+}
+
+void relaxTree(const Trees& trees, JointTree& tree, bool again) {
+    if (again) {
+        for (std::int32_t i = tree.begin; i < tree.end; ++i) takeMotion(trees, trees.treeBody(i));
+    } else {
+        setTree(trees, tree);
+    }
+    for (Link& hold : trees.holdsOf(tree)) {
+        findSpeeds(trees, hold);
+        answerHold(trees, hold);
+    }
+    for (std::int32_t i = tree.begin; i < tree.end; ++i) {
+        if (!again) factorLimb(trees, tree, i);
+        if (!hasLink(tree, i)) continue;
+        Link& link = trees.link(i);
+        findSpeeds(trees, link);
+        answer(trees.treeBody(i), link, trees.parentOf(link));
+    }
+    giveTree(trees, tree);
+    if (tree.gain > 0.0) calmTree(trees, tree);
+    forLinks(trees.all, tree, [&](Link& link) {
+        link.force = trees.rate * onTreeBody(link, link.given);
+        if (link.kind != TreeJointKind::Weld && link.kind != TreeJointKind::Slider) link.force.turn = 0.0;
+        if (link.kind == TreeJointKind::Weld) link.force.turn = trees.rate * link.given.turn;
+        if (link.kind == TreeJointKind::Slider) link.force.turn = trees.rate * link.given.y;
+    });
+}
+
+template <class Act>
+void forTrees(StepContext& step, const SolveGroup& group, Act&& act) {
+    JointTrees& all = step.work.joints.trees;
+    forPieces(step, static_cast<int>(all.trees.size()), kGrain, [&](int begin, int end, int) {
+        for (auto t = static_cast<std::size_t>(begin); t < static_cast<std::size_t>(end); ++t) {
+            if (all.trees[t].direct && &step.work.groups[all.trees[t].group] == &group) act(all.trees[t]);
+        }
+    });
+}
+
+// Preparation and results.
+
+void prepareArms(const World& world, Link& link) {
+    const Joint& joint = world.joints.hot[link.joint];
+    const JointDefinition& definition = world.joints.definition[link.joint];
+    const BodyPose& a = world.bodies.pose[joint.bodyA];
+    const BodyPose& b = world.bodies.pose[joint.bodyB];
+    const JointTiming timing{};
+    const JointView view{joint, definition, timing, a.rotation, b.rotation, b.centre - a.centre, {}};
+    const JointParts parts = anchorsOf(view);
+    const float sign = link.treeBodyIsB ? 1.0f : -1.0f;
+    link.treeBodyArm = link.treeBodyIsB ? parts.armB : parts.armA;
+    link.parentArm = link.treeBodyIsB ? parts.armA : parts.armB;
+    link.apart = sign * parts.apart;
+    link.reach = 0.25f * (length(parts.armA) + length(parts.armB));
+    if (link.kind == TreeJointKind::Rod) {
+        link.rest = definition.length;
+        link.reach += 0.25f * definition.length;
+    }
+    if (link.kind == TreeJointKind::Weld || link.kind == TreeJointKind::Slider)
+        link.angle = sign * angleOf(view);
+    if (link.kind == TreeJointKind::Slider) link.axis = rotate(a.rotation, definition.axis);
+    const Vec2 force = sign * joint.force;
+    link.force = {static_cast<double>(force.x), static_cast<double>(force.y), 0.0};
+}
+
+void prepareLink(const World& world, const Workspace& work, Link& link) {
+    prepareArms(world, link);
+    if (link.parent >= 0) return;
+    const std::int32_t slot = work.slots[link.ground];
+    link.groundVelocity = slot >= 0 ? wide(work.velocity[static_cast<std::size_t>(slot)]) : Triple{};
+}
+
+void prepareLimb(const World& world, const Workspace& work, TreeBody& treeBody) {
+    const BodyMass& mass = world.bodies.mass[treeBody.body];
+    treeBody.slot = work.slots[treeBody.body];
+    treeBody.mass = 1.0 / std::max(static_cast<double>(mass.inverseMass), 1.0e-30);
+    treeBody.turns = mass.inverseInertia > 0.0f;
+    treeBody.inertia = treeBody.turns ? 1.0 / static_cast<double>(mass.inverseInertia) : 0.0;
+}
+
+}  // namespace
+
+bool isClosed(const World& world, Link& link, bool held) {
+    prepareArms(world, link);
+    const Triple gap = gapsOf(link, {}, {});
+    const double part = held ? kClosedWhereHeld : kClosed;
+    const double maximum = part * 4.0 * static_cast<double>(link.reach);
+    return std::fabs(gap.x) <= maximum && std::fabs(gap.y) <= maximum && std::fabs(gap.turn) <= part;
+}
+
+void prepareTrees(StepContext& step) {
+    const World& world = step.world;
+    JointTrees& all = step.work.joints.trees;
+    for (JointTree& tree : all.trees) {
+        if (!tree.direct) continue;
+        for (std::int32_t i = tree.begin; i < tree.end; ++i)
+            prepareLimb(world, step.work, all.treeBodies[static_cast<std::size_t>(i)]);
+        forLinks(all, tree, [&](Link& link) { prepareLink(world, step.work, link); });
+        const std::int32_t slot = all.treeBodies[static_cast<std::size_t>(tree.begin)].slot;
+        tree.group = 0;
+        while (slot >= step.work.groups[tree.group].end) ++tree.group;
+    }
+}
+
+void pushTrees(StepContext& step, const SolveGroup& group, float h, int substep, bool again) {
+    const auto dt = static_cast<double>(h);
+    const Trees trees{step.work, step.work.joints.trees, dt, 1.0 / dt, dt * substep};
+    forTrees(step, group, [&](JointTree& tree) { pushTree(trees, tree, again); });
+}
+
+void relaxTrees(StepContext& step, const SolveGroup& group, float h, int substep, bool again) {
+    const auto dt = static_cast<double>(h);
+    const Trees trees{step.work, step.work.joints.trees, dt, 1.0 / dt, dt * (substep + 1)};
+    forTrees(step, group, [&](JointTree& tree) { relaxTree(trees, tree, again); });
+}
+
+LinkForce forceOf(const Link& link) {
+    const double sign = link.treeBodyIsB ? 1.0 : -1.0;
+    return {{static_cast<float>(sign * link.force.x), static_cast<float>(sign * link.force.y)},
+            static_cast<float>(sign * link.force.turn)};
+}
+
+void storeTrees(StepContext& step) {
+    JointTrees& all = step.work.joints.trees;
+    for (const JointTree& tree : all.trees) {
+        if (!tree.direct) continue;
+        const float rate = static_cast<float>(step.work.groups[tree.group].substeps) / step.dt;
+        forLinks(all, tree, [&](const Link& link) {
+            Joint& joint = step.world.joints.hot[link.joint];
+            const LinkForce force = forceOf(link);
+            joint.force = force.force;
+            joint.torque = force.torque;
+            // Warm starting in SIMD lanes, in case the tree is left to them in the next step.
+            const float sign = link.treeBodyIsB ? rate : -rate;
+            const auto row = [&](double given) { return static_cast<float>(given) * sign; };
+            if (link.kind == TreeJointKind::Weld) joint.rows[0] = row(link.given.turn);
+            if (link.kind == TreeJointKind::Rod) joint.rows[0] = rate * static_cast<float>(link.given.x);
+            if (link.kind == TreeJointKind::Slider)
+                joint.rows[4] = row(link.given.x), joint.rows[5] = row(link.given.y);
+        });
+    }
+}
+
+}  // namespace plumb::physics

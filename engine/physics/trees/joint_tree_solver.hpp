@@ -1,0 +1,38 @@
+#pragma once
+
+#include "physics/stages.hpp"
+
+namespace plumb::physics {
+
+// Direct solver for joints that make up trees (chains, pendulums, bridges): in each substep it solves all
+// joints of a tree at once, in linear time. The system of masses and joints is factored (block L D L^T) from
+// the leaves to the root, without fill-in. So joints hold, however long the chain and heavy its load. Limits,
+// motors and springs are left to the SIMD solver, and so are trees that touch something and trees with loops
+// of dynamic bodies (joint_tree_builder.cpp). Source: D. Baraff, "Linear-Time Dynamics using Lagrange
+// Multipliers", SIGGRAPH 1996. The biased pass closes gaps at the predicted poses, and the relax pass makes
+// velocities consistent there: H. Andersen, "RATTLE", Journal of Computational Physics 52, 1983, which
+// neither gains nor loses energy.
+
+/// Computes masses, arms and gaps at the start of the step. After gatherBodies.
+void prepareTrees(StepContext& step);
+
+/// True if a joint counts as closed at the start of the step.
+/// @param held  its tree is held at several ends
+bool isClosed(const World& world, Link& link, bool held);
+
+/// Biased pass: velocities that close all gaps within a substep of h seconds.
+/// @param substep  its index
+/// @param again  a further iteration in the same substep, after other constraints changed velocities
+void pushTrees(StepContext& step, const SolveGroup& group, float h, int substep, bool again);
+/// Relax pass, after the bodies have moved: velocities that open no gap.
+void relaxTrees(StepContext& step, const SolveGroup& group, float h, int substep, bool again);
+
+/// Force (N) and torque (N m) of a link on B in the last substep.
+struct LinkForce {
+    Vec2 force;
+    float torque = 0.0f;
+};
+LinkForce forceOf(const Link& link);
+void storeTrees(StepContext& step);
+
+}  // namespace plumb::physics

@@ -1,0 +1,122 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "math/vec2.hpp"
+#include "physics/trees/symmetric.hpp"
+
+namespace plumb::physics {
+
+// Data of the direct solver for trees of joints, see joint_tree_solver.hpp. A limb is a body of a tree; a
+// link is a joint between a limb and its parent; a hold is a further joint to a static or kinematic body,
+// which closes a loop.
+
+/// What a joint of a tree constrains, as rows: a point (2), a point and an angle (3), a length (1), the
+/// position across an axis and an angle (2).
+enum class TreeJointKind : std::uint8_t { Point, Weld, Rod, Slider };
+
+/// Motion of a body since the start of the step: m, m, sine and (cosine - 1) of its rotation.
+struct TreePose {
+    double x = 0.0;
+    double y = 0.0;
+    double sine = 0.0;
+    double versine = 0.0;
+};
+
+/// A body of a tree.
+struct TreeBody {
+    std::uint32_t body = 0;
+    std::int32_t slot = 0;
+    std::uint32_t colours = 0;  ///< of all its joints
+    double mass = 0.0;          ///< kg
+    double inertia = 0.0;       ///< kg m2
+    bool turns = true;          ///< its inertia is finite
+    double straining = 0.0;     ///< N m/rad: rotational stiffness by the tension of its joints
+    TreePose pose;
+    Triple velocity;
+    Symmetric own;   ///< its mass matrix with its subtree as felt here; after factoring, the inverse
+    Triple impulse;  ///< on it, by its subtree; then the change of its velocity
+};
+
+/// A joint of a tree, between a limb and its parent or a static or kinematic body. Everything is relative to
+/// the parent: a gap grows with the velocity of the limb, and an impulse acts on the limb.
+struct Link {
+    std::uint32_t joint = 0;  ///< kNone at the root of a floating tree
+    TreeJointKind kind = TreeJointKind::Point;
+    bool treeBodyIsB = true;
+    bool byArms = false;        ///< a point constraint, computed from its arms instead of rows
+    std::int32_t treeBody = 0;  ///< in JointTrees::treeBodies
+    std::int32_t parent = -1;   ///< in JointTrees::treeBodies; -1 for a static or kinematic body
+    std::uint32_t ground = 0;   ///< in that case: the body
+    // At the start of the step.
+    Vec2 treeBodyArm;  ///< m, world, from the center of mass
+    Vec2 parentArm;
+    Vec2 apart;          ///< m: from the parent's anchor to the limb's
+    Vec2 axis;           ///< sliding axis
+    float angle = 0.0f;  ///< rad, relative to where it is held
+    float rest = 0.0f;   ///< m: length of rods
+    float reach = 0.0f;  ///< m: largest gap that is closed within a substep
+    // At the current poses.
+    double limbX = 0.0;  ///< m: arms of point constraints
+    double limbY = 0.0;
+    double parentX = 0.0;
+    double parentY = 0.0;
+    Symmetric stiffness;  ///< effective mass: impulse per velocity removed
+    Triple across[3];     ///< by row: change of the limb's velocity by an impulse
+    Triple softness;
+    Triple gap;     ///< m or rad
+    Triple error;   ///< m/s: velocity to be removed
+    Triple answer;  ///< N s: with the parent fixed
+    Triple given;   ///< N s: in this substep
+    Triple force;   ///< N, N, N m: in the last substep
+    Triple groundVelocity;
+    Triple onTreeBody[3];  ///< by row: Jacobian of the limb, and of its parent
+    Triple onParent[3];
+};
+
+/// A tree: its treeBodies, ordered from the leaves to the root.
+struct JointTree {
+    std::int32_t begin = 0;  ///< treeBodies and their links
+    std::int32_t end = 0;
+    std::int32_t holdBegin = 0;  ///< further links to static or kinematic bodies, besides that of the root
+    std::int32_t holdEnd = 0;
+    bool direct = true;   ///< in this step: false while its treeBodies touch something
+    bool rooted = false;  ///< the last limb has a link too, to a static or kinematic body
+    std::uint8_t group = 0;
+    double gain = 0.0;  ///< J: energy added by its joints in this substep
+};
+
+/// A body found while a tree is built, from the root outwards.
+struct ReachedBody {
+    std::uint32_t body = 0;
+    std::int32_t parent = -1;  ///< index among the bodies found, or -1
+    std::uint32_t joint = 0;   ///< to the parent or the ground; kNone at the root of a floating tree
+    TreeJointKind kind = TreeJointKind::Point;
+};
+
+/// A further joint to a static or kinematic body.
+struct HeldJoint {
+    std::int32_t treeBody = 0;  ///< index among the bodies found
+    std::uint32_t joint = 0;
+    TreeJointKind kind = TreeJointKind::Point;
+};
+
+/// All trees. Link i connects limb i to its parent.
+struct JointTrees {
+    std::vector<JointTree> trees;
+    std::vector<TreeBody> treeBodies;
+    std::vector<Link> links;
+    std::vector<Link> holds;
+    std::vector<std::uint8_t> isDirect;    ///< by joint: 1 if a tree solves it in this step
+    std::vector<std::uint32_t> freeMasks;  ///< by body: colors of its constraints, if all are in its tree
+    bool some = false;                     ///< some tree is solved directly in this step
+    bool stale = true;                     ///< joints were created or destroyed, woke or fell asleep
+    bool wanted = false;                   ///< Settings::directJoints, when the trees were built
+    std::vector<std::uint32_t> candidates;
+    std::vector<std::uint8_t> reached;  ///< by body
+    std::vector<ReachedBody> reachedBodies;
+    std::vector<HeldJoint> heldJoints;
+};
+
+}  // namespace plumb::physics

@@ -1,0 +1,133 @@
+#pragma once
+
+#include "physics/trees/joint_trees.hpp"
+
+namespace plumb::physics {
+
+// Effect of a link on its limb and the parent of that, i.e. between a subtree and the rest of its tree.
+// Points, of which nearly all trees are made, are computed from their arms; others from three rows, of which
+// those that a joint does not have are 0.
+
+/// Effective mass of a link on its limb with the subtree. @pre TreeBody::own is inverted
+inline void stiffenPoint(const TreeBody& treeBody, Link& link) {
+    const Symmetric& own = treeBody.own;
+    const double x = link.limbX, y = link.limbY;
+    link.across[0] = {own.xx - y * own.xt, own.xy - y * own.yt, own.xt - y * own.tt};
+    link.across[1] = {own.xy + x * own.xt, own.yy + x * own.yt, own.yt + x * own.tt};
+    const double xx = (link.across[0].x - y * link.across[0].turn) + link.softness.x;
+    const double xy = link.across[0].y + x * link.across[0].turn;
+    const double yy = (link.across[1].y + x * link.across[1].turn) + link.softness.y;
+    const double scale = 1.0 / (xx * yy - xy * xy);
+    link.stiffness.xx = yy * scale;
+    link.stiffness.xy = -xy * scale;
+    link.stiffness.yy = xx * scale;
+}
+
+inline void stiffenRows(const TreeBody& treeBody, Link& link) {
+    for (int r = 0; r < 3; ++r) link.across[r] = treeBody.own * link.onTreeBody[r];
+    const auto give = [&](int r, int q) { return dot(link.across[r], link.onTreeBody[q]); };
+    link.stiffness = inverse({give(0, 0) + link.softness.x, give(0, 1), give(1, 1) + link.softness.y,
+                              give(0, 2), give(1, 2), give(2, 2) + link.softness.turn});
+}
+
+/// Adds J^T K J.
+inline void addPoint(const Link& link, Symmetric& own) {
+    const Symmetric& k = link.stiffness;
+    const double x = link.parentX, y = link.parentY;
+    const double xt = x * k.xy - y * k.xx, yt = x * k.yy - y * k.xy;
+    own.xx += k.xx;
+    own.xy += k.xy;
+    own.yy += k.yy;
+    own.xt += xt;
+    own.yt += yt;
+    own.tt += x * yt - y * xt;
+}
+
+inline void addRows(const Triple (&rows)[3], const Symmetric& k, Symmetric& own) {
+    const Triple x = k * Triple{rows[0].x, rows[1].x, rows[2].x};
+    const Triple y = k * Triple{rows[0].y, rows[1].y, rows[2].y};
+    const Triple turn = k * Triple{rows[0].turn, rows[1].turn, rows[2].turn};
+    const auto with = [](const Triple& a, double b0, double b1, double b2) {
+        return a.x * b0 + a.y * b1 + a.turn * b2;
+    };
+    own.xx += with(x, rows[0].x, rows[1].x, rows[2].x);
+    own.xy += with(y, rows[0].x, rows[1].x, rows[2].x);
+    own.yy += with(y, rows[0].y, rows[1].y, rows[2].y);
+    own.xt += with(turn, rows[0].x, rows[1].x, rows[2].x);
+    own.yt += with(turn, rows[0].y, rows[1].y, rows[2].y);
+    own.tt += with(turn, rows[0].turn, rows[1].turn, rows[2].turn);
+}
+
+/// Adds the subtree behind a link to the mass matrix of the parent.
+inline void stiffen(const TreeBody& treeBody, Link& link, TreeBody* parent) {
+    if (link.byArms) {
+        stiffenPoint(treeBody, link);
+        if (parent != nullptr) addPoint(link, parent->own);
+    } else {
+        stiffenRows(treeBody, link);
+        if (parent != nullptr) addRows(link.onParent, link.stiffness, parent->own);
+    }
+}
+
+/// Velocity of the rows of a link by a velocity of the limb, or of its parent.
+inline Triple seenFromLimb(const Link& link, const Triple& v) {
+    if (link.byArms) return {v.x - link.limbY * v.turn, v.y + link.limbX * v.turn, 0.0};
+    return {dot(link.onTreeBody[0], v), dot(link.onTreeBody[1], v), dot(link.onTreeBody[2], v)};
+}
+inline Triple seenFromParent(const Link& link, const Triple& v) {
+    if (link.byArms) return {link.parentY * v.turn - v.x, -(v.y + link.parentX * v.turn), 0.0};
+    return {dot(link.onParent[0], v), dot(link.onParent[1], v), dot(link.onParent[2], v)};
+}
+
+/// Impulse along x and y and torque on the parent, of the impulses of the rows.
+inline Triple onParent(const Link& link, const Triple& impulse) {
+    if (link.byArms) return {-impulse.x, -impulse.y, link.parentY * impulse.x - link.parentX * impulse.y};
+    Triple sum = impulse.x * link.onParent[0];
+    sum += impulse.y * link.onParent[1];
+    sum += impulse.turn * link.onParent[2];
+    return sum;
+}
+inline Triple onTreeBody(const Link& link, const Triple& impulse) {
+    if (link.byArms) return {impulse.x, impulse.y, link.limbX * impulse.y - link.limbY * impulse.x};
+    Triple sum = impulse.x * link.onTreeBody[0];
+    sum += impulse.y * link.onTreeBody[1];
+    sum += impulse.turn * link.onTreeBody[2];
+    return sum;
+}
+
+/// Impulse that removes Link::error with the parent fixed, and its reaction on the parent.
+inline void answer(const TreeBody& treeBody, Link& link, TreeBody* parent) {
+    Triple wanted{-link.error.x - dot(link.across[0], treeBody.impulse),
+                  -link.error.y - dot(link.across[1], treeBody.impulse), 0.0};
+    if (link.byArms) {
+        const Symmetric& k = link.stiffness;
+        link.answer = {k.xx * wanted.x + k.xy * wanted.y, k.xy * wanted.x + k.yy * wanted.y, 0.0};
+    } else {
+        wanted.turn = -link.error.turn - dot(link.across[2], treeBody.impulse);
+        link.answer = link.stiffness * wanted;
+    }
+    if (parent != nullptr) parent->impulse += onParent(link, link.answer);
+}
+
+/// Final impulse of a link, when the change of the parent's velocity is known. Replaces TreeBody::impulse by
+/// the change of the limb's velocity.
+inline void give(TreeBody& treeBody, Link& link, const TreeBody* parent) {
+    Triple impulse = link.answer;
+    if (parent != nullptr) {
+        const Triple seen = seenFromParent(link, parent->impulse);
+        const Symmetric& k = link.stiffness;
+        if (link.byArms) {
+            impulse.x -= k.xx * seen.x + k.xy * seen.y;
+            impulse.y -= k.xy * seen.x + k.yy * seen.y;
+        } else {
+            impulse += -1.0 * (k * seen);
+        }
+    }
+    link.given += impulse;
+    treeBody.impulse = treeBody.own * treeBody.impulse;
+    treeBody.impulse += impulse.x * link.across[0];
+    treeBody.impulse += impulse.y * link.across[1];
+    if (!link.byArms) treeBody.impulse += impulse.turn * link.across[2];
+}
+
+}  // namespace plumb::physics

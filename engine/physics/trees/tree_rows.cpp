@@ -1,0 +1,141 @@
+#include "physics/trees/tree_rows.hpp"
+
+#include <cmath>
+
+#include "math/portable.hpp"
+
+namespace plumb::physics {
+
+namespace {
+
+struct Double2 {
+    double x = 0.0;
+    double y = 0.0;
+};
+
+Double2 operator+(Double2 a, Double2 b) { return {a.x + b.x, a.y + b.y}; }
+Double2 operator-(Double2 a, Double2 b) { return {a.x - b.x, a.y - b.y}; }
+double dot(Double2 a, Double2 b) { return a.x * b.x + a.y * b.y; }
+
+/// Change of a direction or arm by a rotation.
+Double2 changeOf(Vec2 arm, const TreePose& pose) {
+    const auto x = static_cast<double>(arm.x), y = static_cast<double>(arm.y);
+    return {pose.versine * x - pose.sine * y, pose.sine * x + pose.versine * y};
+}
+
+Double2 wide(Vec2 v) { return {static_cast<double>(v.x), static_cast<double>(v.y)}; }
+
+struct Anchors {
+    Double2 treeBodyArm;
+    Double2 parentArm;
+    Double2 apart;
+};
+
+Anchors anchorsAt(const Link& link, const TreePose& treeBody, const TreePose& parent) {
+    const Double2 changeOfLimb = changeOf(link.treeBodyArm, treeBody);
+    const Double2 changeOfParent = changeOf(link.parentArm, parent);
+    const Double2 moved{treeBody.x - parent.x, treeBody.y - parent.y};
+    return {wide(link.treeBodyArm) + changeOfLimb, wide(link.parentArm) + changeOfParent,
+            wide(link.apart) + (moved + (changeOfLimb - changeOfParent))};
+}
+
+/// Direction across the axis of a slider, which rotates with A.
+Double2 acrossOf(const Link& link, const TreePose& treeBody, const TreePose& parent) {
+    const Double2 axis = wide(link.axis) + changeOf(link.axis, link.treeBodyIsB ? parent : treeBody);
+    return {-axis.y, axis.x};
+}
+
+double angleAt(const Link& link, const TreePose& treeBody, const TreePose& parent) {
+    const double sine =
+        (treeBody.sine - parent.sine) + (treeBody.sine * parent.versine - parent.sine * treeBody.versine);
+    const double cosine = 1.0 + ((treeBody.versine + parent.versine) +
+                                 (treeBody.versine * parent.versine + treeBody.sine * parent.sine));
+    return static_cast<double>(link.angle) +
+           static_cast<double>(arcTangent(static_cast<float>(sine), static_cast<float>(cosine)));
+}
+
+Triple along(Double2 direction, Double2 arm) {
+    return {direction.x, direction.y, arm.x * direction.y - arm.y * direction.x};
+}
+
+void setLine(Link& link, int row, Double2 direction, Double2 treeBodyArm, Double2 parentArm) {
+    link.onTreeBody[row] = along(direction, treeBodyArm);
+    link.onParent[row] = -1.0 * along(direction, parentArm);
+}
+
+void setAngle(Link& link, int row) {
+    link.onTreeBody[row] = {0.0, 0.0, 1.0};
+    link.onParent[row] = {0.0, 0.0, -1.0};
+}
+
+void setPoint(Link& link, const Anchors& at) {
+    link.limbX = at.treeBodyArm.x;
+    link.limbY = at.treeBodyArm.y;
+    link.parentX = at.parentArm.x;
+    link.parentY = at.parentArm.y;
+    if (link.byArms) return;
+    setLine(link, 0, {1.0, 0.0}, at.treeBodyArm, at.parentArm);
+    setLine(link, 1, {0.0, 1.0}, at.treeBodyArm, at.parentArm);
+}
+
+void setRod(Link& link, const Anchors& at) {
+    const double length = std::sqrt(dot(at.apart, at.apart));
+    const Double2 direction =
+        length > 0.0 ? Double2{at.apart.x / length, at.apart.y / length} : Double2{1.0, 0.0};
+    setLine(link, 0, direction, at.treeBodyArm, at.parentArm);
+}
+
+void setSlider(Link& link, const Anchors& at, Double2 across) {
+    // The force acts at B's anchor, wherever that is along A.
+    if (link.treeBodyIsB) {
+        setLine(link, 0, across, at.treeBodyArm, at.parentArm + at.apart);
+    } else {
+        setLine(link, 0, across, at.treeBodyArm - at.apart, at.parentArm);
+    }
+    setAngle(link, 1);
+}
+
+Triple gapsAt(const Link& link, const Anchors& at, const TreePose& treeBody, const TreePose& parent) {
+    switch (link.kind) {
+        case TreeJointKind::Weld: return {at.apart.x, at.apart.y, angleAt(link, treeBody, parent)};
+        case TreeJointKind::Point: return {at.apart.x, at.apart.y, 0.0};
+        case TreeJointKind::Rod: return {std::sqrt(dot(at.apart, at.apart)) - static_cast<double>(link.rest)};
+        case TreeJointKind::Slider:
+            return {dot(at.apart, acrossOf(link, treeBody, parent)), angleAt(link, treeBody, parent)};
+    }
+    return {};
+}
+
+}  // namespace
+
+TreePose turnedBy(const TreePose& pose, double angle) {
+    double sine = 0.0, versine = 0.0;
+    if (std::fabs(angle) <= 0.5) {  // series, accurate to 1e-9
+        const double square = angle * angle;
+        sine = angle * (1.0 - square * (1.0 / 6.0 - square * (1.0 / 120.0 - square * (1.0 / 5040.0))));
+        versine = -square * (0.5 - square * (1.0 / 24.0 - square * (1.0 / 720.0 - square * (1.0 / 40320.0))));
+    } else {
+        const SinCos turn = sinCos(static_cast<float>(angle));
+        sine = static_cast<double>(turn.sin);
+        versine = static_cast<double>(turn.cos) - 1.0;
+    }
+    return {pose.x, pose.y, pose.sine + (pose.sine * versine + sine + pose.versine * sine),
+            pose.versine + (versine + pose.versine * versine - pose.sine * sine)};
+}
+
+Triple setRows(Link& link, const TreePose& treeBody, const TreePose& parent) {
+    const Anchors at = anchorsAt(link, treeBody, parent);
+    switch (link.kind) {
+        case TreeJointKind::Weld: setAngle(link, 2); [[fallthrough]];
+        case TreeJointKind::Point: setPoint(link, at); break;
+        case TreeJointKind::Rod: setRod(link, at); break;
+        case TreeJointKind::Slider: setSlider(link, at, acrossOf(link, treeBody, parent)); break;
+    }
+    return gapsAt(link, at, treeBody, parent);
+}
+
+Triple gapsOf(const Link& link, const TreePose& treeBody, const TreePose& parent) {
+    return gapsAt(link, anchorsAt(link, treeBody, parent), treeBody, parent);
+}
+
+}  // namespace plumb::physics
