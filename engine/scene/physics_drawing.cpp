@@ -254,7 +254,7 @@ void PhysicsDrawing::draw(const World& world, const PhysicsShown& shown, float b
                      toMetres(visible.max - origin, state->scale)};
     choice.sight = &sight;
     const Vec2 dot{kDot * pixel / list.view().zoom, 0.0f};  // px of the world
-    choice.least = toMetres(dot, state->scale).x;
+    choice.minimum = toMetres(dot, state->scale).x;
     choice.lastStep = state == running ? physics::lastStepOf(running->world) : nullptr;
     choice.parts = shown.layers & physics::kDrawAll;
     debugDraw(state->world, canvas, choice);
