@@ -39,7 +39,8 @@ struct ColourBlocks {
 struct SolveGroup {
     Quality quality = 0;
     std::int32_t substeps = 1;
-    std::int32_t iterations = 1;  ///< minimum, per substep
+    std::int32_t iterations = 1;   ///< minimum, per substep
+    bool withoutRotation = false;  ///< solved by the reduced kernels; such groups come last
     std::int32_t bodies = 0;
     std::int32_t begin = 0;  ///< slots, in multiples of eight
     std::int32_t end = 0;
@@ -48,12 +49,13 @@ struct SolveGroup {
     ColourBlocks colours[kColours + 1];  ///< the last is kOverflow: one lane a block, in order
 };
 
-/// Assignment of contacts to blocks. With a single group it follows from the contact keys alone.
+/// Assignment of contacts to blocks. It follows from the contact keys and the groups: a contact that is new,
+/// or takes the index of another one, changes its key or comes with other bodies.
 struct ContactLayout {
-    std::vector<std::uint16_t> keys;  ///< from which it was made
-    std::uint64_t colours = 0;        ///< as in SolveGroup
-    ColourBlocks blocks[kColours + 1];
-    bool isCurrent = false;  ///< the lanes still match `keys`
+    std::vector<std::uint16_t> keys;  ///< this and the following: from which it was made
+    std::vector<std::uint32_t> order;
+    std::vector<SolveGroup> groups;
+    bool isCurrent = false;  ///< the lanes still match
 };
 
 /// What later stages need to know of a contact in order to skip it.
@@ -181,8 +183,8 @@ struct Workspace {
     std::vector<std::int32_t> cursors;  ///< by group and key, see prepareConstraints()
     ContactLayout layout;               ///< of contactLanes and fixedLanes, while contacts stay the same
     std::vector<ContactBlock> contactBlocks;
-    std::vector<BlockWithoutRotation>
-        blocksWithoutRotation;  ///< instead of contactBlocks, in steps without rotation
+    /// Instead of contactBlocks, by the same index, of groups without rotation.
+    std::vector<BlockWithoutRotation> blocksWithoutRotation;
     std::vector<BlockLanes> contactLanes;
     std::vector<FixedContactBlock> fixedBlocks;
     std::vector<FixedBlockWithoutRotation> fixedBlocksWithoutRotation;
@@ -199,10 +201,11 @@ struct Workspace {
     JointWork joints;
     SoftSurroundings softSurroundings;
     SoftSoftContacts softSoftContacts;
-    SmoothForces smooth;                     ///< if there are fields
-    std::vector<std::uint32_t> solveOrder;   ///< awake bodies by group; empty if there is only one group
-    std::vector<std::uint8_t> groupOf;       ///< by body, if there are several groups
-    std::vector<std::uint32_t> bodyScratch;  ///< by body
+    SmoothForces smooth;                      ///< if there are fields
+    std::vector<std::uint32_t> solveOrder;    ///< awake bodies by group; empty if there is only one group
+    std::vector<std::uint8_t> groupOf;        ///< by body, if there are several groups
+    std::vector<std::uint8_t> needsRotation;  ///< by root, if some islands can be solved without rotation
+    std::vector<std::uint32_t> bodyScratch;   ///< by body
     std::vector<std::vector<std::uint32_t>> leftShapes;  ///< per piece of work: shapes that left their bounds
     std::vector<std::vector<std::uint32_t>> fastOfPiece;
     std::vector<std::vector<std::uint32_t>> brokenOfPiece;
@@ -226,6 +229,7 @@ struct Workspace {
     std::vector<std::uint32_t> roots;                   ///< by body: root of its island
     std::vector<EnergyAccount> accounts;                ///< by root, for islands with an energy account
     std::vector<std::uint32_t> openAccounts;            ///< roots of those in use
+    std::vector<std::uint32_t> bookedBodies;            ///< their bodies
     std::vector<std::uint32_t> gainers;  ///< bodies that gained energy from contacts in this step
     std::vector<IslandCase> cases;       ///< by root, if there is a tolerance
 };

@@ -33,14 +33,15 @@ private:
     int dump_ = 0;
 };
 
-/// Runs a program again as "PROGRAM counted" under callgrind, which zeroes its counters before and writes
+/// Runs a program again as "PROGRAM RUN" under callgrind, which zeroes its counters before and writes
 /// them down after each call of `function`, and hands the counts on.
 /// @param function  of C linkage and not inlined, so that the name is known
 /// @param print     takes CallgrindCounts&, says what they mean, returns an exit code
 /// @return          that code; 77, as for a skipped test, where valgrind is not installed; 1 where it did not
 /// run
 template <class Print>
-int countInstructions(const char* program, std::string_view function, bool quick, Print print) {
+int countInstructions(const char* program, std::string_view function, bool quick, Print print,
+                      const std::string& run = "counted") {
     if (std::system("valgrind --version > /dev/null 2>&1") != 0) {
         std::printf("valgrind is not installed: instructions are not counted\n");
         return 77;
@@ -52,7 +53,7 @@ int countInstructions(const char* program, std::string_view function, bool quick
     const std::string name{function};
     const std::string command = "valgrind --tool=callgrind --zero-before='" + name + "' --dump-after='" +
                                 name + "' --callgrind-out-file='" + (folder / "count").string() + "' '" +
-                                program + "' counted" + (quick ? " --quick" : "") + " > /dev/null 2>&1";
+                                program + "' " + run + (quick ? " --quick" : "") + " > /dev/null 2>&1";
     int result = 1;
     if (std::system(command.c_str()) == 0) {
         CallgrindCounts counts{folder};

@@ -7,16 +7,21 @@
 #include "physics/islands/lever_arms.hpp"
 #include "physics/islands/sleeping.hpp"
 #include "physics/islands/substep_estimate.hpp"
+#include "physics/stages.hpp"
 
 namespace plumb::physics {
 
 namespace {
 
-/// Kinds of islands that are solved with equal parameters: by quality and lever-arm level.
-constexpr std::size_t kKinds = (kMaxQuality + 1) * (kMaxLeverage + 1);
+/// Kinds of islands that are solved with equal parameters: by quality and lever-arm level, and again without
+/// rotation.
+constexpr std::size_t kKindsWithRotation = (kMaxQuality + 1) * (kMaxLeverage + 1);
+constexpr std::size_t kKinds = 2 * kKindsWithRotation;
 
 void addGroup(Workspace& work, std::size_t kind, int bodies) {
     SolveGroup& group = work.groups.emplace_back();
+    group.withoutRotation = kind >= kKindsWithRotation;
+    kind %= kKindsWithRotation;
     group.quality = static_cast<Quality>(kind % (kMaxQuality + 1));
     group.substeps = substepsOf(group.quality);
     group.iterations = 1 << kind / (kMaxQuality + 1);
@@ -53,10 +58,55 @@ void addLeverages(World& world, Workspace& work) {
         work.bodyScratch[body] += work.leverageOf[work.roots[body]] * (kMaxQuality + 1u);
 }
 
-void sortByIsland(World& world, Workspace& work) {
+/// Whether some awake bodies may be solved without rotation beside others that rotate.
+bool mixesRotation(const StepContext& step) {
+    const Manifest& manifest = step.world.manifest;
+    const auto callers = [&](Effect effect) { return manifest.callers[static_cast<std::size_t>(effect)]; };
+    const bool pinned = (manifest.pinnedOn & Manifest::bit(Effect::Rotation)) != 0;
+    return step.runs(Effect::Rotation) && !pinned && callers(Effect::Rotation) < callers(Effect::Continuous);
+}
+
+/// Islands with a body that rotates or has joints, and those that bounce or resist rolling: the reduced
+/// kernels do not know of these. What its owner moves may rotate.
+void findRotating(StepContext& step) {
+    const World& world = step.world;
+    Workspace& work = step.work;
+    work.needsRotation.assign(world.bodies.size(), 0);
+    for (const std::uint32_t body : world.awake) {
+        const BodyInfo& info = world.bodies.info[body];
+        if (info.kind != BodyKind::Dynamic || info.firstJoint != kNone || (info.flags & kFixedRotation) == 0)
+            work.needsRotation[work.roots[body]] = 1;
+    }
+    if (!step.runs(Effect::Restitution) && !step.runs(Effect::Rolling)) return;
+    for (std::size_t i = 0; i < work.contactKeys.size(); ++i) {
+        const Contact& contact = world.contacts[i];
+        if ((work.contactKeys[i] & kKeyColour) != kKeyIdle &&
+            (contact.bounciness > 0.0f || contact.rollingResistance > 0.0f))
+            work.needsRotation[work.roots[contact.bodyB]] = 1;
+    }
+}
+
+void setRotationApart(StepContext& step) {
+    findRotating(step);
+    for (const std::uint32_t body : step.world.awake) {
+        if (step.work.needsRotation[step.work.roots[body]] == 0)
+            step.work.bodyScratch[body] += kKindsWithRotation;
+    }
+}
+
+void sortByIsland(StepContext& step) {
+    World& world = step.world;
+    Workspace& work = step.work;
     findRoots(world, work);
-    world.settings.tolerance > 0.0f ? holdTolerance(world, work) : judgeIslands(world, work);
+    if (world.settings.tolerance > 0.0f) {
+        holdTolerance(world, work);
+    } else if (world.qualityCallers != 0 || world.settings.automaticQuality) {
+        judgeIslands(world, work);
+    } else {
+        work.bodyScratch.assign(world.bodies.size(), static_cast<std::uint32_t>(world.settings.quality));
+    }
     if (hasLeverage(world, work)) addLeverages(world, work);
+    if (mixesRotation(step)) setRotationApart(step);
     const std::vector<std::uint32_t>& kinds = work.bodyScratch;
     // Counting sort: count the bodies of each kind, find where each kind begins, then place the bodies.
     std::array<int, kKinds> counts{}, begins{};
@@ -81,17 +131,22 @@ void sortByIsland(World& world, Workspace& work) {
 
 }  // namespace
 
-void sortByQuality(World& world, Workspace& work) {
+void sortByQuality(StepContext& step) {
+    World& world = step.world;
+    Workspace& work = step.work;
     work.groups.clear();
     work.solveOrder.clear();
     const bool holds = world.settings.tolerance > 0.0f;
     if (!holds && !world.bodies.substepControllers.empty()) world.bodies.substepControllers.clear();
     const bool alike = world.qualityCallers == 0 && !world.settings.automaticQuality && !holds;
-    if (alike && !hasLeverage(world, work)) {
-        addGroup(work, world.settings.quality, static_cast<int>(world.awake.size()));
+    if (alike && !hasLeverage(world, work) && !mixesRotation(step)) {
+        addGroup(work, static_cast<std::size_t>(world.settings.quality),
+                 static_cast<int>(world.awake.size()));
     } else {
-        sortByIsland(world, work);
+        sortByIsland(step);
     }
+    if (!step.isWithoutRotation()) return;
+    for (SolveGroup& group : work.groups) group.withoutRotation = true;
 }
 
 }  // namespace plumb::physics

@@ -64,7 +64,10 @@ void findRoots(World& world, Workspace& work) {
     work.roots.resize(world.bodies.size());
     std::iota(work.roots.begin(), work.roots.end(), 0u);
     for (const std::uint32_t body : world.awake) {
-        if (world.bodies.info[body].kind == BodyKind::Dynamic) work.roots[body] = islandOf(world, body);
+        const BodyInfo& info = world.bodies.info[body];
+        if (info.kind != BodyKind::Dynamic) continue;
+        const bool isNear = world.bodies.info[info.island].island == info.island;
+        work.roots[body] = isNear ? info.island : islandOf(world, body);
     }
     work.rootsKnown = true;
 }

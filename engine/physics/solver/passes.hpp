@@ -1,6 +1,7 @@
 #pragma once
 
 #include <bit>
+#include <utility>
 
 #include "physics/solver/softness.hpp"
 #include "physics/stages.hpp"
@@ -44,12 +45,23 @@ void forColours(std::uint64_t colours, Act&& act) {
         act(std::countr_zero(rest), kBlockGrain);
 }
 
+/// Number of blocks of groups with rotation, which come first: between dynamic bodies, and of fixed ones.
+inline std::pair<std::int32_t, std::int32_t> blocksWithRotation(const Workspace& work) {
+    std::pair<std::int32_t, std::int32_t> ends{0, 0};
+    for (const SolveGroup& group : work.groups) {
+        if (!group.withoutRotation)
+            ends = {group.colours[kColours].contactEnd, group.colours[kColours].fixedEnd};
+    }
+    return ends;
+}
+
 /// Contacts of one kind, with their kernels and the parameters of a pass.
 template <class Block, class Bodies>
 struct ContactSet {
     const ContactKernels<Block, Bodies>& kernels;
     const std::vector<BlockLanes>& lanes;
     std::vector<Block>& blocks;
+    int firstUsed = 0;  ///< the blocks before are those of the other kernels
     ContactPass pass{};
 
     void warmStart(const Bodies& bodies, int begin, int end) const {
@@ -64,8 +76,8 @@ struct ContactSet {
     /// Writes impulses back to the contacts.
     void store(StepContext& step) const {
         auto* contacts = reinterpret_cast<Float4*>(step.world.contacts.data());
-        forRange(step, 0, static_cast<int>(lanes.size()), kBlockGrain, [&](int begin, int end) {
-            kernels.store(contacts, lanes.data(), blocks.data(), begin, end);
+        forRange(step, firstUsed, static_cast<int>(blocks.size()), kBlockGrain, [&](int first, int last) {
+            kernels.store(contacts, lanes.data(), blocks.data(), first, last);
         });
     }
 };

@@ -69,9 +69,9 @@ void solveGroup(Solver& solver) {
     }
 }
 
-void gatherStates(Workspace& work) {
+void gatherStates(Workspace& work, std::size_t begin) {
     work.statesWithoutRotation.resize(work.velocity.size());
-    for (std::size_t i = 0; i < work.velocity.size(); ++i)
+    for (std::size_t i = begin; i < work.velocity.size(); ++i)
         work.statesWithoutRotation[i] = {work.velocity[i].x, work.velocity[i].y, 0.0f, 0.0f};
 }
 
@@ -90,8 +90,8 @@ void turnBodies(Solver& solver) {
     }
 }
 
-void giveBack(Workspace& work) {
-    for (std::size_t i = 0; i < work.velocity.size(); ++i) {
+void giveBack(Workspace& work, std::size_t begin) {
+    for (std::size_t i = begin; i < work.velocity.size(); ++i) {
         const Float4& state = work.statesWithoutRotation[i];
         work.velocity[i].x = state.x, work.velocity[i].y = state.y;
         work.deltaPosition[i].x = state.z, work.deltaPosition[i].y = state.w;
@@ -100,16 +100,21 @@ void giveBack(Workspace& work) {
 
 }  // namespace
 
-void solvePlain(StepContext& step) {
+void solveWithoutRotation(StepContext& step) {
     Workspace& work = step.work;
     const Settings& settings = step.world.settings;
     const SolverKernels& kernels = solverKernels();
     const std::size_t hasFriction = step.runs(Effect::Friction) ? 1 : 0;
-    prepareLocks(step);
-    gatherStates(work);
-    Contacts contacts{{kernels.plain[hasFriction], work.contactLanes, work.blocksWithoutRotation},
-                      {kernels.plainFixed[hasFriction], work.fixedLanes, work.fixedBlocksWithoutRotation}};
-    for (const SolveGroup& group : work.groups) {
+    const auto first = std::find_if(work.groups.begin(), work.groups.end(),
+                                    [](const SolveGroup& group) { return group.withoutRotation; });
+    const auto firstSlot = static_cast<std::size_t>(first->begin);
+    gatherStates(work, firstSlot);
+    const auto [begin, beginFixed] = blocksWithRotation(work);
+    Contacts contacts{
+        {kernels.plain[hasFriction], work.contactLanes, work.blocksWithoutRotation, begin},
+        {kernels.plainFixed[hasFriction], work.fixedLanes, work.fixedBlocksWithoutRotation, beginFixed}};
+    for (auto place = first; place != work.groups.end(); ++place) {
+        const SolveGroup& group = *place;
         const float h = step.dt / static_cast<float>(group.substeps);
         contacts.startGroup(settings, h);
         Solver solver{step,
@@ -120,9 +125,9 @@ void solvePlain(StepContext& step) {
                       h,
                       std::clamp<int>(settings.iterations, 1, kMaxIterations)};
         solveGroup(solver);
-        if (step.runs(Effect::Kinematics)) turnBodies(solver);
+        if (step.isWithoutRotation() && step.runs(Effect::Kinematics)) turnBodies(solver);
     }
-    giveBack(work);
+    giveBack(work, firstSlot);
     contacts.store(step);
 }
 

@@ -4,7 +4,7 @@
 
 namespace plumb::physics {
 
-/// solve() where StepContext::isWithoutRotation(): the same bits, without the terms that are zero.
-void solvePlain(StepContext& step);
+/// Solves the groups without rotation: the same bits, without the terms that are zero.
+void solveWithoutRotation(StepContext& step);
 
 }  // namespace plumb::physics

@@ -124,7 +124,7 @@ void gatherBodies(StepContext& step) {
     World& world = step.world;
     Workspace& work = step.work;
     refreshColours(world, work);
-    sortByQuality(world, work);
+    sortByQuality(step);
     std::size_t slots = 0;
     for (SolveGroup& group : work.groups) {
         group.begin = static_cast<std::int32_t>(slots);

@@ -5,6 +5,7 @@
 #include "physics/islands/substep_estimate.hpp"
 #include "physics/joints/joint_types.hpp"
 #include "physics/solver/joint_lanes.hpp"
+#include "physics/solver/passes.hpp"
 #include "physics/stages.hpp"
 
 namespace plumb::physics {
@@ -84,6 +85,14 @@ void makeRoom(const World& world, Workspace& work) {
     work.accounts.reserve(room);
     work.openAccounts.reserve(room);
     work.roots.reserve(room);
+    work.bookedBodies.reserve(room);
+}
+
+/// Slots of groups with rotation, which come first: no others can gain energy.
+std::size_t slotsWithRotation(const Workspace& work) {
+    std::int32_t end = 0;
+    for (const SolveGroup& group : work.groups) end = group.withoutRotation ? end : group.end;
+    return static_cast<std::size_t>(end);
 }
 
 /// Bodies that came out of their contacts with more than they had: from others, or from nowhere.
@@ -91,12 +100,12 @@ void findGainers(StepContext& step) {
     const World& world = step.world;
     Workspace& work = step.work;
     work.gainers.clear();
-    if (!step.runs(Effect::Contacts) || step.isWithoutRotation()) return;
+    if (!step.runs(Effect::Contacts)) return;
     makeRoom(world, work);
     const float slow = kParting * world.settings.pushSpeed;
     const bool bounces = step.runs(Effect::Restitution);
     const Float4* const velocities = work.velocity.data();
-    for (std::size_t slot = 0, end = work.bodyOf.size(); slot < end; ++slot) {
+    for (std::size_t slot = 0, end = slotsWithRotation(work); slot < end; ++slot) {
         const Float4& velocity = velocities[slot];
         if (isSlow(velocity, slow)) continue;  // as idle ones are
         const std::uint32_t body = work.bodyOf[slot];
@@ -151,15 +160,20 @@ void noteHolders(StepContext& step) {
     World& world = step.world;
     const Workspace& work = step.work;
     const bool drivers = step.runs(Effect::Kinematics) || step.runs(Effect::Conveyor);
-    for (std::size_t i = 0; i < work.contactKeys.size(); ++i) {
-        const std::uint16_t key = work.contactKeys[i];
-        if ((key & kKeyColour) == kKeyIdle || (!drivers && (key & kKeyFixed) == 0)) continue;
-        const Contact& contact = world.contacts[i];
-        EnergyAccount& account = accountOf(world, step.work, contact.bodyA, contact.bodyB);
-        account.isRooted |= (key & kKeyFixed) != 0;
-        account.isDriven |=
-            contact.surfaceSpeed != 0.0f || moves(world, contact.bodyA) || moves(world, contact.bodyB);
-    }
+    const auto note = [&](const std::vector<BlockLanes>& lanes, std::int32_t blocks, bool fixed) {
+        for (std::int32_t n = 0; n < blocks; ++n) {
+            const BlockLanes& block = lanes[static_cast<std::size_t>(n)];
+            for (std::int32_t i = 0; i < block.count; ++i) {
+                const Contact& contact = world.contacts[static_cast<std::size_t>(block.contact[i])];
+                EnergyAccount& account = accountOf(world, step.work, contact.bodyA, contact.bodyB);
+                account.isRooted |= fixed;
+                account.isDriven |= contact.surfaceSpeed != 0.0f || moves(world, contact.bodyA);
+            }
+        }
+    };
+    const auto [blocks, fixedBlocks] = blocksWithRotation(work);
+    note(work.fixedLanes, fixedBlocks, true);
+    if (drivers) note(work.contactLanes, blocks, false);
 }
 
 /// Where nobody turns and nothing bounces nothing could give energy, and who is solved without either
@@ -312,13 +326,30 @@ void share(StepContext& step, std::uint32_t body, const EnergyAccount& account) 
     if (account.part < 1.0f) shorten(work.deltaPosition[slot], account, step.dt);
 }
 
+/// Lists the bodies of islands that have an account. A body without joints keeps no share of one.
+void findBooked(World& world, Workspace& work) {
+    std::vector<EnergyShare>& shares = world.bodies.energies;
+    const bool hasJoints = !world.joints.awake.empty();
+    if (hasJoints) shares.resize(world.bodies.size());
+    work.bookedBodies.clear();
+    const std::size_t rotating = slotsWithRotation(work);
+    for (std::size_t slot = 0; slot < work.bodyOf.size(); ++slot) {
+        const std::uint32_t body = work.bodyOf[slot];
+        if (body == kNone) continue;
+        if (slot >= rotating) {
+            if (hasJoints) shares[body] = {};
+            continue;
+        }
+        const EnergyAccount& account = work.accounts[work.roots[body]];
+        if (account.isOpen) work.bookedBodies.push_back(body);
+        if (hasJoints && (!account.isOpen || !account.isJointed)) shares[body] = {};
+    }
+}
+
 /// Calls act(body, account) with all bodies of islands that have one.
 template <class Act>
-void forBooked(World& world, Workspace& work, Act&& act) {
-    for (const std::uint32_t body : world.awake) {
-        EnergyAccount& account = work.accounts[work.roots[body]];
-        if (account.isOpen) act(body, account);
-    }
+void forBooked(Workspace& work, Act&& act) {
+    for (const std::uint32_t body : work.bookedBodies) act(body, work.accounts[work.roots[body]]);
 }
 
 /// The same with the accounts.
@@ -340,21 +371,12 @@ void limit(World& world, Workspace& work) {
         if (account.isDriven || !account.isLively) account.excess = 0.0f;
         if (!account.isRooted) account.middle = (1.0f / account.mass) * account.momentum;
     });
-    forBooked(world, work, [&](std::uint32_t body, EnergyAccount& account) {
+    forBooked(work, [&](std::uint32_t body, EnergyAccount& account) {
         if (exceeds(account)) bookOwn(world, work, body, account);
     });
     forAccounts(work, [](EnergyAccount& account) {
         if (exceeds(account)) findParts(account);
     });
-}
-
-/// Who has no joints any more has no account.
-void forgetShares(World& world, const Workspace& work) {
-    world.bodies.energies.resize(world.bodies.size());
-    for (const std::uint32_t body : world.awake) {
-        const EnergyAccount& account = work.accounts[work.roots[body]];
-        if (!account.isOpen || !account.isJointed) world.bodies.energies[body] = {};
-    }
 }
 
 }  // namespace
@@ -373,13 +395,12 @@ void keepEnergy(StepContext& step) {
     if (!hasJoints && work.gainers.empty()) return;
     findRoots(world, work);
     openAccounts(world, work);
+    findBooked(world, work);
     if (hasJoints) {
-        forgetShares(world, work);
         noteJoints(world, work);
         noteHolders(step);
     }
-    forBooked(world, work,
-              [&](std::uint32_t body, EnergyAccount& account) { book(world, work, body, account); });
+    forBooked(work, [&](std::uint32_t body, EnergyAccount& account) { book(world, work, body, account); });
     bool wild = false, tooMuch = false;
     forAccounts(work, [&](EnergyAccount& account) {
         settle(step, account);
@@ -392,7 +413,7 @@ void keepEnergy(StepContext& step) {
         limit(world, work);
     }
     if (hasJoints || tooMuch)
-        forBooked(world, work,
+        forBooked(work,
                   [&](std::uint32_t body, const EnergyAccount& account) { share(step, body, account); });
     if (wild) forgetImpulses(world, work);
     closeAccounts(work);

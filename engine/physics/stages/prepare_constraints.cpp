@@ -2,6 +2,7 @@
 #include <utility>
 
 #include "physics/solver/joint_lanes.hpp"
+#include "physics/solver/passes.hpp"
 
 namespace plumb::physics {
 
@@ -69,20 +70,29 @@ void fillLanes(Workspace& work, GroupOf&& groupOf) {
     });
 }
 
+bool areAlike(const SolveGroup& a, const SolveGroup& b) { return a.begin == b.begin && a.end == b.end; }
+
 /// What rests is solved in the same blocks step after step.
-void fillLanesOfOne(Workspace& work) {
-    ContactLayout& layout = work.layout;
-    SolveGroup& group = work.groups[0];
-    if (layout.isCurrent && layout.keys == work.contactKeys) {
-        group.contactColours = layout.colours;
-        std::copy(std::begin(layout.blocks), std::end(layout.blocks), group.colours);
-        return;
+/// @return true if the blocks of the last step are those of this one
+bool takeLayout(Workspace& work) {
+    const ContactLayout& layout = work.layout;
+    if (!layout.isCurrent || layout.keys != work.contactKeys || layout.order != work.solveOrder ||
+        !std::equal(work.groups.begin(), work.groups.end(), layout.groups.begin(), layout.groups.end(),
+                    areAlike))
+        return false;
+    for (std::size_t g = 0; g < work.groups.size(); ++g) {
+        work.groups[g].contactColours = layout.groups[g].contactColours;
+        std::copy(std::begin(layout.groups[g].colours), std::end(layout.groups[g].colours),
+                  work.groups[g].colours);
     }
-    fillLanes(work, [](std::int32_t) { return std::size_t{0}; });
-    layout.keys = work.contactKeys;
-    layout.colours = group.contactColours;
-    std::copy(std::begin(group.colours), std::end(group.colours), layout.blocks);
-    layout.isCurrent = true;
+    return true;
+}
+
+void keepLayout(Workspace& work) {
+    work.layout.keys = work.contactKeys;
+    work.layout.order = work.solveOrder;
+    work.layout.groups = work.groups;
+    work.layout.isCurrent = true;
 }
 
 void fillLanes(const StepContext& step) {
@@ -91,14 +101,15 @@ void fillLanes(const StepContext& step) {
     if (!step.runs(Effect::Contacts)) {
         for (std::uint16_t& key : work.contactKeys) key |= kKeyIdle;
     }
+    if (takeLayout(work)) return;
     if (work.groups.size() == 1) {
-        fillLanesOfOne(work);
+        fillLanes(work, [](std::int32_t) { return std::size_t{0}; });
     } else {
-        work.layout.isCurrent = false;
         fillLanes(work, [&](std::int32_t contact) {
             return std::size_t{work.groupOf[world.contacts[static_cast<std::size_t>(contact)].bodyB]};
         });
     }
+    keepLayout(work);
 }
 
 ContactSource sourceOf(const StepContext& step) {
@@ -119,11 +130,10 @@ ContactSource sourceOf(const StepContext& step) {
 template <class Block, class Bodies>
 void prepareBlocks(const StepContext& step, const ContactSource& source,
                    const ContactKernels<Block, Bodies>& kernels, const std::vector<BlockLanes>& lanes,
-                   std::vector<Block>& blocks) {
-    blocks.resize(lanes.size());
-    forPieces(step, static_cast<int>(blocks.size()), kGrain, [&](int begin, int end, int) {
-        kernels.prepare(source, lanes.data(), blocks.data(), begin, end);
-    });
+                   std::vector<Block>& blocks, int begin, int end) {
+    blocks.resize(begin < end ? static_cast<std::size_t>(end) : 0);
+    forRange(step, begin, end, kGrain,
+             [&](int first, int last) { kernels.prepare(source, lanes.data(), blocks.data(), first, last); });
 }
 
 }  // namespace
@@ -134,15 +144,17 @@ void prepareConstraints(StepContext& step) {
     const ContactSource source = sourceOf(step);
     const SolverKernels& kernels = solverKernels();
     const std::size_t hasFriction = step.starts(Effect::Friction) ? 1 : 0;
-    if (step.isWithoutRotation()) {
-        prepareBlocks(step, source, kernels.plain[hasFriction], work.contactLanes,
-                      work.blocksWithoutRotation);
-        prepareBlocks(step, source, kernels.plainFixed[hasFriction], work.fixedLanes,
-                      work.fixedBlocksWithoutRotation);
-    } else {
-        prepareBlocks(step, source, kernels.contacts[hasFriction], work.contactLanes, work.contactBlocks);
-        prepareBlocks(step, source, kernels.fixedContacts[hasFriction], work.fixedLanes, work.fixedBlocks);
-    }
+    const auto all = static_cast<int>(work.contactLanes.size()),
+               allFixed = static_cast<int>(work.fixedLanes.size());
+    const auto [rotating, rotatingFixed] = blocksWithRotation(work);
+    prepareBlocks(step, source, kernels.contacts[hasFriction], work.contactLanes, work.contactBlocks, 0,
+                  rotating);
+    prepareBlocks(step, source, kernels.fixedContacts[hasFriction], work.fixedLanes, work.fixedBlocks, 0,
+                  rotatingFixed);
+    prepareBlocks(step, source, kernels.plain[hasFriction], work.contactLanes, work.blocksWithoutRotation,
+                  rotating, all);
+    prepareBlocks(step, source, kernels.plainFixed[hasFriction], work.fixedLanes,
+                  work.fixedBlocksWithoutRotation, rotatingFixed, allFixed);
     if (step.runs(Effect::Joints)) prepareJoints(step);
     static_cast<void>(step.starts(Effect::Motors));  // joints with a motor have blocks of their own
 }

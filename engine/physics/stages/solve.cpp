@@ -114,20 +114,17 @@ void solveGroup(Solver& solver) {
     lockAxes(solver.step, solver.group, solver.step.work.velocity);
 }
 
-}  // namespace
-
-void solve(StepContext& step) {
-    if (step.isWithoutRotation()) return solvePlain(step);
+void solveWithRotation(StepContext& step) {
     const SolverKernels& kernels = solverKernels();
     const std::size_t hasFriction = step.runs(Effect::Friction) ? 1 : 0;
     Workspace& work = step.work;
     const Settings& settings = step.world.settings;
     prepareRestitution(step);
     prepareRolling(step);
-    prepareLocks(step);
     Contacts contacts{{kernels.contacts[hasFriction], work.contactLanes, work.contactBlocks},
                       {kernels.fixedContacts[hasFriction], work.fixedLanes, work.fixedBlocks}};
     for (const SolveGroup& group : work.groups) {
+        if (group.withoutRotation) break;
         const float h = step.dt / static_cast<float>(group.substeps);
         contacts.startGroup(settings, h);
         Solver solver{step,
@@ -144,6 +141,15 @@ void solve(StepContext& step) {
     contacts.store(step);
     storeRolling(step);
     if (step.runs(Effect::Joints)) storeJoints(step);
+}
+
+}  // namespace
+
+void solve(StepContext& step) {
+    prepareLocks(step);
+    const std::vector<SolveGroup>& groups = step.work.groups;
+    if (groups.empty() || !groups.front().withoutRotation) solveWithRotation(step);
+    if (!groups.empty() && groups.back().withoutRotation) solveWithoutRotation(step);
 }
 
 }  // namespace plumb::physics
