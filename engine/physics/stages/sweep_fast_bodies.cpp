@@ -75,6 +75,16 @@ SweptBody sweptBodyOf(const StepContext& step, std::uint32_t body) {
 
 // To find hits.
 
+/// Whether a body may pass something thin that moves along `path`: what lies in a drum does not, however fast
+/// the drum rotates.
+bool isFastBeside(const Sweep& own, const Sweep& path, const BodyInfo& info) {
+    constexpr float kWide = 1.0f;  // rad: beyond it the chord of a rotation is much shorter than its arc
+    if (path.turn == 0.0f) return isFast(own.displacement - path.displacement, own.turn, info);
+    const Vec2 arm = own.start - path.start;
+    const Vec2 carried = path.displacement + rotate(rotFromAngle(path.turn), arm) - arm;
+    return std::fabs(path.turn) > kWide || isFast(own.displacement - carried, own.turn - path.turn, info);
+}
+
 /// Half the side of a square that contains the body at any angle, and the gap that it keeps (m).
 float reachOf(const StepContext& step, const SweptBody& swept) {
     const Vec2 from = toVec2(swept.sweep.start);
@@ -102,6 +112,7 @@ void findNext(const StepContext& step, std::size_t place, std::vector<std::uint3
     const auto meetAll = [&](std::uint32_t shape) {
         if (shape == swept.passed) return;
         const Sweep path = pathOfMet(step, world.shapes.info[shape].body);
+        if (swept.hits == 0 && !isFastBeside(sweep, path, world.bodies.info[swept.body])) return;
         for (std::uint32_t s = world.bodies.info[swept.body].firstShape; s != kNone;
              s = world.shapes.info[s].next) {
             ++counts.swept;
@@ -415,8 +426,6 @@ void fillSwept(StepContext& step, bool together) {
     proxies.search->rebuild(proxies.view());
 }
 
-}  // namespace
-
 /// Adds the bodies that a fast kinematic body may have passed: seen from that, they are as fast.
 void addPassedBodies(StepContext& step) {
     const World& world = step.world;
@@ -437,6 +446,7 @@ void addPassedBodies(StepContext& step) {
         for (const std::uint32_t shape : work.candidates) {
             const std::uint32_t other = world.shapes.info[shape].body;
             if (known[other] != kNone || !isDynamic(world, other) || work.slots[other] < 0) continue;
+            if (!isFastBeside(pathOf(step, other), path, world.bodies.info[other])) continue;
             known[other] = 0;
             passed.push_back(other);
         }
@@ -444,6 +454,8 @@ void addPassedBodies(StepContext& step) {
     work.fastBodies.insert(work.fastBodies.end(), passed.begin(), passed.end());
     if (!passed.empty()) std::sort(work.fastBodies.begin(), work.fastBodies.end());
 }
+
+}  // namespace
 
 // Bodies that have moved fast are taken along their paths once more. Where one that flies freely hits
 // something that never yields, or a bullet hits another that flies freely, both get the impulses of the
