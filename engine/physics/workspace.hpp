@@ -39,7 +39,6 @@ struct ColourBlocks {
 struct SolveGroup {
     Quality quality = 0;
     std::int32_t substeps = 1;
-    std::int32_t iterations = 1;   ///< minimum, per substep
     bool withoutRotation = false;  ///< solved by the reduced kernels; such groups come last
     std::int32_t bodies = 0;
     std::int32_t begin = 0;  ///< slots, in multiples of eight
@@ -210,6 +209,7 @@ struct Workspace {
     std::vector<std::vector<std::uint32_t>> fastOfPiece;
     std::vector<std::vector<std::uint32_t>> brokenOfPiece;
     std::vector<std::uint32_t> fastBodies;  ///< those that may have passed through something in this step
+    bool kinematicsAtRest = false;          ///< some kinematic bodies are not among these
     std::vector<SweptBody> swept;           ///< these, and what they hit
     SweptProxies sweptProxies;              ///< of `swept`, if they may hit each other
     std::vector<std::pair<float, std::uint32_t>> dueHits;   ///< heap: fraction of the step, index in `swept`
@@ -223,7 +223,6 @@ struct Workspace {
     std::array<std::uint64_t, kMaxStages> stageRuns{};  ///< by stage: see runsOf()
     std::uint32_t effectsRun = 0;                       ///< bits of effects whose code ran in this step
     std::array<std::uint64_t, kEffects> effectRuns{};   ///< by effect: steps in which its code ran
-    std::vector<std::uint8_t> leverageOf;               ///< by root of an island, if hasLeverage()
     std::vector<SubstepEstimate> estimate;              ///< by root of an island: automatic quality estimate
     bool rootsKnown = false;                            ///< findRoots() was called in this step
     std::vector<std::uint32_t> roots;                   ///< by body: root of its island

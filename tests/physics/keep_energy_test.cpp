@@ -5,7 +5,6 @@
 #include <gtest/gtest.h>
 
 #include "joint_world.hpp"
-#include "physics/islands/lever_arms.hpp"
 #include "physics/workspace.hpp"
 
 namespace plumb::physics {
@@ -52,60 +51,6 @@ TEST(JointLanes, closeWhatIsTornOpenNoFasterThanTheyMay) {
         }
         EXPECT_LT(length(scene.gapOf(joint)), 0.01f * open);
     }
-}
-
-TEST(Leverage, isTheLongestArmInRadiiOfGyration) {
-    JointWorld scene;  // discs of 0.354 m of gyration
-    const auto of = [&](float apart) { return leverageOf(scene.world, Pair{scene, {}, apart}.joint.index); };
-    EXPECT_EQ(of(5.6f), 0);  // 7.9
-    EXPECT_EQ(of(5.8f), 1);  // 8.2
-    EXPECT_EQ(of(11.2f), 1);
-    EXPECT_EQ(of(11.4f), 2);
-    EXPECT_EQ(of(1000.0f), kMaxLeverage);
-    const BodyId stiff = scene.disc({});
-    setFixedRotation(scene.world, stiff, true);
-    JointDefinition definition = scene.define(JointKind::Revolute, scene.ground, stiff, {100.0, 0.0});
-    EXPECT_EQ(leverageOf(scene.world, scene.join(definition).index), 0) << "what does not turn";
-}
-
-TEST(Leverage, isIteratedForAndNobodyElseIs) {
-    const auto play = [](bool lever) {
-        JointWorld scene;
-        scene.world.settings.directJoints = false;
-        const Pair plain{scene, {0.0, 0.0}, 2.0f};
-        if (lever) {
-            const Pair pair{scene, {0.0, 50.0}, 12.0f};
-            scene.join(scene.define(JointKind::Weld, pair.a, scene.disc({-8.0, 50.0}), {-7.0, 50.0}));
-        }
-        EXPECT_TRUE(setVelocity(scene.world, plain.a, {3.0f, 1.0f}).ok());
-        scene.run(1.0f);
-        std::vector<int> iterations;
-        for (const SolveGroup& group : scene.world.work.get().groups) iterations.push_back(group.iterations);
-        return std::pair{iterations, scene.world.bodies.motion[plain.b.index].velocity};
-    };
-    const auto [once, alone] = play(false);
-    const auto [twice, beside] = play(true);
-    EXPECT_EQ(once, (std::vector{1}));
-    EXPECT_EQ(twice, (std::vector{1, 4}));
-    EXPECT_EQ(alone, beside);
-}
-
-TEST(Leverage, followsTheShapesOfABody) {
-    JointWorld scene;
-    scene.world.settings.directJoints = false;
-    const Pair pair{scene, {}, 12.0f};
-    scene.run(0.2f);
-    EXPECT_EQ(scene.world.work.get().groups.back().iterations, 1) << "solved at once, alone";
-    scene.join(scene.define(JointKind::Weld, pair.a, scene.disc({-8.0, 0.0}), {-7.0, 0.0}));
-    scene.run(0.2f);
-    EXPECT_EQ(scene.world.work.get().groups.back().iterations, 4);
-    for (const BodyId body : {pair.a, pair.b})
-        ASSERT_TRUE(createShape(scene.world, body, circle(4.0f), {.mask = 0}).ok());
-    World copy = scene.world;  // works out everything anew
-    scene.run(0.5f);
-    EXPECT_EQ(scene.world.work.get().groups.back().iterations, 1);
-    for (int i = 0; i < 30; ++i) step(copy, JointWorld::kDt);
-    EXPECT_EQ(hashOf(copy), hashOf(scene.world));
 }
 
 TEST(KeepEnergy, hasAccountsOnlyWhereThereAreJoints) {

@@ -4,7 +4,6 @@
 #include <array>
 
 #include "physics/islands/hold_tolerance.hpp"
-#include "physics/islands/lever_arms.hpp"
 #include "physics/islands/sleeping.hpp"
 #include "physics/islands/substep_estimate.hpp"
 #include "physics/stages.hpp"
@@ -13,18 +12,15 @@ namespace plumb::physics {
 
 namespace {
 
-/// Kinds of islands that are solved with equal parameters: by quality and lever-arm level, and again without
-/// rotation.
-constexpr std::size_t kKindsWithRotation = (kMaxQuality + 1) * (kMaxLeverage + 1);
+/// Kinds of islands that are solved with equal parameters: by quality, and again without rotation.
+constexpr std::size_t kKindsWithRotation = kMaxQuality + 1;
 constexpr std::size_t kKinds = 2 * kKindsWithRotation;
 
 void addGroup(Workspace& work, std::size_t kind, int bodies) {
     SolveGroup& group = work.groups.emplace_back();
     group.withoutRotation = kind >= kKindsWithRotation;
-    kind %= kKindsWithRotation;
-    group.quality = static_cast<Quality>(kind % (kMaxQuality + 1));
+    group.quality = static_cast<Quality>(kind % kKindsWithRotation);
     group.substeps = substepsOf(group.quality);
-    group.iterations = 1 << kind / (kMaxQuality + 1);
     group.bodies = bodies;
 }
 
@@ -50,12 +46,6 @@ void judgeIslands(World& world, Workspace& work) {
     }
     if (world.settings.automaticQuality) addGuesses(world, work);
     for (const std::uint32_t body : world.awake) qualities[body] = qualities[work.roots[body]];
-}
-
-void addLeverages(World& world, Workspace& work) {
-    judgeLeverages(world, work);
-    for (const std::uint32_t body : world.awake)
-        work.bodyScratch[body] += work.leverageOf[work.roots[body]] * (kMaxQuality + 1u);
 }
 
 /// Whether some awake bodies may be solved without rotation beside others that rotate.
@@ -105,7 +95,6 @@ void sortByIsland(StepContext& step) {
     } else {
         work.bodyScratch.assign(world.bodies.size(), static_cast<std::uint32_t>(world.settings.quality));
     }
-    if (hasLeverage(world, work)) addLeverages(world, work);
     if (mixesRotation(step)) setRotationApart(step);
     const std::vector<std::uint32_t>& kinds = work.bodyScratch;
     // Counting sort: count the bodies of each kind, find where each kind begins, then place the bodies.
@@ -139,7 +128,7 @@ void sortByQuality(StepContext& step) {
     const bool holds = world.settings.tolerance > 0.0f;
     if (!holds && !world.bodies.substepControllers.empty()) world.bodies.substepControllers.clear();
     const bool alike = world.qualityCallers == 0 && !world.settings.automaticQuality && !holds;
-    if (alike && !hasLeverage(world, work) && !mixesRotation(step)) {
+    if (alike && !mixesRotation(step)) {
         addGroup(work, static_cast<std::size_t>(world.settings.quality),
                  static_cast<int>(world.awake.size()));
     } else {

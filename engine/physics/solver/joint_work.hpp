@@ -33,10 +33,8 @@ struct JointWork {
     JointStore<SliderBlock> sliders;
     std::vector<NBodyConstraint> nBodyConstraints;
     JointTrees trees;
-    std::vector<std::uint8_t> leverages;  ///< by joint: leverageOf()
-    bool someLeverage = false;            ///< some are above 0
-    std::vector<std::int32_t> counts;     ///< by group, color and kind
-    std::vector<std::int32_t> keys;       ///< by index in Joints::awake
+    std::vector<std::int32_t> counts;  ///< by group, color and kind
+    std::vector<std::int32_t> keys;    ///< by index in Joints::awake
     std::vector<BreakableJoint> breakables;
 };
 

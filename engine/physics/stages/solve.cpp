@@ -134,7 +134,7 @@ void solveWithRotation(StepContext& step) {
                       contacts,
                       jointPass(settings, h),
                       h,
-                      std::clamp<int>(settings.iterations, group.iterations, kMaxIterations),
+                      std::clamp<int>(settings.iterations, 1, kMaxIterations),
                       solvesTrees(step.world, work)};
         solveGroup(solver);
     }

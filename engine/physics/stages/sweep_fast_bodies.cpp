@@ -4,6 +4,7 @@
 
 #include "physics/broadphase/broadphase_update.hpp"
 #include "physics/contacts/contacts.hpp"
+#include "physics/continuous/swept_bodies.hpp"
 #include "physics/model/bounds.hpp"
 #include "physics/solver/impact.hpp"
 #include "physics/stages.hpp"
@@ -14,137 +15,10 @@ namespace {
 
 constexpr int kGrain = 8;
 
-/// Hits that change the path of a body within one step; at one more it stops, and the next step goes on with
-/// it. What comes into a corner of an angle of a leaves it after at most 1 + pi / a elastic hits: 5 are
-/// enough for 45 degrees.
-constexpr int kMaxHits = 5;
-
 /// What gets no further than this part of its path is wedged: it reaches into something already, and turns
 /// under it faster than its contact can follow. Else it would stay there at full speed.
 constexpr float kWedged = 0.02f;
 constexpr float kKeptWhenWedged = 0.5f;  // of its speeds
-
-/// Layers of Workspace::sweptProxies: bullets search for all of them, other bodies for some.
-constexpr std::uint32_t kBulletLayer = 1, kFastLayer = 2, kKinematicLayer = 4;
-
-Rot turnOf(const Float4& deltaPosition) { return normalized(Rot{1.0f + deltaPosition.w, deltaPosition.z}); }
-
-bool isDynamic(const World& world, std::uint32_t body) {
-    return world.bodies.info[body].kind == BodyKind::Dynamic;
-}
-bool isBullet(const World& world, std::uint32_t body) {
-    return (world.bodies.info[body].flags & kBullet) != 0;
-}
-/// By contacts or joints.
-bool isHeld(const StepContext& step, std::uint32_t body) { return step.work.colourMasks[body] != 0; }
-
-/// How a body has come through this step: from where it is now and how far it was shifted.
-Sweep pathOf(const StepContext& step, std::uint32_t body) {
-    const BodyPose& pose = step.world.bodies.pose[body];
-    const auto slot = static_cast<std::size_t>(step.work.slots[body]);
-    const Float4& deltaPosition = step.work.deltaPosition[slot];
-    const Vec2 displacement{deltaPosition.x, deltaPosition.y};
-    Sweep sweep{pose.centre + -displacement, displacement, pose.rotation, 0.0f, pose.localCentre};
-    if (deltaPosition.z == 0.0f && step.work.velocity[slot].z == 0.0f) return sweep;
-    const float angle = angleOf(turnOf(deltaPosition));
-    const float turns = (step.work.velocity[slot].z * step.dt - angle) / kTau;
-    sweep.turn = angle + kTau * static_cast<float>(floorToInt(turns + 0.5f));
-    sweep.rotation = normalized(inverse(turnOf(deltaPosition)) * pose.rotation);
-    return sweep;
-}
-
-/// The path of what may be in the way. What does not move or is held is slow: it is met where it is.
-Sweep pathOfMet(const StepContext& step, std::uint32_t body) {
-    const Workspace& work = step.work;
-    if (const std::uint32_t place = work.bodyScratch[body]; place != kNone) return work.swept[place].sweep;
-    const bool stays = !isDynamic(step.world, body) || work.slots[body] < 0 || isHeld(step, body);
-    return stays ? resting(step.world.bodies.pose[body]) : pathOf(step, body);
-}
-
-SweptBody sweptBodyOf(const StepContext& step, std::uint32_t body) {
-    SweptBody swept;
-    swept.body = body;
-    swept.sweep = pathOf(step, body);
-    swept.isHeld = isDynamic(step.world, body) && isHeld(step, body);
-    if (!isDynamic(step.world, body) || swept.isHeld) return swept;
-    // Its path would be longer at the velocity of its end, by what made it faster.
-    const Vec2 velocity = step.world.bodies.motion[body].velocity;
-    swept.pull = (2.0f / step.dt) * (velocity - (1.0f / step.dt) * swept.sweep.displacement);
-    return swept;
-}
-
-// To find hits.
-
-/// Whether a body may pass something thin that moves along `path`: what lies in a drum does not, however fast
-/// the drum rotates.
-bool isFastBeside(const Sweep& own, const Sweep& path, const BodyInfo& info) {
-    constexpr float kWide = 1.0f;  // rad: beyond it the chord of a rotation is much shorter than its arc
-    if (path.turn == 0.0f) return isFast(own.displacement - path.displacement, own.turn, info);
-    const Vec2 arm = own.start - path.start;
-    const Vec2 carried = path.displacement + rotate(rotFromAngle(path.turn), arm) - arm;
-    return std::fabs(path.turn) > kWide || isFast(own.displacement - carried, own.turn - path.turn, info);
-}
-
-/// Half the side of a square that contains the body at any angle, and the gap that it keeps (m).
-float reachOf(const StepContext& step, const SweptBody& swept) {
-    const Vec2 from = toVec2(swept.sweep.start);
-    const float rounding = 5.0e-7f * std::max(std::fabs(from.x), std::fabs(from.y));
-    return step.world.bodies.info[swept.body].reach + rounding + step.world.settings.speculativeDistance;
-}
-Vec2 beginOf(const Sweep& sweep) { return toVec2(sweep.start + sweep.displacement * sweep.begin); }
-Vec2 displacementLeft(const Sweep& sweep) { return sweep.displacement * std::max(1.0f - sweep.begin, 0.0f); }
-
-int hitsOf(const Workspace& work, std::uint32_t body) {
-    const std::uint32_t place = work.bodyScratch[body];
-    return place == kNone ? 0 : work.swept[place].hits;
-}
-
-/// Finds what a body hits next. Searches give what is near in an order of their own; of two hits at one time
-/// that of the lower number counts.
-void findNext(const StepContext& step, std::size_t place, std::vector<std::uint32_t>& found,
-              DetectionCounts& counts) {
-    const World& world = step.world;
-    const Workspace& work = step.work;
-    SweptBody& swept = step.work.swept[place];
-    const Sweep& sweep = swept.sweep;
-    swept.next = {};
-    if (!isDynamic(world, swept.body) || swept.hits > kMaxHits || sweep.begin >= 1.0f) return;
-    const auto meetAll = [&](std::uint32_t shape) {
-        if (shape == swept.passed) return;
-        const Sweep path = pathOfMet(step, world.shapes.info[shape].body);
-        if (swept.hits == 0 && !isFastBeside(sweep, path, world.bodies.info[swept.body])) return;
-        for (std::uint32_t s = world.bodies.info[swept.body].firstShape; s != kNone;
-             s = world.shapes.info[s].next) {
-            ++counts.swept;
-            meetOnPath(world, {s, sweep, !swept.isHeld}, {shape, path}, swept.next);
-        }
-    };
-    const float reach = reachOf(step, swept);
-    const bool all = isBullet(world, swept.body);
-    found.clear();
-    work.broadPhase->cast(proxiesOf(world), beginOf(sweep), displacementLeft(sweep), {reach, reach},
-                          0xffffffffu, found,
-                          all || world.manifest.runs(Effect::Kinematics) ? Among::All : Among::Static);
-    std::sort(found.begin(), found.end());
-    for (const std::uint32_t shape : found) {
-        const std::uint32_t body = world.shapes.info[shape].body;
-        if (work.bodyScratch[body] == kNone && (all || !isDynamic(world, body))) meetAll(shape);
-    }
-    if (work.sweptProxies.bounds.empty()) return;
-    // Bullets meet everything. What a hit sent another way meets the bullets, which looked at its first path.
-    const std::uint32_t layers =
-        kKinematicLayer | (all || swept.hits > 0 ? kBulletLayer : 0) | (all ? kFastLayer : 0);
-    found.clear();
-    work.sweptProxies.search->cast(work.sweptProxies.view(), beginOf(sweep), displacementLeft(sweep),
-                                   {reach, reach}, layers, found, Among::All);
-    std::sort(found.begin(), found.end());
-    for (const std::uint32_t other : found) {
-        for (std::uint32_t s = world.bodies.info[work.swept[other].body].firstShape; s != kNone;
-             s = world.shapes.info[s].next)
-            meetAll(s);
-    }
-    if (swept.next.met != kNone) swept.next.metHits = hitsOf(work, world.shapes.info[swept.next.met].body);
-}
 
 // What happens at a hit.
 
@@ -255,20 +129,9 @@ Contact contactOf(StepContext& step, const PathHit& hit, std::uint32_t own, std:
     return contact;
 }
 
-std::uint32_t layerOf(const World& world, std::uint32_t body) {
-    if (!isDynamic(world, body)) return kKinematicLayer;
-    return isBullet(world, body) ? kBulletLayer : kFastLayer;
-}
-
-AABB boundsOf(const StepContext& step, const SweptBody& swept) {
-    const float reach = reachOf(step, swept);
-    const Vec2 from = beginOf(swept.sweep), to = from + displacementLeft(swept.sweep), half{reach, reach};
-    return {min(from, to) - half, max(from, to) + half};
-}
-
 void addProxy(const StepContext& step, const SweptBody& swept) {
     SweptProxies& proxies = step.work.sweptProxies;
-    proxies.bounds.push_back(boundsOf(step, swept));
+    proxies.bounds.push_back(pathBounds(step, swept));
     proxies.filters.push_back({.layers = layerOf(step.world, swept.body)});
     proxies.motions.push_back(ProxyMotion::Awake);
 }
@@ -321,10 +184,10 @@ void hitNext(StepContext& step, std::uint32_t own, std::uint32_t met, const Path
 void lookAgain(StepContext& step, std::uint32_t place) {
     Workspace& work = step.work;
     if (place < work.sweptProxies.bounds.size()) {
-        work.sweptProxies.bounds[place] = boundsOf(step, work.swept[place]);
+        work.sweptProxies.bounds[place] = pathBounds(step, work.swept[place]);
         work.sweptProxies.search->update(work.sweptProxies.view(), {&place, 1});
     }
-    findNext(step, place, work.candidates, work.counts);
+    findNextHit(step, place, work.candidates, work.counts);
 }
 
 void note(Workspace& work, std::uint32_t place) {
@@ -475,6 +338,11 @@ void sweepFastBodies(StepContext& step) {
     };
     const bool moves = some([&](std::uint32_t body) { return isDynamic(world, body); });
     if (!moves || !step.runs(Effect::Contacts)) return;  // nothing can be stopped, or stop it
+    // Kinematic bodies that moved are among the fast ones; only others have to be searched for.
+    const auto moving = std::count_if(work.fastBodies.begin(), work.fastBodies.end(),
+                                      [&](std::uint32_t body) { return !isDynamic(world, body); });
+    work.kinematicsAtRest = static_cast<std::uint32_t>(moving) <
+                            world.manifest.callers[static_cast<std::size_t>(Effect::Kinematics)];
     const bool together = some([&](std::uint32_t body) { return layerOf(world, body) != kFastLayer; });
     if (together) updateBroadPhase(world, work);
     fillSwept(step, together);
@@ -486,7 +354,7 @@ void sweepFastBodies(StepContext& step) {
     forPieces(step, count, kGrain, [&](int begin, int end, int piece) {
         const auto p = static_cast<std::size_t>(piece);
         for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i)
-            findNext(step, i, work.sweptPast[p], work.countsOfPiece[p]);
+            findNextHit(step, i, work.sweptPast[p], work.countsOfPiece[p]);
     });
     for (const DetectionCounts& counts : work.countsOfPiece) work.counts += counts;
     goThroughHits(step);

@@ -4,7 +4,6 @@
 #include <optional>
 #include <span>
 
-#include "physics/islands/lever_arms.hpp"
 #include "physics/trees/joint_tree_solver.hpp"
 #include "physics/trees/tree_rows.hpp"
 
@@ -64,8 +63,7 @@ private:
         held_.clear();
         trees_.reached[root.body] = 1;
         bool isTree = true;
-        for (std::size_t i = 0; i < reached_.size(); ++i)
-            isTree &= reachFrom(static_cast<std::int32_t>(i));
+        for (std::size_t i = 0; i < reached_.size(); ++i) isTree &= reachFrom(static_cast<std::int32_t>(i));
         if (isTree && canBeHeld()) keep();
     }
 
@@ -233,7 +231,6 @@ void growTrees(World& world, Workspace& work) {
     trees.links.clear();
     trees.holds.clear();
     trees.isDirect.assign(world.joints.size(), 0);
-    findLeverages(world, work);
     if (wanted) Grower{world, trees}.run();
     for (const std::uint32_t joint : world.joints.awake) {
         if (trees.isDirect[joint] == 0) world.joints.hot[joint].flags |= kStretched;

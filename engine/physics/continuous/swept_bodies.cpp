@@ -1,0 +1,133 @@
+#include "physics/continuous/swept_bodies.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "physics/broadphase/broadphase_update.hpp"
+
+namespace plumb::physics {
+
+namespace {
+
+Rot turnOf(const Float4& deltaPosition) { return normalized(Rot{1.0f + deltaPosition.w, deltaPosition.z}); }
+
+/// Half the side of a square that contains the body at any angle, and the gap that it keeps (m).
+float reachOf(const StepContext& step, const SweptBody& swept) {
+    const Vec2 from = toVec2(swept.sweep.start);
+    const float rounding = 5.0e-7f * std::max(std::fabs(from.x), std::fabs(from.y));
+    return step.world.bodies.info[swept.body].reach + rounding + step.world.settings.speculativeDistance;
+}
+Vec2 beginOf(const Sweep& sweep) { return toVec2(sweep.start + sweep.displacement * sweep.begin); }
+Vec2 displacementLeft(const Sweep& sweep) { return sweep.displacement * std::max(1.0f - sweep.begin, 0.0f); }
+
+/// m: no point of a body moves further in the step. What was hit and goes another way is longer than its
+/// bounds tell.
+float longestPath(const World& world, const SweptBody& swept) {
+    if (swept.hits > 0) return std::numeric_limits<float>::max();
+    return length(swept.sweep.displacement) +
+           std::fabs(swept.sweep.turn) * world.bodies.info[swept.body].reach;
+}
+
+}  // namespace
+
+Sweep pathOf(const StepContext& step, std::uint32_t body) {
+    const BodyPose& pose = step.world.bodies.pose[body];
+    const auto slot = static_cast<std::size_t>(step.work.slots[body]);
+    const Float4& deltaPosition = step.work.deltaPosition[slot];
+    const Vec2 displacement{deltaPosition.x, deltaPosition.y};
+    Sweep sweep{pose.centre + -displacement, displacement, pose.rotation, 0.0f, pose.localCentre};
+    if (deltaPosition.z == 0.0f && step.work.velocity[slot].z == 0.0f) return sweep;
+    const float angle = angleOf(turnOf(deltaPosition));
+    const float turns = (step.work.velocity[slot].z * step.dt - angle) / kTau;
+    sweep.turn = angle + kTau * static_cast<float>(floorToInt(turns + 0.5f));
+    sweep.rotation = normalized(inverse(turnOf(deltaPosition)) * pose.rotation);
+    return sweep;
+}
+
+Sweep pathOfMet(const StepContext& step, std::uint32_t body) {
+    const Workspace& work = step.work;
+    if (const std::uint32_t place = work.bodyScratch[body]; place != kNone) return work.swept[place].sweep;
+    const bool stays = !isDynamic(step.world, body) || work.slots[body] < 0 || isHeld(step, body);
+    return stays ? resting(step.world.bodies.pose[body]) : pathOf(step, body);
+}
+
+SweptBody sweptBodyOf(const StepContext& step, std::uint32_t body) {
+    SweptBody swept;
+    swept.body = body;
+    swept.sweep = pathOf(step, body);
+    swept.isHeld = isDynamic(step.world, body) && isHeld(step, body);
+    if (!isDynamic(step.world, body) || swept.isHeld) return swept;
+    // Its path would be longer at the velocity of its end, by what made it faster.
+    const Vec2 velocity = step.world.bodies.motion[body].velocity;
+    swept.pull = (2.0f / step.dt) * (velocity - (1.0f / step.dt) * swept.sweep.displacement);
+    return swept;
+}
+
+bool isFastBeside(const Sweep& own, const Sweep& path, const BodyInfo& info) {
+    constexpr float kWide = 1.0f;  // rad: beyond it the chord of a rotation is much shorter than its arc
+    if (path.turn == 0.0f) return isFast(own.displacement - path.displacement, own.turn, info);
+    const Vec2 arm = own.start - path.start;
+    const Vec2 carried = path.displacement + rotate(rotFromAngle(path.turn), arm) - arm;
+    return std::fabs(path.turn) > kWide || isFast(own.displacement - carried, own.turn - path.turn, info);
+}
+
+std::uint32_t layerOf(const World& world, std::uint32_t body) {
+    if (!isDynamic(world, body)) return kKinematicLayer;
+    return isBullet(world, body) ? kBulletLayer : kFastLayer;
+}
+
+AABB pathBounds(const StepContext& step, const SweptBody& swept) {
+    const float reach = reachOf(step, swept);
+    const Vec2 from = beginOf(swept.sweep), to = from + displacementLeft(swept.sweep), half{reach, reach};
+    return {min(from, to) - half, max(from, to) + half};
+}
+
+void findNextHit(const StepContext& step, std::size_t place, std::vector<std::uint32_t>& found,
+                 DetectionCounts& counts) {
+    const World& world = step.world;
+    const Workspace& work = step.work;
+    SweptBody& swept = step.work.swept[place];
+    const Sweep& sweep = swept.sweep;
+    swept.next = {};
+    if (!isDynamic(world, swept.body) || swept.hits > kMaxHits || sweep.begin >= 1.0f) return;
+    const auto meetAll = [&](std::uint32_t shape) {
+        if (shape == swept.passed) return;
+        const Sweep path = pathOfMet(step, world.shapes.info[shape].body);
+        if (swept.hits == 0 && !isFastBeside(sweep, path, world.bodies.info[swept.body])) return;
+        for (std::uint32_t s = world.bodies.info[swept.body].firstShape; s != kNone;
+             s = world.shapes.info[s].next) {
+            ++counts.swept;
+            meetOnPath(world, {s, sweep, !swept.isHeld}, {shape, path}, swept.next);
+        }
+    };
+    const float reach = reachOf(step, swept);
+    const bool all = isBullet(world, swept.body);
+    found.clear();
+    work.broadPhase->cast(proxiesOf(world), beginOf(sweep), displacementLeft(sweep), {reach, reach},
+                          0xffffffffu, found, all || work.kinematicsAtRest ? Among::All : Among::Static);
+    std::sort(found.begin(), found.end());
+    for (const std::uint32_t shape : found) {
+        const std::uint32_t body = world.shapes.info[shape].body;
+        if (work.bodyScratch[body] == kNone && (all || !isDynamic(world, body))) meetAll(shape);
+    }
+    if (work.sweptProxies.bounds.empty()) return;
+    // Bullets meet everything. What a hit sent another way meets the bullets, which looked at its first path.
+    const std::uint32_t layers =
+        kKinematicLayer | (all || swept.hits > 0 ? kBulletLayer : 0) | (all ? kFastLayer : 0);
+    found.clear();
+    work.sweptProxies.search->cast(work.sweptProxies.view(), beginOf(sweep), displacementLeft(sweep),
+                                   {reach, reach}, layers, found, Among::All);
+    std::sort(found.begin(), found.end());
+    for (const std::uint32_t other : found) {
+        const SweptBody& met = work.swept[other];
+        const AABB near = grown(pathBounds(step, swept), longestPath(world, met));
+        for (std::uint32_t s = world.bodies.info[met.body].firstShape; s != kNone;
+             s = world.shapes.info[s].next) {
+            if (intersects(world.shapes.bounds[s], near)) meetAll(s);
+        }
+    }
+    if (swept.next.met != kNone) swept.next.metHits = hitsOf(work, world.shapes.info[swept.next.met].body);
+}
+
+}  // namespace plumb::physics
