@@ -375,6 +375,7 @@ TEST(BadInput, predictionsAreFiniteWhateverTheTime) {
     const BodyId crate = scene.crate({1.0, 2.0});
     ASSERT_TRUE(setAngularVelocity(scene.world, crate, 3.0f).ok());
     ASSERT_TRUE(setVelocity(scene.world, crate, {5.0f, 5.0f}).ok());
+    ASSERT_TRUE(setDrag(scene.world, crate, 1.0e-3f, 1.0e6f).ok());
     for (const double bad : {kNan, kInf, -kInf, 1.0e30}) {
         const Frame ahead = predictTransform(scene.world, crate, static_cast<float>(bad));
         EXPECT_TRUE(isFinite(ahead.position)) << bad;

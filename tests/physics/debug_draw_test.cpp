@@ -291,6 +291,15 @@ TEST(DebugDraw, aPathEndsWhereAThrownBodyIsASecondLater) {
     EXPECT_NEAR(positionOf(world, body).y, 2.0, 1e-2);
 }
 
+TEST(DebugDraw, aPathBendsByDrag) {
+    World world;
+    const BodyId body = *createBody(world, {.velocity = {4.0f, -6.0f}, .linearDrag = 3.0f});
+    static_cast<void>(createShape(world, body, circle(0.2f)));
+    const Vec2 end = strokesOf(drawn(world, kDrawPaths), DebugRole::Path).back().points[1];
+    for (int i = 0; i < 60; ++i) step(world, 1.0f / 60.0f);
+    EXPECT_NEAR(length(toVec2(positionOf(world, body)) - end), 0.0f, 1e-3f);
+}
+
 TEST(DebugDraw, aTriggerIsTiedToWhoIsInside) {
     World world;
     world.settings.gravity = {};

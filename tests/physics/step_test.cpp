@@ -222,5 +222,52 @@ TEST(Step, aConveyorCarriesAtItsSpeed) {
     EXPECT_NEAR(std::fabs(scene.velocity(crate).x), 2.0f, 0.01f);
 }
 
+TEST(Step, aPredictionIsWhereFreeFlightLeads) {
+    for (std::uint64_t seed = 1; seed <= 60; ++seed) {
+        SCOPED_TRACE(seed);
+        Random random = Random::seeded(seed);
+        const auto drag = [&] { return seed % 4 == 0 ? 0.0f : std::pow(10.0f, random.between(-3.0f, 1.5f)); };
+        Playground scene;
+        scene.world.settings.quality = static_cast<Quality>(random.below(5));
+        BodyDefinition definition{.position = {random.between(-9.0f, 9.0f), 3.0},
+                                  .velocity = {random.between(-9.0f, 9.0f), random.between(-9.0f, 9.0f)},
+                                  .angularVelocity = random.between(-3.0f, 3.0f),
+                                  .gravityScale = random.between(-1.0f, 2.0f),
+                                  .linearDrag = drag(),
+                                  .angularDrag = drag()};
+        if (seed % 10 == 7) definition.kind = BodyKind::Kinematic;
+        const BodyId body = *createBody(scene.world, definition);
+        scene.shape(body, box({0.5f, 0.2f}, {0.3f, 0.1f}));
+        if (seed % 10 != 7) {
+            ASSERT_TRUE(setAcceleration(scene.world, body, {random.between(-5.0f, 5.0f), 1.0f}).ok());
+        }
+        const int ticks = 1 + static_cast<int>(random.below(120));
+        const Frame expected = predictTransform(scene.world, body, kTick * static_cast<float>(ticks));
+        const Vec2 arm = scene.world.bodies.pose[body.index].localCentre;
+        scene.run(ticks);
+        const Vec2 miss = toVec2(centreOf(scene.world, body)) - apply(expected, arm);
+        EXPECT_NEAR(length(miss), 0.0f, 1.0e-4f * (length(expected.position) + 10.0f));
+        // Rotation is integrated by the velocity at the end of each substep.
+        const float substep = kTick / static_cast<float>(1 << scene.world.settings.quality);
+        const float turn = angleOf(between(expected.rotation, rotationOf(scene.world, body)));
+        EXPECT_NEAR(turn, 0.0f, 0.55f * substep * std::fabs(definition.angularVelocity) + 1.0e-3f);
+    }
+}
+
+TEST(Step, aPredictionKeepsToForcesTorquesAndLocks) {
+    Playground scene;
+    scene.world.settings.gravity = {};
+    const BodyId body = scene.crate({0.0, 0.0});
+    ASSERT_TRUE(applyForce(scene.world, body, {6.0f, 8.0f}).ok());
+    ASSERT_TRUE(applyTorque(scene.world, body, 0.5f).ok());
+    setLocks(scene.world, body, false, true);
+    const Frame expected = predictTransform(scene.world, body, kTick);
+    scene.run(1);
+    EXPECT_EQ(expected.position.y, 0.0f);
+    EXPECT_NEAR(expected.position.x, scene.x(body), 1.0e-5);
+    EXPECT_GT(expected.rotation.sin, 0.0f);
+    EXPECT_LE(expected.rotation.sin, rotationOf(scene.world, body).sin);
+}
+
 }  // namespace
 }  // namespace plumb::physics

@@ -1,4 +1,5 @@
 #include "physics/debug/picture.hpp"
+#include "physics/model/bodies.hpp"
 #include "physics/workspace.hpp"
 
 namespace plumb::physics {
@@ -27,14 +28,11 @@ void drawPaths(const Picture& picture) {
     picture.forBodies([&](std::uint32_t body) {
         const Vec2 velocity = world.bodies.motion[body].velocity;
         if (!picture.isDynamic(body) || length(velocity) < world.bodies.info[body].sleepSpeed) return;
-        const BodyDrive& drive = world.bodies.driveOf(body);
-        const Vec2 pull = drive.acceleration + drive.gravityScale * world.settings.gravity +
-                          world.bodies.mass[body].inverseMass * drive.force;
         const Vec2 start = picture.centre(body);
         Vec2 from = start;
         for (int i = 1; i <= kPathLines; ++i) {
             const float time = kPathTime * static_cast<float>(i) / static_cast<float>(kPathLines);
-            const Vec2 to = start + time * velocity + (0.5f * time * time) * pull;
+            const Vec2 to = start + freeMotionOf(world, body, time).displacement;
             picture.canvas.line(from, to, DebugRole::Path);
             from = to;
         }

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "physics/contacts/contacts.hpp"
+#include "physics/effects/drag.hpp"
 #include "physics/islands/sleeping.hpp"
 #include "physics/model/bounds.hpp"
 #include "physics/model/checks.hpp"
@@ -169,20 +170,31 @@ WorldPosition positionOf(const World& world, BodyId body) {
 
 bool isAwake(const World& world, BodyId body) { return world.bodies.info[body.index].place != kNone; }
 
+FreeMotion freeMotionOf(const World& world, std::uint32_t body, float dt) {
+    const BodyInfo& info = world.bodies.info[body];
+    const BodyMotion& motion = world.bodies.motion[body];
+    if (info.kind != BodyKind::Dynamic) return {dt * motion.velocity, dt * motion.angularVelocity};
+    const BodyMass& mass = world.bodies.mass[body];
+    const BodyDrive& drive = world.bodies.driveOf(body);
+    const Vec2 pull =
+        drive.gravityScale * world.settings.gravity + drive.acceleration + mass.inverseMass * drive.force;
+    const float spin = mass.inverseInertia * drive.torque;
+    FreeMotion free{
+        decayOf(drive.linearDrag, dt).drive * motion.velocity + distanceUnder(drive.linearDrag, dt) * pull,
+        decayOf(drive.angularDrag, dt).drive * motion.angularVelocity +
+            distanceUnder(drive.angularDrag, dt) * spin};
+    if ((info.flags & kLockX) != 0) free.displacement.x = 0.0f;
+    if ((info.flags & kLockY) != 0) free.displacement.y = 0.0f;
+    return free;
+}
+
 Frame predictTransform(const World& world, BodyId body, float dt) {
     constexpr float kFarthestAhead = 1.0e6f;  // s
-    dt = std::isnan(dt) ? 0.0f : std::clamp(dt, -kFarthestAhead, kFarthestAhead);
-    const BodyMotion& motion = world.bodies.motion[body.index];
-    const BodyDrive& drive = world.bodies.driveOf(body.index);
+    const FreeMotion free =
+        freeMotionOf(world, body.index, std::isnan(dt) ? 0.0f : std::clamp(dt, 0.0f, kFarthestAhead));
     const BodyPose& pose = world.bodies.pose[body.index];
-    Vec2 displacement = motion.velocity * dt;
-    if (isDynamic(world, body)) {
-        const Vec2 pull = drive.acceleration + drive.gravityScale * world.settings.gravity +
-                          world.bodies.mass[body.index].inverseMass * drive.force;
-        displacement += (0.5f * dt * dt) * pull;
-    }
-    const Rot rotation = normalized(rotFromAngle(motion.angularVelocity * dt) * pose.rotation);
-    return {toVec2(pose.centre + displacement) - rotate(rotation, pose.localCentre), rotation};
+    const Rot rotation = normalized(rotFromAngle(free.angle) * pose.rotation);
+    return {toVec2(pose.centre + free.displacement) - rotate(rotation, pose.localCentre), rotation};
 }
 
 Result<Done> setPosition(World& world, BodyId body, WorldPosition position, float angle) {

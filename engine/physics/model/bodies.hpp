@@ -34,9 +34,15 @@ void destroyBody(World& world, BodyId body);
     return world.bodies.mass[body.index].mass;
 }
 [[nodiscard]] bool isAwake(const World& world, BodyId body);
-/// The pose after dt (s) if only gravity, the body's own acceleration and the forces applied for the next
-/// step acted on it. Predicts at most a million seconds; a NaN dt counts as 0.
+/// The pose after dt (s, 0 to a million; NaN counts as 0) if only gravity, drag, the body's own acceleration
+/// and the forces and torques applied for the next step acted on it, all that time.
 [[nodiscard]] Frame predictTransform(const World& world, BodyId body, float dt);
+/// The same as the displacement of its center of mass (m) and the angle (rad) by which it rotates.
+struct FreeMotion {
+    Vec2 displacement;
+    float angle = 0.0f;
+};
+[[nodiscard]] FreeMotion freeMotionOf(const World& world, std::uint32_t body, float dt);
 
 // Setters. They return an error for values that are not finite or out of range, and then change nothing. A
 // setter that moves or accelerates a body wakes it.

@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "physics/effects/drag.hpp"
 #include "physics/effects/forces.hpp"
 #include "physics/islands/sleeping.hpp"
 #include "physics/model/bodies.hpp"
@@ -71,22 +72,16 @@ bool flies(const World& world, const Workspace& work, std::uint32_t body) {
     return work.colourMasks[body] == 0 && world.bodies.info[body].firstJoint == kNone;
 }
 
-/// Part of a steady drive that is left of it when drag works against it for h, as gatherBodies() has it.
-float driveLeft(float keep, float drag, float h) {
-    const float x = drag * h;
-    return x < 1.0e-4f ? 1.0f - 0.5f * x : (1.0f - keep) / x;
-}
-
+/// Part of a steady drive that is left of it by drag, as gatherBodies() has it.
 struct DriveScale {
     float linear = 1.0f;
     float angular = 1.0f;
 };
 
-DriveScale scaleOf(const StepContext& step, std::size_t slot, std::uint32_t body, float h) {
+DriveScale scaleOf(const StepContext& step, std::uint32_t body, float h) {
     if (step.work.keep.empty()) return {};
     const BodyDrive& drive = step.world.bodies.driveOf(body);
-    const Float4& keep = step.work.keep[slot];
-    return {driveLeft(keep.x, drive.linearDrag, h), driveLeft(keep.z, drive.angularDrag, h)};
+    return {decayOf(drive.linearDrag, h).drive / h, decayOf(drive.angularDrag, h).drive / h};
 }
 
 /// A guess where another body is: the step has not begun.
@@ -97,7 +92,7 @@ void drive(StepContext& step, std::size_t slot, std::uint32_t body, float h) {
     const FieldView view{step.world, step.dt, stateNow};
     const Acceleration pull =
         accelerationAt(view, step.work.smooth.fieldsOf(slot), body, stateAtStart(step.world, body));
-    const DriveScale scale = scaleOf(step, slot, body, h);
+    const DriveScale scale = scaleOf(step, body, h);
     Float4& row = step.work.drive[slot];
     row.x += scale.linear * pull.linear.x;
     row.y += scale.linear * pull.linear.y;
@@ -106,7 +101,7 @@ void drive(StepContext& step, std::size_t slot, std::uint32_t body, float h) {
 
 void launch(StepContext& step, std::size_t slot, std::uint32_t body, float h) {
     SmoothForces& smooth = step.work.smooth;
-    const DriveScale scale = scaleOf(step, slot, body, h);
+    const DriveScale scale = scaleOf(step, body, h);
     const Float4& row = step.work.drive[slot];
     Flyer flyer;
     flyer.slot = static_cast<std::uint32_t>(slot);

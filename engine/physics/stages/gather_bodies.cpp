@@ -1,6 +1,6 @@
 #include <algorithm>
 
-#include "math/portable.hpp"
+#include "physics/effects/drag.hpp"
 #include "physics/islands/quality.hpp"
 #include "physics/islands/sleeping.hpp"
 #include "physics/stages.hpp"
@@ -12,26 +12,12 @@ namespace {
 
 constexpr int kGrain = 512;
 
-/// What drag leaves of a speed after h seconds, and how that changes the way: v' = -k v + a, solved exactly.
-struct Decay {
-    float keep;   // ratio of the speed that is left
-    float drive;  // s: speed gained by 1 m/s2
-};
-
-Decay decayOf(float drag, float h) {
-    const float x = drag * h;
-    if (x < 1.0e-4f) return {1.0f - x, h * (1.0f - 0.5f * x)};
-    const float keep = exponential(-x);
-    return {keep, (1.0f - keep) / drag};
-}
-
 /// The exact way of free flight over h, as what is to be added to `z * (velocity at the end)`.
 Float4 flightOf(const Float4& drive, const Decay& decay, float drag, float h) {
     // x = v0 D + a (h - D) / k with D = decay.drive; v1 = v0 keep + a D. Without drag: x = v1 h - a h2 / 2.
-    if (drag * h < 1.0e-4f || decay.keep <= 0.0f)
-        return {-0.5f * h * h * drive.x, -0.5f * h * h * drive.y, h, 0.0f};
+    if (decay.keep <= 0.0f) return {-0.5f * h * h * drive.x, -0.5f * h * h * drive.y, h, 0.0f};
     const float along = decay.drive / decay.keep;
-    const float rest = (h - decay.drive) / drag - decay.drive * along;
+    const float rest = distanceUnder(drag, h) - decay.drive * along;
     return {rest * drive.x, rest * drive.y, along, 0.0f};
 }
 
