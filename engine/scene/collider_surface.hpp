@@ -15,7 +15,7 @@ struct ColliderSurface {
     float friction = -1.0f;            ///< 0 is ice; negative takes the RigidBody's, or else 0.6
     float bounciness = -1.0f;          ///< ratio of the speed that comes back; negative takes the RigidBody's
     float density = 1.0f;              ///< how much of the body's mass it has, beside its other colliders
-    float surfaceSpeed = 0.0f;         ///< px/s along the surface, as a conveyor belt
+    float surfaceSpeed = 0.0f;         ///< px/s, as a conveyor belt; above 0 what lies on it goes right
 };
 
 template <class T>

@@ -222,6 +222,32 @@ TEST(Step, aConveyorCarriesAtItsSpeed) {
     EXPECT_NEAR(std::fabs(scene.velocity(crate).x), 2.0f, 0.01f);
 }
 
+TEST(Step, aPositiveSurfaceSpeedGoesTheWayFromXToYAroundTheShape) {
+    // On each side of a block, pressed against it, whichever of both has the belt's speed.
+    for (const Vec2 outward : {Vec2{1.0f, 0.0f}, Vec2{0.0f, 1.0f}, Vec2{-1.0f, 0.0f}, Vec2{0.0f, -1.0f}}) {
+        const Vec2 along{-outward.y, outward.x};
+        for (const bool movesBelt : {false, true}) {
+            Playground scene;
+            scene.world.settings.gravity = -10.0f * outward;
+            const BodyId block = scene.body(BodyKind::Static, {0.0, 0.0});
+            scene.shape(block, box({20.0f, 20.0f}), {.surfaceSpeed = movesBelt ? 0.0f : 2.0f});
+            const BodyId crate = scene.body(BodyKind::Dynamic, WorldPosition{} + 20.5f * outward);
+            scene.shape(crate, box({0.5f, 0.5f}), {.surfaceSpeed = movesBelt ? 2.0f : 0.0f});
+            scene.run(60);
+            // Its own belt drives the crate the other way: that below it goes the same way around the crate.
+            EXPECT_NEAR(dot(scene.velocity(crate), along), 2.0f, 0.01f) << outward.x << " " << outward.y;
+        }
+    }
+    // With y down, things on a belt go to the right.
+    World world;
+    const BodyId belt = addBody(world, BodyKind::Static, {0.0, 1.0});
+    ASSERT_TRUE(createShape(world, belt, box({50.0f, 1.0f}), {.surfaceSpeed = 2.0f}).ok());
+    const BodyId crate = addBody(world, BodyKind::Dynamic, {0.0, -0.5});
+    ASSERT_TRUE(createShape(world, crate, box({0.5f, 0.5f})).ok());
+    for (int i = 0; i < 60; ++i) step(world, kTick);
+    EXPECT_NEAR(velocityOf(world, crate).x, 2.0f, 0.01f);
+}
+
 TEST(Step, aPredictionIsWhereFreeFlightLeads) {
     for (std::uint64_t seed = 1; seed <= 60; ++seed) {
         SCOPED_TRACE(seed);

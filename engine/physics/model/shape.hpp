@@ -13,11 +13,13 @@ inline constexpr std::uint32_t kOwnSurfaces = 1u << 28;
 
 /// Material and collision filter of a shape; its outline is a Geometry.
 struct ShapeDefinition {
-    float density = 1.0f;              ///< kg/m2; 0 adds no mass
-    float friction = 0.6f;             ///< Coulomb coefficient; a contact uses the geometric mean of the two
-    float bounciness = 0.0f;           ///< coefficient of restitution; a contact uses the larger of the two
-    float rollingResistance = 0.0f;    ///< ratio to the radius; a contact uses the larger of the two
-    float surfaceSpeed = 0.0f;         ///< m/s along the surface, as of a conveyor belt
+    float density = 1.0f;            ///< kg/m2; 0 adds no mass
+    float friction = 0.6f;           ///< Coulomb coefficient; a contact uses the geometric mean of the two
+    float bounciness = 0.0f;         ///< coefficient of restitution; a contact uses the larger of the two
+    float rollingResistance = 0.0f;  ///< ratio to the radius; a contact uses the larger of the two
+    /// m/s along the surface, as of a conveyor belt: positive moves what touches it along its outward normal
+    /// rotated from x towards y. So with y down what lies on it goes to the right, with y up to the left.
+    float surfaceSpeed = 0.0f;
     std::uint32_t layers = 1;          ///< bits: the layers that it is on
     std::uint32_t mask = 0xffffffffu;  ///< bits: the layers that it collides with; both shapes must agree
     std::int32_t group = 0;  ///< two shapes of the same group collide always (above 0) or never (below 0)
