@@ -11,5 +11,6 @@ inline constexpr float kSmallest = 1.0e-4f;   ///< m: smaller sizes are lost in 
 inline constexpr float kFastest = 1.0e6f;     ///< m/s, rad/s, and the same per second
 inline constexpr float kStrongest = 1.0e15f;  ///< N, N m, N s, kg
 inline constexpr float kRoughest = 100.0f;    ///< Coulomb coefficient
+inline constexpr int kMaxIterations = 64;     ///< of the velocities, per substep
 
 }  // namespace plumb::physics

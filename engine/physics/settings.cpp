@@ -22,6 +22,7 @@ void bringIntoRange(Settings& settings) {
     settings.gravity = {usable(settings.gravity.x, -kFastest, kFastest, usual.gravity.x),
                         usable(settings.gravity.y, -kFastest, kFastest, usual.gravity.y)};
     settings.quality = std::clamp(settings.quality, Quality{0}, kMaxQuality);
+    settings.iterations = static_cast<std::uint8_t>(std::clamp<int>(settings.iterations, 1, kMaxIterations));
     for (float Settings::*const member :
          {&Settings::contactStiffness, &Settings::jointStiffness, &Settings::contactDampingRatio,
           &Settings::jointDampingRatio, &Settings::pushSpeed, &Settings::deepPushRate, &Settings::slop,

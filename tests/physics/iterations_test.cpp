@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include <gtest/gtest.h>
 
 #include "joint_world.hpp"
@@ -32,6 +34,15 @@ TEST(Iterations, areOneAtLeastAndSixtyFourAtMost) {
     EXPECT_EQ(stretchAfter(0, 0.5f), stretchAfter(1, 0.5f));
     EXPECT_EQ(stretchAfter(255, 0.5f), stretchAfter(64, 0.5f));
     EXPECT_NE(stretchAfter(2, 0.5f), stretchAfter(1, 0.5f));
+}
+
+TEST(Iterations, areBroughtIntoTheirRangeInTheSettings) {
+    for (const int bad : {0, 1, 7, 64, 65, 255}) {
+        Settings settings;
+        settings.iterations = static_cast<std::uint8_t>(bad);
+        bringIntoRange(settings);
+        EXPECT_EQ(settings.iterations, std::clamp(bad, 1, 64));
+    }
 }
 
 TEST(Iterations, giveAPendulumNoEnergyWhateverHoldsIt) {

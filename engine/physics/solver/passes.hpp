@@ -12,7 +12,6 @@ namespace plumb::physics {
 
 inline constexpr int kBlockGrain = 24;
 inline constexpr int kBodyGrain = 1024;
-inline constexpr int kMaxIterations = 64;
 inline constexpr float kGroundStiffness =
     2.0f;  ///< ratio to Settings::contactStiffness: the ground does not give way
 

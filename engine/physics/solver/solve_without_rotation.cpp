@@ -117,13 +117,7 @@ void solveWithoutRotation(StepContext& step) {
         const SolveGroup& group = *place;
         const float h = step.dt / static_cast<float>(group.substeps);
         contacts.startGroup(settings, h);
-        Solver solver{step,
-                      kernels,
-                      group,
-                      bodiesOf(work),
-                      contacts,
-                      h,
-                      std::clamp<int>(settings.iterations, 1, kMaxIterations)};
+        Solver solver{step, kernels, group, bodiesOf(work), contacts, h, settings.iterations};
         solveGroup(solver);
         if (step.isWithoutRotation() && step.runs(Effect::Kinematics)) turnBodies(solver);
     }

@@ -134,7 +134,7 @@ void solveWithRotation(StepContext& step) {
                       contacts,
                       jointPass(settings, h),
                       h,
-                      std::clamp<int>(settings.iterations, 1, kMaxIterations),
+                      int{settings.iterations},
                       solvesTrees(step.world, work)};
         solveGroup(solver);
     }
