@@ -26,7 +26,7 @@ constexpr Part kParts[] = {
 
 }  // namespace
 
-const Workspace* lastStepOf(World& world) { return world.work.stale() ? nullptr : &world.work.get(); }
+const Workspace* lastStepOf(const World& world) { return world.work.lastStep(); }
 
 void debugDraw(const World& world, DebugCanvas& canvas, const DebugChoice& choice) {
     const Picture picture{world, canvas, choice};

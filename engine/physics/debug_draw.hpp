@@ -97,7 +97,7 @@ struct DebugChoice {
 };
 
 /// Workspace of the last step of a world; null if the world was copied or loaded since.
-[[nodiscard]] const Workspace* lastStepOf(World& world);
+[[nodiscard]] const Workspace* lastStepOf(const World& world);
 
 /// Draws the current state of a world, in the order of indices. Changes nothing, allocates nothing.
 void debugDraw(const World& world, DebugCanvas& canvas, const DebugChoice& choice);

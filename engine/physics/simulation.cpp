@@ -122,7 +122,8 @@ std::uint64_t runsOf(World& world, std::string_view stage) {
 
 // A world at rest returns early from step(), so the counts would be those of the last step with motion.
 DetectionCounts detectionOf(World& world) {
-    return world.awake.empty() || world.work.stale() ? DetectionCounts{} : world.work.get().counts;
+    const Workspace* work = world.work.lastStep();
+    return world.awake.empty() || work == nullptr ? DetectionCounts{} : work->counts;
 }
 
 std::uint64_t runsOf(World& world, Effect effect) {
@@ -149,6 +150,7 @@ void step(World& world, float dt, const StepOptions& options) {
         stage.run(context);
     }
     countEffects(context.work);
+    world.work.noteStep();
 }
 
 }  // namespace plumb::physics

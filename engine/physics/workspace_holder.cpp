@@ -7,12 +7,12 @@ namespace plumb::physics {
 WorkspaceHolder::WorkspaceHolder() = default;
 WorkspaceHolder::~WorkspaceHolder() = default;
 WorkspaceHolder::WorkspaceHolder(const WorkspaceHolder&) {}
-WorkspaceHolder& WorkspaceHolder::operator=(const WorkspaceHolder&) { return stale_ = true, *this; }
+WorkspaceHolder& WorkspaceHolder::operator=(const WorkspaceHolder&) { return state_ = State::Stale, *this; }
 WorkspaceHolder::WorkspaceHolder(WorkspaceHolder&& other) noexcept
-    : workspace_{std::move(other.workspace_)}, stale_{std::exchange(other.stale_, true)} {}
+    : workspace_{std::move(other.workspace_)}, state_{std::exchange(other.state_, State::Stale)} {}
 WorkspaceHolder& WorkspaceHolder::operator=(WorkspaceHolder&& other) noexcept {
     workspace_ = std::move(other.workspace_);
-    stale_ = std::exchange(other.stale_, true);
+    state_ = std::exchange(other.state_, State::Stale);
     return *this;
 }
 

@@ -21,14 +21,23 @@ public:
     /// Created on first use.
     Workspace& get();
     /// Workspace of the last step; null if there was none since the world was created, copied or overwritten.
-    [[nodiscard]] const Workspace* lastStep() const { return stale_ ? nullptr : workspace_.get(); }
+    [[nodiscard]] const Workspace* lastStep() const {
+        return state_ == State::Stepped ? workspace_.get() : nullptr;
+    }
+    /// To be called at the end of a step.
+    void noteStep() {
+        if (!stale()) state_ = State::Stepped;
+    }
     /// True once after the world was created or overwritten.
-    bool takeStale() { return std::exchange(stale_, false); }
-    [[nodiscard]] bool stale() const { return stale_; }
+    bool takeStale() { return stale() && (state_ = State::Refilled, true); }
+    [[nodiscard]] bool stale() const { return state_ == State::Stale; }
 
 private:
+    /// A query refills what it needs, such as the broad phase, and leaves the rest as it was.
+    enum class State : unsigned char { Stale, Refilled, Stepped };
+
     std::unique_ptr<Workspace> workspace_;
-    bool stale_ = true;
+    State state_ = State::Stale;
 };
 
 }  // namespace plumb::physics

@@ -6,6 +6,7 @@
 
 #include "physics/model/fields.hpp"
 #include "physics/model/shapes.hpp"
+#include "physics/queries/ray_cast.hpp"
 #include "physics/soft/softbody.hpp"
 #include "physics/workspace.hpp"
 #include "recording_canvas.hpp"
@@ -386,6 +387,30 @@ TEST(DebugDraw, theRegionsOfEveryBroadPhaseHoldAllBoxesBetweenThem) {
         const bool hasStrays = kind == BroadPhaseKind::Grid || kind == BroadPhaseKind::SweepAndPrune;
         EXPECT_LE(homeless, hasStrays ? 30u : 0u);
     }
+}
+
+TEST(DebugDraw, ofAWorldThatWasOverwrittenTheLastStepIsUnknownUntilTheNext) {
+    const World crowd = makePit(60, 2);
+    World world = makePit(3, 1);
+    ASSERT_TRUE(setQuality(world, {1, 1}, 4));  // two groups: bodies are looked up by index
+    for (int i = 0; i < 60; ++i) step(world, 1.0f / 60.0f);
+    EXPECT_NE(lastStepOf(world), nullptr);
+    EXPECT_GT(detectionOf(world).touching, 0);
+    World later = crowd;
+    for (int i = 0; i < 60; ++i) step(later, 1.0f / 60.0f);
+    world = later;
+    // A query refills a part of the workspace.
+    static_cast<void>(castRay(world, {0.0, 50.0}, {0.0f, -60.0f}));
+    EXPECT_EQ(lastStepOf(world), nullptr);
+    EXPECT_EQ(detectionOf(world).touching, 0);
+    World copy = world;
+    EXPECT_EQ(strokesOf(drawn(world, kDrawAll), DebugRole::Sweep).size(), 0u);
+    EXPECT_EQ(drawn(world, kDrawImpulses).strokes.size(), drawn(copy, kDrawImpulses).strokes.size());
+    step(world, 1.0f / 60.0f);
+    EXPECT_NE(lastStepOf(world), nullptr);
+    World moved = std::move(world);
+    EXPECT_NE(lastStepOf(moved), nullptr);
+    EXPECT_EQ(lastStepOf(world), nullptr);  // NOLINT(bugprone-use-after-move)
 }
 
 TEST(DebugDraw, fieldsShowWhereTheyActAndWhatTheyPull) {
