@@ -80,6 +80,13 @@ struct AxisLock {
     std::uint8_t flags = 0;  ///< kLockX, kLockY
 };
 
+/// Sum of the normal impulses of a contact over the substeps: step_impulses.hpp.
+struct ImpulseSum {
+    const float* points[2];  ///< N s: current impulses in its block; null without a second point
+    float last = 0.0f;       ///< N s: both, when they were last added
+    std::int32_t contact = 0;
+};
+
 /// Number of contacts between a chain and something that touches it (chain_events.hpp).
 struct ChainTouch {
     PairKey pair = 0;
@@ -197,6 +204,8 @@ struct Workspace {
     std::vector<RollingBlock> rollings;  ///< parallel to contactBlocks, if something resists rolling
     std::vector<RollingBlock> fixedRollings;
     std::vector<AxisLock> locks;
+    std::vector<ImpulseSum> impulseSums;  ///< of the group that is solved
+    std::vector<float> stepImpulses;      ///< N s, by contact: of all substeps, if it causes an event
     JointWork joints;
     SoftSurroundings softSurroundings;
     SoftSoftContacts softSoftContacts;

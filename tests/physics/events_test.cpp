@@ -45,6 +45,87 @@ TEST(Events, aCrateThatFallsTouchesOnceAndStays) {
     EXPECT_GT(events.stayed, 60);
 }
 
+/// N s: of all events of a step.
+float impulseOf(const World& world) {
+    float sum = 0.0f;
+    for (const ContactEvent& event : world.events) sum += event.impulse;
+    return sum;
+}
+
+TEST(Events, theImpulseOfAnImpactIsTheWholeOneAtEveryQuality) {
+    for (std::uint64_t seed = 1; seed <= 200; ++seed) {
+        SCOPED_TRACE(seed);
+        Random random = Random::seeded(seed);
+        Playground scene;
+        scene.world.settings.gravity = {};
+        scene.world.settings.quality = static_cast<Quality>(seed % 5);
+        scene.world.settings.continuous = random.below(4) != 0;
+        const float bounciness = random.below(3) == 0 ? 0.0f : random.between(0.1f, 1.0f);
+        scene.floor({.friction = seed % 2 == 0 ? 0.0f : 0.6f});
+        // Those that cannot rotate go through kernels of their own.
+        const float speed = random.between(1.5f, 40.0f);
+        const BodyId body = *createBody(scene.world, {.position = {0.0, 0.6 + random.unit()},
+                                                      .velocity = {0.0f, -speed},
+                                                      .fixedRotation = random.below(2) == 0,
+                                                      .bullet = random.below(4) == 0});
+        const bool isBall = random.below(2) == 0;
+        const ShapeDefinition definition{.density = random.between(0.1f, 10.0f), .bounciness = bounciness};
+        scene.shape(body, isBall ? circle(0.5f) : box({0.5f, 0.5f}), definition);
+        const Vec2 before = scene.velocity(body);
+        while (scene.world.events.empty()) scene.run(1);
+        ASSERT_EQ(scene.world.events.size(), 1u);
+        EXPECT_EQ(scene.world.events[0].phase, ContactPhase::Began);
+        const float change = massOf(scene.world, body) * (scene.velocity(body).y - before.y);
+        EXPECT_NEAR(scene.world.events[0].impulse, change, 1.0e-3f * change);
+        EXPECT_GT(scene.world.events[0].impulse,
+                  (1.0f + bounciness) * massOf(scene.world, body) * speed * 0.98f);
+    }
+}
+
+TEST(Events, theImpulseUnderWhatRestsIsItsWeightAtEveryQuality) {
+    for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+        SCOPED_TRACE(seed);
+        Random random = Random::seeded(seed);
+        Playground scene;
+        scene.world.settings.stayEvents = true;
+        scene.world.settings.quality = static_cast<Quality>(seed % 5);
+        // Of several pieces with one surface: one event.
+        const BodyId ground = scene.body(BodyKind::Static, {0.0, -1.0});
+        const float width = random.between(0.4f, 3.0f);
+        for (int i = -4; i < 4; ++i)
+            scene.shape(ground, box({0.5f * width, 1.0f}, {width * static_cast<float>(i), 0.0f}),
+                        {.surface = seed % 2 == 0 ? 7u : 0u});
+        const BodyId crate =
+            *createBody(scene.world, {.position = {0.0, 0.5}, .fixedRotation = random.below(2) == 0});
+        scene.shape(crate, box({0.7f, 0.5f}), {.density = random.between(0.1f, 10.0f)});
+        scene.run(240);
+        const float weight = 10.0f * massOf(scene.world, crate) * kTick;
+        EXPECT_NEAR(impulseOf(scene.world), weight, 2.0e-3f * weight);
+        if (seed % 2 == 0) {
+            EXPECT_EQ(scene.world.events.size(), 1u);
+        }
+    }
+}
+
+TEST(Events, theImpulsesOfABreakAreTheWholeOnes) {
+    // A row of balls passes the blow on within the step; each is pushed by one neighbor and pushes the other.
+    Playground scene;
+    scene.world.settings.gravity = {};
+    std::vector<BodyId> row;
+    for (int i = 0; i < 5; ++i) row.push_back(scene.ball({1.0 * i, 0.0}, 0.5f, {.bounciness = 1.0f}));
+    const BodyId cue = scene.ball({-3.05, 0.0}, 0.5f, {.bounciness = 1.0f});
+    ASSERT_TRUE(setVelocity(scene.world, cue, {6.0f, 0.0f}).ok());
+    const float whole = 6.0f * massOf(scene.world, cue);
+    scene.world.settings.stayEvents = true;
+    float largest = 0.0f;
+    for (int i = 0; i < 60; ++i) {
+        scene.run(1);
+        for (const ContactEvent& event : scene.world.events) largest = std::max(largest, event.impulse);
+    }
+    EXPECT_GT(scene.velocity(row.back()).x, 5.9f);
+    EXPECT_NEAR(largest, whole, 0.02f * whole);
+}
+
 TEST(Events, aTriggerTellsWhoEntersAndLeavesAndStopsNobody) {
     Playground scene;
     const BodyId door = scene.body(BodyKind::Static, {0.0, 0.0});

@@ -28,12 +28,14 @@ struct Outcome {
     std::int32_t count = 0;  // of contacts
     const ContactEvent* first = nullptr;
     const ContactEvent* last = nullptr;
+    float impulse = 0.0f;  // N s
 };
 
 void publish(World& world, std::int32_t before, const Outcome& now) {
     const auto add = [&](const ContactEvent& event, ContactPhase phase) {
         world.events.push_back(event);
         world.events.back().phase = phase;
+        world.events.back().impulse = now.impulse;
     };
     if (before == 0 && now.count > 0) return add(*now.first, ContactPhase::Began);
     if (before > 0 && now.count == 0) return add(*now.last, ContactPhase::Ended);
@@ -48,9 +50,10 @@ constexpr std::int32_t stepOf(ContactPhase phase) {
 
 }  // namespace
 
-void report(World& world, Workspace& work, const Contact& contact, ContactPhase phase) {
+void report(World& world, Workspace& work, const Contact& contact, ContactPhase phase, float impulse) {
     if (!isReported(world, contact)) return;
-    const ContactEvent event = eventOf(world, contact, phase);
+    ContactEvent event = eventOf(world, contact, phase);
+    event.impulse = impulse;
     if (!isOfSurface(world, contact)) {
         world.events.push_back(event);
         return;
@@ -80,6 +83,7 @@ void publishSurfaces(World& world, Workspace& work) {
         for (; change != changes.end() && change->pair == pair; ++change) {
             now.count += stepOf(change->event.phase);
             now.last = &change->event;
+            now.impulse += change->event.impulse;
         }
         now.count = std::max(now.count, 0);
         publish(world, before, now);

@@ -11,7 +11,8 @@ namespace plumb::physics {
 
 /// Makes an event of what happened to a contact, if it is reported: at once, or for chains in
 /// publishSurfaces().
-void report(World& world, Workspace& work, const Contact& contact, ContactPhase phase);
+/// @param impulse  N s, see ContactEvent
+void report(World& world, Workspace& work, const Contact& contact, ContactPhase phase, float impulse = 0.0f);
 
 /// Makes the events of chains. Part of publishEvents().
 void publishSurfaces(World& world, Workspace& work);

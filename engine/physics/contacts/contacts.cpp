@@ -494,7 +494,6 @@ ContactEvent eventOf(const World& world, const Contact& contact, ContactPhase ph
     event.isTrigger = (contact.flags & kTriggered) != 0;
     event.normal = contact.normal;
     event.point = toVec2(a.centre + rotate(a.rotation, pointOf(world, contact, 0)));
-    event.impulse = std::fabs(contact.impulse0) + std::fabs(contact.impulse1);
     return event;
 }
 

@@ -88,9 +88,13 @@ struct ContactEvent {
     ShapeId shapeB;
     ContactPhase phase = ContactPhase::Began;
     bool isTrigger = false;
-    Vec2 normal;           ///< unit length, in the world, from a to b
-    Vec2 point;            ///< m, in the world; float, so it is accurate near the origin only
-    float impulse = 0.0f;  ///< N s, along the normal, of the last substep: sum of both points
+    Vec2 normal;  ///< unit length, in the world, from a to b
+    Vec2 point;   ///< m, in the world; float, so it is accurate near the origin only
+    /// N s along the normal, of both points, summed over the step; 0 when Ended. A contact begins up to
+    /// Settings::speculativeDistance before the shapes meet, so what is slower than that per step may have
+    /// its impact in the next step. Of a surface it is the sum over its contacts that have an event in this
+    /// step.
+    float impulse = 0.0f;
 };
 
 }  // namespace plumb::physics

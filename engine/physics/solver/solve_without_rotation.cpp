@@ -4,6 +4,7 @@
 
 #include "physics/solver/locks.hpp"
 #include "physics/solver/passes.hpp"
+#include "physics/solver/step_impulses.hpp"
 
 namespace plumb::physics {
 
@@ -66,6 +67,7 @@ void solveGroup(Solver& solver) {
                   [&](int begin, int end) { solver.kernels.movePlain(bodies, begin, end); });
         iterate(solver,
                 [&](const auto& contacts, int begin, int end) { contacts.relax(bodies, begin, end); });
+        addImpulses(solver.step.work);
     }
 }
 
@@ -117,6 +119,7 @@ void solveWithoutRotation(StepContext& step) {
         const SolveGroup& group = *place;
         const float h = step.dt / static_cast<float>(group.substeps);
         contacts.startGroup(settings, h);
+        startImpulseSums(step, group);
         Solver solver{step, kernels, group, bodiesOf(work), contacts, h, settings.iterations};
         solveGroup(solver);
         if (step.isWithoutRotation() && step.runs(Effect::Kinematics)) turnBodies(solver);

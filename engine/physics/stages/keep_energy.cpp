@@ -311,6 +311,7 @@ void forgetImpulses(World& world, Workspace& work) {
         Contact& contact = world.contacts[i];
         if (!accountOf(world, work, contact.bodyA, contact.bodyB).isWild) continue;
         contact.impulse0 = contact.impulse1 = contact.frictionImpulse = contact.rollingImpulse = 0.0f;
+        if (i < work.stepImpulses.size()) work.stepImpulses[i] = 0.0f;
     }
 }
 

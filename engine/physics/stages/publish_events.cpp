@@ -12,7 +12,9 @@ void publishEvents(StepContext& step) {
         if (!began && !world.settings.stayEvents) continue;
         const Contact& contact = world.contacts[i];
         if ((contact.flags & kTouching) == 0) continue;
-        report(world, step.work, contact, began ? ContactPhase::Began : ContactPhase::Stayed);
+        const std::vector<float>& impulses = step.work.stepImpulses;
+        report(world, step.work, contact, began ? ContactPhase::Began : ContactPhase::Stayed,
+               i < impulses.size() ? impulses[i] : 0.0f);
     }
     publishSurfaces(world, step.work);
 }

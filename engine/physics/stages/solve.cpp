@@ -6,6 +6,7 @@
 #include "physics/solver/restitution.hpp"
 #include "physics/solver/rolling.hpp"
 #include "physics/solver/solve_without_rotation.hpp"
+#include "physics/solver/step_impulses.hpp"
 #include "physics/stages.hpp"
 #include "physics/trees/joint_tree_builder.hpp"
 #include "physics/trees/joint_tree_solver.hpp"
@@ -108,9 +109,11 @@ void solveGroup(Solver& solver) {
                   [&](int begin, int end) { move(solver.bodies, solver.h, begin, end); });
         relaxOften(solver, i);
         noteLargestImpulses(solver.step, solver.group);
+        addImpulses(solver.step.work);
         noteJointForces(solver.step, solver.group, 1.0f / solver.h);
     }
     applyRestitution(solver.step, solver.group);
+    finishImpulseSums(solver.step.work);
     lockAxes(solver.step, solver.group, solver.step.work.velocity);
 }
 
@@ -127,6 +130,7 @@ void solveWithRotation(StepContext& step) {
         if (group.withoutRotation) break;
         const float h = step.dt / static_cast<float>(group.substeps);
         contacts.startGroup(settings, h);
+        startImpulseSums(step, group);
         Solver solver{step,
                       kernels,
                       group,
@@ -146,6 +150,7 @@ void solveWithRotation(StepContext& step) {
 }  // namespace
 
 void solve(StepContext& step) {
+    clearImpulseSums(step);
     prepareLocks(step);
     const std::vector<SolveGroup>& groups = step.work.groups;
     if (groups.empty() || !groups.front().withoutRotation) solveWithRotation(step);

@@ -236,6 +236,8 @@ void beginHits(StepContext& step) {
             work.contactKeys.push_back(keyOf(world.contacts[work.contactKeys.size()]));
         beginContact(world, work, index);
         work.contactKeys[index] = keyOf(world.contacts[index]);
+        if (work.stepImpulses.size() <= index) work.stepImpulses.resize(index + 1);
+        work.stepImpulses[index] = std::fabs(contact.impulse0) + std::fabs(contact.impulse1);
     };
     for (std::size_t i = 0; i < world.contacts.size(); ++i) {
         const Contact& contact = world.contacts[i];

@@ -1,0 +1,82 @@
+#include "physics/solver/step_impulses.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace plumb::physics {
+
+namespace {
+
+template <class Block>
+ImpulseSum sumOf(const Block& block, std::size_t lane, std::int32_t contact) {
+    if constexpr (requires { block.points; }) {
+        return {{&block.points[0].impulse[lane], &block.points[1].impulse[lane]}, 0.0f, contact};
+    } else {
+        return {{&block.impulse[lane], nullptr}, 0.0f, contact};
+    }
+}
+
+float impulseOf(const ImpulseSum& sum) {
+    return std::fabs(*sum.points[0]) + (sum.points[1] != nullptr ? std::fabs(*sum.points[1]) : 0.0f);
+}
+
+template <class Block>
+void startBlocks(StepContext& step, const std::vector<Block>& blocks, const std::vector<BlockLanes>& lanes,
+                 std::int32_t begin, std::int32_t end) {
+    Workspace& work = step.work;
+    for (auto n = static_cast<std::size_t>(begin); n < static_cast<std::size_t>(end); ++n) {
+        for (std::size_t i = 0; i < static_cast<std::size_t>(lanes[n].count); ++i) {
+            const std::int32_t contact = lanes[n].contact[i];
+            const std::uint16_t key = work.contactKeys[static_cast<std::size_t>(contact)];
+            if (step.world.settings.stayEvents || (key & kKeyBegan) != 0)
+                work.impulseSums.push_back(sumOf(blocks[n], i, contact));
+        }
+    }
+}
+
+template <class Two, class Fixed>
+void startGroup(StepContext& step, const SolveGroup& group, const std::vector<Two>& two,
+                const std::vector<Fixed>& fixed) {
+    for (const ColourBlocks& colour : group.colours) {
+        startBlocks(step, two, step.work.contactLanes, colour.contactBegin, colour.contactEnd);
+        startBlocks(step, fixed, step.work.fixedLanes, colour.fixedBegin, colour.fixedEnd);
+    }
+}
+
+}  // namespace
+
+void clearImpulseSums(StepContext& step) {
+    const std::vector<std::uint16_t>& keys = step.work.contactKeys;
+    std::uint32_t any = step.world.settings.stayEvents ? kKeyBegan : 0;
+    for (const std::uint16_t key : keys) any |= key;
+    const bool sums = step.runs(Effect::ContactEvents) && (any & kKeyBegan) != 0;
+    step.work.stepImpulses.assign(sums ? keys.size() : 0, 0.0f);
+}
+
+void startImpulseSums(StepContext& step, const SolveGroup& group) {
+    Workspace& work = step.work;
+    work.impulseSums.clear();
+    if (work.stepImpulses.empty()) return;
+    if (group.withoutRotation) {
+        startGroup(step, group, work.blocksWithoutRotation, work.fixedBlocksWithoutRotation);
+    } else {
+        startGroup(step, group, work.contactBlocks, work.fixedBlocks);
+    }
+}
+
+void addImpulses(Workspace& work) {
+    for (ImpulseSum& sum : work.impulseSums) {
+        sum.last = impulseOf(sum);
+        work.stepImpulses[static_cast<std::size_t>(sum.contact)] += sum.last;
+    }
+}
+
+void finishImpulseSums(Workspace& work) {
+    for (const ImpulseSum& sum : work.impulseSums) {
+        float& all = work.stepImpulses[static_cast<std::size_t>(sum.contact)];
+        // An impact chain has taken back the impulses of the substeps: simultaneous_impacts.cpp.
+        all = std::signbit(*sum.points[0]) ? -*sum.points[0] : all + (impulseOf(sum) - sum.last);
+    }
+}
+
+}  // namespace plumb::physics
