@@ -145,8 +145,8 @@ struct EnergyAccount {
     Vec2 middle;                ///< m/s
 };
 
-/// Paths of fast bodies as input of a broad phase, by index in Workspace::swept.
-struct SweptProxies {
+/// Boxes that are not the bounds of shapes, as input of a broad phase.
+struct BoxProxies {
     std::unique_ptr<BroadPhase> search;
     std::vector<AABB> bounds;
     std::vector<Filter> filters;
@@ -209,18 +209,20 @@ struct Workspace {
     JointWork joints;
     SoftSurroundings softSurroundings;
     SoftSoftContacts softSoftContacts;
-    SmoothForces smooth;                      ///< if there are fields
-    std::vector<std::uint32_t> solveOrder;    ///< awake bodies by group; empty if there is only one group
-    std::vector<std::uint8_t> groupOf;        ///< by body, if there are several groups
-    std::vector<std::uint8_t> needsRotation;  ///< by root, if some islands can be solved without rotation
-    std::vector<std::uint32_t> bodyScratch;   ///< by body
+    SmoothForces smooth;                        ///< if there are fields
+    std::vector<std::uint32_t> searchedFields;  ///< see field_search.hpp, ascending
+    BoxProxies fieldBoxes;                      ///< by index in `searchedFields`: where they act
+    std::vector<std::uint32_t> solveOrder;      ///< awake bodies by group; empty if there is only one group
+    std::vector<std::uint8_t> groupOf;          ///< by body, if there are several groups
+    std::vector<std::uint8_t> needsRotation;    ///< by root, if some islands can be solved without rotation
+    std::vector<std::uint32_t> bodyScratch;     ///< by body
     std::vector<std::vector<std::uint32_t>> leftShapes;  ///< per piece of work: shapes that left their bounds
     std::vector<std::vector<std::uint32_t>> fastOfPiece;
     std::vector<std::vector<std::uint32_t>> brokenOfPiece;
     std::vector<std::uint32_t> fastBodies;  ///< those that may have passed through something in this step
     bool kinematicsAtRest = false;          ///< some kinematic bodies are not among these
     std::vector<SweptBody> swept;           ///< these, and what they hit
-    SweptProxies sweptProxies;              ///< of `swept`, if they may hit each other
+    BoxProxies sweptProxies;                ///< by index in `swept`: their paths, if they may hit each other
     std::vector<std::pair<float, std::uint32_t>> dueHits;   ///< heap: fraction of the step, index in `swept`
     std::vector<Contact> madeHits;                          ///< in the order of the hits
     std::vector<std::pair<PairKey, std::size_t>> hitOrder;  ///< indices in `madeHits`

@@ -43,13 +43,16 @@ bool isInRegion(const FieldDefinition& field, Vec2 displacement, float reach) {
 
 const FieldType& fieldTypeOf(FieldKind kind) { return kTypes[static_cast<std::size_t>(kind)]; }
 
+WorldPosition centreOf(const World& world, const FieldDefinition& field) {
+    const bool follows = field.kind == FieldKind::Attractor && field.a;
+    return follows ? world.bodies.pose[field.a.index].centre : field.place;
+}
+
 bool actsOn(const World& world, const FieldDefinition& field, std::uint32_t body) {
     if (field.kind == FieldKind::Spring) return field.a.index == body || (field.b && field.b.index == body);
     if (field.kind == FieldKind::Attractor && field.a && field.a.index == body) return false;
     if (!isOnLayers(world, field.layers, body)) return false;
-    const bool follows = field.kind == FieldKind::Attractor && field.a;
-    const WorldPosition middle = follows ? world.bodies.pose[field.a.index].centre : field.place;
-    const Vec2 displacement = world.bodies.pose[body].centre - middle;
+    const Vec2 displacement = world.bodies.pose[body].centre - centreOf(world, field);
     // Fluids and explosions act on outlines, all other fields on centers of mass.
     const bool byOutline = field.kind == FieldKind::Buoyancy || field.kind == FieldKind::Explosion;
     const float reach = byOutline ? world.bodies.info[body].reach : 0.0f;

@@ -51,6 +51,8 @@ const FieldType& fieldTypeOf(FieldKind kind);
 
 /// True if a field acts on a body at its current position.
 [[nodiscard]] bool actsOn(const World& world, const FieldDefinition& field, std::uint32_t body);
+/// m: center of the region of a field. That of an Attractor moves with its body.
+[[nodiscard]] WorldPosition centreOf(const World& world, const FieldDefinition& field);
 /// True if a position lies in the region of a field.
 [[nodiscard]] bool isInRegion(const FieldDefinition& field, WorldPosition place);
 /// m/s: velocity of the air of a Wind in a given step, gusts included.

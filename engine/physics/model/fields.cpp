@@ -47,6 +47,7 @@ Result<Done> check(const World& world, const FieldDefinition& d) {
 }
 
 void wakeThoseIn(World& world, const FieldDefinition& definition) {
+    if (world.sleepers.islands.size() == world.sleepers.freeIslands.size()) return;  // none sleeps
     for (std::uint32_t body = 0; body < world.bodies.size(); ++body) {
         const BodyInfo& info = world.bodies.info[body];
         if (info.kind == BodyKind::Dynamic && info.place == kNone && actsOn(world, definition, body)) {

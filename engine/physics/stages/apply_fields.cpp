@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "physics/effects/drag.hpp"
+#include "physics/effects/field_search.hpp"
 #include "physics/effects/forces.hpp"
 #include "physics/islands/sleeping.hpp"
 #include "physics/model/bodies.hpp"
@@ -35,26 +36,24 @@ void note(const World& world, Workspace& work, std::uint32_t body, std::uint32_t
 
 void findPulls(const World& world, Workspace& work) {
     work.smooth.pulls.clear();
+    updateFieldBoxes(world, work);
+    for (const std::uint32_t body : world.awake) {
+        if (world.bodies.info[body].kind != BodyKind::Dynamic) continue;
+        for (const std::uint32_t f : fieldsNear(world, work, body, 0xffffffffu)) {
+            if (actsOn(world, world.fields.all[f].definition, body)) note(world, work, body, f);
+        }
+    }
+    if (!world.manifest.runs(Effect::Springs)) return;
     for (std::uint32_t f = 0; f < world.fields.all.size(); ++f) {
-        const Field& field = world.fields.all[f];
-        const FieldDefinition& d = field.definition;
-        if (!field.isAlive || !world.manifest.runs(fieldTypeOf(d.kind).effect)) continue;
-        if (d.kind == FieldKind::Spring) {
-            note(world, work, d.a.index, f);
-            if (d.b) note(world, work, d.b.index, f);
-            continue;
-        }
-        if (fieldTypeOf(d.kind).acceleration == nullptr) continue;
-        for (const std::uint32_t body : world.awake) {
-            if (world.bodies.info[body].kind == BodyKind::Dynamic && actsOn(world, d, body)) {
-                note(world, work, body, f);
-            }
-        }
+        const FieldDefinition& d = world.fields.all[f].definition;
+        if (!world.fields.all[f].isAlive || d.kind != FieldKind::Spring) continue;
+        note(world, work, d.a.index, f);
+        if (d.b) note(world, work, d.b.index, f);
     }
 }
 
-/// Sorts the pulls by slot; those of one slot stay in the order of the fields.
-void sortPulls(Workspace& work) {
+/// Sorts the pulls by slot, those of one slot by field.
+void sortPulls(Workspace& work, bool hasSprings) {
     SmoothForces& smooth = work.smooth;
     smooth.begins.assign(work.bodyOf.size() + 1, 0);
     for (const SmoothForces::Pull& pull : smooth.pulls) ++smooth.begins[pull.slot + 1];
@@ -65,6 +64,11 @@ void sortPulls(Workspace& work) {
     ends.assign(smooth.begins.begin() + 1, smooth.begins.end());
     for (std::size_t i = smooth.pulls.size(); i-- > 0;) {
         smooth.fields[--ends[smooth.pulls[i].slot]] = smooth.pulls[i].field;
+    }
+    if (!hasSprings) return;  // they were found last
+    for (std::size_t slot = 0; slot + 1 < smooth.begins.size(); ++slot) {
+        const auto begin = smooth.fields.begin();
+        std::sort(begin + smooth.begins[slot], begin + smooth.begins[slot + 1]);
     }
 }
 
@@ -161,7 +165,7 @@ void applyFields(StepContext& step) {
     smooth.flyerOf.assign(world.bodies.size(), -1);
     findPulls(world, work);
     if (smooth.pulls.empty()) return;
-    sortPulls(work);
+    sortPulls(work, world.manifest.runs(Effect::Springs));
     for (const SolveGroup& group : work.groups) {
         const float h = step.dt / static_cast<float>(group.substeps);
         for (auto slot = static_cast<std::size_t>(group.begin); slot < static_cast<std::size_t>(group.end);

@@ -1,4 +1,5 @@
 #include "physics/effects/explosion.hpp"
+#include "physics/effects/field_search.hpp"
 #include "physics/effects/field_types.hpp"
 #include "physics/model/fields.hpp"
 #include "physics/stages.hpp"
@@ -7,14 +8,22 @@ namespace plumb::physics {
 
 void explode(StepContext& step) {
     World& world = step.world;
-    for (std::uint32_t i = 0; i < world.fields.all.size(); ++i) {
-        const Field& field = world.fields.all[i];
-        if (!field.isAlive || field.definition.kind != FieldKind::Explosion) continue;
-        for (const std::uint32_t body : world.awake) {
-            if (world.bodies.info[body].kind != BodyKind::Dynamic) continue;
-            if (actsOn(world, field.definition, body)) pushAway(world, field.definition, body);
+    updateFieldBoxes(world, step.work);
+    const auto explosionAt = [&](std::uint32_t f) {
+        const Field& field = world.fields.all[f];
+        const bool explodes = field.isAlive && field.definition.kind == FieldKind::Explosion;
+        return explodes ? &field.definition : nullptr;
+    };
+    for (const std::uint32_t body : world.awake) {
+        if (world.bodies.info[body].kind != BodyKind::Dynamic) continue;
+        for (const std::uint32_t f :
+             fieldsNear(world, step.work, body, 1u << static_cast<unsigned>(FieldKind::Explosion))) {
+            const FieldDefinition* explosion = explosionAt(f);
+            if (explosion != nullptr && actsOn(world, *explosion, body)) pushAway(world, *explosion, body);
         }
-        destroyField(world, {i, field.generation});
+    }
+    for (std::uint32_t f = 0; f < world.fields.all.size(); ++f) {
+        if (explosionAt(f) != nullptr) destroyField(world, {f, world.fields.all[f].generation});
     }
 }
 

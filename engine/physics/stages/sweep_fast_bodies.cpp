@@ -130,7 +130,7 @@ Contact contactOf(StepContext& step, const PathHit& hit, std::uint32_t own, std:
 }
 
 void addProxy(const StepContext& step, const SweptBody& swept) {
-    SweptProxies& proxies = step.work.sweptProxies;
+    BoxProxies& proxies = step.work.sweptProxies;
     proxies.bounds.push_back(pathBounds(step, swept));
     proxies.filters.push_back({.layers = layerOf(step.world, swept.body)});
     proxies.motions.push_back(ProxyMotion::Awake);
@@ -281,7 +281,7 @@ void fillSwept(StepContext& step, bool together) {
         work.bodyScratch[body] = static_cast<std::uint32_t>(work.swept.size());
         work.swept.push_back(sweptBodyOf(step, body));
     }
-    SweptProxies& proxies = work.sweptProxies;
+    BoxProxies& proxies = work.sweptProxies;
     proxies.bounds.clear();
     proxies.filters.clear();
     proxies.motions.clear();
