@@ -1,5 +1,7 @@
 // What twice as many of one kind cost: bullets, joints, fields, sleepers, … Everything is spread out at the
-// same density, so that only the count grows.
+// same density and stays so, so that only the count grows. What needs a body, as a joint or a bounded field
+// does, has one of its own: then both are twice as many, and all are in proportion if neither looks at all of
+// the other.
 
 #include "tests/accuracy/families/costs.hpp"
 
@@ -71,8 +73,20 @@ struct CostScene {
 
 // ---- what there may be many of ------------------------------------------------------------------
 
+/// Balls between walls: without these they would fly apart, those of a small scene sooner, and meet less
+/// often.
 void balls(CostScene& scene, float speed, bool bullet) {
     scene.world.settings.gravity = {};
+    const auto half = static_cast<float>(0.5 * kCell * scene.columns());
+    const Vec2 middle{half - static_cast<float>(0.5 * kCell), half + static_cast<float>(0.5 * kCell)};
+    for (const float side : {-half - 1.0f, half + 1.0f}) {
+        for (const bool upright : {false, true}) {
+            const Vec2 out = upright ? Vec2{side, 0.0f} : Vec2{0.0f, side};
+            const Vec2 size = upright ? Vec2{1.0f, half + 2.0f} : Vec2{half + 2.0f, 1.0f};
+            static_cast<void>(*physics::createShape(scene.world, scene.ground,
+                                                    physics::box(size, middle + out), {.bounciness = 1.0f}));
+        }
+    }
     for (int i = 0; i < scene.count; ++i)
         scene.body(scene.cell(i), physics::circle(0.2f),
                    {.velocity = scene.anyDirection(speed), .bullet = bullet}, {.bounciness = 1.0f});
@@ -178,6 +192,22 @@ void fields(CostScene& scene) {
     }
 }
 
+/// Attractors without bounds, which act on everything: as many more of them alone, over as many bodies as
+/// ever.
+void endlessAttractors(CostScene& scene) {
+    for (int i = 0; i < 500; ++i)
+        scene.body({kCell * (i % 25), kCell * static_cast<double>(i / 25)}, physics::circle(0.3f),
+                   {.gravityScale = 0.0f});
+    physics::FieldDefinition field;
+    field.kind = physics::FieldKind::Attractor;
+    field.strength = 0.01f;
+    field.length = 1.0f;
+    for (int i = 0; i < scene.count; ++i) {
+        field.place = {5.0 * i, -20.0};
+        static_cast<void>(*physics::createField(scene.world, field));
+    }
+}
+
 void jellies(CostScene& scene) {
     for (int i = 0; i < scene.count; ++i) {
         scene.shelf(scene.cell(i));
@@ -197,6 +227,22 @@ void respawn(CostScene& scene, int) {
     for (const BodyId body : scene.bodies) physics::destroyBody(scene.world, body);
     scene.bodies.clear();
     for (int i = 0; i < scene.count; ++i) scene.body(scene.cell(i), physics::circle(0.2f));
+}
+
+/// An explosion in each step for each body, too weak to move it far.
+void explode(CostScene& scene, int) {
+    physics::FieldDefinition bang;
+    bang.kind = physics::FieldKind::Explosion;
+    bang.strength = 0.001f;
+    for (int i = 0; i < scene.count; ++i) {
+        bang.place = scene.cell(i);
+        static_cast<void>(*physics::createField(scene.world, bang));
+    }
+}
+
+void explosions(CostScene& scene) {
+    scene.world.settings.gravity = {};
+    for (int i = 0; i < scene.count; ++i) scene.body(scene.cell(i), physics::circle(0.3f));
 }
 
 void spawns(CostScene& scene) {
@@ -245,6 +291,8 @@ constexpr auto kKinds = std::to_array<CostKind>({
     {"winds", 50, fields<physics::FieldKind::Wind>},
     {"waters", 50, fields<physics::FieldKind::Buoyancy>},
     {"attractors", 50, fields<physics::FieldKind::Attractor>},
+    {"endless attractors", 5, endlessAttractors},
+    {"explosions a step", 50, explosions, explode},
     {"jellies", 25, jellies},
     {"spawns a step", 50, spawns, respawn},
 });
