@@ -2,7 +2,6 @@
 #include <cmath>
 #include <vector>
 
-#include "core/clock.hpp"
 #include "core/random.hpp"
 #include "physics/effects/field_types.hpp"
 #include "physics/model/fields.hpp"
@@ -112,32 +111,6 @@ TEST(Fields, fromTheNinthOnAreSearchedWithTheSameBits) {
             ASSERT_TRUE(sameState(few, many)) << i;
         }
     }
-}
-
-/// s: the fastest of some steps with so many small fields, each over a body of its own.
-double secondsOfSmallFields(int fields) {
-    World world = makeSpace();
-    const int columns = static_cast<int>(std::sqrt(fields));
-    for (int i = 0; i < fields; ++i) {
-        FieldDefinition field = fieldOf(FieldKind::AreaGravity);
-        field.region = RegionKind::Box;
-        field.place = {4.0 * (i % columns), 4.0 * static_cast<double>(i / columns)};
-        field.acceleration = {0.0f, 0.01f};
-        EXPECT_TRUE(createField(world, field).ok());
-        addBody(world, BodyKind::Dynamic, field.place, circle(0.3f));
-    }
-    double least = 1.0;
-    for (int i = 0; i < 20; ++i) {
-        const double start = plumb::threadSeconds();
-        step(world, kStep);
-        least = std::min(least, plumb::threadSeconds() - start);
-    }
-    return least;
-}
-
-TEST(Fields, thatAreSmallCostInProportionToTheirNumber) {
-    // 16 times as much if each looked at every body.
-    EXPECT_LT(secondsOfSmallFields(3200), 9.0 * secondsOfSmallFields(800));
 }
 
 }  // namespace

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <limits>
 
 #include "physics/contacts/contacts.hpp"
 #include "physics/effects/one_way.hpp"
@@ -63,6 +65,35 @@ bool mayCollide(const World& world, std::uint32_t a, std::uint32_t b) {
     return world.bodies.info[bodyA].firstJoint == kNone || !keptApart(world, bodyA, bodyB);
 }
 
+/// True if a core stays beyond a face of a target at rest up to a part of its path, so that it cannot hit it.
+/// Most bodies that touch a floor do. No corner of the core moves further by rotation than along its arc.
+bool staysBeyondFace(const Convex& core, const Sweep& path, const Convex& theirs, const Sweep& target,
+                     float end) {
+    if (target.displacement != Vec2{} || target.turn != 0.0f) return false;
+    const BodyPose from = path.at(path.begin), pose = target.at(0.0f);
+    const Rot turn = between(pose.rotation, from.rotation);
+    const auto inTarget = [&](Vec2 point) {
+        return unrotate(pose.rotation, from.centre - pose.centre) + rotate(turn, point - from.localCentre) +
+               pose.localCentre;
+    };
+    const Vec2 centre = inTarget(core.centre);
+    const Vec2 displacement = unrotate(pose.rotation, (end - path.begin) * path.displacement);
+    float beyond = -std::numeric_limits<float>::max();
+    Vec2 normal;
+    for (const Corner& face : theirs.corners()) {
+        const float gap =
+            dot(face.normal, centre - face.point) + std::min(dot(face.normal, displacement), 0.0f);
+        if (gap > beyond) beyond = gap, normal = face.normal;
+    }
+    float lever = 0.0f, extent = 0.0f;
+    for (const Corner& corner : core.corners()) {
+        lever = std::max(lever, lengthSquared(corner.point - from.localCentre));
+        extent = std::max(extent, dot(normal, centre - inTarget(corner.point)));
+    }
+    const float arc = std::fabs(path.turn) * (end - path.begin) * std::sqrt(lever);
+    return beyond > extent + arc + core.radius + theirs.radius;
+}
+
 }  // namespace
 
 void meetOnPath(const World& world, const Mover& mover, const Mover& target, PathHit& next) {
@@ -70,6 +101,9 @@ void meetOnPath(const World& world, const Mover& mover, const Mover& target, Pat
     const Geometry& geometry = world.shapes.geometry[mover.shape];
     const std::span<const Corner> corners = world.shapes.corners;
     const Convex theirs = convexOf(world.shapes.geometry[target.shape], corners);
+    const Core core{geometry, corners, kSweptCore};
+    if (staysBeyondFace(core.outline(), mover.sweep, theirs, target.sweep, mover.goesOn ? 2.0f : 1.0f))
+        return;
     const auto impactOf = [&](const Convex& outline, float gap, float latest) {
         return firstImpact({theirs, target.sweep}, {outline, mover.sweep}, gap, latest);
     };
@@ -77,8 +111,8 @@ void meetOnPath(const World& world, const Mover& mover, const Mover& target, Pat
     float part = impactOf(convexOf(geometry, corners), kSweptGap, latest);
     const bool isPressed = part <= begin;
     if (isPressed) {
-        for (const float core : kCores) {
-            part = impactOf(Core{geometry, corners, core}.outline(), 0.0f, latest);
+        for (const float size : kCores) {
+            part = impactOf(Core{geometry, corners, size}.outline(), 0.0f, latest);
             if (part > begin) break;
         }
     }
@@ -89,7 +123,6 @@ void meetOnPath(const World& world, const Mover& mover, const Mover& target, Pat
         const float displacement = length(mover.sweep.displacement - target.sweep.displacement);
         const float size = 2.0f * world.bodies.info[world.shapes.info[mover.shape].body].reach;
         const float further = mover.goesOn ? (displacement > size ? size / displacement : 1.0f) : 0.0f;
-        const Core core{geometry, corners, kSweptCore};
         if (impactOf(core.outline(), 0.0f, std::max(part + further, 1.0f)) == kNever) return;
     }
     next = {part, mover.shape, target.shape, 0, isPressed};
