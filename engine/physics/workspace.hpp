@@ -100,6 +100,13 @@ struct ChainChange {
     ContactEvent event;
 };
 
+/// A contact of a dynamic body with one that is not.
+struct FixedPair {
+    std::uint32_t body = 0;
+    std::uint32_t contact = 0;
+    std::uint32_t next = kNone;  ///< index in Workspace::fixedPairs: another one of the body
+};
+
 inline constexpr std::size_t kMaxStages = 24;
 
 /// Input of the automatic quality estimate of an island.
@@ -176,9 +183,14 @@ struct Workspace {
         contactKeys;  ///< by contact: bits of ContactKey, so that few contacts have to be read
     std::vector<std::vector<std::uint32_t>> changedContacts;  ///< per piece of work: began, ended, or gone
     std::vector<DetectionCounts> countsOfPiece;
-    std::vector<std::int32_t> slots;    ///< by body; -1 if it is not solved
-    std::vector<std::uint32_t> bodyOf;  ///< by slot; kNone for idle slots
-    std::vector<Float4> velocity;       ///< by slot, as in SolverBodies
+    std::vector<std::vector<FixedPair>> fixedOfPiece;
+    std::vector<FixedPair> fixedPairs;
+    std::vector<std::uint32_t> firstFixedPair;  ///< by body: index in `fixedPairs`, kNone between steps
+    std::vector<std::uint32_t> seamBodies;      ///< those with several fixed pairs
+    std::vector<std::uint32_t> endedAtSeams;    ///< contacts without points that were touching
+    std::vector<std::int32_t> slots;            ///< by body; -1 if it is not solved
+    std::vector<std::uint32_t> bodyOf;          ///< by slot; kNone for idle slots
+    std::vector<Float4> velocity;               ///< by slot, as in SolverBodies
     std::vector<Float4> deltaPosition;
     std::vector<Float4> drive;
     std::vector<Float4> keep;

@@ -168,7 +168,9 @@ TEST(MomentOfHit, ofTwoBodiesKeepsMomentumAndGivesNoEnergy) {
             const double most = static_cast<double>(world.bodies.mass[bullet.index].mass * speed);
             ASSERT_NEAR(now[0], before[0], 1e-5 * most) << seed;
             ASSERT_NEAR(now[1], before[1], 1e-5 * most) << seed;
-            ASSERT_NEAR(now[2], before[2], 2e-3 * most) << seed;  // arms to 1 mm, as a gap is left at hits
+            // Arms to 1 mm, as a gap is left at hits, and to some more in steps that follow: they are where
+            // the bodies would be in the middle of the step.
+            ASSERT_NEAR(now[2], before[2], 5e-3 * most) << seed;
             const float left = energyOf(world, bullet) + energyOf(world, target);
             ASSERT_LE(left, energy * 1.0001f) << seed;
             if (elastic) {

@@ -1,6 +1,7 @@
 #include "physics/contacts/chain_events.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "physics/contacts/contacts.hpp"
 
@@ -49,6 +50,30 @@ constexpr std::int32_t stepOf(ContactPhase phase) {
 }
 
 }  // namespace
+
+bool isReported(const World& world, const Contact& contact) {
+    if ((contact.flags & kPassing) != 0) return false;
+    return (contact.flags & kTriggered) != 0 ||
+           ((contact.flags & kReports) != 0 && world.manifest.runs(Effect::ContactEvents));
+}
+
+ContactEvent eventOf(const World& world, const Contact& contact, ContactPhase phase) {
+    const auto bodyId = [&](std::uint32_t body) { return BodyId{body, world.bodies.info[body].generation}; };
+    const auto shapeId = [&](std::uint32_t shape) {
+        return ShapeId{shape, world.shapes.info[shape].generation};
+    };
+    const BodyPose& a = world.bodies.pose[contact.bodyA];
+    ContactEvent event;
+    event.a = bodyId(contact.bodyA);
+    event.b = bodyId(contact.bodyB);
+    event.shapeA = shapeId(contact.shapeA);
+    event.shapeB = shapeId(contact.shapeB);
+    event.phase = phase;
+    event.isTrigger = (contact.flags & kTriggered) != 0;
+    event.normal = contact.normal;
+    event.point = toVec2(a.centre + rotate(a.rotation, pointOf(world, contact, 0)));
+    return event;
+}
 
 void report(World& world, Workspace& work, const Contact& contact, ContactPhase phase, float impulse) {
     if (!isReported(world, contact)) return;

@@ -8,6 +8,7 @@
 #include "physics/contacts/initial_overlaps.hpp"
 #include "physics/narrowphase/axis_aligned_boxes.hpp"
 #include "physics/narrowphase/collide.hpp"
+#include "physics/narrowphase/reference_face.hpp"
 #include "physics/narrowphase/sweep.hpp"
 #include "physics/solver/kernels.hpp"
 #include "physics/workspace.hpp"
@@ -111,12 +112,6 @@ struct Known {
     }
 };
 
-void forgetPoints(Contact& contact) {
-    contact.count = 0;
-    contact.impulse0 = contact.impulse1 = 0.0f;
-    contact.frictionImpulse = contact.rollingImpulse = 0.0f;
-}
-
 /// Writes the points of a manifold that was found in the frame of A's shapes.
 void takeManifold(const World& world, Contact& contact, const Manifold& manifold, const Encounter& now) {
     const Known known{contact};
@@ -151,8 +146,6 @@ bool nearByCircles(const World& world, const Contact& contact, const Encounter& 
                         world.settings.speculativeDistance;
     return lengthSquared(now.between) <= reach * reach;
 }
-
-bool isRound(ShapeKind kind) { return kind == ShapeKind::Circle; }
 
 /// Where nobody turns all points of a contact come as near: the deepest speaks for both.
 void keepDeepest(Manifold& manifold) {
@@ -206,8 +199,8 @@ bool takeHalfway(const World& world, Contact& contact, const Encounter& now, flo
     constexpr float kMinCosine = 0.95f;
     const Geometry& a = world.shapes.geometry[contact.shapeA];
     const Geometry& b = world.shapes.geometry[contact.shapeB];
-    const bool rolls = contact.count == 1 && a.radius + b.radius > 0.0f;
-    if ((contact.flags & (kTouching | kTriggered)) != kTouching || !rolls) return false;
+    if ((contact.flags & (kTouching | kTriggered)) != kTouching || contact.count != 1) return false;
+    if (!(a.radius + b.radius > 0.0f)) return false;
     const Encounter then = ahead(world, contact, halfStep);
     const Manifold manifold = collide(a, b, world.shapes.corners, frameInA(world, contact, then),
                                       world.settings.speculativeDistance);
@@ -216,7 +209,12 @@ bool takeHalfway(const World& world, Contact& contact, const Encounter& now, flo
         return false;
     ++counts.touching;
     takeManifold(world, contact, manifold, then);
-    contact.separation0 = separationOf(now, contact.anchors[0], unrotate(now.turnA, contact.normal));
+    // What is round turns in place: only its center goes along with its body.
+    const ContactAnchors centers{
+        contact.anchors[0].a - contact.roundA * manifold.normal,
+        contact.anchors[0].b + contact.roundB * unrotate(then.turn, manifold.normal)};
+    contact.separation0 =
+        separationOf(now, centers, unrotate(now.turnA, contact.normal)) - contact.roundA - contact.roundB;
     if ((contact.flags & kInitialOverlap) != 0) hideInitialOverlap(world, contact);
     return true;
 }
@@ -364,6 +362,12 @@ bool staysUpright(const World& world, std::uint32_t body, const Geometry& outlin
 
 }  // namespace
 
+void forgetPoints(Contact& contact) {
+    contact.count = 0;
+    contact.impulse0 = contact.impulse1 = 0.0f;
+    contact.frictionImpulse = contact.rollingImpulse = 0.0f;
+}
+
 bool canTurn(const World& world, std::uint32_t body) {
     const BodyInfo& info = world.bodies.info[body];
     return info.kind == BodyKind::Dynamic && (info.flags & kFixedRotation) == 0;
@@ -392,7 +396,8 @@ void copyMaterials(const World& world, Contact& contact) {
     contact.flags = static_cast<std::uint16_t>(
         kept | (triggered ? kTriggered : 0) | (reports ? kReports : 0) |
         ((a.flags & kOneWay) != 0 ? kOneWayA : 0) | ((b.flags & kOneWay) != 0 ? kOneWayB : 0) |
-        (fixed ? kFixedA : 0) | (isRound(outlineA.kind) || isRound(outlineB.kind) ? kRound : 0) |
+        (fixed ? kFixedA : 0) |
+        (outlineA.kind == ShapeKind::Circle || outlineB.kind == ShapeKind::Circle ? kRound : 0) |
         (unturned ? kUnturned : 0) | (upright ? kAlongAxes : 0));
 }
 
@@ -452,6 +457,23 @@ void findTouches(const World& world, std::span<Contact> contacts, float dt, Dete
     boxes.finish();
 }
 
+void touchFaceOnly(const World& world, Contact& contact, const OnlyFace& face) {
+    const Encounter now = encounterOf(world.bodies.pose[contact.bodyA], world.bodies.pose[contact.bodyB]);
+    const Geometry& a = world.shapes.geometry[contact.shapeA];
+    const Geometry& b = world.shapes.geometry[contact.shapeB];
+    const Convex convexA = convexOf(a, world.shapes.corners), convexB = convexOf(b, world.shapes.corners);
+    MovedCorners moved;
+    const Side sideB = moved.moved(convexB, frameInA(world, contact, now));
+    Manifold manifold = touchFace(sideOf(convexA), faceAgainst(convexA.corners(), -face.normal), sideB,
+                                  face.distance, face.beyond);
+    if (a.kind == ShapeKind::Box && b.kind == ShapeKind::Box) {  // corners in the order of BoxTouch::id
+        for (ManifoldPoint& point : manifold.points)
+            point.id = static_cast<std::uint16_t>(point.id ^ (point.id >> 1 & 0x0101));
+    }
+    DetectionCounts counts;  // it has been counted
+    take(world, contact, now, manifold, counts);
+}
+
 void findTouch(const World& world, Contact& contact, float distance) {
     const Encounter now = encounterOf(world.bodies.pose[contact.bodyA], world.bodies.pose[contact.bodyB]);
     Manifold manifold = collide(world.shapes.geometry[contact.shapeA], world.shapes.geometry[contact.shapeB],
@@ -471,30 +493,6 @@ Vec2 pointOf(const World& world, const Contact& contact, int point) {
                    world.bodies.pose[contact.bodyA].localCentre;
     }
     return contact.anchors[point].a;
-}
-
-bool isReported(const World& world, const Contact& contact) {
-    if ((contact.flags & kPassing) != 0) return false;
-    return (contact.flags & kTriggered) != 0 ||
-           ((contact.flags & kReports) != 0 && world.manifest.runs(Effect::ContactEvents));
-}
-
-ContactEvent eventOf(const World& world, const Contact& contact, ContactPhase phase) {
-    const auto bodyId = [&](std::uint32_t body) { return BodyId{body, world.bodies.info[body].generation}; };
-    const auto shapeId = [&](std::uint32_t shape) {
-        return ShapeId{shape, world.shapes.info[shape].generation};
-    };
-    const BodyPose& a = world.bodies.pose[contact.bodyA];
-    ContactEvent event;
-    event.a = bodyId(contact.bodyA);
-    event.b = bodyId(contact.bodyB);
-    event.shapeA = shapeId(contact.shapeA);
-    event.shapeB = shapeId(contact.shapeB);
-    event.phase = phase;
-    event.isTrigger = (contact.flags & kTriggered) != 0;
-    event.normal = contact.normal;
-    event.point = toVec2(a.centre + rotate(a.rotation, pointOf(world, contact, 0)));
-    return event;
 }
 
 }  // namespace plumb::physics

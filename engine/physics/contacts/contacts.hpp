@@ -26,6 +26,19 @@ void findTouches(const World& world, std::span<Contact> contacts, float dt, stru
 /// Finds where the shapes of a new contact are to each other now, up to `distance` (m) apart.
 void findTouch(const World& world, Contact& contact, float distance);
 
+/// A face of A, as the only thing of it that B touches.
+struct OnlyFace {
+    Vec2 normal;     ///< in A's frame
+    Vec2 beyond;     ///< m: how far it goes on beyond its start and its end
+    float distance;  ///< m: up to which there are points
+};
+
+/// Finds the points of a contact anew.
+void touchFaceOnly(const World& world, Contact& contact, const OnlyFace& face);
+
+/// Leaves a contact without points.
+void forgetPoints(Contact& contact);
+
 /// Takes note that the shapes of a contact touch from now on.
 /// @param index  in World::contacts
 void beginContact(World& world, struct Workspace& work, std::size_t index);

@@ -9,11 +9,19 @@ namespace {
 constexpr float kNoDistance = 1.0e-9f;
 
 /// A manifold with a single point.
-/// @param normal  from the circle to the other outline
-Manifold onePoint(const Geometry& circle, Vec2 normal, float separation, float roundB) {
+/// @param normal   from the circle to the other outline
+/// @param feature  of the other outline
+Manifold onePoint(const Geometry& circle, Vec2 normal, float separation, float roundB,
+                  std::uint16_t feature) {
     Manifold manifold{.normal = normal, .count = 1, .roundA = circle.radius, .roundB = roundB};
-    manifold.points[0] = {circle.a + normal * (circle.radius + 0.5f * separation), separation, 0};
+    manifold.points[0] = {circle.a + normal * (circle.radius + 0.5f * separation), separation, feature};
     return manifold;
+}
+
+/// The face or corner of a box that is on that side of it.
+std::uint16_t featureTowards(Vec2 out) {
+    const auto side = [](float way) { return way < 0.0f ? 0 : (way > 0.0f ? 2 : 1); };
+    return static_cast<std::uint16_t>(side(out.x) + 3 * side(out.y));
 }
 
 }  // namespace
@@ -27,7 +35,7 @@ Manifold collideCircles(const Geometry& a, const Geometry& b, std::span<const Co
     if (!(square <= reach * reach)) return {};
     const float distance = std::sqrt(square);
     const Vec2 normal = distance > kNoDistance ? displacement / distance : kAnyNormal;
-    return onePoint(a, normal, distance - radii, b.radius);
+    return onePoint(a, normal, distance - radii, b.radius, 0);
 }
 
 Manifold collideCircleBox(const Geometry& circle, const Geometry& box, std::span<const Corner>,
@@ -44,14 +52,15 @@ Manifold collideCircleBox(const Geometry& circle, const Geometry& box, std::span
     const float distance = std::sqrt(square);
     if (distance > kNoDistance) {
         const bool atCorner = out.x != 0.0f && out.y != 0.0f;
-        return onePoint(circle, rotate(turn, -out / distance), distance - radii,
-                        atCorner ? box.radius : 0.0f);
+        return onePoint(circle, rotate(turn, -out / distance), distance - radii, atCorner ? box.radius : 0.0f,
+                        featureTowards(out));
     }
     const Vec2 depth{box.b.x - std::fabs(place.x), box.b.y - std::fabs(place.y)};
     const bool byX = depth.x < depth.y;
     const Vec2 face =
         byX ? Vec2{place.x < 0.0f ? -1.0f : 1.0f, 0.0f} : Vec2{0.0f, place.y < 0.0f ? -1.0f : 1.0f};
-    return onePoint(circle, rotate(turn, -face), -(byX ? depth.x : depth.y) - radii, 0.0f);
+    return onePoint(circle, rotate(turn, -face), -(byX ? depth.x : depth.y) - radii, 0.0f,
+                    featureTowards(face));
 }
 
 Manifold collideCircleConvex(const Geometry& circle, const Geometry& other, std::span<const Corner> corners,
@@ -60,7 +69,8 @@ Manifold collideCircleConvex(const Geometry& circle, const Geometry& other, std:
     const float separation = closest.distance - circle.radius;
     if (!(separation <= speculative)) return {};
     return onePoint(circle, -rotate(bInA.rotation, closest.normal), separation,
-                    closest.atCorner ? other.radius : 0.0f);
+                    closest.atCorner ? other.radius : 0.0f,
+                    static_cast<std::uint16_t>(2 * closest.index + (closest.atCorner ? 1 : 0)));
 }
 
 }  // namespace plumb::physics

@@ -152,6 +152,21 @@ Manifold touchEdge(const EdgeOnEdge& edges, const Side& reference, const Side& o
     return manifold;
 }
 
+Manifold touchFace(const Side& a, std::size_t face, const Side& b, float speculative, Vec2 beyond) {
+    EdgeOnEdge edges = edgeOnEdge(a, face, b);
+    edges.origin -= beyond.x * edges.tangent;
+    edges.low.x += beyond.x;
+    edges.high.x += beyond.x;
+    edges.length += beyond.x + beyond.y;
+    if (edges.high.x < 0.0f || edges.low.x > edges.length) return {};
+    Manifold manifold = touchEdge(edges, a, b, false, speculative);
+    if (b.corners.size() == 1 && manifold.count > 0) {  // a disc
+        manifold.count = 1;
+        manifold.roundB = b.radius;
+    }
+    return manifold;
+}
+
 Manifold collideSides(const Side& a, const Side& b, float speculative) {
     const float reach = speculative + a.radius + b.radius;
     const FaceGap gapA = widestGap(a.corners, b.corners);

@@ -88,6 +88,10 @@ struct ManifoldMaker {
 Manifold touchEdge(const EdgeOnEdge& edges, const Side& reference, const Side& other, bool isB,
                    float speculative);
 
+/// The points of another side in front of a given face of the first: their normal is that of the face.
+/// @param beyond  m: by how much the face is longer at its start and at its end
+Manifold touchFace(const Side& a, std::size_t face, const Side& b, float speculative, Vec2 beyond);
+
 /// Collides any two convex sides with at least two corners.
 /// Source: separating axes after C. Ericson, "Real-Time Collision Detection", 2005, 4.4; clipping of edges
 /// after E. Catto, "Contact Manifolds", GDC 2007

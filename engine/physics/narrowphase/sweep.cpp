@@ -20,14 +20,6 @@ float armOf(const SweptOutline& swept) {
     return std::sqrt(square);
 }
 
-WorldPosition originOf(const BodyPose& pose) {
-    return pose.centre + -rotate(pose.rotation, pose.localCentre);
-}
-
-Frame seenFrom(const BodyPose& a, const BodyPose& b) {
-    return {unrotate(a.rotation, originOf(b) - originOf(a)), between(a.rotation, b.rotation)};
-}
-
 }  // namespace
 
 BodyPose Sweep::at(float part) const {
@@ -37,6 +29,13 @@ BodyPose Sweep::at(float part) const {
 Sweep sweepThrough(const BodyPose& pose, float part, Vec2 displacement, float turn) {
     const Rot before = turn == 0.0f ? pose.rotation : normalized(rotFromAngle(-turn * part) * pose.rotation);
     return {pose.centre + displacement * -part, displacement, before, turn, pose.localCentre, part};
+}
+
+Frame seenFrom(const BodyPose& a, const BodyPose& b) {
+    const auto originOf = [](const BodyPose& pose) {
+        return pose.centre + -rotate(pose.rotation, pose.localCentre);
+    };
+    return {unrotate(a.rotation, originOf(b) - originOf(a)), between(a.rotation, b.rotation)};
 }
 
 float firstImpact(const SweptOutline& a, const SweptOutline& b, float gap, float latest) {

@@ -32,6 +32,9 @@ inline bool isFast(Vec2 displacement, float rotation, const BodyInfo& info) {
     return length(displacement) + turned > limit;
 }
 
+/// The frame of B's shapes in that of A's.
+Frame seenFrom(const BodyPose& a, const BodyPose& b);
+
 /// An outline that is taken along.
 struct SweptOutline {
     const Convex& outline;

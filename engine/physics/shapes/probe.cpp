@@ -105,16 +105,18 @@ ClosestPoint closestPointOf(const Convex& convex, Vec2 place) {
     const Corner& corner = corners[face.index];
     if (convex.count > 2 && face.distance <= 0.0f) {
         const float distance = face.distance - convex.radius;
-        return {place - corner.normal * distance, corner.normal, distance, false};
+        return {place - corner.normal * distance, corner.normal, distance, false, face.index};
     }
     // Outside a convex core, the nearest feature is on the face with the maximum signed distance, or one of
     // its corners.
-    const Vec2 next = corners[face.index + 1 < corners.size() ? face.index + 1 : 0].point;
+    const std::size_t after = face.index + 1 < corners.size() ? face.index + 1 : 0;
+    const Vec2 next = corners[after].point;
     const float along = nearestOn(corner.point, next, place);
     const Vec2 nearest = along < 1.0f ? corner.point + (next - corner.point) * along : next;
     const float gap = distance(nearest, place);
     const Vec2 normal = gap > kNoDistance ? (place - nearest) / gap : corner.normal;
-    return {nearest + normal * convex.radius, normal, gap - convex.radius, along == 0.0f || along == 1.0f};
+    return {nearest + normal * convex.radius, normal, gap - convex.radius, along == 0.0f || along == 1.0f,
+            along < 1.0f ? face.index : after};
 }
 
 std::optional<RayHit> castRayAt(const Convex& convex, const Ray& ray) {

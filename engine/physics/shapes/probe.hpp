@@ -12,6 +12,7 @@ struct ClosestPoint {
     Vec2 normal;            ///< unit length, outward at that point
     float distance = 0.0f;  ///< m; negative inside
     bool atCorner = false;  ///< the nearest feature is a corner, rounded or sharp, not a face
+    std::size_t index = 0;  ///< of that corner, or of the one at which the face starts
 };
 
 ClosestPoint closestPointOf(const Convex& convex, Vec2 place);

@@ -4,6 +4,7 @@
 
 #include "physics/broadphase/broadphase_update.hpp"
 #include "physics/contacts/contacts.hpp"
+#include "physics/contacts/seams.hpp"
 #include "physics/continuous/swept_bodies.hpp"
 #include "physics/model/bounds.hpp"
 #include "physics/solver/impact.hpp"
@@ -123,6 +124,7 @@ Contact contactOf(StepContext& step, const PathHit& hit, std::uint32_t own, std:
     poses[own] = pathOfMet(step, own).at(hit.part);
     poses[met] = pathOfMet(step, met).at(hit.part);
     findTouch(world, contact, world.bodies.info[own].reach);
+    touchUnion(step, contact);
     poses[own] = kept[0];
     poses[met] = kept[1];
     if (hit.isPressed) contact.bounciness = 0.0f;

@@ -5,6 +5,7 @@
 #include "physics/contacts/chain_events.hpp"
 #include "physics/contacts/contacts.hpp"
 #include "physics/contacts/initial_overlaps.hpp"
+#include "physics/contacts/seams.hpp"
 #include "physics/islands/sleeping.hpp"
 #include "physics/model/joints.hpp"
 #include "physics/stages.hpp"
@@ -31,6 +32,7 @@ bool mayCollide(const World& world, const Contact& contact) {
 struct Look {
     StepContext& step;
     std::vector<std::uint32_t>& changed;  // those that began, ended or are gone
+    std::vector<FixedPair>& fixed;
     DetectionCounts& counts;
     bool asked;  // filters have changed: who may meet is asked again
 };
@@ -43,6 +45,8 @@ void lookAt(Look& look, std::size_t first, std::size_t count) {
     for (std::size_t i = 0; i < count; ++i) {
         Contact& contact = contacts[i];
         if (look.asked && !mayCollide(world, contact)) contact.flags |= kGone;
+        if ((contact.flags & (kFixedA | kTriggered | kPassing | kGone)) == kFixedA)
+            look.fixed.push_back({contact.bodyB, static_cast<std::uint32_t>(first + i)});
         const bool before = (contact.flags & kTouching) != 0;
         if ((contact.flags & kGone) != 0 || touches(contact) != before) {
             look.changed.push_back(static_cast<std::uint32_t>(first + i));
@@ -60,13 +64,15 @@ void lookAtAll(StepContext& step) {
     const auto pieces = static_cast<std::size_t>(std::max(1, piecesOf(count, kGrain)));
     if (work.changedContacts.size() < pieces) work.changedContacts.resize(pieces);
     if (work.countsOfPiece.size() < pieces) work.countsOfPiece.resize(pieces);
+    if (work.fixedOfPiece.size() < pieces) work.fixedOfPiece.resize(pieces);
+    for (std::vector<FixedPair>& list : work.fixedOfPiece) list.clear();
     for (std::vector<std::uint32_t>& list : work.changedContacts) list.clear();
     std::fill(work.countsOfPiece.begin(), work.countsOfPiece.end(), DetectionCounts{});
     work.contactKeys.resize(world.contacts.size());
     const bool asked = std::exchange(world.filtersStale, false);
     forPieces(step, count, kGrain, [&](int begin, int end, int piece) {
         const auto p = static_cast<std::size_t>(piece);
-        Look look{step, work.changedContacts[p], work.countsOfPiece[p], asked};
+        Look look{step, work.changedContacts[p], work.fixedOfPiece[p], work.countsOfPiece[p], asked};
         for (int first = begin; first < end; first += kAtOnce)
             lookAt(look, static_cast<std::size_t>(first),
                    static_cast<std::size_t>(std::min(end - first, kAtOnce)));
@@ -157,6 +163,7 @@ void updateContacts(StepContext& step) {
     if (!world.shapes.dying.empty() || !world.bodies.dying.empty()) endContactsOfDead(step);
     fadeInitialOverlaps(world, step.dt);
     lookAtAll(step);
+    correctSeams(step);
     for (const std::vector<std::uint32_t>& changed : work.changedContacts) {
         for (const std::uint32_t i : changed) {
             Contact& contact = world.contacts[i];
@@ -167,6 +174,10 @@ void updateContacts(StepContext& step) {
             }
             work.contactKeys[i] = keyOf(world.contacts[i]);
         }
+    }
+    for (const std::uint32_t i : work.endedAtSeams) {
+        end(world, work, world.contacts[i]);
+        work.contactKeys[i] = keyOf(world.contacts[i]);
     }
     // Contacts of islands that were woken came in at the end.
     for (std::size_t i = work.contactKeys.size(); i < world.contacts.size(); ++i) {

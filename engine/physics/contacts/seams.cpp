@@ -1,0 +1,248 @@
+#include "physics/contacts/seams.hpp"
+
+#include <algorithm>
+#include <limits>
+
+#include "physics/broadphase/broadphase_update.hpp"
+#include "physics/broadphase/overlap.hpp"
+#include "physics/contacts/contacts.hpp"
+#include "physics/narrowphase/free_sector.hpp"
+#include "physics/narrowphase/reference_face.hpp"
+#include "physics/narrowphase/sweep.hpp"
+
+namespace plumb::physics {
+
+namespace {
+
+constexpr int kGrain = 32;
+
+/// Ratio to Settings::slop, 1 mm: shapes with smaller gaps and steps between them are flush. Overlaps of that
+/// size are not corrected either.
+constexpr float kFlush = 0.2f;
+
+/// Ratio: 1 minus the cosine of 1.4e-3 rad, see FreeSector.
+constexpr float kSameNormal = 1.0e-6f;
+
+/// Chains have ghost vertices instead, and round shapes do not abut.
+bool abuts(ShapeKind kind) { return kind == ShapeKind::Box || kind == ShapeKind::Polygon; }
+
+/// The contacts of a body with fixed shapes.
+struct BodyContacts {
+    World& world;
+    const std::vector<FixedPair>& pairs;
+    std::uint32_t first;
+
+    template <class Act>
+    void forEach(Act&& act) const {
+        for (std::uint32_t i = first; i != kNone; i = pairs[i].next) act(world.contacts[pairs[i].contact]);
+    }
+};
+
+/// What the neighbors of A say about a contact.
+struct Verdict {
+    bool abut = false;           ///< some are at its points
+    bool touch = false;          ///< of those, one touches B too
+    bool isValid = true;         ///< its normal is one of the common border
+    std::optional<Vec2> normal;  ///< in A's frame: else the nearest that is A's
+};
+
+/// Takes from a free sector what the other fixed shapes cover.
+/// @param point   in the frame of A's shapes
+/// @param others  calls a function with each of them and with whether it touches B
+template <class Others>
+void coverByOthers(const World& world, const Contact& contact, Vec2 point, const Others& others,
+                   FreeSector& sector, Verdict& verdict) {
+    const Shapes& shapes = world.shapes;
+    const BodyPose& pose = world.bodies.pose[contact.bodyA];
+    const Vec2 place = toVec2(pose.centre + rotate(pose.rotation, point - pose.localCentre));
+    const float tolerance = kFlush * world.settings.slop;
+    const AABB box{place - Vec2{tolerance, tolerance}, place + Vec2{tolerance, tolerance}};
+    others([&](std::uint32_t shape, bool touches) {
+        const Geometry& geometry = shapes.geometry[shape];
+        if (shape == contact.shapeA || !abuts(geometry.kind) || !touch(shapes.bounds[shape], box)) return;
+        const Frame frame = seenFrom(pose, world.bodies.pose[shapes.info[shape].body]);
+        if (!sector.cover(convexOf(geometry, shapes.corners), frame)) return;
+        verdict.abut = true;
+        verdict.touch = verdict.touch || touches;
+    });
+}
+
+/// The place on the face with that normal that is nearest to another place.
+Vec2 nearestOnFace(const Convex& outline, Vec2 normal, Vec2 place) {
+    const std::span<const Corner> corners = outline.corners();
+    const std::size_t face = faceAgainst(corners, -normal);
+    const Vec2 from = corners[face].point;
+    const Vec2 edge = corners[face + 1 < corners.size() ? face + 1 : 0].point - from;
+    return from + std::clamp(dot(place - from, edge) / lengthSquared(edge), 0.0f, 1.0f) * edge;
+}
+
+/// The deepest point that is not inside the others decides.
+template <class Others>
+Verdict judge(const World& world, const Contact& contact, const Others& others) {
+    const BodyPose& poseA = world.bodies.pose[contact.bodyA];
+    const Vec2 normal = unrotate(poseA.rotation, contact.normal);
+    const Convex a = convexOf(world.shapes.geometry[contact.shapeA], world.shapes.corners);
+    const Convex b = convexOf(world.shapes.geometry[contact.shapeB], world.shapes.corners);
+    const Vec2 middle = apply(seenFrom(poseA, world.bodies.pose[contact.bodyB]), b.centre);
+    const float tolerance = kFlush * world.settings.slop;
+    Verdict verdict;
+    std::optional<FreeSector> deepest;
+    float depth = std::numeric_limits<float>::max();
+    for (int i = 0; i < contact.count; ++i) {
+        const Vec2 point = contact.anchors[i].a + poseA.localCentre;
+        FreeSector sector{point, middle - point, tolerance};
+        if (!sector.cover(a, {})) continue;
+        const bool isDeep = sector.isClosed();  // the middle of B is behind the border of A
+        Verdict here;
+        coverByOthers(world, contact, point, others, sector, here);
+        if (isDeep && !here.abut) return {};
+        verdict.abut = verdict.abut || here.abut;
+        verdict.touch = verdict.touch || here.touch;
+        if (sector.isClosed()) {
+            // Where B is deep in a corner between two faces, that of A comes out of the other nearby.
+            const Vec2 place = nearestOnFace(a, normal, middle);
+            FreeSector beside{place, middle - place, tolerance};
+            if (beside.cover(a, {})) coverByOthers(world, contact, place, others, beside, here);
+            if (!beside.isClosed() && beside.allows(normal)) return {};
+            continue;
+        }
+        // Of two that are equally deep, one may be too far below the border to be seen as part of it.
+        const float separation =
+            (i == 0 ? contact.separation0 : contact.separation1) + (sector.allows(normal) ? tolerance : 0.0f);
+        if (separation >= depth) continue;
+        deepest = sector;
+        depth = separation;
+    }
+    verdict.isValid = !verdict.abut || (deepest && deepest->allows(normal));
+    if (deepest) verdict.normal = deepest->ownNormal(normal);
+    return verdict;
+}
+
+void correct(const BodyContacts& all, Contact& contact) {
+    World& world = all.world;
+    if (contact.count == 0 || !abuts(world.shapes.geometry[contact.shapeA].kind)) return;
+    const Verdict verdict = judge(world, contact, [&](auto&& act) {
+        all.forEach([&](const Contact& other) { act(other.shapeA, other.count > 0); });
+    });
+    if (verdict.isValid) return;
+    const Contact before = contact;
+    const float tolerance = kFlush * world.settings.slop;
+    if (verdict.normal) {
+        touchFaceOnly(world, contact,
+                      {*verdict.normal, {tolerance, tolerance}, world.settings.speculativeDistance});
+    } else {
+        forgetPoints(contact);
+    }
+    const bool overlaps = std::min(before.separation0, before.separation1) <= 0.0f;
+    if (contact.count == 0 && overlaps && !verdict.touch) contact = before;  // nothing else would hold it
+}
+
+/// Where all normals are the same, none is that of an edge between two shapes.
+bool agree(const BodyContacts& all) {
+    Vec2 normal;
+    bool agrees = true;
+    all.forEach([&](const Contact& contact) {
+        if (contact.count == 0) return;
+        if (normal == Vec2{}) normal = contact.normal;
+        agrees = agrees && dot(normal, contact.normal) > 1.0f - kSameNormal;
+    });
+    return agrees;
+}
+
+/// Links the contacts of each body, and lists the bodies with several.
+void link(const World& world, Workspace& work) {
+    work.fixedPairs.clear();
+    work.seamBodies.clear();
+    std::vector<std::uint32_t>& first = work.firstFixedPair;
+    first.resize(world.bodies.size(), kNone);
+    for (const std::vector<FixedPair>& pairs : work.fixedOfPiece) {
+        for (const FixedPair& pair : pairs) {
+            const std::uint32_t next = first[pair.body];
+            if (next != kNone && work.fixedPairs[next].next == kNone) work.seamBodies.push_back(pair.body);
+            first[pair.body] = static_cast<std::uint32_t>(work.fixedPairs.size());
+            work.fixedPairs.push_back({pair.body, pair.contact, next});
+        }
+    }
+}
+
+/// The fixed shapes near B that it collides with.
+const std::vector<std::uint32_t>& fixedNear(StepContext& step, const Contact& contact, float distance) {
+    const World& world = step.world;
+    const Shapes& shapes = world.shapes;
+    std::vector<std::uint32_t>& found = step.work.candidates;
+    found.clear();
+    const Vec2 place = toVec2(world.bodies.pose[contact.bodyB].centre), half{distance, distance};
+    step.work.broadPhase->query(proxiesOf(world), {place - half, place + half}, 0xffffffffu, found);
+    std::erase_if(found, [&](std::uint32_t shape) {
+        const ShapeInfo& info = shapes.info[shape];
+        return world.bodies.info[info.body].kind == BodyKind::Dynamic ||
+               !comesTo(world, shape, contact.shapeB) || (info.flags & (kTrigger | kOneWay)) != 0 ||
+               !meet(shapes.filter[shape], shapes.filter[contact.shapeB]);
+    });
+    std::sort(found.begin(), found.end());
+    return found;
+}
+
+/// True where a face of A goes on in another shape.
+/// @param point  its end
+template <class Others>
+bool goesOn(const World& world, const Contact& contact, const Convex& a, Vec2 point, Vec2 normal,
+            const Others& others) {
+    FreeSector sector{point, normal, kFlush * world.settings.slop};
+    Verdict verdict;
+    static_cast<void>(sector.cover(a, {}));
+    coverByOthers(world, contact, point, others, sector, verdict);
+    return verdict.abut && !sector.isClosed() && sector.isFlat();
+}
+
+}  // namespace
+
+void touchUnion(StepContext& step, Contact& contact) {
+    const World& world = step.world;
+    const Geometry& geometry = world.shapes.geometry[contact.shapeA];
+    if (contact.count == 0 || (contact.flags & kFixedA) == 0 || !abuts(geometry.kind)) return;
+    const float distance = 2.0f * world.bodies.info[contact.bodyB].reach;
+    const std::vector<std::uint32_t>& fixed = fixedNear(step, contact, distance);
+    const auto others = [&](auto&& act) {
+        for (const std::uint32_t shape : fixed) act(shape, true);
+    };
+    const Verdict verdict = judge(world, contact, others);
+    Vec2 normal = unrotate(world.bodies.pose[contact.bodyA].rotation, contact.normal);
+    if (!verdict.isValid) normal = verdict.normal.value_or(normal);
+    const Convex a = convexOf(geometry, world.shapes.corners);
+    const std::span<const Corner> corners = a.corners();
+    const std::size_t face = faceAgainst(corners, -normal);
+    if (dot(corners[face].normal, normal) < 1.0f - kSameNormal) return;
+    const Vec2 end = corners[face + 1 < corners.size() ? face + 1 : 0].point;
+    const Vec2 beyond{goesOn(world, contact, a, corners[face].point, normal, others) ? distance : 0.0f,
+                      goesOn(world, contact, a, end, normal, others) ? distance : 0.0f};
+    if (verdict.isValid && beyond == Vec2{}) return;
+    const Contact before = contact;
+    touchFaceOnly(world, contact, {normal, beyond, 0.5f * distance});
+    if (contact.count == 0) contact = before;
+}
+
+void correctSeams(StepContext& step) {
+    World& world = step.world;
+    Workspace& work = step.work;
+    link(world, work);
+    forPieces(step, static_cast<int>(work.seamBodies.size()), kGrain, [&](int begin, int end, int) {
+        for (int i = begin; i < end; ++i) {
+            const std::uint32_t body = work.seamBodies[static_cast<std::size_t>(i)];
+            const BodyContacts all{world, work.fixedPairs, work.firstFixedPair[body]};
+            if (agree(all)) continue;
+            all.forEach([&](Contact& contact) { correct(all, contact); });
+        }
+    });
+    work.endedAtSeams.clear();
+    for (const std::uint32_t body : work.seamBodies) {
+        for (std::uint32_t i = work.firstFixedPair[body]; i != kNone; i = work.fixedPairs[i].next) {
+            const Contact& contact = world.contacts[work.fixedPairs[i].contact];
+            if (contact.count == 0 && (contact.flags & kTouching) != 0)
+                work.endedAtSeams.push_back(work.fixedPairs[i].contact);
+        }
+    }
+    for (const FixedPair& pair : work.fixedPairs) work.firstFixedPair[pair.body] = kNone;
+}
+
+}  // namespace plumb::physics
