@@ -31,8 +31,9 @@ struct StepContext {
     /// its reduced kernels. Restitution, rolling resistance and joints exist in the full kernels only.
     [[nodiscard]] bool isWithoutRotation() const {
         constexpr auto kTurning = static_cast<std::size_t>(Effect::Rotation);
-        return !runs(Effect::Rotation) && world.manifest.callers[kTurning] == 0 &&
-               !runs(Effect::Restitution) && !runs(Effect::Rolling) && !runs(Effect::Joints);
+        return !runs(Effect::Rotation) && !runs(Effect::SoftBodies) &&
+               world.manifest.callers[kTurning] == 0 && !runs(Effect::Restitution) &&
+               !runs(Effect::Rolling) && !runs(Effect::Joints);
     }
 };
 
@@ -63,10 +64,10 @@ void colourJoints(StepContext& step);
 void explode(StepContext& step);
 /// Reads: fields, rest times. Writes: fields (removes those of destroyed bodies); wakes bodies on springs.
 void prepareFields(StepContext& step);
-/// Reads: geometry, poses, contacts, work.broadPhase. Writes: soft bodies; velocities of the bodies that they
-/// push, and work.softSurroundings (including forces that last for the whole step).
+/// Reads: geometry, poses, islands, work.broadPhase. Writes: soft bodies that touch nothing that they could
+/// push; contacts of the others for solve(): work.softSurroundings.
 void moveSoftBodies(StepContext& step);
-/// Reads: drives, masses, settings, forces of soft bodies. Writes: work.slots, work.groups, work.velocity and
+/// Reads: drives, masses, settings, soft contacts. Writes: work.slots, work.groups, work.velocity and
 /// the arrays parallel to it.
 void gatherBodies(StepContext& step);
 /// Reads: fields, poses, motions, work.slots. Writes: work.drive, work.smooth (bodies integrated without
@@ -74,8 +75,14 @@ void gatherBodies(StepContext& step);
 void applyFields(StepContext& step);
 /// Reads: contacts, joints, masses. Writes: colours, work's blocks.
 void prepareConstraints(StepContext& step);
-/// Reads and writes: work.velocity, work.shift, work's blocks. Writes: impulses of contacts and joints.
+/// Reads and writes: work.velocity, work.shift, work's blocks, soft bodies. Writes: impulses of contacts and
+/// joints.
 void solve(StepContext& step);
+/// Applies forces and springs to the soft bodies of a group, in a substep of h seconds, before their
+/// contacts.
+void springSoft(StepContext& step, const SoftGroup& group, float h, int substep);
+/// Takes velocities from displacements.
+void closeSoft(const StepContext& step, const SoftGroup& group, float h);
 /// Reads: fields, work.smooth. Writes: work.velocity, work.shift of bodies on which only fields act.
 void integrateFlyers(StepContext& step);
 /// Reads: joints, contacts, islands, work.shift. Writes: work.velocity, energy shares.

@@ -12,7 +12,7 @@
 #include "physics/contacts/pair_set.hpp"
 #include "physics/effects/flyers.hpp"
 #include "physics/narrowphase/path_hit.hpp"
-#include "physics/soft/rigid_proxies.hpp"
+#include "physics/soft/soft_rigid_contacts.hpp"
 #include "physics/soft/soft_soft_contacts.hpp"
 #include "physics/solver/colours.hpp"
 #include "physics/solver/contact_block.hpp"

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
+#include <span>
 
 #include "physics/islands/hold_tolerance.hpp"
 #include "physics/islands/sleeping.hpp"
@@ -56,8 +58,24 @@ bool mixesRotation(const StepContext& step) {
     return step.runs(Effect::Rotation) && !pinned && callers(Effect::Rotation) < callers(Effect::Continuous);
 }
 
-/// Islands with a body that rotates or has joints, and those that bounce or resist rolling: the reduced
-/// kernels do not know of these. What its owner moves may rotate.
+/// Islands that a group of soft bodies may push are solved with it.
+void addSoftGroups(Workspace& work, std::span<const std::uint32_t> awake) {
+    SoftSurroundings& around = work.softSurroundings;
+    for (const SoftGroup& group : around.groups) {
+        auto quality = static_cast<std::uint32_t>(std::bit_width(static_cast<unsigned>(group.substeps - 1)));
+        const auto forRoots = [&](auto&& act) {
+            for (const SoftObstacle& obstacle : group.obstacles.of(around.obstacles)) {
+                if (obstacle.isPushed) act(work.bodyScratch[work.roots[obstacle.body]]);
+            }
+        };
+        forRoots([&](std::uint32_t other) { quality = std::max(quality, other); });
+        forRoots([&](std::uint32_t& own) { own = quality; });
+    }
+    for (const std::uint32_t body : awake) work.bodyScratch[body] = work.bodyScratch[work.roots[body]];
+}
+
+/// Islands with a body that rotates or has joints, and those that bounce, resist rolling or are near soft
+/// bodies: the reduced kernels do not know of these. What its owner moves may rotate.
 void findRotating(StepContext& step) {
     const World& world = step.world;
     Workspace& work = step.work;
@@ -66,6 +84,10 @@ void findRotating(StepContext& step) {
         const BodyInfo& info = world.bodies.info[body];
         if (info.kind != BodyKind::Dynamic || info.firstJoint != kNone || (info.flags & kFixedRotation) == 0)
             work.needsRotation[work.roots[body]] = 1;
+    }
+    for (const SoftObstacle& obstacle : work.softSurroundings.obstacles) {
+        if (step.runs(Effect::SoftBodies) && obstacle.isPushed)
+            work.needsRotation[work.roots[obstacle.body]] = 1;
     }
     if (!step.runs(Effect::Restitution) && !step.runs(Effect::Rolling)) return;
     for (std::size_t i = 0; i < work.contactKeys.size(); ++i) {
@@ -95,6 +117,7 @@ void sortByIsland(StepContext& step) {
     } else {
         work.bodyScratch.assign(world.bodies.size(), static_cast<std::uint32_t>(world.settings.quality));
     }
+    if (!work.softSurroundings.obstacleOf.empty()) addSoftGroups(work, world.awake);
     if (mixesRotation(step)) setRotationApart(step);
     const std::vector<std::uint32_t>& kinds = work.bodyScratch;
     // Counting sort: count the bodies of each kind, find where each kind begins, then place the bodies.
@@ -127,7 +150,8 @@ void sortByQuality(StepContext& step) {
     work.solveOrder.clear();
     const bool holds = world.settings.tolerance > 0.0f;
     if (!holds && !world.bodies.substepControllers.empty()) world.bodies.substepControllers.clear();
-    const bool alike = world.qualityCallers == 0 && !world.settings.automaticQuality && !holds;
+    const bool alike = work.softSurroundings.obstacleOf.empty() && world.qualityCallers == 0 &&
+                       !world.settings.automaticQuality && !holds;
     if (alike && !mixesRotation(step)) {
         addGroup(work, static_cast<std::size_t>(world.settings.quality),
                  static_cast<int>(world.awake.size()));

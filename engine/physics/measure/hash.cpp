@@ -130,17 +130,17 @@ void add(LaneHasher& hash, const SoftParticle& particle) {
 }
 
 void add(LaneHasher& hash, const SoftLink& link) {
-    const auto& [a, b, length, compliance] = link;
-    Values{hash}(a, b, length, compliance);
+    const auto& [a, b, length, compliance, isEdge] = link;
+    Values{hash}(a, b, length, compliance, isEdge);
 }
 
 void add(LaneHasher& hash, const SoftBody& soft) {
-    // Edges follow from the links and never change.
-    const auto& [particles, links, edges, ring, area, areaCompliance, radius, damping, friction, layers, mask,
-                 generation, substeps, isAlive] = soft;
+    const auto& [particles, links, ring, touches, area, areaCompliance, radius, damping, friction, layers,
+                 mask, generation, substeps, isAlive] = soft;
     for (const SoftParticle& particle : particles) add(hash, particle);
     for (const SoftLink& link : links) add(hash, link);
     add(hash, ring);
+    for (const SoftTouch& touch : touches) Values{hash}(touch.particle, touch.shape, touch.force);
     Values{hash}(area, areaCompliance, radius, damping, friction, layers, mask, generation, substeps,
                  isAlive);
 }

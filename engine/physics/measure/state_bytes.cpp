@@ -30,7 +30,7 @@ std::size_t stateBytes(const World& world) {
                 sleepers.freeContacts, sleepers.nextBody, sleepers.islandOf);
     for (const std::vector<std::uint32_t>& free : shapes.freeCorners) bytes += bytesOf(free);
     for (const SoftBody& soft : world.softBodies.all)
-        bytes += bytesOf(soft.particles, soft.links, soft.edges, soft.ring);
+        bytes += bytesOf(soft.particles, soft.links, soft.ring, soft.touches);
     return bytes;
 }
 

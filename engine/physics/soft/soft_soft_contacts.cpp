@@ -74,12 +74,12 @@ private:
     void takeEdges(const SoftBox& near) {
         meetings_.edges.clear();
         widest_ = 0.0;
-        for (const std::uint32_t index : other_.edges) {
-            const SoftLink& link = other_.links[index];
+        for (const SoftLink& link : other_.links) {
+            if (!link.isEdge) continue;
             const SoftBox box =
                 merged(boxOf(other_.particles[link.a], dt_), boxOf(other_.particles[link.b], dt_));
             if (!overlap(grown(box, reach_), near)) continue;
-            meetings_.edges.push_back({box, index});
+            meetings_.edges.push_back({box, static_cast<std::uint32_t>(&link - other_.links.data())});
             widest_ = std::max(widest_, box.max.x - box.min.x);
         }
         std::sort(meetings_.edges.begin(), meetings_.edges.end(), [](const SoftEdge& a, const SoftEdge& b) {
@@ -184,7 +184,7 @@ bool aim(const SoftSoftContact& which, Meeting& meeting) {
 
 }  // namespace
 
-void groupSoftBodies(const World& world, float dt, std::span<const SoftNeighbour> neighbours,
+void groupSoftBodies(const World& world, float dt, const SoftSurroundings& around,
                      SoftSoftContacts& meetings) {
     const std::vector<SoftBody>& all = world.softBodies.all;
     meetings.order.clear();
@@ -205,9 +205,9 @@ void groupSoftBodies(const World& world, float dt, std::span<const SoftNeighbour
                 join(meetings, a, b);
         }
     }
-    for (std::size_t i = 1; i < neighbours.size(); ++i) {
-        if (neighbours[i].body == neighbours[i - 1].body)
-            join(meetings, neighbours[i].soft, neighbours[i - 1].soft);
+    for (std::size_t i = 1; i < around.neighbours.size(); ++i) {
+        const auto &a = around.neighbours[i - 1], &b = around.neighbours[i];
+        if (a.first == b.first) join(meetings, a.second, b.second);
     }
     for (const std::uint32_t body : meetings.order) meetings.leaders[body] = leaderOf(meetings, body);
     std::sort(meetings.order.begin(), meetings.order.end(), [&](std::uint32_t a, std::uint32_t b) {
@@ -218,7 +218,6 @@ void groupSoftBodies(const World& world, float dt, std::span<const SoftNeighbour
 
 void findMeetings(const World& world, float dt, std::span<const std::uint32_t> group,
                   SoftSoftContacts& meetings) {
-    meetings.all.clear();
     const std::vector<SoftBody>& all = world.softBodies.all;
     for (const std::uint32_t a : group) {
         for (const std::uint32_t b : group) {

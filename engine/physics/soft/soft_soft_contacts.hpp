@@ -3,7 +3,7 @@
 #include <span>
 #include <vector>
 
-#include "physics/soft/rigid_proxies.hpp"
+#include "physics/soft/soft_rigid_contacts.hpp"
 #include "physics/world.hpp"
 
 namespace plumb::physics {
@@ -40,14 +40,14 @@ struct SoftSoftContacts {
         leaders;  ///< by index: lowest index among those that it may touch, directly or through others
     std::vector<std::uint32_t> order;  ///< existing soft bodies, sorted by leader
     std::vector<SoftEdge> edges;       ///< of one soft body near another, from left to right
-    std::vector<SoftSoftContact> all;  ///< of one group
+    std::vector<SoftSoftContact> all;  ///< by group
 };
 
-/// Sorts soft bodies so that those that may touch within a step of dt seconds, or push the same rigid body,
-/// are adjacent in `order`.
-void groupSoftBodies(const World& world, float dt, std::span<const SoftNeighbour> neighbours,
+/// Sorts soft bodies so that those that may touch within a step of dt seconds, or push the same island, are
+/// adjacent in `order`.
+void groupSoftBodies(const World& world, float dt, const SoftSurroundings& around,
                      SoftSoftContacts& meetings);
-/// Finds all potential contacts within a group of `order`.
+/// Adds all potential contacts within a group of `order`.
 void findMeetings(const World& world, float dt, std::span<const std::uint32_t> group,
                   SoftSoftContacts& meetings);
 /// Separates what is too close at the end of a substep of h seconds. Conserves momentum.

@@ -1,5 +1,7 @@
 #include "physics/soft/softbody.hpp"
 
+#include <bit>
+
 #include "physics/islands/sleeping.hpp"
 #include "physics/model/checks.hpp"
 
@@ -34,19 +36,33 @@ void addParticle(SoftBody& body, WorldPosition place, float mass) {
     body.particles.push_back({place, place, {}, 1.0f / mass, mass});
 }
 
-void link(SoftBody& body, int a, int b, float compliance) {
+void link(SoftBody& body, int a, int b, float compliance, bool isEdge = false) {
     if (compliance < 0.0f) return;
     const auto i = static_cast<std::uint32_t>(a), j = static_cast<std::uint32_t>(b);
-    body.links.push_back({i, j, length(body.particles[j].place - body.particles[i].place), compliance});
+    body.links.push_back(
+        {i, j, length(body.particles[j].place - body.particles[i].place), compliance, isEdge});
 }
 
 /// A link that other soft bodies collide with.
-void edge(SoftBody& body, int a, int b, float compliance) {
-    body.edges.push_back(static_cast<std::uint32_t>(body.links.size()));
-    link(body, a, b, compliance);
+void edge(SoftBody& body, int a, int b, float compliance) { link(body, a, b, compliance, true); }
+
+/// Sorts links by color, so that two neighbors in the list have no particle in common. In the order of a
+/// chain, what one link does is passed on to the next: such a ring swings by itself, as what is left of an
+/// error runs around it.
+void sortByColor(SoftBody& body) {
+    std::vector<std::uint32_t> used(body.particles.size(), 0);  // colors
+    std::vector<SoftLink> byColor[32];
+    for (const SoftLink& link : body.links) {
+        const int color = std::countr_one(used[link.a] | used[link.b]);
+        for (const std::uint32_t end : {link.a, link.b}) used[end] |= 1u << color;
+        byColor[color].push_back(link);
+    }
+    body.links.clear();
+    for (const auto& links : byColor) body.links.insert(body.links.end(), links.begin(), links.end());
 }
 
 SoftBodyId take(World& world, SoftBody&& body) {
+    sortByColor(body);
     SoftBodies& soft = world.softBodies;
     std::uint32_t index = static_cast<std::uint32_t>(soft.all.size());
     if (soft.free.empty()) {

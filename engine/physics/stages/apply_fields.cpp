@@ -73,7 +73,8 @@ void sortPulls(Workspace& work, bool hasSprings) {
 }
 
 bool flies(const World& world, const Workspace& work, std::uint32_t body) {
-    return work.colourMasks[body] == 0 && world.bodies.info[body].firstJoint == kNone;
+    return work.colourMasks[body] == 0 && !work.softSurroundings.holds(body) &&
+           world.bodies.info[body].firstJoint == kNone;
 }
 
 /// Part of a steady drive that is left of it by drag, as gatherBodies() has it.

@@ -24,7 +24,7 @@ Float4 flightOf(const Float4& drive, const Decay& decay, float drag, float h) {
 /// Exact flight is for what touches nothing, and hangs on nothing or on joints that know of it: what rests
 /// would be lifted by it.
 bool isFree(const World& world, const Workspace& work, std::uint32_t body) {
-    return work.colourMasks[body] == 0 || isInTree(world, work, body);
+    return (work.colourMasks[body] == 0 || isInTree(world, work, body)) && !work.softSurroundings.holds(body);
 }
 
 void gatherBody(World& world, Workspace& work, Vec2 gravity, std::uint32_t body, std::size_t slot, float h) {
@@ -62,27 +62,6 @@ void applyDrag(const World& world, Workspace& work, std::uint32_t body, std::siz
     work.drive[slot].x *= linear.drive / h;
     work.drive[slot].y *= linear.drive / h;
     work.drive[slot].z *= angular.drive / h;
-}
-
-/// What soft bodies push with all step long is like gravity for the solver.
-void applySoftPush(const World& world, Workspace& work, const SoftPush& push, float dt) {
-    if (work.slots[push.body] < 0) return;
-    const auto slot = static_cast<std::size_t>(work.slots[push.body]);
-    const auto group = std::find_if(work.groups.begin(), work.groups.end(), [&](const SolveGroup& g) {
-        return slot < static_cast<std::size_t>(g.end);
-    });
-    const float h = dt / static_cast<float>(group->substeps);
-    const BodyDrive& drive = world.bodies.driveOf(push.body);
-    const Decay linear = decayOf(drive.linearDrag, h), angular = decayOf(drive.angularDrag, h);
-    Float4& sum = work.drive[slot];
-    sum.x += linear.drive / h * push.acceleration.x;
-    sum.y += linear.drive / h * push.acceleration.y;
-    sum.z += angular.drive / h * push.spinUp;
-    if (!isFree(world, work, push.body)) return;
-    const Float4 displacement =
-        flightOf({push.acceleration.x, push.acceleration.y, 0.0f, 0.0f}, linear, drive.linearDrag, h);
-    work.ballisticDrift[slot].x += displacement.x;
-    work.ballisticDrift[slot].y += displacement.y;
 }
 
 void makeRoom(StepContext& step, std::size_t slots) {
@@ -137,8 +116,6 @@ void gatherBodies(StepContext& step) {
         });
         order += group.bodies;
     }
-    if (!step.runs(Effect::SoftBodies)) return;
-    for (const SoftPush& push : work.softSurroundings.pushes) applySoftPush(world, work, push, step.dt);
 }
 
 }  // namespace plumb::physics

@@ -176,6 +176,13 @@ void noteHolders(StepContext& step) {
     if (drivers) note(work.contactLanes, blocks, false);
 }
 
+/// What soft bodies push gets energy from them.
+void noteSoft(const StepContext& step) {
+    if (!step.runs(Effect::SoftBodies)) return;
+    for (const auto& [root, soft] : step.work.softSurroundings.neighbours)
+        step.work.accounts[step.work.roots[root]].isDriven = true;
+}
+
 /// Where nobody turns and nothing bounces nothing could give energy, and who is solved without either
 /// (solvePlain) has no account.
 void noteBounces(StepContext& step) {
@@ -400,6 +407,7 @@ void keepEnergy(StepContext& step) {
     if (hasJoints) {
         noteJoints(world, work);
         noteHolders(step);
+        noteSoft(step);
     }
     forBooked(work, [&](std::uint32_t body, EnergyAccount& account) { book(world, work, body, account); });
     bool wild = false, tooMuch = false;
@@ -411,6 +419,7 @@ void keepEnergy(StepContext& step) {
     if (tooMuch) {
         if (!hasJoints) noteHolders(step);  // who only gained from others never asks
         noteBounces(step);
+        noteSoft(step);
         limit(world, work);
     }
     if (hasJoints || tooMuch)

@@ -4,24 +4,18 @@
 
 #include "math/portable.hpp"
 #include "physics/effects/field_types.hpp"
-#include "physics/islands/sleeping.hpp"
-#include "physics/shapes/shape_types.hpp"
+#include "physics/solver/passes.hpp"
 #include "physics/stages.hpp"
 
 namespace plumb::physics {
 
 namespace {
 
-/// m/s: a particle this fast wakes what it hits.
-constexpr float kRousing = 0.5f;
-
 /// One soft body in one substep.
 struct SoftStep {
-    StepContext& step;
+    const StepContext& step;
     SoftBody& body;
-    std::span<const std::uint32_t> shapes;  // near it
-    float h;                                // s
-    float left;                             // ratio of the step, from the middle of this substep on
+    float h;  // s
 };
 
 /// Each particle is as wide in the wind as the way to its neighbour.
@@ -103,45 +97,6 @@ void keepArea(const SoftStep& soft) {
     }
 }
 
-/// m: how much of an overlap that was there before is taken away in a substep.
-float easedOf(const SoftStep& soft, float overlap) {
-    const Settings& settings = soft.step.world.settings;
-    return std::min(overlap, (settings.pushSpeed + settings.deepPushRate * overlap) * soft.h);
-}
-
-/// Stops what comes nearer than the radius. Of an overlap, what came in this substep is an impulse on both;
-/// the rest is put right and gives no speed, or it would feed them.
-void keepOut(const SoftStep& soft, SoftParticle& p, std::uint32_t shape, SoftObstacle& obstacle) {
-    const World& world = soft.step.world;
-    const Vec2 arm = p.place - obstacle.centre;
-    const ClosestPoint nearest = closestPoint(world.shapes.geometry[shape], world.shapes.corners,
-                                              obstacle.localCentre + unrotate(obstacle.rotation, arm));
-    const float depth = soft.body.radius - nearest.distance;
-    if (!(depth > 0.0f)) return;
-    if (obstacle.rests && length(p.velocity) > kRousing) rouse(soft.step, obstacle);
-    const Vec2 normal = rotate(obstacle.rotation, nearest.normal), along = perpendicular(normal);
-    const Vec2 displacement = (p.place - p.before) - obstacle.displacement(arm);
-    const float came = std::clamp(-dot(displacement, normal), 0.0f, depth);
-    const float push = came / (p.inverseMass + obstacle.weight(arm, normal));
-    const float hold = dot(displacement, along) / (p.inverseMass + obstacle.weight(arm, along));
-    const float rub = std::clamp(hold, -soft.body.friction * push, soft.body.friction * push);
-    const Vec2 impulse = push * normal - rub * along;
-    const Vec2 eased = easedOf(soft, depth - came) * normal;
-    p.place = p.place + (p.inverseMass * impulse + eased);
-    p.before = p.before + eased;
-    pushObstacle(obstacle, arm, -impulse, soft.h, soft.left);
-}
-
-void keepOutOfAll(const SoftStep& soft) {
-    SoftSurroundings& around = soft.step.work.softSurroundings;
-    for (const std::uint32_t shape : soft.shapes) {
-        SoftObstacle& obstacle = around.obstacleOf(soft.step.world.shapes.info[shape].body);
-        for (SoftParticle& p : soft.body.particles) {
-            if (p.inverseMass > 0.0f) keepOut(soft, p, shape, obstacle);
-        }
-    }
-}
-
 void updateVelocities(const SoftStep& soft) {
     for (SoftParticle& p : soft.body.particles) {
         p.velocity = p.inverseMass > 0.0f ? (p.place - p.before) / soft.h : Vec2{};
@@ -152,50 +107,64 @@ void updateVelocities(const SoftStep& soft) {
     }
 }
 
-/// Those that may meet go through their substeps side by side.
-void moveGroup(StepContext& step, std::span<const std::uint32_t> group) {
-    SoftSoftContacts& meetings = step.work.softSoftContacts;
-    SoftSurroundings& around = step.work.softSurroundings;
-    int substeps = 1;
-    for (const std::uint32_t index : group)
-        substeps = std::max<int>(substeps, step.world.softBodies.all[index].substeps);
-    findMeetings(step.world, step.dt, group, meetings);
-    foresee(step, group);
-    const float count = static_cast<float>(substeps), h = step.dt / count;
-    for (int i = 0; i < substeps; ++i) {
-        const float left = 1.0f - (static_cast<float>(i) + 0.5f) / count;
-        const auto softStep = [&](std::uint32_t index) {
-            return SoftStep{step, step.world.softBodies.all[index], around.shapesOf(index), h, left};
-        };
-        moveObstacles(around, h);
-        for (const std::uint32_t index : group) {
-            const SoftStep soft = softStep(index);
-            blow(soft);
-            moveFreely(soft);
-            keepLengths(soft);
-            keepArea(soft);
-            keepOutOfAll(soft);
-        }
-        holdObstacles(around, h);
-        keepSoftApart(step.world, h, meetings.all);
-        for (const std::uint32_t index : group) updateVelocities(softStep(index));
+/// Calls act(SoftStep) with the soft bodies of a group.
+template <class Act>
+void forSoft(const StepContext& step, const SoftGroup& group, float h, Act&& act) {
+    for (const std::uint32_t index : group.bodies.of(step.work.softSoftContacts.order))
+        act(SoftStep{step, step.world.softBodies.all[index], h});
+}
+
+/// A group that can push no body.
+void moveAlone(StepContext& step, const SoftGroup& group) {
+    const float h = step.dt / static_cast<float>(group.substeps);
+    const ContactPass pass = contactPass(step.world.settings, h, 1.0f);
+    for (int i = 0; i < group.substeps; ++i) {
+        springSoft(step, group, h, i);
+        solveSoft(step, group, pass, false);
+        closeSoft(step, group, h);
+        solveSoft(step, group, pass, true);
     }
-    pushBodies(step);
+    storeSoftContacts(step, group, h);
 }
 
 }  // namespace
 
-/// Position based dynamics with compliance, in small steps. Source: M. Macklin, M. Mueller, N. Chentanez,
+void springSoft(StepContext& step, const SoftGroup& group, float h, int substep) {
+    measureSoftContacts(step, group, h * static_cast<float>(substep));
+    forSoft(step, group, h, [](const SoftStep& soft) {
+        blow(soft);
+        moveFreely(soft);
+        keepLengths(soft);
+        keepArea(soft);
+    });
+    warmStartSoft(step, group, h, substep == 0);
+    keepSoftApart(step.world, h, group.meetings.of(step.work.softSoftContacts.all));
+}
+
+void closeSoft(const StepContext& step, const SoftGroup& group, float h) {
+    forSoft(step, group, h, updateVelocities);
+}
+
+/// Position based dynamics with compliance, in small steps. Those that may meet go through their substeps
+/// side by side, with the islands that they may push (solve). Source: M. Macklin, M. Mueller, N. Chentanez,
 /// "XPBD: Position-Based Simulation of Compliant Constrained Dynamics", MIG 2016.
 void moveSoftBodies(StepContext& step) {
     SoftSoftContacts& meetings = step.work.softSoftContacts;
     findSurroundings(step);
-    groupSoftBodies(step.world, step.dt, step.work.softSurroundings.neighbours, meetings);
+    groupSoftBodies(step.world, step.dt, step.work.softSurroundings, meetings);
     const std::span<const std::uint32_t> order = meetings.order;
+    meetings.all.clear();
     for (std::size_t begin = 0; begin < order.size();) {
         std::size_t end = begin + 1;
         while (end < order.size() && meetings.leaders[order[end]] == meetings.leaders[order[begin]]) ++end;
-        moveGroup(step, order.subspan(begin, end - begin));
+        SoftGroup& group = step.work.softSurroundings.groups.emplace_back();
+        group.bodies = {begin, end};
+        group.meetings.begin = meetings.all.size();
+        findMeetings(step.world, step.dt, group.bodies.of(meetings.order), meetings);
+        group.meetings.end = meetings.all.size();
+        findSoftContacts(step, group);
+        group.substeps = substepsOf(step, group);
+        if (group.body == kNone) moveAlone(step, group);
         begin = end;
     }
 }

@@ -31,6 +31,21 @@ struct Solver {
     bool hasTrees;
 };
 
+/// Calls act(soft group) with those of which bodies are in the group that is solved.
+template <class Act>
+void forSoft(const Solver& solver, Act&& act) {
+    if (!solver.step.runs(Effect::SoftBodies)) return;
+    for (const SoftGroup& soft : solver.step.work.softSurroundings.groups) {
+        const std::int32_t slot = soft.body == kNone ? -1 : solver.step.work.slots[soft.body];
+        if (slot >= solver.group.begin && slot < solver.group.end) act(soft);
+    }
+}
+
+void solveSoft(const Solver& solver, bool relax) {
+    forSoft(solver,
+            [&](const SoftGroup& soft) { solveSoft(solver.step, soft, solver.contacts.two.pass, relax); });
+}
+
 SolverBodies bodiesOf(Workspace& work) {
     return {work.velocity.data(),       work.deltaPosition.data(),
             work.drive.data(),          work.keep.empty() ? nullptr : work.keep.data(),
@@ -68,6 +83,7 @@ void relax(Solver& solver) {
 void pushOften(Solver& solver, int substep) {
     for (int turn = 0; turn < solver.iterations; ++turn) {
         solver.joints.first = turn == 0;
+        solveSoft(solver, false);
         if (solver.hasTrees) pushTrees(solver.step, solver.group, solver.h, substep, turn > 0);
         push(solver);
         lockAxes(solver.step, solver.group, solver.step.work.velocity);
@@ -78,6 +94,7 @@ void pushOften(Solver& solver, int substep) {
 void relaxOften(Solver& solver, int substep) {
     for (int turn = 0; turn < solver.iterations; ++turn) {
         solver.joints.first = turn == 0;
+        solveSoft(solver, true);
         if (solver.hasTrees) relaxTrees(solver.step, solver.group, solver.h, substep, turn > 0);
         relax(solver);
         relaxRolling(solver.step, solver.group);
@@ -102,16 +119,19 @@ void solveGroup(Solver& solver) {
             warmStart(solver);
             warmStartRolling(solver.step, solver.group);
         }
+        forSoft(solver, [&](const SoftGroup& soft) { springSoft(solver.step, soft, solver.h, i); });
         lockAxes(solver.step, solver.group, solver.step.work.velocity);
         solver.contacts.fixed.pass.elapsed = solver.h * static_cast<float>(i);
         pushOften(solver, i);
         forBodies(solver.step, solver.group,
                   [&](int begin, int end) { move(solver.bodies, solver.h, begin, end); });
+        forSoft(solver, [&](const SoftGroup& soft) { closeSoft(solver.step, soft, solver.h); });
         relaxOften(solver, i);
         noteLargestImpulses(solver.step, solver.group);
         addImpulses(solver.step.work);
         noteJointForces(solver.step, solver.group, 1.0f / solver.h);
     }
+    forSoft(solver, [&](const SoftGroup& soft) { storeSoftContacts(solver.step, soft, solver.h); });
     applyRestitution(solver.step, solver.group);
     finishImpulseSums(solver.step.work);
     lockAxes(solver.step, solver.group, solver.step.work.velocity);
@@ -124,6 +144,11 @@ void solveWithRotation(StepContext& step) {
     const Settings& settings = step.world.settings;
     prepareRestitution(step);
     prepareRolling(step);
+    if (step.runs(Effect::SoftBodies)) {
+        for (SoftObstacle& obstacle : work.softSurroundings.obstacles)
+            obstacle.slot = work.slots[obstacle.body];
+        work.softSurroundings.obstacleOf.clear();
+    }
     Contacts contacts{{kernels.contacts[hasFriction], work.contactLanes, work.contactBlocks},
                       {kernels.fixedContacts[hasFriction], work.fixedLanes, work.fixedBlocks}};
     for (const SolveGroup& group : work.groups) {

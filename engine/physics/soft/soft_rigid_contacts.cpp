@@ -1,0 +1,329 @@
+#include "physics/soft/soft_rigid_contacts.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "math/portable.hpp"
+#include "physics/broadphase/broadphase_update.hpp"
+#include "physics/islands/sleeping.hpp"
+#include "physics/shapes/shape_types.hpp"
+#include "physics/solver/passes.hpp"
+#include "physics/stages.hpp"
+
+namespace plumb::physics {
+
+namespace {
+
+/// m/s: a particle that hits a sleeping body at this speed wakes it.
+constexpr float kRousing = 0.5f;
+/// m: margin for particles that move further within a step than their velocities predict.
+constexpr float kSlack = 0.01f;
+/// Part of a link's length by which a load may move its particles in a substep. Links carry it when they are
+/// shorter by about as much.
+constexpr float kGivenWay = 1.0f / 16.0f;
+/// Part of a soft body's particles that bears a load: about a side of it.
+constexpr float kBearing = 0.25f;
+
+bool isPushed(const World& world, std::uint32_t body) {
+    return world.bodies.info[body].kind == BodyKind::Dynamic && world.bodies.info[body].place != kNone;
+}
+
+/// m: beyond its radius.
+float reachOf(const SoftBody& body) { return body.radius + kSlack; }
+
+AABB boundsOf(const SoftBody& body, float dt) {
+    constexpr float kFar = std::numeric_limits<float>::max();
+    AABB bounds{{kFar, kFar}, {-kFar, -kFar}};
+    for (const SoftParticle& p : body.particles) {
+        const Vec2 here = toVec2(p.place), there = toVec2(p.place + dt * p.velocity);
+        bounds = {min(bounds.min, min(here, there)), max(bounds.max, max(here, there))};
+    }
+    return grown(bounds, body.radius + reachOf(body));
+}
+
+void findShapes(StepContext& step, const SoftBody& body) {
+    const Shapes& shapes = step.world.shapes;
+    std::vector<std::uint32_t>& found = step.work.softSurroundings.shapes;
+    const auto first = static_cast<std::ptrdiff_t>(found.size());
+    if (step.work.broadPhase != nullptr) {
+        step.work.broadPhase->query(proxiesOf(step.world), boundsOf(body, step.dt), body.mask, found);
+    }
+    const auto end = std::remove_if(found.begin() + first, found.end(), [&](std::uint32_t shape) {
+        return (shapes.info[shape].flags & kTrigger) != 0 || (shapes.filter[shape].mask & body.layers) == 0;
+    });
+    found.erase(end, found.end());
+    std::sort(found.begin() + first, found.end());
+}
+
+Vec2 velocityAt(const Float4& motion, Vec2 arm) { return Vec2{motion.x, motion.y} + cross(motion.z, arm); }
+
+void addNeighbours(World& world, SoftSurroundings& around, std::uint32_t soft) {
+    for (const std::uint32_t shape : around.shapesOf(soft)) {
+        const std::uint32_t body = world.shapes.info[shape].body;
+        if (isPushed(world, body)) around.neighbours.emplace_back(islandOf(world, body), soft);
+    }
+}
+
+SoftObstacle obstacleOf(const World& world, std::uint32_t body) {
+    const BodyMotion& motion = world.bodies.motion[body];
+    const BodyInfo& info = world.bodies.info[body];
+    const BodyPose& pose = world.bodies.pose[body];
+    SoftObstacle obstacle{
+        .body = body, .isPushed = isPushed(world, body), .centre = pose.centre, .rotation = pose.rotation};
+    if (info.kind != BodyKind::Dynamic)
+        obstacle.motion = {motion.velocity.x, motion.velocity.y, motion.angularVelocity, 0.0f};
+    if (!obstacle.isPushed) return obstacle;
+    const BodyMass& mass = world.bodies.mass[body];
+    obstacle.inverseMass = {(info.flags & kLockX) != 0 ? 0.0f : mass.inverseMass,
+                            (info.flags & kLockY) != 0 ? 0.0f : mass.inverseMass};
+    obstacle.inverseInertia = mass.inverseInertia;
+    return obstacle;
+}
+
+void measure(const World& world, const SoftObstacle& obstacle, SoftContact& contact) {
+    contact.arm = contact.particle->place - obstacle.centre;
+    const ClosestPoint nearest =
+        closestPoint(world.shapes.geometry[contact.shape], world.shapes.corners,
+                     world.bodies.pose[obstacle.body].localCentre + unrotate(obstacle.rotation, contact.arm));
+    contact.normal = rotate(obstacle.rotation, nearest.normal);
+    contact.gap = nearest.distance - contact.soft->radius;
+}
+
+/// Calls act(contact, velocity) for the particles that may touch a shape within the step.
+/// @param velocity  m/s, relative to the shape
+template <class Act>
+void forParticlesNear(const StepContext& step, SoftBody& soft, std::uint32_t shape, Act&& act) {
+    const SoftObstacle obstacle = obstacleOf(step.world, step.world.shapes.info[shape].body);
+    const BodyMotion& motion = step.world.bodies.motion[obstacle.body];
+    for (SoftParticle& p : soft.particles) {
+        if (p.inverseMass == 0.0f) continue;
+        SoftContact contact{.soft = &soft, .particle = &p, .shape = shape};
+        measure(step.world, obstacle, contact);
+        const Vec2 velocity = p.velocity - motion.velocity - cross(motion.angularVelocity, contact.arm);
+        if (contact.gap < reachOf(soft) + step.dt * length(velocity)) act(contact, velocity);
+    }
+}
+
+void rouse(const StepContext& step, SoftBody& soft, std::uint32_t shape) {
+    const std::uint32_t body = step.world.shapes.info[shape].body;
+    if (step.world.bodies.info[body].kind != BodyKind::Dynamic || isPushed(step.world, body)) return;
+    bool hit = false;
+    forParticlesNear(step, soft, shape, [&](const SoftContact& contact, Vec2 velocity) {
+        hit = hit || dot(velocity, contact.normal) < -kRousing;
+    });
+    if (hit) wake(step.world, body);
+}
+
+std::uint32_t addObstacle(const World& world, SoftSurroundings& around, SoftGroup& group,
+                          std::uint32_t body) {
+    std::uint32_t& known = around.obstacleOf[body];
+    if (known > group.obstacles.begin) return known - 1;  // others are of earlier groups
+    around.obstacles.push_back(obstacleOf(world, body));
+    known = static_cast<std::uint32_t>(around.obstacles.size());
+    if (around.obstacles.back().isPushed) group.body = body;
+    return known - 1;
+}
+
+/// N: on a particle by a shape, at the end of the last step.
+Vec2 forceOf(const SoftBody& soft, std::uint32_t shape, std::uint32_t particle) {
+    const auto at = std::lower_bound(
+        soft.touches.begin(), soft.touches.end(), shape, [&](const SoftTouch& touch, std::uint32_t) {
+            return touch.shape != shape ? touch.shape < shape : touch.particle < particle;
+        });
+    return at != soft.touches.end() && at->shape == shape && at->particle == particle ? at->force : Vec2{};
+}
+
+void addContacts(StepContext& step, SoftGroup& group, SoftBody& soft, std::uint32_t shape) {
+    SoftSurroundings& around = step.work.softSurroundings;
+    forParticlesNear(step, soft, shape, [&](SoftContact& contact, Vec2) {
+        const auto particle = static_cast<std::uint32_t>(contact.particle - soft.particles.data());
+        contact.obstacle = addObstacle(step.world, around, group, step.world.shapes.info[shape].body);
+        contact.impulse = forceOf(soft, shape, particle);
+        around.contacts.push_back(contact);
+    });
+}
+
+Float4& motionOf(StepContext& step, SoftObstacle& obstacle) {
+    return obstacle.isPushed ? step.work.velocity[static_cast<std::size_t>(obstacle.slot)] : obstacle.motion;
+}
+
+void measure(const StepContext& step, SoftObstacle& obstacle, float elapsed) {
+    const BodyPose& pose = step.world.bodies.pose[obstacle.body];
+    const Float4& motion = obstacle.motion;
+    Vec2 displacement = elapsed * Vec2{motion.x, motion.y};
+    Rot turn = motion.z == 0.0f ? Rot{} : rotFromAngle(elapsed * motion.z);
+    if (obstacle.isPushed) {
+        const Float4& moved = step.work.deltaPosition[static_cast<std::size_t>(obstacle.slot)];
+        displacement = {moved.x, moved.y};
+        turn = {1.0f + moved.w, moved.z};
+    }
+    obstacle.pressed = 0.0f;
+    obstacle.centre = pose.centre + displacement;
+    obstacle.rotation = normalized(turn * pose.rotation);
+}
+
+/// 1/kg: inverse effective mass of both sides along a direction.
+float weightOf(const SoftContact& contact, const SoftObstacle& obstacle, Vec2 direction) {
+    const float lever = cross(contact.arm, direction);
+    return contact.particle->inverseMass + obstacle.inverseMass.x * direction.x * direction.x +
+           obstacle.inverseMass.y * direction.y * direction.y + obstacle.inverseInertia * lever * lever;
+}
+
+void pushBody(const SoftContact& contact, const SoftObstacle& obstacle, Float4& motion, Vec2 impulse) {
+    motion.x -= obstacle.inverseMass.x * impulse.x;
+    motion.y -= obstacle.inverseMass.y * impulse.y;
+    motion.z -= obstacle.inverseInertia * cross(contact.arm, impulse);
+}
+
+/// Change of the impulse of a contact in response to a relative velocity: the normal part as those of other
+/// contacts (SoftPush8), and Coulomb friction.
+Vec2 answer(SoftContact& contact, const SoftObstacle& obstacle, Vec2 velocity, float bias,
+            const Softness& softness) {
+    const Vec2 normal = contact.normal, along = perpendicular(normal), before = contact.impulse;
+    const float speed = dot(velocity, normal) + bias, pushed = dot(before, normal);
+    if (before == Vec2{} && speed >= 0.0f) return {};
+    const float change = softness.massScale * speed / weightOf(contact, obstacle, normal);
+    const float push = std::max(pushed - change - softness.impulseScale * pushed, 0.0f);
+    const float maximum = contact.soft->friction * push;
+    const float rub = dot(before, along) - dot(velocity, along) / weightOf(contact, obstacle, along);
+    contact.impulse = push * normal + std::clamp(rub, -maximum, maximum) * along;
+    return contact.impulse - before;
+}
+
+/// Slows what a soft body carries as that itself is slowed, by the part of the weight that a contact bears.
+/// Otherwise a heavy load on a light spring would swing on.
+void calm(StepContext& step, const SoftContact& contact, SoftObstacle& obstacle, float h) {
+    const float damping = contact.soft->damping;
+    if (!obstacle.isPushed || contact.impulse == Vec2{} || damping == 0.0f) return;
+    const auto slot = static_cast<std::size_t>(obstacle.slot);
+    const Float4 &drive = step.work.drive[slot], &motion = step.work.velocity[slot];
+    const float weight = h * step.world.bodies.mass[obstacle.body].mass * length(Vec2{drive.x, drive.y});
+    const float part =
+        std::min(damping * h, 1.0f) * length(contact.impulse) / std::max(obstacle.pressed, weight);
+    const float inverse = weightOf(contact, obstacle, contact.normal) - contact.particle->inverseMass;
+    if (!(weight > 0.0f && inverse > 0.0f)) return;
+    const Vec2 impulse =
+        part * dot(velocityAt(motion, contact.arm), contact.normal) / inverse * contact.normal;
+    // It is not to be repeated in the next substep.
+    for (Float4* row : {&step.work.velocity[slot], &step.work.velocityBeforeImpulses[slot]})
+        pushBody(contact, obstacle, *row, impulse);
+}
+
+}  // namespace
+
+void findSurroundings(StepContext& step) {
+    World& world = step.world;
+    SoftSurroundings& around = step.work.softSurroundings;
+    around.shapes.clear();
+    around.ends.clear();
+    around.neighbours.clear();
+    for (SoftBody& body : world.softBodies.all) {
+        const auto soft = static_cast<std::uint32_t>(around.ends.size());
+        if (body.isAlive) findShapes(step, body);
+        around.ends.push_back(static_cast<std::uint32_t>(around.shapes.size()));
+        for (const std::uint32_t shape : around.shapesOf(soft)) rouse(step, body, shape);
+    }
+    for (std::uint32_t soft = 0; soft < around.ends.size(); ++soft) addNeighbours(world, around, soft);
+    std::sort(around.neighbours.begin(), around.neighbours.end());
+    around.obstacleOf.assign(world.bodies.size(), 0);
+    around.obstacles.clear();
+    around.contacts.clear();
+    around.groups.clear();
+}
+
+void findSoftContacts(StepContext& step, SoftGroup& group) {
+    SoftSurroundings& around = step.work.softSurroundings;
+    group.obstacles.begin = around.obstacles.size();
+    group.contacts.begin = around.contacts.size();
+    for (const std::uint32_t soft : group.bodies.of(step.work.softSoftContacts.order)) {
+        for (const std::uint32_t shape : around.shapesOf(soft))
+            addContacts(step, group, step.world.softBodies.all[soft], shape);
+    }
+    group.obstacles.end = around.obstacles.size();
+    group.contacts.end = around.contacts.size();
+}
+
+int substepsOf(const StepContext& step, const SoftGroup& group) {
+    SoftSurroundings& around = step.work.softSurroundings;
+    const World& world = step.world;
+    float heaviest = 0.0f;  // kg
+    for (const SoftObstacle& obstacle : group.obstacles.of(around.obstacles)) {
+        if (obstacle.isPushed) heaviest = std::max(heaviest, world.bodies.mass[obstacle.body].mass);
+    }
+    const float load = step.runs(Effect::Gravity) ? heaviest * length(world.settings.gravity) : 0.0f;  // N
+    int most = 1;
+    for (const std::uint32_t index : group.bodies.of(step.work.softSoftContacts.order)) {
+        const SoftBody& soft = world.softBodies.all[index];
+        most = std::max<int>(most, soft.substeps);
+        if (soft.links.empty()) continue;
+        const float mass = kBearing * static_cast<float>(soft.particles.size()) * soft.particles[0].mass;
+        const float needed = step.dt * std::sqrt(load / (mass * kGivenWay * soft.links[0].length));
+        most = std::max(most, static_cast<int>(std::min(needed, 64.0f)));
+    }
+    return most;
+}
+
+void measureSoftContacts(StepContext& step, const SoftGroup& group, float elapsed) {
+    SoftSurroundings& around = step.work.softSurroundings;
+    for (SoftObstacle& obstacle : group.obstacles.of(around.obstacles)) measure(step, obstacle, elapsed);
+    for (SoftContact& contact : group.contacts.of(around.contacts))
+        measure(step.world, around.obstacles[contact.obstacle], contact);
+}
+
+void warmStartSoft(StepContext& step, const SoftGroup& group, float h, bool first) {
+    SoftSurroundings& around = step.work.softSurroundings;
+    const auto contacts = group.contacts.of(around.contacts);
+    for (SoftContact& contact : contacts) {
+        if (contact.impulse == Vec2{}) continue;
+        SoftObstacle& obstacle = around.obstacles[contact.obstacle];
+        if (first) {
+            contact.impulse *= h;  // it was a force
+            pushBody(contact, obstacle, motionOf(step, obstacle), contact.impulse);
+        }
+        SoftParticle& p = *contact.particle;
+        p.place = p.place + (h * p.inverseMass) * contact.impulse;
+        obstacle.pressed += length(contact.impulse);
+    }
+    for (const SoftContact& contact : contacts) calm(step, contact, around.obstacles[contact.obstacle], h);
+}
+
+void solveSoft(StepContext& step, const SoftGroup& group, const ContactPass& pass, bool relax) {
+    SoftSurroundings& around = step.work.softSurroundings;
+    const float rate = pass.substepRate;
+    const Softness ground = contactPass(step.world.settings, 1.0f / rate, kGroundStiffness).softness;
+    for (SoftContact& contact : group.contacts.of(around.contacts)) {
+        SoftObstacle& obstacle = around.obstacles[contact.obstacle];
+        SoftParticle& p = *contact.particle;
+        Float4& motion = motionOf(step, obstacle);
+        // What is heavier than a particle is as ground for it. Between it and true ground, what is lighter
+        // must be able to give way.
+        const Softness& soft = obstacle.inverseMass.x < p.inverseMass ? ground : pass.softness;
+        const float gap = contact.gap;
+        const bool hard = relax || gap > 0.0f;
+        float bias = relax && contact.impulse != Vec2{} ? 0.0f : std::max(gap, 0.0f) * rate;
+        if (!hard) bias = std::max(gap * soft.biasRate, gap * pass.deepPushRate - pass.pushSpeed);
+        const Vec2 velocity = relax ? p.velocity : rate * (p.place - p.before);
+        const Vec2 impulse = answer(contact, obstacle, velocity - velocityAt(motion, contact.arm), bias,
+                                    hard ? Softness{} : soft);
+        if (impulse == Vec2{}) continue;
+        pushBody(contact, obstacle, motion, impulse);
+        if (relax) {
+            p.velocity += p.inverseMass * impulse;
+        } else {
+            p.place = p.place + (p.inverseMass / rate) * impulse;
+        }
+    }
+}
+
+void storeSoftContacts(StepContext& step, const SoftGroup& group, float h) {
+    for (const std::uint32_t soft : group.bodies.of(step.work.softSoftContacts.order))
+        step.world.softBodies.all[soft].touches.clear();
+    for (const SoftContact& contact : group.contacts.of(step.work.softSurroundings.contacts)) {
+        if (contact.impulse == Vec2{}) continue;
+        const auto particle = static_cast<std::uint32_t>(contact.particle - contact.soft->particles.data());
+        contact.soft->touches.push_back({particle, contact.shape, contact.impulse / h});
+    }
+}
+
+}  // namespace plumb::physics

@@ -1,0 +1,101 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "physics/solver/contact_block.hpp"
+#include "physics/world.hpp"
+
+namespace plumb::physics {
+
+struct StepContext;
+
+// Contacts of particles with rigid bodies: constraints of the solver's substeps, with the mass of both sides.
+// The solver repeats what they did to a body in the next substep (accelerate), so a particle gets its impulse
+// again, too.
+
+/// A rigid body near soft bodies of one group.
+struct SoftObstacle {
+    std::uint32_t body = 0;
+    bool isPushed = false;        ///< it is dynamic and awake
+    std::int32_t slot = -1;       ///< in the solver, if it is pushed
+    Vec2 inverseMass;             ///< 1/kg along x and y; 0 if it is locked or not pushed
+    float inverseInertia = 0.0f;  ///< 1/(kg m2)
+    WorldPosition centre;         ///< m: at the start of the substep
+    Rot rotation;
+    float pressed = 0.0f;  ///< N s: sum of the impulses of its contacts, without their directions
+    Float4 motion;         ///< m/s, m/s, rad/s: of what has no slot
+};
+
+/// A particle that a shape may touch in this step.
+struct SoftContact {
+    SoftBody* soft = nullptr;
+    SoftParticle* particle = nullptr;
+    std::uint32_t shape = 0;
+    std::uint32_t obstacle = 0;
+    Vec2 impulse;      ///< N s: on the particle, in a substep
+    Vec2 normal;       ///< away from the body
+    Vec2 arm;          ///< m: from the body's center to the particle
+    float gap = 0.0f;  ///< m: at the start of the substep
+};
+
+/// A range of a list.
+struct SoftRange {
+    std::size_t begin = 0;
+    std::size_t end = 0;
+
+    template <class T>
+    [[nodiscard]] std::span<T> of(std::vector<T>& list) const {
+        return std::span{list}.subspan(begin, end - begin);
+    }
+};
+
+/// Soft bodies that may touch each other or the same island in this step: solved together.
+struct SoftGroup {
+    SoftRange bodies;     ///< of SoftSoftContacts::order
+    SoftRange meetings;   ///< of SoftSoftContacts::all
+    SoftRange obstacles;  ///< of the following lists
+    SoftRange contacts;
+    int substeps = 1;            ///< that it needs
+    std::uint32_t body = kNone;  ///< one of those that it may push
+};
+
+/// Data of a step, in Workspace.
+struct SoftSurroundings {
+    std::vector<std::uint32_t> shapes;  ///< near soft bodies, in the order of these
+    std::vector<std::uint32_t> ends;    ///< by soft body: end of its shapes
+    /// Islands near soft bodies that can push them: root and index in SoftBodies::all, sorted.
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> neighbours;
+    std::vector<SoftObstacle> obstacles;  ///< by group, then by body
+    std::vector<SoftContact> contacts;    ///< by group and soft body, then by shape and particle
+    std::vector<SoftGroup> groups;
+    std::vector<std::uint32_t> obstacleOf;  ///< by body: index in `obstacles` + 1, until they are solved
+
+    [[nodiscard]] std::span<const std::uint32_t> shapesOf(std::uint32_t soft) const {
+        const std::uint32_t begin = soft > 0 ? ends[soft - 1] : 0;
+        return std::span{shapes}.subspan(begin, ends[soft] - begin);
+    }
+    /// Whether soft bodies may push this body in this step.
+    [[nodiscard]] bool holds(std::uint32_t body) const {
+        return body < obstacleOf.size() && obstacleOf[body] != 0;
+    }
+};
+
+/// Finds the shapes near all soft bodies, wakes what they hit, and finds the islands that they share.
+void findSurroundings(StepContext& step);
+/// Finds the obstacles and contacts of a group.
+void findSoftContacts(StepContext& step, SoftGroup& group);
+/// Of a group, so that its links carry what lies on them.
+[[nodiscard]] int substepsOf(const StepContext& step, const SoftGroup& group);
+/// Where everything is at the start of a substep. @param elapsed  s since the start of the step
+void measureSoftContacts(StepContext& step, const SoftGroup& group, float elapsed);
+/// Gives the impulses of the last substep again: to the particles, and in the first one to the bodies.
+void warmStartSoft(StepContext& step, const SoftGroup& group, float h, bool first);
+/// One pass, as over other contacts. The first one moves the particles.
+void solveSoft(StepContext& step, const SoftGroup& group, const ContactPass& pass, bool relax);
+/// Keeps the forces of the last substep for the next step.
+void storeSoftContacts(StepContext& step, const SoftGroup& group, float h);
+
+}  // namespace plumb::physics
