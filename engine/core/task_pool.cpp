@@ -33,6 +33,11 @@ TaskPool::TaskPool(int threads) {
     for (int i = 1; i < threads; ++i) workers_.emplace_back([this, i] { work(i); });
 }
 
+TaskPool::TaskPool(int threads, Foreign foreign, void* owner)
+    : foreign_{foreign}, owner_{owner}, foreignThreads_{threads} {
+    PLUMB_ASSERT(threads >= 1, "a scheduler has at least one thread");
+}
+
 TaskPool::~TaskPool() {
     {
         const std::lock_guard lock{mutex_};
@@ -60,6 +65,7 @@ bool TaskPool::takePart(int thread) {
 }
 
 void TaskPool::run(int count, Call call, void* context) {
+    if (foreign_ != nullptr && count > 1) return foreign_(owner_, count, call, context);
     if (count <= 1 || workers_.empty()) {
         for (int part = 0; part < count; ++part) call(context, part, 0);
         return;

@@ -19,11 +19,19 @@ class TaskPool {
 public:
     /// @param threads  including the caller's, at least 1
     explicit TaskPool(int threads);
+    /// Uses the threads of another scheduler instead of its own: `foreign` calls `task(taskContext, part,
+    /// thread)` for every part in 0..count-1, on any thread, and returns when all are done. `thread` is a
+    /// number in 0..threads-1 that no other thread uses meanwhile.
+    using Call = void (*)(void* context, int part, int thread);
+    using Foreign = void (*)(void* owner, int count, Call task, void* taskContext);
+    TaskPool(int threads, Foreign foreign, void* owner);
     ~TaskPool();
     TaskPool(const TaskPool&) = delete;
     TaskPool& operator=(const TaskPool&) = delete;
 
-    [[nodiscard]] int threads() const { return static_cast<int>(workers_.size()) + 1; }
+    [[nodiscard]] int threads() const {
+        return foreign_ != nullptr ? foreignThreads_ : static_cast<int>(workers_.size()) + 1;
+    }
 
     /// Runs `task(part, thread)` for every part in 0..count-1 and waits for all. `thread` is 0..threads()-1.
     /// @pre not called from within a task
@@ -36,14 +44,15 @@ public:
     }
 
 private:
-    using Call = void (*)(void* context, int part, int thread);
-
     void run(int count, Call call, void* context);
     void work(int thread);
     bool takePart(int thread);
     void waitForWork(std::uint64_t seen);
 
     std::vector<std::thread> workers_;
+    Foreign foreign_ = nullptr;
+    void* owner_ = nullptr;
+    int foreignThreads_ = 1;
     // What is done in the present round. Whoever takes a part has read what belongs to the ticket it takes:
     // the ticket is withdrawn before these change.
     std::atomic<Call> call_{nullptr};

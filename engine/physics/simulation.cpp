@@ -40,7 +40,10 @@ bool hasRemains(const StepContext& step) {
 bool hasBlocks(const StepContext& step) {
     return !step.work.contactLanes.empty() || !step.work.fixedLanes.empty();
 }
-bool hasHook(const StepContext& step) { return step.hooks.preSolve != nullptr; }
+bool hasHook(const StepContext& step) {
+    return step.hooks.preSolve != nullptr || step.hooks.friction != nullptr ||
+           step.hooks.bounciness != nullptr;
+}
 bool hasSeams(const StepContext& step) { return !step.work.chainChanges.empty(); }
 
 constexpr Stage kStages[] = {
@@ -84,8 +87,10 @@ void wakeForGravity(World& world) {
 }
 
 /// The effects of this step.
-std::uint32_t effectsOf(const World& world) {
+std::uint32_t effectsOf(const World& world, const ContactHooks& hooks) {
     std::uint32_t effects = world.manifest.running();
+    if (hooks.friction != nullptr) effects |= Manifest::bit(Effect::Friction);
+    if (hooks.bounciness != nullptr) effects |= Manifest::bit(Effect::Restitution);
     if (!world.settings.continuous) effects &= ~Manifest::bit(Effect::Continuous);
     if (!world.settings.sleeping) effects &= ~Manifest::bit(Effect::Sleep);
     return effects;
@@ -131,8 +136,11 @@ std::uint64_t runsOf(World& world, Effect effect) {
 }
 
 void step(World& world, float dt, const StepOptions& options) {
+    if (world.isAsking) return;  // called by a callback
     world.events.clear();
     world.brokenJoints.clear();
+    world.strainedJoints.clear();
+    world.fellAsleep.clear();
     world.quarantined.clear();
     if (!(dt > 0.0f) || !std::isfinite(dt)) return;
     bringIntoRange(world.settings);
@@ -140,7 +148,8 @@ void step(World& world, float dt, const StepOptions& options) {
     wakeForGravity(world);
     if (nothingToDo(world)) return;
     world.stepLength = dt;
-    StepContext context{world, world.work.get(), dt, options.pool, options.hooks, effectsOf(world)};
+    StepContext context{world,        world.work.get(), dt,
+                        options.pool, options.hooks,    effectsOf(world, options.hooks)};
     context.work.effectsRun = 0;
     context.work.rootsKnown = false;
     for (const Stage& stage : kStages) {

@@ -37,6 +37,15 @@ struct StepContext {
     }
 };
 
+/// Calls back the owner of the world, who must not change it meanwhile.
+template <class Call>
+auto ask(World& world, Call&& call) {
+    world.isAsking = true;
+    const auto answer = call();
+    world.isAsking = false;
+    return answer;
+}
+
 /// Splits 0..count-1 into pieces of `grain` and runs `act(begin, end, piece)` for each, on all threads.
 template <class Act>
 void forPieces(const StepContext& step, int count, int grain, Act&& act) {

@@ -178,6 +178,7 @@ struct Workspace {
 
     // Of the step.
     std::vector<ChainChange> chainChanges;
+    std::vector<std::pair<PairKey, float>> approaches;  ///< m/s: of contacts that began
     std::vector<ChainTouch> chainScratch;
     std::vector<std::uint16_t>
         contactKeys;  ///< by contact: bits of ContactKey, so that few contacts have to be read

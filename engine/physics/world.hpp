@@ -63,7 +63,7 @@ struct BodyInfo {
     BodyKind kind = BodyKind::None;
     std::uint8_t flags = 0;  ///< bits of BodyFlag
     Quality quality = kQualityOfWorld;
-    bool hasSetMass = false;           ///< BodyMass::mass was set by the owner, not computed from the shapes
+    std::uint8_t owned = 0;            ///< bits of BodyOwned
     std::uint32_t firstShape = kNone;  ///< the others follow by ShapeInfo::next
     std::uint32_t firstJoint = kNone;  ///< the others follow by Joint::nextA or nextB
     std::uint32_t place = kNone;       ///< index in World::awake, or kNone
@@ -73,6 +73,12 @@ struct BodyInfo {
     float reach = 0.0f;            ///< m: maximum distance of a point of its shapes from its centre of mass
     float core = 0.0f;             ///< m: radius of a disc around its centre of mass that lies inside a shape
     std::uint64_t user = 0;
+};
+
+enum BodyOwned : std::uint8_t {
+    kSetMass = 1,      ///< BodyMass::mass was set by the owner, not computed from the shapes
+    kSetMassData = 2,  ///< so were the inertia and the center of mass
+    kBodyOff = 4       ///< disabled: neither awake nor in a sleeping island, and its shapes are kShapeOff
 };
 
 enum BodyFlag : std::uint8_t {
@@ -163,7 +169,9 @@ enum ShapeFlag : std::uint8_t {
     kTrigger = 1,
     kOneWay = 2,
     kReportsContacts = 4,
-    kLeftBounds = 8  ///< it is in World::moved
+    kLeftBounds = 8,  ///< it is in World::moved
+    kAltered = 16,    ///< it is in World::altered
+    kShapeOff = 32    ///< of a disabled body: hidden from the broad phase
 };
 
 /// The shapes, indexed by ShapeId::index.
@@ -268,23 +276,27 @@ struct World {
     Joints joints;
     Fields fields;
     SoftBodies softBodies;
-    std::vector<std::uint32_t> awake;  ///< bodies that may move
-    std::vector<std::uint32_t> moved;  ///< shapes whose pairs have to be searched: those with kLeftBounds
-    std::vector<Contact> contacts;     ///< contacts with at least one awake body
+    std::vector<std::uint32_t> awake;    ///< bodies that may move
+    std::vector<std::uint32_t> moved;    ///< shapes whose pairs have to be searched: those with kLeftBounds
+    std::vector<std::uint32_t> altered;  ///< shapes whose contacts end, and are found anew, in the next step
+    std::vector<Contact> contacts;       ///< contacts with at least one awake body
     Sleepers sleepers;
     std::vector<InitialOverlap> initialOverlaps;  ///< by pair
     std::vector<ContactEvent> events;             ///< events of the last step
     std::vector<JointId> brokenJoints;            ///< joints that broke in the last step
-    std::vector<BodyId> quarantined;   ///< stopped in the last step, because their state became non-finite
-    std::uint32_t qualityCallers = 0;  ///< number of bodies and joints with a quality of their own
-    bool newJoints = false;            ///< some joint has no colour yet
-    bool filtersStale = false;         ///< a filter or joint changed: contacts may have become invalid
-    bool islandsStale = false;         ///< a contact or joint ended: islands may be larger than necessary
-    float islandsAge = 0.0f;           ///< s: time for which they have been stale
+    std::vector<JointId> strainedJoints;  ///< above JointDefinition::reportForce or reportTorque in it
+    std::vector<BodyId> fellAsleep;       ///< since it began
+    std::vector<BodyId> quarantined;      ///< stopped in the last step, because their state became non-finite
+    std::uint32_t qualityCallers = 0;     ///< number of bodies and joints with a quality of their own
+    bool newJoints = false;               ///< some joint has no colour yet
+    bool filtersStale = false;            ///< a filter or joint changed: contacts may have become invalid
+    bool islandsStale = false;            ///< a contact or joint ended: islands may be larger than necessary
+    float islandsAge = 0.0f;              ///< s: time for which they have been stale
     Manifest manifest;
     Vec2 gravityOfLastStep;  ///< m/s2: a change of Settings::gravity wakes all bodies
     std::uint64_t steps = 0;
     float stepLength = 1.0f / 60.0f;  ///< s: length of the step that the impulses in `contacts` belong to
+    bool isAsking = false;            ///< a callback of StepOptions::hooks runs: setters refuse to work
     WorkspaceHolder work;             ///< derived from the rest: neither copied nor hashed
 };
 

@@ -296,7 +296,8 @@ private:
 
     /// kg; 0: it goes by its shapes.
     [[nodiscard]] float setMassOf(BodyId body) const {
-        return bodies_.bodies.info[body.index].hasSetMass ? massOf(bodies_, body) : 0.0f;
+        return (bodies_.bodies.info[body.index].owned & physics::kSetMass) != 0 ? massOf(bodies_, body)
+                                                                                : 0.0f;
     }
 
     void followMass(BodyId body, const RigidBody& rigid) {

@@ -95,7 +95,8 @@ Result<Done> make(const ShapeMaker& maker, const ChainCollider& chain) {
         points.push_back(2.0f * points[count - 1] - points[count - 2]);
         points.insert(points.begin(), before);
     }
-    return physics::createChain(maker.bodies, maker.body, points, chain.loop, maker.definition);
+    const auto made = physics::createChain(maker.bodies, maker.body, points, chain.loop, maker.definition);
+    return made ? Result<Done>{Done{}} : made.error();
 }
 
 // What a shape was made from.

@@ -275,6 +275,41 @@ TEST(TileSeams, realStepsStopBodies) {
     }
 }
 
+// A corner of a floor and a wall that overlap holds on both sides, at any angle and load.
+TEST(TileSeams, cornersOfOverlappingShapesHoldOnBothSides) {
+    for (int i = 0; i < membersToTry(40); ++i) {
+        Random random = Random::seeded(static_cast<std::uint64_t>(i) + 21);
+        const float half = 0.05f * std::pow(20.0f, random.unit()), lean = random.between(0.0f, 0.8f);
+        const float load = random.between(10.0f, 60.0f);  // m/s2
+        Playground ground;
+        // Not up along the wall.
+        const float side = random.between(0.2f, 0.8f) * std::min(1.0f, std::cos(lean) / std::sin(lean));
+        ground.world.settings.gravity = load * normalized(Vec2{-side, -1.0f});
+        const BodyId fixed = ground.body(BodyKind::Static, {});
+        ground.shape(fixed, box({5.0f, 0.5f}, {4.0f, -0.5f}));
+        const std::array<Vec2, 4> wall{Vec2{-3.0f, -1.0f}, Vec2{std::sin(lean), -1.0f},
+                                       Vec2{-4.0f * std::sin(lean), 4.0f * std::cos(lean)},
+                                       Vec2{-3.0f - 4.0f * std::sin(lean), 4.0f * std::cos(lean)}};
+        ASSERT_TRUE(createPolygon(ground.world, fixed, wall).ok());
+        const BodyId body =
+            ground.body(BodyKind::Dynamic, {3.0 * static_cast<double>(half), 1.5 * static_cast<double>(half)},
+                        random.between(-3.0f, 3.0f));
+        const std::array<Vec2, 3> corners{Vec2{-half, -half}, Vec2{half, -half}, Vec2{0.0f, half}};
+        ASSERT_TRUE(createPolygon(ground.world, body, corners, 0.0f, {.friction = 0.0f}).ok());
+        ground.run(150);
+        float low = 1.0f, deep = 1.0f;
+        for (const Vec2 corner : corners) {
+            const BodyPose& pose = ground.world.bodies.pose[body.index];
+            const Vec2 at = toVec2(pose.centre + rotate(pose.rotation, corner - pose.localCentre));
+            low = std::min(low, at.y);
+            const Vec2 along = normalized(wall[2] - wall[1]);
+            deep = std::min(deep, cross(at - wall[1], along));
+        }
+        EXPECT_GE(low, -0.02f) << i << " half " << half << " lean " << lean << " load " << load;
+        EXPECT_GE(deep, -0.02f) << i << " half " << half << " lean " << lean << " load " << load;
+    }
+}
+
 // A line of ground as a row of polygons carries bodies as it does as a chain, whose joints are smooth by
 // their ghost vertices.
 TEST(TileSeams, slopesOfPolygonsAreAsChains) {

@@ -57,11 +57,6 @@ WorldPosition turned(Rot rotation, WorldPosition arm) {
     return {cosine * arm.x - sine * arm.y, sine * arm.x + cosine * arm.y};
 }
 
-Vec2 velocityAt(const World& world, BodyId body, WorldPosition point) {
-    const BodyMotion& motion = world.bodies.motion[body.index];
-    return motion.velocity + cross(motion.angularVelocity, point - world.bodies.pose[body.index].centre);
-}
-
 /// The ground that has moved up to a character in flight.
 CharacterTouch caughtBy(CharacterMover& mover, std::span<const CharacterProbe::Push> pushes) {
     const CharacterDefinition& definition = mover.probe().definition();

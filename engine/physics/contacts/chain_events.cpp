@@ -1,7 +1,8 @@
 #include "physics/contacts/chain_events.hpp"
 
 #include <algorithm>
-#include <cmath>
+#include <iterator>
+#include <limits>
 
 #include "physics/contacts/contacts.hpp"
 
@@ -45,6 +46,15 @@ void publish(World& world, std::int32_t before, const Outcome& now) {
     }
 }
 
+/// m/s: the fastest of a pair, which may have met several times. They are sorted.
+float approachOf(const Workspace& work, const Contact& contact) {
+    const PairKey pair = pairKey(contact.shapeA, contact.shapeB);
+    const auto after = std::upper_bound(work.approaches.begin(), work.approaches.end(),
+                                        std::pair{pair, std::numeric_limits<float>::infinity()});
+    const bool known = after != work.approaches.begin() && std::prev(after)->first == pair;
+    return known ? std::prev(after)->second : 0.0f;
+}
+
 constexpr std::int32_t stepOf(ContactPhase phase) {
     return phase == ContactPhase::Began ? 1 : (phase == ContactPhase::Ended ? -1 : 0);
 }
@@ -79,12 +89,26 @@ void report(World& world, Workspace& work, const Contact& contact, ContactPhase 
     if (!isReported(world, contact)) return;
     ContactEvent event = eventOf(world, contact, phase);
     event.impulse = impulse;
+    if (phase == ContactPhase::Began) event.approachSpeed = approachOf(work, contact);
     if (!isOfSurface(world, contact)) {
         world.events.push_back(event);
         return;
     }
     const auto order = static_cast<std::uint32_t>(work.chainChanges.size());
     work.chainChanges.push_back({keyOf(world, contact), order, event});
+}
+
+void noteApproach(const World& world, Workspace& work, const Contact& contact, const BodyMotion& a,
+                  const BodyMotion& b) {
+    float fastest = 0.0f;
+    for (int i = 0; i < contact.count; ++i) {
+        const Vec2 armA = rotate(world.bodies.pose[contact.bodyA].rotation, contact.anchors[i].a);
+        const Vec2 armB = rotate(world.bodies.pose[contact.bodyB].rotation, contact.anchors[i].b);
+        const Vec2 speed =
+            b.velocity + cross(b.angularVelocity, armB) - a.velocity - cross(a.angularVelocity, armA);
+        fastest = std::max(fastest, -dot(contact.normal, speed));
+    }
+    work.approaches.emplace_back(pairKey(contact.shapeA, contact.shapeB), fastest);
 }
 
 void publishSurfaces(World& world, Workspace& work) {

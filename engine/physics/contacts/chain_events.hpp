@@ -14,6 +14,10 @@ namespace plumb::physics {
 /// @param impulse  N s, see ContactEvent
 void report(World& world, Workspace& work, const Contact& contact, ContactPhase phase, float impulse = 0.0f);
 
+/// Notes how fast two bodies with these motions come together at a contact, for its event.
+void noteApproach(const World& world, Workspace& work, const Contact& contact, const BodyMotion& a,
+                  const BodyMotion& b);
+
 /// Makes the events of chains. Part of publishEvents().
 void publishSurfaces(World& world, Workspace& work);
 

@@ -39,6 +39,11 @@ void touchFaceOnly(const World& world, Contact& contact, const OnlyFace& face);
 /// Leaves a contact without points.
 void forgetPoints(Contact& contact);
 
+/// Ends the contacts of altered shapes: they are found anew.
+void endAltered(struct StepContext& step);
+/// Friction and bounciness by the callbacks of the owner, if there are any.
+void askForMaterial(const struct StepContext& step, Contact& contact);
+
 /// Takes note that the shapes of a contact touch from now on.
 /// @param index  in World::contacts
 void beginContact(World& world, struct Workspace& work, std::size_t index);

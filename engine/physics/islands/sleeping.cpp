@@ -4,27 +4,12 @@
 #include <vector>
 
 #include "physics/model/bounds.hpp"
+#include "physics/model/edits.hpp"
 #include "physics/workspace.hpp"
 
 namespace plumb::physics {
 
 namespace {
-
-template <class Act>
-void forShapesOf(World& world, std::uint32_t body, Act&& act) {
-    for (std::uint32_t s = world.bodies.info[body].firstShape; s != kNone; s = world.shapes.info[s].next)
-        act(s);
-}
-
-template <class Act>
-void forJointsOf(World& world, std::uint32_t body, Act&& act) {
-    for (std::uint32_t j = world.bodies.info[body].firstJoint; j != kNone;) {
-        const Joint& joint = world.joints.hot[j];
-        const std::uint32_t next = joint.bodyA == body ? joint.nextA : joint.nextB;
-        act(j);
-        j = next;
-    }
-}
 
 /// Room for all to be free again, so that waking up allocates nothing.
 template <class T>
@@ -158,11 +143,14 @@ void removeAwakeJoint(World& world, std::uint32_t joint) {
     awake.pop_back();
 }
 
-void addAwakeJoint(World& world, std::uint32_t joint) {
-    if (world.joints.hot[joint].place != kNone) return;
+void addAwakeJoint(World& world, std::uint32_t index) {
+    Joint& joint = world.joints.hot[index];
+    const auto isOff = [&](std::uint32_t body) { return (world.bodies.info[body].owned & kBodyOff) != 0; };
+    if (joint.place != kNone || joint.kind == JointKind::Filter || isOff(joint.bodyA) || isOff(joint.bodyB))
+        return;
     world.work.get().joints.trees.stale = true;
-    world.joints.hot[joint].place = static_cast<std::uint32_t>(world.joints.awake.size());
-    world.joints.awake.push_back(joint);
+    joint.place = static_cast<std::uint32_t>(world.joints.awake.size());
+    world.joints.awake.push_back(index);
 }
 
 void wake(World& world, std::uint32_t body) {
@@ -221,6 +209,7 @@ void sleepIslands(World& world, std::vector<std::uint32_t>& sleepingRoots) {
         }
         if (sleepingRoots[root] == kIslandToBe) sleepingRoots[root] = takeIsland(world.sleepers);
         info.place = kNone;
+        world.fellAsleep.push_back({body, info.generation});
         putInIsland(world, sleepingRoots[root], body);
         forJointsOf(world, body, [&](std::uint32_t j) { removeAwakeJoint(world, j); });
     }

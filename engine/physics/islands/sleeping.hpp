@@ -31,6 +31,7 @@ inline constexpr std::uint32_t kIslandToBe = kNone - 1;
 /// @param sleepingRoots  by body: kIslandToBe for the root of an island that goes to sleep, else kNone
 void sleepIslands(World& world, std::vector<std::uint32_t>& sleepingRoots);
 
+/// Does nothing for joints that no step has to solve: filters, and those of disabled bodies.
 void addAwakeJoint(World& world, std::uint32_t joint);
 void removeAwakeJoint(World& world, std::uint32_t joint);
 

@@ -10,7 +10,7 @@ JointParts partsOf(const JointView& view) {
     JointParts parts = anchorsOf(view);
     parts.value = valueParts(view);
     parts.value.rest = view.definition.length;
-    if (!view.definition.spring.on && !view.definition.limit.on) {
+    if (!view.definition.spring.on && !view.definition.limit.on && !view.definition.motor.on) {
         parts.value.held = true;
         parts.value.springs = ownGrip(view, parts.value.grip);
     }

@@ -7,12 +7,30 @@ namespace plumb::physics {
 
 namespace {
 
+/// 1/s: a velocity is written as an error that is closed at this rate. Small: the displacement of a step then
+/// changes it by less than 2e-5 of itself.
+constexpr float kSteering = 1.0e-3f;
 constexpr float kHertz = 5.0f;  // 1/s, unless JointDefinition::hertz says otherwise; critically damped
 
 JointBlockKind blockOf(std::uint8_t) { return kHingeBlocks; }
 
+JointParts drivenParts(const JointView& view) {
+    const JointDefinition& definition = view.definition;
+    JointParts parts = anchorsOf(view);
+    parts.grip = {1.0f, kSteering, 0.0f};
+    parts.apart = (-1.0f / kSteering) * rotate(view.turnA, definition.velocity);
+    parts.springs = true;
+    parts.maximum = std::min(definition.maxForce * view.timing.h, kNoLimit);
+    parts.angle = angleOf(view);
+    parts.value.driven = true;
+    parts.value.speed = definition.motor.speed;
+    parts.value.maxMotor = std::min(definition.maxTorque * view.timing.h, kNoLimit);
+    return parts;
+}
+
 JointParts partsOf(const JointView& view) {
     const JointDefinition& definition = view.definition;
+    if (definition.motor.on) return drivenParts(view);
     JointParts parts = anchorsOf(view);
     const Vec2 offset = rotate(view.turnA, definition.offset);
     parts.armA += offset;

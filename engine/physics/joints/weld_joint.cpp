@@ -13,6 +13,11 @@ JointParts partsOf(const JointView& view) {
     parts.value.held = true;
     parts.value.springs = parts.springs;
     parts.value.grip = parts.grip;
+    const JointSpring& spring = view.definition.spring;
+    if (!spring.on) return parts;
+    parts.value.springs = spring.hertz < view.timing.stiffest;
+    parts.value.grip = parts.value.springs ? springGrip(spring.hertz, spring.dampingRatio, view.timing.h)
+                                           : view.timing.rigid;
     return parts;
 }
 

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "physics/joints/joint_types.hpp"
+#include "physics/model/joints.hpp"
 
 namespace plumb::physics {
 
@@ -43,17 +44,70 @@ float overlapOf(const Contact& contact) {
     return std::max(0.0f, -std::min(contact.separation0, contact.separation1));
 }
 
-float openingOf(const World& world, std::uint32_t index) {
+namespace {
+
+JointView viewOf(const World& world, std::uint32_t index) {
     // A joint with a frequency of its own is a spring, however stiff.
-    constexpr JointTiming kTiming{1.0f / 60.0f, std::numeric_limits<float>::infinity(), {}};
+    static constexpr JointTiming kTiming{1.0f / 60.0f, std::numeric_limits<float>::infinity(), {}};
+    const Joint& joint = world.joints.hot[index];
+    const JointDefinition& definition = world.joints.definition[index];
+    const BodyPose& a = world.bodies.pose[joint.bodyA];
+    const BodyPose& b = world.bodies.pose[joint.bodyB];
+    return {joint,
+            definition,
+            kTiming,
+            a.rotation,
+            b.rotation,
+            b.centre - a.centre,
+            b.centre - definition.target};
+}
+
+}  // namespace
+
+float openingOf(const World& world, std::uint32_t index) {
     const Joint& joint = world.joints.hot[index];
     const JointType& type = jointType(joint.kind);
     if (type.constraint != nullptr || joint.kind == JointKind::Mouse) return 0.0f;
-    const BodyPose& a = world.bodies.pose[joint.bodyA];
-    const BodyPose& b = world.bodies.pose[joint.bodyB];
-    const JointView view{
-        joint, world.joints.definition[index], kTiming, a.rotation, b.rotation, b.centre - a.centre, {}};
-    return openingOf(type.parts(view), type.block(joint.flags));
+    return openingOf(type.parts(viewOf(world, index)), type.block(joint.flags));
+}
+
+JointReading readingOf(const World& world, JointId id) {
+    const Joint& joint = world.joints.hot[id.index];
+    const JointType& type = jointType(joint.kind);
+    if (joint.kind == JointKind::Filter) return {};
+    if (type.constraint != nullptr)
+        return {.separation = std::fabs(type.constraint(world, joint, definitionOf(world, id)).error)};
+    const JointView view = viewOf(world, id.index);
+    const JointParts parts = type.parts(view);
+    const bool drives = joint.kind == JointKind::Motor && view.definition.motor.on;
+    const Vec2 apart = view.between + (parts.armB - parts.armA);
+    const BodyMotion& a = world.bodies.motion[joint.bodyA];
+    const BodyMotion& b = world.bodies.motion[joint.bodyB];
+    const Vec2 speed =
+        b.velocity + cross(b.angularVelocity, parts.armB) - a.velocity - cross(a.angularVelocity, parts.armA);
+    JointReading reading{.value = angleOf(view),
+                         .speed = b.angularVelocity - a.angularVelocity,
+                         .motorForce = joint.rows[1],
+                         .separation = length(parts.apart)};
+    switch (type.block(joint.flags)) {
+        case kRodBlocks:
+            reading.value = length(apart);
+            reading.speed = dot(normalized(apart), speed);
+            reading.separation = missOf(parts.value, reading.value);
+            break;
+        case kSliderBlocks:
+            if (joint.kind == JointKind::Wheel) reading.motorForce = joint.rows[5];
+            if (parts.holdsAngle) reading.angularSeparation = std::fabs(reading.value);
+            reading.value = dot(parts.axis, apart);
+            reading.speed = dot(parts.axis, speed) + dot(cross(a.angularVelocity, parts.axis), apart);
+            reading.separation =
+                std::max(std::fabs(cross(parts.axis, apart)), missOf(parts.value, reading.value));
+            break;
+        default:
+            if (drives) reading.separation = 0.0f;
+            reading.angularSeparation = missOf(parts.value, reading.value);
+    }
+    return reading;
 }
 
 }  // namespace plumb::physics

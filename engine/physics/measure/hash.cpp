@@ -20,7 +20,7 @@ static_assert(isDense(&BodyMass::inverseMass, &BodyMass::inverseInertia, &BodyMa
 static_assert(isDense(&BodyDrive::force, &BodyDrive::acceleration, &BodyDrive::torque,
                       &BodyDrive::gravityScale, &BodyDrive::linearDrag, &BodyDrive::angularDrag));
 static_assert(isDense(&BodyInfo::generation, &BodyInfo::kind, &BodyInfo::flags, &BodyInfo::quality,
-                      &BodyInfo::hasSetMass, &BodyInfo::firstShape, &BodyInfo::firstJoint, &BodyInfo::place,
+                      &BodyInfo::owned, &BodyInfo::firstShape, &BodyInfo::firstJoint, &BodyInfo::place,
                       &BodyInfo::island, &BodyInfo::sleepSpeed, &BodyInfo::drive, &BodyInfo::reach,
                       &BodyInfo::core, &BodyInfo::user));
 static_assert(isDense(&SubstepController::quality, &SubstepController::before, &SubstepController::phase,
@@ -102,8 +102,9 @@ void add(LaneHasher& hash, const Settings& settings) {
 
 void add(LaneHasher& hash, const JointDefinition& definition) {
     const auto& [kind, a, b, anchorA, anchorB, axis, referenceAngle, length, ratio, groundA, groundB, target,
-                 offset, jointA, jointB, limit, motor, spring, maxForce, maxTorque, breakForce, breakTorque,
-                 hertz, dampingRatio, collideConnected, quality, user] = definition;
+                 offset, velocity, jointA, jointB, limit, motor, spring, maxForce, maxTorque, breakForce,
+                 breakTorque, reportForce, reportTorque, hertz, dampingRatio, collideConnected, quality,
+                 user] = definition;
     Values values{hash};
     values(kind, a, b, anchorA, anchorB, axis, referenceAngle, length, ratio, groundA, groundB, target.x,
            target.y, offset, jointA, jointB, maxForce, maxTorque, breakForce, breakTorque, hertz,
@@ -112,6 +113,11 @@ void add(LaneHasher& hash, const JointDefinition& definition) {
     const auto& [motorOn, speed, mostForce] = motor;
     const auto& [springOn, springHertz, springDamping, rest] = spring;
     values(limitOn, lower, upper, motorOn, speed, mostForce, springOn, springHertz, springDamping, rest);
+    // Joints without these keep the hash that they had before these existed.
+    const JointDefinition usual;
+    if (velocity != usual.velocity) values(velocity);
+    if (reportForce != usual.reportForce || reportTorque != usual.reportTorque)
+        values(reportForce, reportTorque);
 }
 
 void add(LaneHasher& hash, const Field& field) {
@@ -175,6 +181,7 @@ std::uint64_t hashOf(const World& world) {
     for (const SoftBody& soft : world.softBodies.all) add(hash, soft);
     add(hash, world.softBodies.free);
     addAll(hash, world.awake, world.moved, world.contacts);
+    if (!world.altered.empty()) add(hash, world.altered);
     addAll(hash, sleepers.islands, sleepers.freeIslands, sleepers.contacts, sleepers.nextContact,
            sleepers.freeContacts, sleepers.nextBody, sleepers.islandOf);
     for (const auto& [pair, hidden] : world.initialOverlaps) Values{hash}(pair, hidden);

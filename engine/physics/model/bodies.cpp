@@ -9,6 +9,7 @@
 #include "physics/islands/sleeping.hpp"
 #include "physics/model/bounds.hpp"
 #include "physics/model/checks.hpp"
+#include "physics/model/edits.hpp"
 #include "physics/model/joints.hpp"
 #include "physics/model/mass.hpp"
 #include "physics/model/shapes.hpp"
@@ -20,6 +21,7 @@ namespace {
 
 Result<Done> check(const BodyDefinition& definition) {
     return firstOf(
+        checkKind("BodyDefinition.kind", definition.kind),
         checkPlace("BodyDefinition.position", definition.position),
         checkNumber("BodyDefinition.angle", definition.angle, -1.0e5, 1.0e5),
         checkVector("BodyDefinition.velocity", definition.velocity, kFastest),
@@ -65,8 +67,25 @@ BodyDrive driveOf(const BodyDefinition& definition) {
     return drive;
 }
 
-/// Counts a body as a user of the effects that it needs, not counting its shapes.
-void callFor(World& world, std::uint32_t body, int times) {
+/// Changes a property that a body's effects depend on, and updates the manifest.
+template <class Change>
+void change(World& world, BodyId body, Change&& change) {
+    countEffectsOfBody(world, body.index, -1);
+    change();
+    countEffectsOfBody(world, body.index, 1);
+}
+
+bool isHeldUpright(const BodyInfo& info) {
+    return info.kind == BodyKind::Dynamic && (info.flags & kFixedRotation) != 0;
+}
+
+bool isDynamic(const World& world, BodyId body) {
+    return world.bodies.info[body.index].kind == BodyKind::Dynamic;
+}
+
+}  // namespace
+
+void countEffectsOfBody(World& world, std::uint32_t body, int times) {
     const BodyInfo& info = world.bodies.info[body];
     const BodyDrive& drive = world.bodies.driveOf(body);
     const bool dynamic = info.kind == BodyKind::Dynamic;
@@ -81,24 +100,6 @@ void callFor(World& world, std::uint32_t body, int times) {
     manifest.call(Effect::Locks, dynamic && (info.flags & (kLockX | kLockY)) != 0, times);
 }
 
-/// Changes a property that a body's effects depend on, and updates the manifest.
-template <class Change>
-void change(World& world, BodyId body, Change&& change) {
-    callFor(world, body.index, -1);
-    change();
-    callFor(world, body.index, 1);
-}
-
-bool isHeldUpright(const BodyInfo& info) {
-    return info.kind == BodyKind::Dynamic && (info.flags & kFixedRotation) != 0;
-}
-
-bool isDynamic(const World& world, BodyId body) {
-    return world.bodies.info[body.index].kind == BodyKind::Dynamic;
-}
-
-}  // namespace
-
 bool alive(const World& world, BodyId body) {
     return body.generation != 0 && body.index < world.bodies.size() &&
            world.bodies.info[body.index].generation == body.generation &&
@@ -110,11 +111,8 @@ std::size_t bodyCount(const World& world) {
 }
 
 Result<BodyId> createBody(World& world, const BodyDefinition& definition) {
-    if (definition.kind == BodyKind::None || definition.kind > BodyKind::Dynamic) {
-        return wrong("BodyDefinition.kind", "expected Static, Kinematic or Dynamic, found another kind",
-                     "choose one of them");
-    }
-    if (const Result<Done> checked = check(definition); !checked) return checked.error();
+    if (const auto checked = firstOf(checkOutside("createBody", world), check(definition)); !checked)
+        return checked.error();
     const std::uint32_t index = allocateIndex(world);
     Bodies& bodies = world.bodies;
     BodyInfo& info = bodies.info[index];
@@ -136,7 +134,7 @@ Result<BodyId> createBody(World& world, const BodyDefinition& definition) {
     if (definition.kind == BodyKind::Static) bodies.motion[index] = {};
     if (isHeldUpright(info)) bodies.motion[index].angularVelocity = 0.0f;
     updateMass(world, index);
-    callFor(world, index, 1);
+    countEffectsOfBody(world, index, 1);
     if (definition.kind == BodyKind::Kinematic ||
         (definition.kind == BodyKind::Dynamic && definition.awake)) {
         addAwake(world, index);
@@ -147,25 +145,21 @@ Result<BodyId> createBody(World& world, const BodyDefinition& definition) {
 }
 
 void destroyBody(World& world, BodyId body) {
-    if (!alive(world, body)) return;
+    if (!mayChange(world, body)) return;
     wake(world, body.index);
     BodyInfo& info = world.bodies.info[body.index];
     while (info.firstJoint != kNone) {
         destroyJoint(world, {info.firstJoint, world.joints.hot[info.firstJoint].generation});
     }
     destroyShapes(world, body);
-    callFor(world, body.index, -1);
+    countEffectsOfBody(world, body.index, -1);
     removeAwake(world, body.index);
     info.kind = BodyKind::None;
+    info.owned = static_cast<std::uint8_t>(info.owned & ~kBodyOff);
     world.bodies.drives.release(info.drive);
     world.bodies.mass[body.index] = {};
     world.bodies.motion[body.index] = {};
     world.bodies.dying.push_back(body.index);
-}
-
-WorldPosition positionOf(const World& world, BodyId body) {
-    const BodyPose& pose = world.bodies.pose[body.index];
-    return pose.centre + -rotate(pose.rotation, pose.localCentre);
 }
 
 bool isAwake(const World& world, BodyId body) { return world.bodies.info[body.index].place != kNone; }
@@ -274,10 +268,10 @@ Result<Done> setMass(World& world, BodyId body, float mass) {
     if (!isDynamic(world, body)) return Done{};
     BodyInfo& info = world.bodies.info[body.index];
     const float wanted = mass > 0.0f ? std::max(mass, kLightest) : 0.0f;
-    if (wanted != (info.hasSetMass ? massOf(world, body) : 0.0f)) wake(world, body.index);
-    info.hasSetMass = wanted > 0.0f;
+    if (wanted != ((info.owned & kSetMass) != 0 ? massOf(world, body) : 0.0f)) wake(world, body.index);
+    info.owned = static_cast<std::uint8_t>((info.owned & kBodyOff) | (wanted > 0.0f ? kSetMass : 0));
     world.bodies.mass[body.index].mass = wanted;
-    updateMass(world, body.index);
+    updateMassInContact(world, body.index);
     return Done{};
 }
 
@@ -326,6 +320,30 @@ Result<Done> applyImpulse(World& world, BodyId body, Vec2 impulse) {
     return Done{};
 }
 
+Result<Done> applyAngularImpulse(World& world, BodyId body, float impulse) {
+    const auto checked = firstOf(checkAlive("applyAngularImpulse", world, body),
+                                 checkNumber("applyAngularImpulse", impulse, -kStrongest, kStrongest));
+    if (!checked || !isDynamic(world, body)) return checked;
+    wake(world, body.index);
+    world.bodies.motion[body.index].angularVelocity += world.bodies.mass[body.index].inverseInertia * impulse;
+    return Done{};
+}
+
+void clearForces(World& world, BodyId body) {
+    if (!mayChange(world, body) || world.bodies.info[body.index].drive == kNone) return;
+    BodyDrive& drive = world.bodies.ownDriveOf(body.index);
+    drive.force = {};
+    drive.torque = 0.0f;
+}
+
+Result<Done> setSleepSpeed(World& world, BodyId body, float speed) {
+    const auto checked =
+        firstOf(checkAlive("setSleepSpeed", world, body), checkNumber("setSleepSpeed", speed, 0.0, kFastest));
+    if (!checked) return checked;
+    if (speed < std::exchange(world.bodies.info[body.index].sleepSpeed, speed)) wake(world, body.index);
+    return Done{};
+}
+
 Result<Done> applyImpulseAt(World& world, BodyId body, Vec2 impulse, WorldPosition point) {
     if (const auto checked = checkPlace("applyImpulseAt point", point); !checked) return checked;
     const Result<Done> applied = applyImpulse(world, body, impulse);
@@ -358,12 +376,12 @@ Result<Done> moveTo(World& world, BodyId body, WorldPosition position, float ang
 }
 
 void setAwake(World& world, BodyId body, bool awake) {
-    if (!alive(world, body)) return;
+    if (!mayChange(world, body)) return;
     awake ? wake(world, body.index) : sleepNow(world, body.index);
 }
 
 void setFixedRotation(World& world, BodyId body, bool fixed) {
-    if (!alive(world, body)) return;
+    if (!mayChange(world, body)) return;
     BodyInfo& info = world.bodies.info[body.index];
     if (fixed == ((info.flags & kFixedRotation) != 0)) return;
     change(world, body, [&] {
@@ -377,13 +395,13 @@ void setFixedRotation(World& world, BodyId body, bool fixed) {
 }
 
 void setBullet(World& world, BodyId body, bool bullet) {
-    if (!alive(world, body)) return;
+    if (!mayChange(world, body)) return;
     std::uint8_t& flags = world.bodies.info[body.index].flags;
     flags = static_cast<std::uint8_t>(bullet ? flags | kBullet : flags & ~kBullet);
 }
 
 void setCanSleep(World& world, BodyId body, bool canSleep) {
-    if (!alive(world, body)) return;
+    if (!mayChange(world, body)) return;
     change(world, body, [&] {
         std::uint8_t& flags = world.bodies.info[body.index].flags;
         flags = static_cast<std::uint8_t>(canSleep ? flags | kCanSleep : flags & ~kCanSleep);
@@ -392,7 +410,7 @@ void setCanSleep(World& world, BodyId body, bool canSleep) {
 }
 
 void setLocks(World& world, BodyId body, bool lockX, bool lockY) {
-    if (!alive(world, body)) return;
+    if (!mayChange(world, body)) return;
     change(world, body, [&] {
         std::uint8_t& flags = world.bodies.info[body.index].flags;
         flags = static_cast<std::uint8_t>((flags & ~(kLockX | kLockY)) | (lockX ? kLockX : 0) |
@@ -403,7 +421,7 @@ void setLocks(World& world, BodyId body, bool lockX, bool lockY) {
 }
 
 void setDropThrough(World& world, BodyId body, bool drops) {
-    if (!alive(world, body)) return;
+    if (!mayChange(world, body)) return;
     std::uint8_t& flags = world.bodies.info[body.index].flags;
     if (drops == ((flags & kDropsThrough) != 0)) return;
     flags = static_cast<std::uint8_t>(drops ? flags | kDropsThrough : flags & ~kDropsThrough);

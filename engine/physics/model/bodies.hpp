@@ -17,7 +17,18 @@ void destroyBody(World& world, BodyId body);
 
 // Getters. All need a living body.
 
-[[nodiscard]] WorldPosition positionOf(const World& world, BodyId body);  ///< m, of the frame of its shapes
+/// m: a point that is given in the frame of the body's shapes, and the inverse.
+[[nodiscard]] inline WorldPosition worldPoint(const World& world, BodyId body, Vec2 point) {
+    const BodyPose& pose = world.bodies.pose[body.index];
+    return pose.centre + rotate(pose.rotation, point - pose.localCentre);
+}
+[[nodiscard]] inline Vec2 localPoint(const World& world, BodyId body, WorldPosition point) {
+    const BodyPose& pose = world.bodies.pose[body.index];
+    return pose.localCentre + unrotate(pose.rotation, point - pose.centre);
+}
+[[nodiscard]] inline WorldPosition positionOf(const World& world, BodyId body) {
+    return worldPoint(world, body, {});  ///< m, of the frame of its shapes
+}
 [[nodiscard]] inline WorldPosition centreOf(const World& world, BodyId body) {
     return world.bodies.pose[body.index].centre;
 }
@@ -30,8 +41,26 @@ void destroyBody(World& world, BodyId body);
 [[nodiscard]] inline float angularVelocityOf(const World& world, BodyId body) {
     return world.bodies.motion[body.index].angularVelocity;
 }
+/// m/s: of the point of the body that is at a position (m) now.
+[[nodiscard]] inline Vec2 velocityAt(const World& world, BodyId body, WorldPosition point) {
+    const BodyMotion& motion = world.bodies.motion[body.index];
+    return motion.velocity + cross(motion.angularVelocity, point - centreOf(world, body));
+}
 [[nodiscard]] inline float massOf(const World& world, BodyId body) {
     return world.bodies.mass[body.index].mass;
+}
+/// Mass properties. The center of mass is in the frame of the shapes, the inertia about it.
+struct MassData {
+    float mass = 0.0f;     ///< kg
+    Vec2 centre;           ///< m
+    float inertia = 0.0f;  ///< kg m2; 0: cannot rotate
+};
+[[nodiscard]] inline MassData massDataOf(const World& world, BodyId body) {
+    const BodyMass& mass = world.bodies.mass[body.index];
+    return {mass.mass, world.bodies.pose[body.index].localCentre, mass.inertia};
+}
+[[nodiscard]] inline bool isEnabled(const World& world, BodyId body) {
+    return (world.bodies.info[body.index].owned & kBodyOff) == 0;
 }
 [[nodiscard]] bool isAwake(const World& world, BodyId body);
 /// The pose after dt (s, 0 to a million; NaN counts as 0) if only gravity, drag, the body's own acceleration
@@ -44,8 +73,16 @@ struct FreeMotion {
 };
 [[nodiscard]] FreeMotion freeMotionOf(const World& world, std::uint32_t body, float dt);
 
-// Setters. They return an error for values that are not finite or out of range, and then change nothing. A
-// setter that moves or accelerates a body wakes it.
+// Setters. They return an error for values that are not finite or out of range, and then change nothing; so
+// they do when a callback of StepOptions::hooks calls them. A setter that moves or accelerates a body wakes
+// it.
+
+/// Makes a body static, kinematic or dynamic. It loses a mass that was set. What it touches gets Ended, and
+/// Began if it still touches that, in the next step.
+/// @error a joint of it would be left without a dynamic body
+Result<Done> setKind(World& world, BodyId body, BodyKind kind);
+/// A disabled body keeps everything, but no step, contact, joint or query knows of it until it is enabled.
+void setEnabled(World& world, BodyId body, bool enabled);
 
 Result<Done> setPosition(World& world, BodyId body, WorldPosition position,
                          float angle);                                       ///< m, rad; a teleport
@@ -57,6 +94,8 @@ Result<Done> setDrag(World& world, BodyId body, float linear, float angular);  /
 /// kg: replaces the mass computed from the shapes; the distribution of mass stays. 0 restores the computed
 /// mass.
 Result<Done> setMass(World& world, BodyId body, float mass);
+/// Replaces all mass properties computed from the shapes, also of shapes to come. A mass of 0 restores them.
+Result<Done> setMassData(World& world, BodyId body, const MassData& data);
 Result<Done> setQuality(World& world, BodyId body, Quality quality);
 /// Acts in the next step only. `point` is in the world (m); without it, the force acts at the centre of mass.
 Result<Done> applyForce(World& world, BodyId body, Vec2 force);  ///< N
@@ -64,11 +103,17 @@ Result<Done> applyForceAt(World& world, BodyId body, Vec2 force, WorldPosition p
 Result<Done> applyTorque(World& world, BodyId body, float torque);   ///< N m
 Result<Done> applyImpulse(World& world, BodyId body, Vec2 impulse);  ///< N s
 Result<Done> applyImpulseAt(World& world, BodyId body, Vec2 impulse, WorldPosition point);
+Result<Done> applyAngularImpulse(World& world, BodyId body, float impulse);  ///< N m s
+void clearForces(World& world, BodyId body);  ///< forces and torques that were applied for the next step
 /// Gives a kinematic body the velocity that reaches the target within dt (s); it stops after that step.
 Result<Done> moveTo(World& world, BodyId body, WorldPosition position, float angle, float dt);
 void setAwake(World& world, BodyId body, bool awake);
 void setFixedRotation(World& world, BodyId body, bool fixed);
 void setBullet(World& world, BodyId body, bool bullet);
+Result<Done> setSleepSpeed(World& world, BodyId body, float speed);  ///< m/s
+inline void setUser(World& world, BodyId body, std::uint64_t user) {
+    if (alive(world, body)) world.bodies.info[body.index].user = user;
+}
 void setCanSleep(World& world, BodyId body, bool canSleep);
 void setLocks(World& world, BodyId body, bool lockX, bool lockY);  ///< its velocity along an axis stays 0
 /// While on, one-way shapes let the body through, including those that it stands on.

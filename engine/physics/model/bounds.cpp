@@ -29,6 +29,7 @@ float marginOf(const AABB& tight, const Settings& settings) {
 ProxyMotion motionOf(const World& world, std::uint32_t shape) {
     const ShapeInfo& outline = world.shapes.info[shape];
     const BodyInfo& info = world.bodies.info[outline.body];
+    if ((outline.flags & kShapeOff) != 0) return ProxyMotion::Gone;
     // A trigger of a body that is not dynamic also detects bodies that move without forces, so it pairs with
     // everything.
     if (info.kind != BodyKind::Dynamic && (outline.flags & kTrigger) != 0) return ProxyMotion::Awake;
@@ -60,6 +61,20 @@ void refreshBounds(World& world, std::uint32_t body) {
     }
 }
 
+void alter(World& world, std::uint32_t shape) {
+    world.shapes.motion[shape] = motionOf(world, shape);
+    setBounds(world, shape);
+    std::uint8_t& flags = world.shapes.info[shape].flags;
+    if ((flags & kAltered) != 0) return;
+    flags |= kAltered;
+    world.altered.push_back(shape);
+}
+
+void alterAll(World& world, std::uint32_t body) {
+    for (std::uint32_t s = world.bodies.info[body].firstShape; s != kNone; s = world.shapes.info[s].next)
+        alter(world, s);
+}
+
 void noteChanged(World& world, std::uint32_t shape) {
     if (world.work.stale()) return;  // it will be rebuilt
     Workspace& work = world.work.get();
@@ -76,20 +91,28 @@ void noteMoved(World& world, std::uint32_t shape) {
     world.moved.push_back(shape);
 }
 
-void refreshContacts(World& world, std::uint32_t shape) {
+namespace {
+
+/// A contact of an altered shape ends as what it was.
+template <class Is>
+void refreshThose(World& world, Is&& is) {
+    const std::vector<ShapeInfo>& info = world.shapes.info;
     const auto refresh = [&](Contact& contact) {
-        if (contact.shapeA == shape || contact.shapeB == shape) copyMaterials(world, contact);
+        const bool altered = ((info[contact.shapeA].flags | info[contact.shapeB].flags) & kAltered) != 0;
+        if (is(contact) && !altered) copyMaterials(world, contact);
     };
     for (Contact& contact : world.contacts) refresh(contact);
     for (Contact& contact : world.sleepers.contacts) refresh(contact);
 }
 
+}  // namespace
+
+void refreshContacts(World& world, std::uint32_t shape) {
+    refreshThose(world, [&](const Contact& c) { return c.shapeA == shape || c.shapeB == shape; });
+}
+
 void refreshContactsOf(World& world, std::uint32_t body) {
-    const auto refresh = [&](Contact& contact) {
-        if (contact.bodyA == body || contact.bodyB == body) copyMaterials(world, contact);
-    };
-    for (Contact& contact : world.contacts) refresh(contact);
-    for (Contact& contact : world.sleepers.contacts) refresh(contact);
+    refreshThose(world, [&](const Contact& c) { return c.bodyA == body || c.bodyB == body; });
 }
 
 }  // namespace plumb::physics

@@ -22,6 +22,10 @@ void setBounds(World& world, std::uint32_t shape);
 /// The same for all shapes of a body that was teleported.
 void refreshBounds(World& world, std::uint32_t body);
 
+/// What a shape is changed: its contacts end at the start of the next step, which finds them anew.
+void alter(World& world, std::uint32_t shape);
+void alterAll(World& world, std::uint32_t body);
+
 /// The broad phase has to update its copy of the shape.
 void noteChanged(World& world, std::uint32_t shape);
 /// The broad phase has to search for pairs of the shape in the next step.

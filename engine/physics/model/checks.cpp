@@ -38,14 +38,24 @@ Result<Done> checkPlace(const char* where, WorldPosition value) {
                    checkNumber(where, value.y, -kFarthest, kFarthest));
 }
 
+Result<Done> checkKind(const char* where, BodyKind kind) {
+    if (kind != BodyKind::None && kind <= BodyKind::Dynamic) return Done{};
+    return wrong(where, "expected Static, Kinematic or Dynamic, found another kind", "choose one of them");
+}
+
 Result<Done> checkQuality(const char* where, int quality) {
     return checkNumber(where, quality, kQualityOfWorld, kMaxQuality);
 }
 
+Result<Done> checkOutside(const char* where, const World& world) {
+    if (!world.isAsking) return Done{};
+    return wrong(where, "called from a callback within a step", "note it there, and do it after the step");
+}
+
 namespace {
 
-Result<Done> checkAlive(const char* where, bool lives, const std::string& what) {
-    if (lives) return Done{};
+Result<Done> checkAlive(const char* where, const World& world, bool lives, const std::string& what) {
+    if (lives) return checkOutside(where, world);
     return wrong(where, "expected a living " + what + ", found one that was destroyed or never made",
                  "check alive() first, or drop the id when its object is destroyed");
 }
@@ -53,13 +63,13 @@ Result<Done> checkAlive(const char* where, bool lives, const std::string& what) 
 }  // namespace
 
 Result<Done> checkAlive(const char* where, const World& world, BodyId body) {
-    return checkAlive(where, alive(world, body), "body");
+    return checkAlive(where, world, alive(world, body), "body");
 }
 Result<Done> checkAlive(const char* where, const World& world, ShapeId shape) {
-    return checkAlive(where, alive(world, shape), "shape");
+    return checkAlive(where, world, alive(world, shape), "shape");
 }
 Result<Done> checkAlive(const char* where, const World& world, JointId joint) {
-    return checkAlive(where, alive(world, joint), "joint");
+    return checkAlive(where, world, alive(world, joint), "joint");
 }
 
 }  // namespace plumb::physics

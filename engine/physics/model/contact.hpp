@@ -95,6 +95,7 @@ struct ContactEvent {
     /// its impact in the next step. Of a surface it is the sum over its contacts that have an event in this
     /// step.
     float impulse = 0.0f;
+    float approachSpeed = 0.0f;  ///< m/s: of Began, at which both came together along the normal
 };
 
 }  // namespace plumb::physics

@@ -28,7 +28,8 @@ Result<Done> checkEnds(const World& world, const FieldDefinition& d) {
 }
 
 Result<Done> check(const World& world, const FieldDefinition& d) {
-    return firstOf(checkKinds(d), checkPlace("FieldDefinition.place", d.place),
+    return firstOf(checkOutside("FieldDefinition", world), checkKinds(d),
+                   checkPlace("FieldDefinition.place", d.place),
                    checkNumber("FieldDefinition.half.x", d.half.x, 0.0, kFarthest),
                    checkNumber("FieldDefinition.half.y", d.half.y, 0.0, kFarthest),
                    checkNumber("FieldDefinition.radius", d.radius, 0.0, kFarthest),
@@ -93,7 +94,7 @@ Result<FieldId> createField(World& world, const FieldDefinition& definition) {
 }
 
 void destroyField(World& world, FieldId field) {
-    if (!alive(world, field)) return;
+    if (!mayChange(world, field)) return;
     Field& gone = world.fields.all[field.index];
     if (gone.definition.kind != FieldKind::Explosion) wakeThoseIn(world, gone.definition);
     world.manifest.leave(fieldTypeOf(gone.definition.kind).effect, true);

@@ -17,9 +17,10 @@ namespace plumb::physics {
     JOINT(Weld)      /* keeps the relative pose of both bodies, rigid or springy */                        \
     JOINT(Wheel)     /* B rotates freely and moves along A's axis on a spring; a motor rotates it */       \
     JOINT(Mouse)     /* pulls a point of B to `target` by a spring of limited force */                     \
-    JOINT(Motor)     /* drives B to an offset from A with limited force and torque */                      \
+    JOINT(Motor)     /* drives B to an offset from A, or at a velocity, with limited force and torque */   \
     JOINT(Gear)      /* keeps angle of jointA + ratio * angle of jointB constant */                        \
-    JOINT(Pulley)    /* keeps lengthA + ratio * lengthB constant */
+    JOINT(Pulley)    /* keeps lengthA + ratio * lengthB constant */                                        \
+    JOINT(Filter)    /* only keeps the two bodies from colliding */
 // clang-format on
 
 enum class JointKind : std::uint8_t {
@@ -63,15 +64,20 @@ struct JointDefinition {
     Vec2 groundB{};
     WorldPosition target{};  ///< m: of Mouse
     Vec2 offset{};           ///< m, in A's frame: of Motor
-    JointId jointA{};        ///< of Gear
+    /// m/s, in A's frame: of Motor with motor.on, which then keeps B's anchor at this velocity and
+    /// motor.speed relative to A, instead of at the offset.
+    Vec2 velocity{};
+    JointId jointA{};  ///< of Gear
     JointId jointB{};
     JointLimit limit{};
     JointMotor motor{};
-    JointSpring spring{};
-    float maxForce = std::numeric_limits<float>::infinity();     ///< N: of Mouse and Motor
-    float maxTorque = std::numeric_limits<float>::infinity();    ///< N m: of Motor
-    float breakForce = std::numeric_limits<float>::infinity();   ///< N: a larger force breaks the joint
-    float breakTorque = std::numeric_limits<float>::infinity();  ///< N m: a larger torque breaks the joint
+    JointSpring spring{};  ///< of Weld: its angle, if that is not as stiff as the rest of it
+    float maxForce = std::numeric_limits<float>::infinity();      ///< N: of Mouse and Motor
+    float maxTorque = std::numeric_limits<float>::infinity();     ///< N m: of Motor
+    float breakForce = std::numeric_limits<float>::infinity();    ///< N: a larger force breaks the joint
+    float breakTorque = std::numeric_limits<float>::infinity();   ///< N m: a larger torque breaks the joint
+    float reportForce = std::numeric_limits<float>::infinity();   ///< N: see World::strainedJoints
+    float reportTorque = std::numeric_limits<float>::infinity();  ///< N m
     float hertz = 0.0f;         ///< Hz: stiffness of the joint itself; 0: as stiff as the substeps allow
     float dampingRatio = 2.0f;  ///< used with `hertz`
     bool collideConnected = false;

@@ -1,9 +1,13 @@
 #include "physics/model/joints.hpp"
 
+#include <algorithm>
+
 #include "physics/islands/sleeping.hpp"
 #include "physics/model/bodies.hpp"
 #include "physics/model/bounds.hpp"
 #include "physics/model/checks.hpp"
+#include "physics/model/edits.hpp"
+#include "physics/model/shapes.hpp"
 #include "physics/solver/joint_lanes.hpp"
 #include "physics/workspace.hpp"
 
@@ -25,6 +29,7 @@ Result<Done> checkNumbers(const JointDefinition& d) {
                    checkVector("JointDefinition.groundB", d.groundB, 1.0e9f),
                    checkPlace("JointDefinition.target", d.target),
                    checkVector("JointDefinition.offset", d.offset, kLargest),
+                   checkVector("JointDefinition.velocity", d.velocity, kFastest),
                    checkNumber("JointDefinition.limit.lower", d.limit.lower, -kLargest, kLargest),
                    checkNumber("JointDefinition.limit.upper", d.limit.upper, d.limit.lower, kLargest),
                    checkNumber("JointDefinition.motor.speed", d.motor.speed, -kFastest, kFastest),
@@ -36,6 +41,8 @@ Result<Done> checkNumbers(const JointDefinition& d) {
                    checkNumber("JointDefinition.maxTorque", d.maxTorque, 0.0, kEndless),
                    checkNumber("JointDefinition.breakForce", d.breakForce, 0.0, kEndless),
                    checkNumber("JointDefinition.breakTorque", d.breakTorque, 0.0, kEndless),
+                   checkNumber("JointDefinition.reportForce", d.reportForce, 0.0, kEndless),
+                   checkNumber("JointDefinition.reportTorque", d.reportTorque, 0.0, kEndless),
                    checkNumber("JointDefinition.hertz", d.hertz, 0.0, 1.0e4),
                    checkNumber("JointDefinition.dampingRatio", d.dampingRatio, 0.0, 1.0e4),
                    checkQuality("JointDefinition.quality", d.quality));
@@ -101,11 +108,32 @@ void unlink(World& world, std::uint32_t body, std::uint32_t joint, std::uint32_t
     *link = next;
 }
 
-/// The broad phase searches the body's pairs again: whether they may collide has changed.
-void refreshPairs(World& world, std::uint32_t body) {
-    for (std::uint32_t s = world.bodies.info[body].firstShape; s != kNone; s = world.shapes.info[s].next) {
-        noteMoved(world, s);
-    }
+/// The broad phase searches the pairs of both bodies again: whether they may collide has changed.
+void refreshPairs(World& world, const Joint& joint) {
+    for (const std::uint32_t body : {joint.bodyA, joint.bodyB})
+        forShapesOf(world, body, [&](std::uint32_t s) { noteMoved(world, s); });
+}
+
+std::uint8_t flagsOf(const JointDefinition& d) {
+    const bool breaks = std::min({d.breakForce, d.breakTorque, d.reportForce, d.reportTorque}) < kEndless;
+    return static_cast<std::uint8_t>((d.limit.on ? kLimited : 0) | (d.motor.on ? kDriven : 0) |
+                                     (d.spring.on ? kSprung : 0) | (d.hertz > 0.0f ? kSoft : 0) |
+                                     (breaks ? kBreakable : 0) | (d.collideConnected ? 0 : kKeepsApart));
+}
+
+/// Takes what a new definition says, except the bodies.
+/// @param axis  of unit length
+void take(World& world, std::uint32_t index, const JointDefinition& definition, Vec2 axis) {
+    Joint& joint = world.joints.hot[index];
+    joint.anchorA = definition.anchorA - world.bodies.pose[joint.bodyA].localCentre;
+    joint.anchorB = definition.anchorB - world.bodies.pose[joint.bodyB].localCentre;
+    joint.quality = definition.quality;
+    joint.flags = static_cast<std::uint8_t>((joint.flags & kStretched) | flagsOf(definition));
+    world.joints.definition[index] = definition;
+    world.joints.definition[index].axis = axis;
+    callFor(world, definition, 1);
+    wake(world, joint.bodyA);
+    wake(world, joint.bodyB);
 }
 
 }  // namespace
@@ -126,6 +154,22 @@ bool keptApart(const World& world, std::uint32_t bodyA, std::uint32_t bodyB) {
     return false;
 }
 
+void releaseColour(World& world, std::uint32_t index) {
+    const Joint& joint = world.joints.hot[index];
+    if (!world.work.stale()) {
+        const PushedBodies pushed = pushedBodies(world, joint);
+        const bool fixedB = pushed.b == kNone;
+        freeColour(world.work.get(), fixedB ? kNone : pushed.a, fixedB ? pushed.a : pushed.b, joint.colour);
+    }
+}
+
+void joinIslandsOf(World& world, const Joint& joint) {
+    const auto dynamic = [&](std::uint32_t body) {
+        return world.bodies.info[body].kind == BodyKind::Dynamic;
+    };
+    if (dynamic(joint.bodyA) && dynamic(joint.bodyB)) joinIslands(world, joint.bodyA, joint.bodyB);
+}
+
 Result<JointId> createJoint(World& world, const JointDefinition& definition) {
     if (const auto checked = check(world, definition); !checked) return checked.error();
     const std::uint32_t index = allocateIndex(world.joints);
@@ -136,52 +180,56 @@ Result<JointId> createJoint(World& world, const JointDefinition& definition) {
     joint.bodyA = definition.a.index;
     joint.bodyB = definition.b.index;
     joint.kind = definition.kind;
-    joint.anchorA = definition.anchorA - world.bodies.pose[joint.bodyA].localCentre;
-    joint.anchorB = definition.anchorB - world.bodies.pose[joint.bodyB].localCentre;
-    joint.quality = definition.quality;
-    joint.flags = static_cast<std::uint8_t>(
-        (definition.limit.on ? kLimited : 0) | (definition.motor.on ? kDriven : 0) |
-        (definition.spring.on ? kSprung : 0) | (definition.hertz > 0.0f ? kSoft : 0) |
-        (definition.breakForce < kEndless || definition.breakTorque < kEndless ? kBreakable : 0) |
-        (definition.collideConnected ? 0 : kKeepsApart));
     joint.nextA = std::exchange(world.bodies.info[joint.bodyA].firstJoint, index);
     joint.nextB = std::exchange(world.bodies.info[joint.bodyB].firstJoint, index);
-    world.joints.definition[index] = definition;
-    world.joints.definition[index].axis = normalized(definition.axis);
-    callFor(world, definition, 1);
-    wake(world, joint.bodyA);
-    wake(world, joint.bodyB);
+    take(world, index, definition, normalized(definition.axis));
     addAwakeJoint(world, index);
-    const auto dynamic = [&](std::uint32_t body) {
-        return world.bodies.info[body].kind == BodyKind::Dynamic;
-    };
-    if (dynamic(joint.bodyA) && dynamic(joint.bodyB)) joinIslands(world, joint.bodyA, joint.bodyB);
+    if (joint.kind != JointKind::Filter) joinIslandsOf(world, joint);
     if (!definition.collideConnected) world.filtersStale = true;
     world.newJoints = true;
     return JointId{index, generation};
 }
 
 void destroyJoint(World& world, JointId id) {
-    if (!alive(world, id)) return;
+    if (!mayChange(world, id)) return;
     Joint& joint = world.joints.hot[id.index];
     wake(world, joint.bodyA);
     wake(world, joint.bodyB);
     unlink(world, joint.bodyA, id.index, joint.nextA);
     unlink(world, joint.bodyB, id.index, joint.nextB);
-    if ((joint.flags & kKeepsApart) != 0) {
-        refreshPairs(world, joint.bodyA);
-        refreshPairs(world, joint.bodyB);
-    }
+    if ((joint.flags & kKeepsApart) != 0) refreshPairs(world, joint);
     callFor(world, world.joints.definition[id.index], -1);
-    if (!world.work.stale()) {
-        const PushedBodies pushed = pushedBodies(world, joint);
-        const bool fixedB = pushed.b == kNone;
-        freeColour(world.work.get(), fixedB ? kNone : pushed.a, fixedB ? pushed.a : pushed.b, joint.colour);
-    }
+    releaseColour(world, id.index);
     removeAwakeJoint(world, id.index);
     joint.bodyA = joint.bodyB = kNone;
     world.islandsStale = true;
     world.joints.free.push_back(id.index);
+}
+
+Result<Done> setDefinition(World& world, JointId id, const JointDefinition& definition) {
+    const auto checked = firstOf(checkAlive("setDefinition", world, id), check(world, definition));
+    if (!checked) return checked;
+    const JointDefinition& before = definitionOf(world, id);
+    if (definition.kind != before.kind || definition.a != before.a || definition.b != before.b ||
+        definition.jointA != before.jointA || definition.jointB != before.jointB) {
+        return wrong("setDefinition", "the kind, bodies and geared joints of a joint cannot be changed",
+                     "destroy the joint and create another");
+    }
+    Joint& joint = world.joints.hot[id.index];
+    const bool rearms = flagsOf(definition) != flagsOf(before);
+    const Vec2 axis = definition.axis == before.axis ? before.axis : normalized(definition.axis);
+    if (rearms || definition.anchorA != before.anchorA || definition.anchorB != before.anchorB)
+        world.work.get().joints.trees.stale = true;
+    if (definition.collideConnected != before.collideConnected) {
+        world.filtersStale = true;
+        refreshPairs(world, joint);
+    }
+    callFor(world, before, -1);
+    take(world, id.index, definition, axis);
+    // What was switched on starts without an impulse of old. Gear and Pulley keep their error there.
+    if (rearms && joint.kind != JointKind::Gear && joint.kind != JointKind::Pulley)
+        std::fill(std::begin(joint.rows), std::end(joint.rows), 0.0f);
+    return Done{};
 }
 
 Vec2 jointForce(const World& world, JointId joint) {
@@ -192,22 +240,12 @@ float jointTorque(const World& world, JointId joint) {
     return alive(world, joint) ? world.joints.hot[joint.index].torque : 0.0f;
 }
 
-Result<Done> setMotorSpeed(World& world, JointId id, float speed) {
-    const auto checked = firstOf(checkAlive("setMotorSpeed", world, id),
-                                 checkNumber("setMotorSpeed", speed, -kFastest, kFastest));
-    if (!checked) return checked;
-    world.joints.definition[id.index].motor.speed = speed;
-    wake(world, world.joints.hot[id.index].bodyB);
-    wake(world, world.joints.hot[id.index].bodyA);
-    return Done{};
+Result<Done> setMotorSpeed(World& world, JointId joint, float speed) {
+    return change(world, joint, [&](JointDefinition& definition) { definition.motor.speed = speed; });
 }
 
-Result<Done> setTarget(World& world, JointId id, WorldPosition target) {
-    const auto checked = firstOf(checkAlive("setTarget", world, id), checkPlace("setTarget", target));
-    if (!checked) return checked;
-    world.joints.definition[id.index].target = target;
-    wake(world, world.joints.hot[id.index].bodyB);
-    return Done{};
+Result<Done> setTarget(World& world, JointId joint, WorldPosition target) {
+    return change(world, joint, [&](JointDefinition& definition) { definition.target = target; });
 }
 
 }  // namespace plumb::physics

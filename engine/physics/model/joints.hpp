@@ -13,9 +13,28 @@ Result<JointId> createJoint(World& world, const JointDefinition& definition);
 void destroyJoint(World& world, JointId joint);
 
 [[nodiscard]] bool alive(const World& world, JointId joint);
+/// @pre the joint is alive
+[[nodiscard]] inline const JointDefinition& definitionOf(const World& world, JointId joint) {
+    return world.joints.definition[joint.index];
+}
+/// Changes a joint as if it had been created so, and wakes its bodies. Its kind, bodies and geared joints
+/// must stay the same. See also change() in shapes.hpp.
+Result<Done> setDefinition(World& world, JointId joint, const JointDefinition& definition);
 
 /// True when a joint prevents the two bodies from colliding.
 [[nodiscard]] bool keptApart(const World& world, std::uint32_t bodyA, std::uint32_t bodyB);
+
+/// What a joint does at present.
+struct JointReading {
+    float value = 0.0f;       ///< rad: angle; m: length of Distance, translation of Prismatic and Wheel
+    float speed = 0.0f;       ///< rad/s or m/s: of that value
+    float motorForce = 0.0f;  ///< N m or N, in the last step
+    float separation =
+        0.0f;  ///< m: error of what it holds, limits included; of Mouse: distance to the target
+    float angularSeparation = 0.0f;  ///< rad: the same for its angle
+};
+/// All 0 for a Filter. @pre the joint is alive
+[[nodiscard]] JointReading readingOf(const World& world, JointId joint);
 
 /// The force (N, on B) and the torque (N m) that held the joint in the last step.
 [[nodiscard]] Vec2 jointForce(const World& world, JointId joint);

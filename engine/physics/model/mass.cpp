@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "physics/model/bounds.hpp"
+#include "physics/model/edits.hpp"
 #include "physics/shapes/shape_types.hpp"
 #include "physics/workspace.hpp"
 
@@ -39,11 +41,24 @@ constexpr float kMinInertia = 1.0e-20f;  // kg m2: the solver cannot use the inv
 
 void setMassOf(BodyMass& mass, const Sum& sum, const BodyInfo& info) {
     const float ofShapes = sum.mass > 0.0f ? sum.mass : 1.0f;
-    mass.mass = std::max(kLightest, info.hasSetMass ? mass.mass : ofShapes);
-    mass.inertia = sum.mass > 0.0f ? sum.inertia * (mass.mass / sum.mass) : 0.0f;
+    mass.mass = std::max(kLightest, (info.owned & kSetMass) != 0 ? mass.mass : ofShapes);
+    if ((info.owned & kSetMassData) == 0)
+        mass.inertia = sum.mass > 0.0f ? sum.inertia * (mass.mass / sum.mass) : 0.0f;
     mass.inverseMass = 1.0f / mass.mass;
     const bool turns = mass.inertia > 0.0f && (info.flags & kFixedRotation) == 0;
     mass.inverseInertia = turns ? 1.0f / std::max(mass.inertia, kMinInertia) : 0.0f;
+}
+
+/// Anchors are relative to the center of mass, and effective masses may have changed.
+void updateJoints(World& world, std::uint32_t body) {
+    const Vec2 centre = world.bodies.pose[body].localCentre;
+    forJointsOf(world, body, [&](std::uint32_t j) {
+        Joint& joint = world.joints.hot[j];
+        const JointDefinition& definition = world.joints.definition[j];
+        const bool isA = joint.bodyA == body;
+        (isA ? joint.anchorA : joint.anchorB) = (isA ? definition.anchorA : definition.anchorB) - centre;
+        world.work.get().joints.trees.stale = true;
+    });
 }
 
 void updateExtent(World& world, std::uint32_t body) {
@@ -60,24 +75,34 @@ void updateExtent(World& world, std::uint32_t body) {
 
 }  // namespace
 
+void moveCentre(World& world, std::uint32_t body, Vec2 centre) {
+    BodyPose& pose = world.bodies.pose[body];
+    BodyMotion& motion = world.bodies.motion[body];
+    const Vec2 displacement = rotate(pose.rotation, centre - pose.localCentre);
+    pose.centre = pose.centre + displacement;
+    pose.localCentre = centre;
+    motion.velocity += cross(motion.angularVelocity, displacement);
+}
+
 void updateMass(World& world, std::uint32_t body) {
     const BodyInfo& info = world.bodies.info[body];
     BodyMass& mass = world.bodies.mass[body];
     if (info.kind != BodyKind::Dynamic) {
         mass = {};
+        if (world.bodies.pose[body].localCentre != Vec2{}) moveCentre(world, body, {});
     } else {
         const Sum sum = sumOfShapes(world, body);
         setMassOf(mass, sum, info);
-        BodyPose& pose = world.bodies.pose[body];
-        BodyMotion& motion = world.bodies.motion[body];
-        const Vec2 displacement = rotate(pose.rotation, sum.centre - pose.localCentre);
-        pose.centre = pose.centre + displacement;
-        pose.localCentre = sum.centre;
-        motion.velocity += cross(motion.angularVelocity, displacement);
+        if ((info.owned & kSetMassData) == 0) moveCentre(world, body, sum.centre);
     }
-    if (info.firstJoint != kNone)
-        world.work.get().joints.trees.stale = true;  // its effective masses may have changed
+    updateJoints(world, body);
     updateExtent(world, body);
+}
+
+void updateMassInContact(World& world, std::uint32_t body) {
+    const Vec2 before = world.bodies.pose[body].localCentre;
+    updateMass(world, body);
+    if (world.bodies.pose[body].localCentre != before) alterAll(world, body);
 }
 
 }  // namespace plumb::physics

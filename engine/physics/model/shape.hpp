@@ -37,6 +37,8 @@ struct ShapeDefinition {
     /// border.
     std::uint32_t frontLayers = 0;
     std::uint32_t frontMask = 0;
+
+    friend constexpr bool operator==(const ShapeDefinition&, const ShapeDefinition&) = default;
 };
 
 }  // namespace plumb::physics

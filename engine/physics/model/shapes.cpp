@@ -1,6 +1,7 @@
 #include "physics/model/shapes.hpp"
 
 #include <algorithm>
+#include <tuple>
 #include <vector>
 
 #include "core/text.hpp"
@@ -8,6 +9,7 @@
 #include "physics/model/bodies.hpp"
 #include "physics/model/bounds.hpp"
 #include "physics/model/checks.hpp"
+#include "physics/model/edits.hpp"
 #include "physics/model/mass.hpp"
 #include "physics/model/polygon_store.hpp"
 #include "physics/shapes/shape_types.hpp"
@@ -37,23 +39,6 @@ Result<Done> check(const Geometry& geometry) {
     if (geometry.kind != ShapeKind::Polygon) return checkGeometry(geometry, {});
     return wrong("createShape", "expected a circle, capsule, box or segment, found a polygon",
                  "use createPolygon for polygons");
-}
-
-/// Counts a shape as a user of the effects that it needs.
-void callFor(World& world, std::uint32_t shape, int times) {
-    const ShapeInfo& info = world.shapes.info[shape];
-    const ShapeExtras& extras = world.shapes.extras[info.extras];
-    const bool trigger = (info.flags & kTrigger) != 0;
-    Manifest& manifest = world.manifest;
-    manifest.call(Effect::Triggers, trigger, times);
-    manifest.call(Effect::Contacts, !trigger && world.bodies.info[info.body].kind == BodyKind::Dynamic,
-                  times);
-    manifest.call(Effect::Friction, !trigger && info.friction > 0.0f, times);
-    manifest.call(Effect::Restitution, !trigger && info.bounciness > 0.0f, times);
-    manifest.call(Effect::Rolling, !trigger && extras.rollingResistance > 0.0f, times);
-    manifest.call(Effect::Conveyor, !trigger && extras.surfaceSpeed != 0.0f, times);
-    manifest.call(Effect::OneWay, !trigger && (info.flags & kOneWay) != 0, times);
-    manifest.call(Effect::ContactEvents, (info.flags & kReportsContacts) != 0, times);
 }
 
 std::uint32_t allocateIndex(World& world) {
@@ -104,13 +89,14 @@ ShapeId add(World& world, BodyId body, const Geometry& geometry, const ShapeDefi
     info.generation = shapes.info[index].generation + 1;
     info.body = body.index;
     info.next = std::exchange(owner.firstShape, index);
+    if (!isEnabled(world, body)) info.flags |= kShapeOff;
     const ShapeExtras extras = extrasOf(definition);
     if (!(extras == ShapeExtras{})) shapes.extras.own(info.extras) = extras;
     shapes.info[index] = info;
     shapes.geometry[index] = geometry;
     shapes.filter[index] = {definition.layers, definition.mask, definition.group, body.index};
     shapes.motion[index] = motionOf(world, index);
-    callFor(world, index, 1);
+    countEffectsOfShape(world, index, 1);
     setBounds(world, index);
     return {index, info.generation};
 }
@@ -118,33 +104,38 @@ ShapeId add(World& world, BodyId body, const Geometry& geometry, const ShapeDefi
 /// The index becomes free once the next step has ended the shape's contacts.
 void remove(World& world, std::uint32_t shape) {
     Shapes& shapes = world.shapes;
-    callFor(world, shape, -1);
+    countEffectsOfShape(world, shape, -1);
     if (shapes.geometry[shape].kind == ShapeKind::Polygon) freePolygon(shapes, shapes.geometry[shape]);
     shapes.extras.release(shapes.info[shape].extras);
     shapes.motion[shape] = ProxyMotion::Gone;
+    shapes.info[shape].flags &= static_cast<std::uint8_t>(~kShapeOff);
     shapes.dying.push_back(shape);
     noteChanged(world, shape);
 }
 
-/// Changes a material property that the shape's effects depend on.
-void change(World& world, ShapeId shape, float ShapeInfo::*member, float value) {
-    callFor(world, shape.index, -1);
-    world.shapes.info[shape.index].*member = value;
-    callFor(world, shape.index, 1);
-    refreshContacts(world, shape.index);
-}
-
-Error stale() {
-    return wrong("createShape", "expected a living body, found one that was destroyed or never made",
-                 "create the body first and keep its id");
-}
-
 }  // namespace
+
+void countEffectsOfShape(World& world, std::uint32_t shape, int times) {
+    const ShapeInfo& info = world.shapes.info[shape];
+    const ShapeExtras& extras = world.shapes.extras[info.extras];
+    const bool trigger = (info.flags & kTrigger) != 0;
+    Manifest& manifest = world.manifest;
+    manifest.call(Effect::Triggers, trigger, times);
+    manifest.call(Effect::Contacts, !trigger && world.bodies.info[info.body].kind == BodyKind::Dynamic,
+                  times);
+    manifest.call(Effect::Friction, !trigger && info.friction > 0.0f, times);
+    manifest.call(Effect::Restitution, !trigger && info.bounciness > 0.0f, times);
+    manifest.call(Effect::Rolling, !trigger && extras.rollingResistance > 0.0f, times);
+    manifest.call(Effect::Conveyor, !trigger && extras.surfaceSpeed != 0.0f, times);
+    manifest.call(Effect::OneWay, !trigger && (info.flags & kOneWay) != 0, times);
+    manifest.call(Effect::ContactEvents, (info.flags & kReportsContacts) != 0, times);
+}
 
 bool alive(const World& world, ShapeId shape) {
     return shape.generation != 0 && shape.index < world.shapes.size() &&
            world.shapes.info[shape.index].generation == shape.generation &&
-           world.shapes.motion[shape.index] != ProxyMotion::Gone;
+           (world.shapes.motion[shape.index] != ProxyMotion::Gone ||
+            (world.shapes.info[shape.index].flags & kShapeOff) != 0);
 }
 
 BodyId bodyOf(const World& world, ShapeId shape) {
@@ -152,9 +143,20 @@ BodyId bodyOf(const World& world, ShapeId shape) {
     return {body, world.bodies.info[body].generation};
 }
 
+void segmentsOf(const World& world, ShapeId chain, std::vector<ShapeId>& found) {
+    const ShapeInfo& info = world.shapes.info[chain.index];
+    found.clear();
+    forShapesOf(world, info.body, [&](std::uint32_t s) {
+        const ShapeInfo& other = world.shapes.info[s];
+        if (s == chain.index || (info.surface != 0 && other.surface == info.surface))
+            found.push_back({s, other.generation});
+    });
+    std::reverse(found.begin(), found.end());  // the list of a body begins with its last shape
+}
+
 Result<ShapeId> createShape(World& world, BodyId body, const Geometry& geometry,
                             const ShapeDefinition& definition) {
-    if (!alive(world, body)) return stale();
+    if (const auto checked = checkAlive("createShape", world, body); !checked) return checked.error();
     if (const auto checked = firstOf(check(geometry), check(definition)); !checked) return checked.error();
     const ShapeId shape = add(world, body, geometry, definition);
     updateMass(world, body.index);
@@ -163,7 +165,7 @@ Result<ShapeId> createShape(World& world, BodyId body, const Geometry& geometry,
 
 Result<ShapeId> createPolygon(World& world, BodyId body, std::span<const Vec2> points, float radius,
                               const ShapeDefinition& definition) {
-    if (!alive(world, body)) return stale();
+    if (const auto checked = checkAlive("createShape", world, body); !checked) return checked.error();
     if (const auto checked =
             firstOf(check(definition), checkNumber("createPolygon radius", radius, 0.0, kLargest));
         !checked) {
@@ -176,9 +178,14 @@ Result<ShapeId> createPolygon(World& world, BodyId body, std::span<const Vec2> p
     return shape;
 }
 
-Result<Done> createChain(World& world, BodyId body, std::span<const Vec2> points, bool closed,
-                         const ShapeDefinition& definition) {
-    if (!alive(world, body)) return stale();
+Result<ShapeId> createChain(World& world, BodyId body, std::span<const Vec2> points, bool closed,
+                            const ShapeDefinition& definition) {
+    return createChain(world, body, points, closed, std::span{&definition, 1});
+}
+
+Result<ShapeId> createChain(World& world, BodyId body, std::span<const Vec2> points, bool closed,
+                            std::span<const ShapeDefinition> definitions) {
+    if (const auto checked = checkAlive("createShape", world, body); !checked) return checked.error();
     const std::size_t count = points.size(), fewest = closed ? 3 : 4;
     if (count < fewest) {
         return wrong(
@@ -186,8 +193,16 @@ Result<Done> createChain(World& world, BodyId body, std::span<const Vec2> points
             "expected at least " + std::to_string(fewest) + " points, found " + std::to_string(count),
             "add points; the first and last point of an open chain are ghost vertices");
     }
-    if (const auto checked = check(definition); !checked) return checked;
     const std::size_t segments = closed ? count : count - 3, first = closed ? 0 : 1;
+    if (definitions.size() != 1 && definitions.size() != segments) {
+        return wrong("createChain",
+                     "expected a definition, or one for each of " + std::to_string(segments) +
+                         " segments, found " + std::to_string(definitions.size()),
+                     "pass one for all, or a list of that length");
+    }
+    for (const ShapeDefinition& definition : definitions) {
+        if (const auto checked = check(definition); !checked) return checked.error();
+    }
     const auto segmentAt = [&](std::size_t i) {
         const std::size_t at = first + i;
         return chainSegment(points[(at + count - 1) % count], points[at % count], points[(at + 1) % count],
@@ -195,22 +210,24 @@ Result<Done> createChain(World& world, BodyId body, std::span<const Vec2> points
     };
     for (std::size_t i = 0; i < segments; ++i) {
         const Geometry piece = segmentAt(i);
-        if (const auto checked = check(piece); !checked) return checked;
+        if (const auto checked = check(piece); !checked) return checked.error();
     }
-    ShapeDefinition part = definition;
+    std::uint32_t surface = definitions[0].surface;
+    ShapeId chain;
     for (std::size_t i = 0; i < segments; ++i) {
-        const ShapeId shape = add(world, body, segmentAt(i), part);
-        if (part.surface != 0) continue;
-        part.surface = kOwnSurfaces | shape.index;
-        world.shapes.info[shape.index].surface = part.surface;
+        const ShapeId shape =
+            add(world, body, segmentAt(i), definitions[std::min(i, definitions.size() - 1)]);
+        if (i == 0) chain = shape;
+        if (surface == 0) surface = kOwnSurfaces | shape.index;
+        world.shapes.info[shape.index].surface = surface;
     }
     updateMass(world, body.index);
-    return Done{};
+    return chain;
 }
 
 Result<Done> createShapes(World& world, BodyId body, std::span<const Geometry> geometries,
                           std::span<const ShapeDefinition> definitions) {
-    if (!alive(world, body)) return stale();
+    if (const auto checked = checkAlive("createShape", world, body); !checked) return checked.error();
     if (geometries.size() != definitions.size()) {
         return wrong("createShapes",
                      "expected a definition for each of " + std::to_string(geometries.size()) +
@@ -227,7 +244,7 @@ Result<Done> createShapes(World& world, BodyId body, std::span<const Geometry> g
 }
 
 void destroyShape(World& world, ShapeId shape) {
-    if (!alive(world, shape)) return;
+    if (!mayChange(world, shape)) return;
     const std::uint32_t body = world.shapes.info[shape.index].body;
     wakeTouching(world, body);
     std::uint32_t* link = &world.bodies.info[body].firstShape;
@@ -237,8 +254,14 @@ void destroyShape(World& world, ShapeId shape) {
     updateMass(world, body);
 }
 
+void destroyChain(World& world, ShapeId chain) {
+    std::vector<ShapeId> segments;
+    if (alive(world, chain)) segmentsOf(world, chain, segments);
+    for (const ShapeId segment : segments) destroyShape(world, segment);
+}
+
 void destroyShapes(World& world, BodyId body) {
-    if (!alive(world, body)) return;
+    if (!mayChange(world, body)) return;
     std::uint32_t& first = world.bodies.info[body.index].firstShape;
     if (first == kNone) return;
     wakeTouching(world, body.index);
@@ -250,39 +273,111 @@ void destroyShapes(World& world, BodyId body) {
     updateMass(world, body.index);
 }
 
-Result<Done> setFriction(World& world, ShapeId shape, float friction) {
-    const auto checked = firstOf(checkAlive("setFriction", world, shape),
-                                 checkNumber("setFriction", friction, 0.0, kRoughest));
-    if (!checked) return checked;
-    change(world, shape, &ShapeInfo::friction, friction);
-    wakeTouching(world, world.shapes.info[shape.index].body);
+namespace {
+
+/// Replaces the outline of a shape.
+Result<Done> replace(World& world, ShapeId shape, const Geometry& geometry) {
+    const std::uint32_t body = world.shapes.info[shape.index].body;
+    wakeTouching(world, body);
+    world.shapes.geometry[shape.index] = geometry;
+    updateMassInContact(world, body);
+    alter(world, shape.index);
     return Done{};
+}
+
+void freeCornersOf(World& world, ShapeId shape) {
+    const Geometry& geometry = world.shapes.geometry[shape.index];
+    if (geometry.kind == ShapeKind::Polygon) freePolygon(world.shapes, geometry);
+}
+
+}  // namespace
+
+Result<Done> setGeometry(World& world, ShapeId shape, const Geometry& geometry) {
+    const auto checked = firstOf(checkAlive("setGeometry", world, shape), check(geometry));
+    if (!checked) return checked;
+    freeCornersOf(world, shape);
+    return replace(world, shape, geometry);
+}
+
+Result<Done> setPolygon(World& world, ShapeId shape, std::span<const Vec2> points, float radius) {
+    const auto checked = firstOf(checkAlive("setPolygon", world, shape),
+                                 checkNumber("setPolygon radius", radius, 0.0, kLargest));
+    if (!checked) return checked;
+    const Result<Hull> hull = makeHull(points);
+    if (!hull) return hull.error();
+    freeCornersOf(world, shape);
+    return replace(world, shape, storePolygon(world.shapes, *hull, radius));
+}
+
+ShapeDefinition definitionOf(const World& world, ShapeId shape) {
+    const ShapeInfo& info = world.shapes.info[shape.index];
+    const ShapeExtras& extras = world.shapes.extrasOf(shape.index);
+    const Filter& filter = world.shapes.filter[shape.index];
+    ShapeDefinition definition{info.density, info.friction, info.bounciness};
+    definition.rollingResistance = extras.rollingResistance;
+    definition.surfaceSpeed = extras.surfaceSpeed;
+    definition.layers = filter.layers;
+    definition.mask = filter.mask;
+    definition.group = filter.group;
+    definition.isTrigger = (info.flags & kTrigger) != 0;
+    definition.oneWay = (info.flags & kOneWay) != 0;
+    if (definition.oneWay) definition.oneWayDirection = extras.oneWayDirection;
+    definition.reportsContacts = (info.flags & kReportsContacts) != 0;
+    definition.user = info.user;
+    definition.surface = info.surface;
+    definition.frontLayers = extras.frontLayers;
+    definition.frontMask = extras.frontMask;
+    return definition;
+}
+
+Result<Done> setDefinition(World& world, ShapeId shape, const ShapeDefinition& definition) {
+    const auto checked = firstOf(checkAlive("setDefinition", world, shape), check(definition));
+    if (!checked) return checked;
+    const ShapeDefinition before = definitionOf(world, shape);
+    if (definition == before) return checked;
+    if (definition.surface != before.surface)
+        return wrong("ShapeDefinition.surface", "it cannot be changed",
+                     "destroy the shape and create another");
+    Shapes& shapes = world.shapes;
+    ShapeInfo& info = shapes.info[shape.index];
+    wakeTouching(world, info.body);
+    countEffectsOfShape(world, shape.index, -1);
+    const ShapeInfo made = infoOf(definition);
+    info.flags = static_cast<std::uint8_t>((info.flags & (kLeftBounds | kAltered | kShapeOff)) | made.flags);
+    info.density = made.density;
+    info.friction = made.friction;
+    info.bounciness = made.bounciness;
+    info.user = made.user;
+    const ShapeExtras extras = extrasOf(definition);
+    if (!(extras == shapes.extrasOf(shape.index))) shapes.extras.own(info.extras) = extras;
+    countEffectsOfShape(world, shape.index, 1);
+    if (definition.layers != before.layers || definition.mask != before.mask ||
+        definition.group != before.group)
+        setFilter(world, shape, definition.layers, definition.mask, definition.group);
+    if (definition.density != before.density) updateMassInContact(world, info.body);
+    // These are decided when a contact begins.
+    const auto atBegin = [](const ShapeDefinition& d) {
+        return std::tuple{d.isTrigger,       d.oneWay,      d.oneWayDirection.x, d.oneWayDirection.y,
+                          d.reportsContacts, d.frontLayers, d.frontMask};
+    };
+    atBegin(definition) != atBegin(before) ? alter(world, shape.index) : refreshContacts(world, shape.index);
+    return Done{};
+}
+
+Result<Done> setFriction(World& world, ShapeId shape, float friction) {
+    return change(world, shape, [&](ShapeDefinition& definition) { definition.friction = friction; });
 }
 
 Result<Done> setBounciness(World& world, ShapeId shape, float bounciness) {
-    const auto checked = firstOf(checkAlive("setBounciness", world, shape),
-                                 checkNumber("setBounciness", bounciness, 0.0, 1.0));
-    if (!checked) return checked;
-    change(world, shape, &ShapeInfo::bounciness, bounciness);
-    return Done{};
+    return change(world, shape, [&](ShapeDefinition& definition) { definition.bounciness = bounciness; });
 }
 
 Result<Done> setSurfaceSpeed(World& world, ShapeId shape, float speed) {
-    const auto checked = firstOf(checkAlive("setSurfaceSpeed", world, shape),
-                                 checkNumber("setSurfaceSpeed", speed, -kFastest, kFastest));
-    if (!checked) return checked;
-    Shapes& shapes = world.shapes;
-    callFor(world, shape.index, -1);
-    if (speed != shapes.extrasOf(shape.index).surfaceSpeed)
-        shapes.extras.own(shapes.info[shape.index].extras).surfaceSpeed = speed;
-    callFor(world, shape.index, 1);
-    refreshContacts(world, shape.index);
-    wakeTouching(world, world.shapes.info[shape.index].body);
-    return Done{};
+    return change(world, shape, [&](ShapeDefinition& definition) { definition.surfaceSpeed = speed; });
 }
 
 void setFilter(World& world, ShapeId shape, std::uint32_t layers, std::uint32_t mask, std::int32_t group) {
-    if (!alive(world, shape)) return;
+    if (!mayChange(world, shape)) return;
     Filter& filter = world.shapes.filter[shape.index];
     filter = {layers, mask, group, filter.body};
     world.filtersStale = true;

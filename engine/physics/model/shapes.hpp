@@ -19,8 +19,17 @@ Result<ShapeId> createPolygon(World& world, BodyId body, std::span<const Vec2> p
 /// catching. The first and the last point of an open chain are ghost vertices: they only define the direction
 /// in which it would go on.
 /// @error fewer than 3 points (closed) or 4 (open), coincident points, a number that is not finite
-Result<Done> createChain(World& world, BodyId body, std::span<const Vec2> points, bool closed,
-                         const ShapeDefinition& definition = {});
+/// @return its first segment, which stands for the chain
+Result<ShapeId> createChain(World& world, BodyId body, std::span<const Vec2> points, bool closed,
+                            const ShapeDefinition& definition = {});
+/// The same with a definition for each segment.
+Result<ShapeId> createChain(World& world, BodyId body, std::span<const Vec2> points, bool closed,
+                            std::span<const ShapeDefinition> definitions);
+/// The segments of a chain, given by any of them, in order. Results replace the content of `found`.
+/// @pre it is alive
+void segmentsOf(const World& world, ShapeId chain, std::vector<ShapeId>& found);
+/// Destroys all segments of a chain, given by any of them.
+void destroyChain(World& world, ShapeId chain);
 /// Adds many shapes at once, each with its own definition: all of them, or none if one is invalid.
 /// @error as createShape(), or a number of definitions that differs from that of outlines
 Result<Done> createShapes(World& world, BodyId body, std::span<const Geometry> geometries,
@@ -32,6 +41,28 @@ void destroyShape(World& world, ShapeId shape);
 
 [[nodiscard]] bool alive(const World& world, ShapeId shape);
 [[nodiscard]] BodyId bodyOf(const World& world, ShapeId shape);
+
+// Changes of a living shape. The body behaves as if the shape had been created so: masses are updated, bodies
+// that rest on it wake. What a new outline, trigger or one-way direction concerns begins anew: the next step
+// reports Ended, and Began for what still touches.
+
+/// Replaces the outline by another of any kind; setPolygon() by the convex hull of the points (m).
+Result<Done> setGeometry(World& world, ShapeId shape, const Geometry& geometry);
+Result<Done> setPolygon(World& world, ShapeId shape, std::span<const Vec2> points, float radius = 0.0f);
+/// @pre the shape is alive
+[[nodiscard]] ShapeDefinition definitionOf(const World& world, ShapeId shape);
+/// Replaces material, filter and the rest; only `surface` must stay the same. See also change().
+Result<Done> setDefinition(World& world, ShapeId shape, const ShapeDefinition& definition);
+
+/// Changes members of the definition of a shape or joint: change(world, shape, [](auto& d) { d.density = 2;
+/// }).
+template <class Thing, class Change>
+Result<Done> change(World& world, Id<Thing> id, Change&& change) {
+    if (!alive(world, id)) return setDefinition(world, id, {});  // says that it is not
+    auto definition = definitionOf(world, id);
+    change(definition);
+    return setDefinition(world, id, definition);
+}
 
 Result<Done> setFriction(World& world, ShapeId shape, float friction);      ///< 0..100
 Result<Done> setBounciness(World& world, ShapeId shape, float bounciness);  ///< 0..1

@@ -100,7 +100,9 @@ Result<Done> checkParticle(const char* where, const World& world, SoftBodyId bod
         return wrong(where, "expected a living soft body, found one that was destroyed or never made",
                      "use the id that its create function returned");
     }
-    return checkNumber(where, particle, 0.0, static_cast<double>(particlesOf(world, body).size()) - 1.0);
+    return firstOf(
+        checkOutside(where, world),
+        checkNumber(where, particle, 0.0, static_cast<double>(particlesOf(world, body).size()) - 1.0));
 }
 
 }  // namespace
@@ -120,8 +122,8 @@ std::span<const SoftParticle> particlesOf(const World& world, SoftBodyId body) {
 Result<SoftBodyId> createRope(World& world, WorldPosition from, WorldPosition to, int count,
                               const SoftMaterial& material) {
     const auto checked =
-        firstOf(check(material), checkPlace("createRope from", from), checkPlace("createRope to", to),
-                checkNumber("createRope count", count, 2.0, 10000.0));
+        firstOf(checkOutside("createRope", world), check(material), checkPlace("createRope from", from),
+                checkPlace("createRope to", to), checkNumber("createRope count", count, 2.0, 10000.0));
     if (!checked) return checked.error();
     SoftBody body = bodyOf(material);
     const double parts = count - 1;
@@ -137,10 +139,11 @@ Result<SoftBodyId> createRope(World& world, WorldPosition from, WorldPosition to
 
 Result<SoftBodyId> createCloth(World& world, WorldPosition corner, Vec2 size, int columns, int rows,
                                const SoftMaterial& material) {
-    const auto checked = firstOf(check(material), checkPlace("createCloth corner", corner),
-                                 checkVector("createCloth size", size, kLargest),
-                                 checkNumber("createCloth columns", columns, 2.0, 200.0),
-                                 checkNumber("createCloth rows", rows, 2.0, 200.0));
+    const auto checked =
+        firstOf(checkOutside("createCloth", world), check(material), checkPlace("createCloth corner", corner),
+                checkVector("createCloth size", size, kLargest),
+                checkNumber("createCloth columns", columns, 2.0, 200.0),
+                checkNumber("createCloth rows", rows, 2.0, 200.0));
     if (!checked) return checked.error();
     SoftBody body = bodyOf(material);
     const Vec2 cell{size.x / static_cast<float>(columns - 1), size.y / static_cast<float>(rows - 1)};
@@ -169,7 +172,7 @@ Result<SoftBodyId> createCloth(World& world, WorldPosition corner, Vec2 size, in
 Result<SoftBodyId> createJelly(World& world, WorldPosition place, std::span<const Vec2> outline,
                                const SoftMaterial& material) {
     auto checked =
-        firstOf(check(material), checkPlace("createJelly place", place),
+        firstOf(checkOutside("createJelly", world), check(material), checkPlace("createJelly place", place),
                 checkNumber("createJelly points", static_cast<double>(outline.size()), 3.0, 500.0));
     for (const Vec2 point : outline) {
         if (checked) checked = checkVector("createJelly point", point, kLargest);
@@ -195,7 +198,7 @@ Result<SoftBodyId> createJelly(World& world, WorldPosition place, std::span<cons
 }
 
 void destroySoftBody(World& world, SoftBodyId body) {
-    if (!alive(world, body)) return;
+    if (!mayChange(world, body)) return;
     wakeNeighbours(world, world.softBodies.all[body.index]);
     const std::uint32_t generation = body.generation;
     world.softBodies.all[body.index] = {};

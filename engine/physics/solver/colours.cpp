@@ -33,7 +33,8 @@ void note(const World& world, Workspace& work, std::uint32_t body, std::uint8_t 
         work.colourMasks[body] |= 1u << colour;
 }
 void note(const World& world, Workspace& work, const Contact& contact) {
-    note(world, work, contact.bodyA, contact.colour);
+    // The kind of a body may have changed since: the contact then ends in the next step, as what it was.
+    if ((contact.flags & kFixedA) == 0) note(world, work, contact.bodyA, contact.colour);
     note(world, work, contact.bodyB, contact.colour);
 }
 

@@ -344,9 +344,13 @@ void noteInTree(StepContext& step, const SolveGroup& group, BreakableJoint& brea
 void breakJoints(World& world, JointWork& joints) {
     for (const BreakableJoint& breakable : joints.breakables) {
         const JointDefinition& definition = world.joints.definition[breakable.joint];
-        if (breakable.force <= definition.breakForce && breakable.torque <= definition.breakTorque) continue;
+        const auto exceeds = [&](float force, float torque) {
+            return breakable.force > force || breakable.torque > torque;
+        };
         if (world.joints.hot[breakable.joint].bodyA == kNone) continue;  // already broken
         const JointId id{breakable.joint, world.joints.hot[breakable.joint].generation};
+        if (exceeds(definition.reportForce, definition.reportTorque)) world.strainedJoints.push_back(id);
+        if (!exceeds(definition.breakForce, definition.breakTorque)) continue;
         world.brokenJoints.push_back(id);
         destroyJoint(world, id);
     }

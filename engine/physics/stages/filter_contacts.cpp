@@ -1,6 +1,9 @@
+#include <algorithm>
+
 #include "physics/contacts/chain_events.hpp"
 #include "physics/contacts/contacts.hpp"
 #include "physics/effects/one_way.hpp"
+#include "physics/ranges.hpp"
 #include "physics/stages.hpp"
 
 namespace plumb::physics {
@@ -25,10 +28,22 @@ void decideOneWay(StepContext& step, Contact& contact) {
 void askOwner(StepContext& step, Contact& contact) {
     const ContactHooks& hooks = step.hooks;
     if (hooks.preSolve == nullptr || (contact.flags & kDisabled) != 0) return;
-    if (!hooks.preSolve(hooks.context, step.world, contact)) contact.flags |= kDisabled;
+    if (!ask(step.world, [&] { return hooks.preSolve(hooks.context, step.world, contact); }))
+        contact.flags |= kDisabled;
 }
 
 }  // namespace
+
+void askForMaterial(const StepContext& step, Contact& contact) {
+    const auto answer = [&](auto* callback, float known, float maximum) {
+        if (callback == nullptr) return known;
+        const float wanted =
+            ask(step.world, [&] { return callback(step.hooks.context, step.world, contact); });
+        return wanted > 0.0f ? std::min(wanted, maximum) : 0.0f;
+    };
+    contact.friction = answer(step.hooks.friction, contact.friction, kRoughest);
+    contact.bounciness = answer(step.hooks.bounciness, contact.bounciness, 1.0f);
+}
 
 void filterContacts(StepContext& step) {
     std::vector<Contact>& contacts = step.world.contacts;
@@ -36,6 +51,7 @@ void filterContacts(StepContext& step) {
         Contact& contact = contacts[i];
         if ((contact.flags & (kTouching | kTriggered)) != kTouching) continue;
         decideOneWay(step, contact);
+        askForMaterial(step, contact);
         askOwner(step, contact);
         if ((contact.flags & kDisabled) != 0) step.work.contactKeys[i] = keyOf(contact);
     }

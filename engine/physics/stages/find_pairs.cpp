@@ -53,10 +53,11 @@ void search(StepContext& step) {
     world.moved.clear();
 }
 
-bool refused(const World& world, const ContactHooks& hooks, std::uint32_t a, std::uint32_t b) {
-    return hooks.filter != nullptr &&
-           !hooks.filter(hooks.context, world, {a, world.shapes.info[a].generation},
-                         {b, world.shapes.info[b].generation});
+bool refused(World& world, const ContactHooks& hooks, std::uint32_t a, std::uint32_t b) {
+    return hooks.filter != nullptr && !ask(world, [&] {
+               return hooks.filter(hooks.context, world, {a, world.shapes.info[a].generation},
+                                   {b, world.shapes.info[b].generation});
+           });
 }
 
 void makeContacts(World& world, Workspace& work, const ContactHooks& hooks) {
@@ -109,6 +110,10 @@ void wakeOnPaths(World& world, Workspace& work, float dt) {
 
 void findPairs(StepContext& step) {
     updateBroadPhase(step.world, step.work);
+    if (!step.world.altered.empty()) {
+        endAltered(step);
+        updateBroadPhase(step.world, step.work);  // of what that woke
+    }
     if (step.runs(Effect::Kinematics)) makeRoomOnPaths(step.world, step.work);
     if (step.runs(Effect::Kinematics) && step.runs(Effect::Sleep)) {
         wakeOnPaths(step.world, step.work, step.dt);

@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "physics/contacts/chain_events.hpp"
 #include "physics/stages.hpp"
 
@@ -6,6 +8,7 @@ namespace plumb::physics {
 void publishEvents(StepContext& step) {
     World& world = step.world;
     const std::vector<std::uint16_t>& keys = step.work.contactKeys;
+    std::sort(step.work.approaches.begin(), step.work.approaches.end());
     for (std::size_t i = 0; i < world.contacts.size(); ++i) {
         // Those of islands that were woken since the narrow phase, as by an explosion, came in without a key.
         const bool began = i < keys.size() && (keys[i] & kKeyBegan) != 0;

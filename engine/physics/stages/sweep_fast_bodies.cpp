@@ -3,6 +3,7 @@
 #include <functional>
 
 #include "physics/broadphase/broadphase_update.hpp"
+#include "physics/contacts/chain_events.hpp"
 #include "physics/contacts/contacts.hpp"
 #include "physics/contacts/seams.hpp"
 #include "physics/continuous/swept_bodies.hpp"
@@ -127,6 +128,7 @@ Contact contactOf(StepContext& step, const PathHit& hit, std::uint32_t own, std:
     touchUnion(step, contact);
     poses[own] = kept[0];
     poses[met] = kept[1];
+    askForMaterial(step, contact);
     if (hit.isPressed) contact.bounciness = 0.0f;
     return contact;
 }
@@ -140,11 +142,13 @@ void addProxy(const StepContext& step, const SweptBody& swept) {
 
 /// Whether the owner of the world lets these two pass each other.
 bool isRefused(const StepContext& step, const PathHit& hit, const Contact& contact) {
-    const World& world = step.world;
+    World& world = step.world;
     const ContactHooks& hooks = step.hooks;
     const auto id = [&](std::uint32_t shape) { return ShapeId{shape, world.shapes.info[shape].generation}; };
-    return (hooks.filter != nullptr && !hooks.filter(hooks.context, world, id(hit.shape), id(hit.met))) ||
-           (hooks.preSolve != nullptr && !hooks.preSolve(hooks.context, world, contact));
+    return ask(world, [&] {
+        return (hooks.filter != nullptr && !hooks.filter(hooks.context, world, id(hit.shape), id(hit.met))) ||
+               (hooks.preSolve != nullptr && !hooks.preSolve(hooks.context, world, contact));
+    });
 }
 
 /// Lets a body hit what comes next on its path.
@@ -175,6 +179,7 @@ void hitNext(StepContext& step, std::uint32_t own, std::uint32_t met, const Path
     if (fixed) left = timeLeft(swept, step.world.bodies.motion[own].velocity, contact.normal, left, step.dt);
     ImpactBody a = bodyAt(step, contact.bodyA, pathOfMet(step, contact.bodyA), hit.part, left);
     ImpactBody b = bodyAt(step, contact.bodyB, pathOfMet(step, contact.bodyB), hit.part, left);
+    noteApproach(step.world, work, contact, a.motion, b.motion);
     exchangeImpulses(contact, a, b, left, step.world.settings);
     const Vec2 out = fixed ? contact.normal : Vec2{};  // what never yields is A
     sendOn(step, contact.bodyA, a, left, {});

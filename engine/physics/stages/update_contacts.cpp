@@ -120,19 +120,27 @@ void removeGone(World& world, Workspace& work) {
     }
 }
 
-/// The contacts of shapes that were destroyed.
-void endContactsOfDead(StepContext& step) {
+template <class Is>
+void endContactsOf(StepContext& step, Is&& ends) {
     World& world = step.world;
-    const auto gone = [&](std::uint32_t shape) { return world.shapes.motion[shape] == ProxyMotion::Gone; };
     for (std::size_t i = world.contacts.size(); i-- > 0;) {
         Contact& contact = world.contacts[i];
-        if (!gone(contact.shapeA) && !gone(contact.shapeB)) continue;
-        if ((contact.flags & kTouching) != 0) report(world, step.work, contact, ContactPhase::Ended);
+        if (!ends(contact.shapeA) && !ends(contact.shapeB)) continue;
+        if ((contact.flags & kTouching) != 0) {
+            report(world, step.work, contact, ContactPhase::Ended);
+            world.islandsStale = true;
+        }
         uncolour(step.work, contact);
         step.work.pairs.remove(pairKey(contact.shapeA, contact.shapeB));
         contact = world.contacts.back();
         world.contacts.pop_back();
     }
+}
+
+/// The contacts of shapes that were destroyed.
+void endContactsOfDead(StepContext& step) {
+    World& world = step.world;
+    endContactsOf(step, [&](std::uint32_t s) { return world.shapes.motion[s] == ProxyMotion::Gone; });
     const auto release = [](std::vector<std::uint32_t>& dying, std::vector<std::uint32_t>& free) {
         free.insert(free.end(), dying.rbegin(), dying.rend());
         dying.clear();
@@ -144,9 +152,26 @@ void endContactsOfDead(StepContext& step) {
 
 }  // namespace
 
+void endAltered(StepContext& step) {
+    World& world = step.world;
+    if (world.altered.empty()) return;
+    std::vector<ShapeInfo>& info = world.shapes.info;
+    // Put to sleep again since it was altered, it may have taken contacts along.
+    for (const std::uint32_t shape : world.altered) wakeTouching(world, info[shape].body);
+    endContactsOf(step, [&](std::uint32_t shape) { return (info[shape].flags & kAltered) != 0; });
+    for (const std::uint32_t shape : world.altered) {
+        const bool isOff = (info[shape].flags & kShapeOff) != 0;  // no longer in World::moved
+        info[shape].flags &= static_cast<std::uint8_t>(isOff ? ~(kAltered | kLeftBounds) : ~kAltered);
+    }
+    world.altered.clear();
+}
+
 void beginContact(World& world, Workspace& work, std::size_t index) {
     world.contacts[index].flags |= kTouching | kBegan;
-    if ((world.contacts[index].flags & kInitialOverlap) != 0) addInitialOverlap(world, world.contacts[index]);
+    Contact& begun = world.contacts[index];
+    if ((begun.flags & kInitialOverlap) != 0) addInitialOverlap(world, begun);
+    if ((begun.flags & kReports) != 0)
+        noteApproach(world, work, begun, world.bodies.motion[begun.bodyA], world.bodies.motion[begun.bodyB]);
     const std::uint32_t bodyA = world.contacts[index].bodyA, bodyB = world.contacts[index].bodyB;
     const bool pushesA = pushableA(world.contacts[index]) != kNone;
     if ((world.contacts[index].flags & kTriggered) == 0) {
@@ -162,6 +187,7 @@ void updateContacts(StepContext& step) {
     Workspace& work = step.work;
     if (!world.shapes.dying.empty() || !world.bodies.dying.empty()) endContactsOfDead(step);
     fadeInitialOverlaps(world, step.dt);
+    work.approaches.clear();
     lookAtAll(step);
     correctSeams(step);
     for (const std::vector<std::uint32_t>& changed : work.changedContacts) {

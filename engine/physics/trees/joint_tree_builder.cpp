@@ -80,7 +80,7 @@ private:
             const std::uint32_t index = j;
             const std::uint32_t other = joint.bodyA == from.body ? joint.bodyB : joint.bodyA;
             j = joint.bodyA == from.body ? joint.nextA : joint.nextB;
-            if (index == from.joint) continue;
+            if (index == from.joint || joint.place == kNone) continue;  // a filter, or to a disabled body
             const auto kind = kindOf(world_, joint);
             if (!kind) {
                 isTree = false;
