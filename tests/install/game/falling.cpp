@@ -30,7 +30,7 @@ void run(Physics& physics, int ticks) {
     for (int i = 0; i < ticks; ++i) physics.update(1.0f / 60.0f);
 }
 
-RigidBody& add(Physics& physics, Place place, float half, float mass, bool gravity,
+RigidBody& add(Physics& physics, WorldPosition place, float half, float mass, bool gravity,
                const ColliderSettings& settings) {
     RigidBody& body = **physics.createBody(place);
     static_cast<void>(physics.create<Cube>(&body, Vec2{half, half}, settings));
