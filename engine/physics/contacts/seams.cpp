@@ -153,15 +153,19 @@ bool agree(const BodyContacts& all) {
 void link(const World& world, Workspace& work) {
     work.fixedPairs.clear();
     work.seamBodies.clear();
-    std::vector<std::uint32_t>& first = work.firstFixedPair;
-    first.resize(world.bodies.size(), kNone);
-    for (const std::vector<FixedPair>& pairs : work.fixedOfPiece) {
-        for (const FixedPair& pair : pairs) {
-            const std::uint32_t next = first[pair.body];
-            if (next != kNone && work.fixedPairs[next].next == kNone) work.seamBodies.push_back(pair.body);
-            first[pair.body] = static_cast<std::uint32_t>(work.fixedPairs.size());
-            work.fixedPairs.push_back({pair.body, pair.contact, next});
+    work.firstFixedPair.resize(world.bodies.size());
+    std::vector<FixedPair>& all = work.fixedPairs;
+    for (const std::vector<FixedPair>& some : work.fixedOfPiece)
+        all.insert(all.end(), some.begin(), some.end());
+    const std::span<FixedPair> pairs{all};
+    const std::span<std::uint32_t> firsts{work.firstFixedPair};
+    for (std::uint32_t i = 0; i < pairs.size(); ++i) {
+        std::uint32_t& first = firsts[pairs[i].body];
+        if (first < i && pairs[first].body == pairs[i].body) {  // else it is of another step
+            if (pairs[first].next == kNone) work.seamBodies.push_back(pairs[i].body);
+            pairs[i].next = first;
         }
+        first = i;
     }
 }
 
@@ -242,7 +246,6 @@ void correctSeams(StepContext& step) {
                 work.endedAtSeams.push_back(work.fixedPairs[i].contact);
         }
     }
-    for (const FixedPair& pair : work.fixedPairs) work.firstFixedPair[pair.body] = kNone;
 }
 
 }  // namespace plumb::physics
