@@ -209,11 +209,9 @@ struct Workspace {
     std::vector<FixedContactBlock> fixedBlocks;
     std::vector<FixedBlockWithoutRotation> fixedBlocksWithoutRotation;
     std::vector<BlockLanes> fixedLanes;
-    std::vector<BounceBlock> bounces;     ///< parallel to contactBlocks, if something bounces
-    std::vector<ImpactPlace> impacts;     ///< of a group: candidates for propagation
-    std::vector<std::uint8_t> hits;       ///< by slot: number of impacts of a body
-    std::vector<HitBody> hitBodies;       ///< of `impacts`, before propagation
-    std::vector<HitImpulse> hitImpulses;  ///< by index in `impacts`
+    std::vector<BounceBlock> bounces;  ///< parallel to contactBlocks, if something bounces
+    std::vector<ImpactPlace> impacts;  ///< of a group: candidates for propagation
+    std::vector<std::uint8_t> hits;    ///< by slot: number of impacts of a body
     std::vector<BounceBlock> fixedBounces;
     std::vector<RollingBlock> rollings;  ///< parallel to contactBlocks, if something resists rolling
     std::vector<RollingBlock> fixedRollings;
