@@ -91,6 +91,10 @@ std::uint32_t effectsOf(const World& world, const ContactHooks& hooks) {
     std::uint32_t effects = world.manifest.running();
     if (hooks.friction != nullptr) effects |= Manifest::bit(Effect::Friction);
     if (hooks.bounciness != nullptr) effects |= Manifest::bit(Effect::Restitution);
+    // The last shape that called for contacts is gone: those that it had still have to end.
+    constexpr std::uint32_t kEnding = any(Effect::Contacts, Effect::Triggers, Effect::ContactEvents);
+    if (!world.shapes.dying.empty() && !world.contacts.empty())
+        effects |= kEnding & ~world.manifest.pinnedOff;
     if (!world.settings.continuous) effects &= ~Manifest::bit(Effect::Continuous);
     if (!world.settings.sleeping) effects &= ~Manifest::bit(Effect::Sleep);
     return effects;

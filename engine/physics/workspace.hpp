@@ -186,12 +186,13 @@ struct Workspace {
     std::vector<DetectionCounts> countsOfPiece;
     std::vector<std::vector<FixedPair>> fixedOfPiece;
     std::vector<FixedPair> fixedPairs;
-    std::vector<std::uint32_t> firstFixedPair;  ///< by body: index in `fixedPairs`, kNone between steps
-    std::vector<std::uint32_t> seamBodies;      ///< those with several fixed pairs
-    std::vector<std::uint32_t> endedAtSeams;    ///< contacts without points that were touching
-    std::vector<std::int32_t> slots;            ///< by body; -1 if it is not solved
-    std::vector<std::uint32_t> bodyOf;          ///< by slot; kNone for idle slots
-    std::vector<Float4> velocity;               ///< by slot, as in SolverBodies
+    std::vector<std::uint32_t>
+        firstFixedPair;                       ///< by body: index in `fixedPairs`, if it has one in this step
+    std::vector<std::uint32_t> seamBodies;    ///< those with several fixed pairs
+    std::vector<std::uint32_t> endedAtSeams;  ///< contacts without points that were touching
+    std::vector<std::int32_t> slots;          ///< by body; -1 if it is not solved
+    std::vector<std::uint32_t> bodyOf;        ///< by slot; kNone for idle slots
+    std::vector<Float4> velocity;             ///< by slot, as in SolverBodies
     std::vector<Float4> deltaPosition;
     std::vector<Float4> drive;
     std::vector<Float4> keep;
@@ -208,11 +209,9 @@ struct Workspace {
     std::vector<FixedContactBlock> fixedBlocks;
     std::vector<FixedBlockWithoutRotation> fixedBlocksWithoutRotation;
     std::vector<BlockLanes> fixedLanes;
-    std::vector<BounceBlock> bounces;     ///< parallel to contactBlocks, if something bounces
-    std::vector<ImpactPlace> impacts;     ///< of a group: candidates for propagation
-    std::vector<std::uint8_t> hits;       ///< by slot: number of impacts of a body
-    std::vector<HitBody> hitBodies;       ///< of `impacts`, before propagation
-    std::vector<HitImpulse> hitImpulses;  ///< by index in `impacts`
+    std::vector<BounceBlock> bounces;  ///< parallel to contactBlocks, if something bounces
+    std::vector<ImpactPlace> impacts;  ///< of a group: candidates for propagation
+    std::vector<std::uint8_t> hits;    ///< by slot: number of impacts of a body
     std::vector<BounceBlock> fixedBounces;
     std::vector<RollingBlock> rollings;  ///< parallel to contactBlocks, if something resists rolling
     std::vector<RollingBlock> fixedRollings;

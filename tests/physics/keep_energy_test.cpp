@@ -53,6 +53,37 @@ TEST(JointLanes, closeWhatIsTornOpenNoFasterThanTheyMay) {
     }
 }
 
+// A rope that is reeled in does work; the angular momentum stays, L = m r^2 w.
+TEST(KeepEnergy, leavesTheWorkOfARopeThatIsShortened) {
+    for (const bool direct : {true, false}) {
+        for (const bool held : {true, false}) {
+            SCOPED_TRACE(testing::Message() << direct << held);
+            JointWorld scene;
+            scene.world.settings.gravity = {};
+            scene.world.settings.directJoints = direct;
+            const BodyId ball = scene.disc({2.0, 0.0});
+            const BodyId other = held ? scene.ground : scene.disc({-2.0, 0.0});
+            JointDefinition rope = scene.define(JointKind::Distance, other, ball, {});
+            rope.anchorA = rope.anchorB = {};
+            rope.length = held ? 2.0f : 4.0f;
+            ASSERT_EQ(scene.place(scene.ground), WorldPosition{});
+            const JointId joint = scene.join(rope);
+            ASSERT_TRUE(setVelocity(scene.world, ball, {0.0f, 2.0f}).ok());
+            if (!held) {
+                ASSERT_TRUE(setVelocity(scene.world, other, {0.0f, -2.0f}).ok());
+            }
+            for (int i = 0; i < 120; ++i) {
+                rope.length *= 0.99424f;  // to half in two seconds
+                ASSERT_TRUE(setDefinition(scene.world, joint, rope).ok());
+                scene.run(JointWorld::kDt);
+            }
+            const Vec2 arm = toVec2(scene.place(ball));
+            EXPECT_NEAR(length(arm), 1.0f, 0.01f);
+            EXPECT_NEAR(cross(arm, velocityOf(scene.world, ball)), 4.0f, 0.04f);
+        }
+    }
+}
+
 TEST(KeepEnergy, hasAccountsOnlyWhereThereAreJoints) {
     JointWorld scene;
     const BodyId loose = scene.disc({5.0, 0.0});

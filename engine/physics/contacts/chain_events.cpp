@@ -64,7 +64,8 @@ constexpr std::int32_t stepOf(ContactPhase phase) {
 bool isReported(const World& world, const Contact& contact) {
     if ((contact.flags & kPassing) != 0) return false;
     return (contact.flags & kTriggered) != 0 ||
-           ((contact.flags & kReports) != 0 && world.manifest.runs(Effect::ContactEvents));
+           ((contact.flags & kReports) != 0 &&
+            (world.manifest.pinnedOff & Manifest::bit(Effect::ContactEvents)) == 0);
 }
 
 ContactEvent eventOf(const World& world, const Contact& contact, ContactPhase phase) {

@@ -46,6 +46,18 @@ struct Verdict {
     std::optional<Vec2> normal;  ///< in A's frame: else the nearest that is A's
 };
 
+/// True if two fixed bodies move as one at a place: plates that close on something are no seam.
+bool moveAsOne(const World& world, std::uint32_t a, std::uint32_t b, Vec2 place) {
+    if (a == b) return true;
+    const auto velocityAt = [&](std::uint32_t body) {
+        const BodyMotion& motion = world.bodies.motion[body];
+        return motion.velocity +
+               cross(motion.angularVelocity, place - toVec2(world.bodies.pose[body].centre));
+    };
+    const float apart = kFlush * world.settings.slop / world.stepLength;
+    return lengthSquared(velocityAt(a) - velocityAt(b)) <= apart * apart;
+}
+
 /// Takes from a free sector what the other fixed shapes cover.
 /// @param point   in the frame of A's shapes
 /// @param others  calls a function with each of them and with whether it touches B
@@ -60,6 +72,7 @@ void coverByOthers(const World& world, const Contact& contact, Vec2 point, const
     others([&](std::uint32_t shape, bool touches) {
         const Geometry& geometry = shapes.geometry[shape];
         if (shape == contact.shapeA || !abuts(geometry.kind) || !touch(shapes.bounds[shape], box)) return;
+        if (!moveAsOne(world, contact.bodyA, shapes.info[shape].body, place)) return;
         const Frame frame = seenFrom(pose, world.bodies.pose[shapes.info[shape].body]);
         if (!sector.cover(convexOf(geometry, shapes.corners), frame)) return;
         verdict.abut = true;
@@ -92,10 +105,9 @@ Verdict judge(const World& world, const Contact& contact, const Others& others) 
         const Vec2 point = contact.anchors[i].a + poseA.localCentre;
         FreeSector sector{point, middle - point, tolerance};
         if (!sector.cover(a, {})) continue;
-        const bool isDeep = sector.isClosed();  // the middle of B is behind the border of A
+        if (sector.isClosed()) return {};  // the middle of B is behind the border of A: it is squeezed
         Verdict here;
         coverByOthers(world, contact, point, others, sector, here);
-        if (isDeep && !here.abut) return {};
         verdict.abut = verdict.abut || here.abut;
         verdict.touch = verdict.touch || here.touch;
         if (sector.isClosed()) {
@@ -153,15 +165,19 @@ bool agree(const BodyContacts& all) {
 void link(const World& world, Workspace& work) {
     work.fixedPairs.clear();
     work.seamBodies.clear();
-    std::vector<std::uint32_t>& first = work.firstFixedPair;
-    first.resize(world.bodies.size(), kNone);
-    for (const std::vector<FixedPair>& pairs : work.fixedOfPiece) {
-        for (const FixedPair& pair : pairs) {
-            const std::uint32_t next = first[pair.body];
-            if (next != kNone && work.fixedPairs[next].next == kNone) work.seamBodies.push_back(pair.body);
-            first[pair.body] = static_cast<std::uint32_t>(work.fixedPairs.size());
-            work.fixedPairs.push_back({pair.body, pair.contact, next});
+    work.firstFixedPair.resize(world.bodies.size());
+    std::vector<FixedPair>& all = work.fixedPairs;
+    for (const std::vector<FixedPair>& some : work.fixedOfPiece)
+        all.insert(all.end(), some.begin(), some.end());
+    const std::span<FixedPair> pairs{all};
+    const std::span<std::uint32_t> firsts{work.firstFixedPair};
+    for (std::uint32_t i = 0; i < pairs.size(); ++i) {
+        std::uint32_t& first = firsts[pairs[i].body];
+        if (first < i && pairs[first].body == pairs[i].body) {  // else it is of another step
+            if (pairs[first].next == kNone) work.seamBodies.push_back(pairs[i].body);
+            pairs[i].next = first;
         }
+        first = i;
     }
 }
 
@@ -242,7 +258,6 @@ void correctSeams(StepContext& step) {
                 work.endedAtSeams.push_back(work.fixedPairs[i].contact);
         }
     }
-    for (const FixedPair& pair : work.fixedPairs) work.firstFixedPair[pair.body] = kNone;
 }
 
 }  // namespace plumb::physics

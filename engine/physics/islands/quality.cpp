@@ -109,10 +109,12 @@ void setRotationApart(StepContext& step) {
 void sortByIsland(StepContext& step) {
     World& world = step.world;
     Workspace& work = step.work;
-    findRoots(world, work);
+    const bool judges = world.qualityCallers != 0 || world.settings.automaticQuality;
+    // A mere division into groups must not change when islands are built anew, and with that what sleeps.
+    findRoots(world, work, judges || world.settings.tolerance > 0.0f);
     if (world.settings.tolerance > 0.0f) {
         holdTolerance(world, work);
-    } else if (world.qualityCallers != 0 || world.settings.automaticQuality) {
+    } else if (judges) {
         judgeIslands(world, work);
     } else {
         work.bodyScratch.assign(world.bodies.size(), static_cast<std::uint32_t>(world.settings.quality));

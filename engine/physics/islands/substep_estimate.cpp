@@ -58,9 +58,9 @@ void estimateSubsteps(World& world, Workspace& work) {
     }
 }
 
-void findRoots(World& world, Workspace& work) {
+void findRoots(World& world, Workspace& work, bool exact) {
     if (work.rootsKnown) return;
-    if (world.islandsStale) rebuildIslands(world);
+    if (world.islandsStale && exact) rebuildIslands(world);
     work.roots.resize(world.bodies.size());
     std::iota(work.roots.begin(), work.roots.end(), 0u);
     for (const std::uint32_t body : world.awake) {
@@ -69,7 +69,7 @@ void findRoots(World& world, Workspace& work) {
         const bool isNear = world.bodies.info[info.island].island == info.island;
         work.roots[body] = isNear ? info.island : islandOf(world, body);
     }
-    work.rootsKnown = true;
+    work.rootsKnown = !world.islandsStale;
 }
 
 }  // namespace plumb::physics

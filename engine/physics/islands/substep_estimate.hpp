@@ -11,6 +11,7 @@ namespace plumb::physics {
 void estimateSubsteps(World& world, Workspace& work);
 
 /// Computes Workspace::roots, once per step. Bodies that are not dynamic or are asleep are their own root.
-void findRoots(World& world, Workspace& work);
+/// @param exact  false: islands that fell apart may still count as one, and nothing of the world changes
+void findRoots(World& world, Workspace& work, bool exact = true);
 
 }  // namespace plumb::physics

@@ -75,8 +75,9 @@ Result<Done> check(const World& world, const JointDefinition& d) {
         const JointKind kind = world.joints.hot[joint.index].kind;
         return kind == JointKind::Revolute || kind == JointKind::Prismatic;
     };
-    if (d.kind == JointKind::Gear && !(gears(d.jointA) && gears(d.jointB))) {
-        return wrong("createJoint", "expected two living revolute or prismatic joints to gear together",
+    if (d.kind == JointKind::Gear && (d.jointA == d.jointB || !(gears(d.jointA) && gears(d.jointB)))) {
+        return wrong("createJoint",
+                     "expected two different living revolute or prismatic joints to gear together",
                      "create both first, and pass their ids as jointA and jointB");
     }
     return checkNumbers(d);
@@ -226,6 +227,7 @@ Result<Done> setDefinition(World& world, JointId id, const JointDefinition& defi
     }
     callFor(world, before, -1);
     take(world, id.index, definition, axis);
+    if (joint.colour != kNoColour) joint.flags |= kDefinitionChanged;  // it was in a step
     // What was switched on starts without an impulse of old. Gear and Pulley keep their error there.
     if (rearms && joint.kind != JointKind::Gear && joint.kind != JointKind::Pulley)
         std::fill(std::begin(joint.rows), std::end(joint.rows), 0.0f);

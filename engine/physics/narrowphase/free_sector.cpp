@@ -16,25 +16,34 @@ constexpr float kSameAngle = 0.02f;
 /// speed of 3 cm/s, which lifts a body by 0.04 mm.
 constexpr float kSameNormal = 1.0e-6f;
 
-/// The normals of the first and the last edge at a point that is not inside, in the order of rotation.
+/// How a point is to an outline, and the normals of the first and the last edge at it, in the order of
+/// rotation.
 struct Edges {
     Vec2 first, last;
+    bool isAt = false;
+    bool isInside = false;
 };
 
-Edges edgesAt(const Convex& outline, Vec2 point, float tolerance, Vec2 nearest) {
-    Edges edges{nearest, nearest};
-    if (outline.radius > 0.0f) return edges;
+Edges edgesAt(const Convex& outline, Vec2 point, float tolerance) {
+    Edges edges;
+    if (outline.radius > 0.0f) {
+        const ClosestPoint closest = closestPointOf(outline, point);
+        return {closest.normal, closest.normal, closest.distance <= tolerance, closest.distance < -tolerance};
+    }
     const std::span<const Corner> corners = outline.corners();
-    const auto isAt = [&](const Corner& corner) {
-        return dot(corner.normal, point - corner.point) >= -tolerance;
-    };
-    bool before = isAt(corners.back());
+    const auto heightOver = [&](const Corner& face) { return dot(face.normal, point - face.point); };
+    bool before = heightOver(corners.back()) >= -tolerance;
+    edges.isInside = true;
     for (std::size_t i = 0; i < corners.size(); ++i) {
-        const bool is = isAt(corners[i]);
+        const float height = heightOver(corners[i]);
+        if (!(height <= tolerance)) return {};
+        const bool is = height >= -tolerance;
+        if (is) edges.isInside = false;
         if (is && !before) edges.first = corners[i].normal;
         if (!is && before) edges.last = corners[i > 0 ? i - 1 : corners.size() - 1].normal;
         before = is;
     }
+    edges.isAt = edges.isInside || edges.first != Vec2{};  // else it is smaller than the tolerance
     return edges;
 }
 
@@ -49,12 +58,11 @@ float FreeSector::angleFrom(Vec2 direction) const {
 
 bool FreeSector::cover(const Convex& outline, const Frame& frame) {
     const Vec2 place = applyInverse(frame, point_);
-    const ClosestPoint closest = closestPointOf(outline, place);
-    if (!(closest.distance <= tolerance_)) return false;
-    const Edges edges = edgesAt(outline, place, tolerance_, closest.normal);
+    const Edges edges = edgesAt(outline, place, tolerance_);
+    if (!edges.isAt) return false;
     const Vec2 first = rotate(frame.rotation, edges.first), last = rotate(frame.rotation, edges.last);
     const Border start{angleFrom(-perpendicular(first)), first}, end{angleFrom(perpendicular(last)), last};
-    isCovered_ = isCovered_ || closest.distance < -tolerance_ || end.angle > start.angle;
+    isCovered_ = isCovered_ || edges.isInside || end.angle > start.angle;
     if (start.angle > start_.angle) start_ = start;
     if (end.angle < end_.angle) end_ = end;
     if (!ownStart_) {

@@ -226,7 +226,7 @@ void findSurroundings(StepContext& step) {
     }
     for (std::uint32_t soft = 0; soft < around.ends.size(); ++soft) addNeighbours(world, around, soft);
     std::sort(around.neighbours.begin(), around.neighbours.end());
-    around.obstacleOf.assign(world.bodies.size(), 0);
+    around.obstacleOf.assign(around.shapes.empty() ? 0 : world.bodies.size(), 0);
     around.obstacles.clear();
     around.contacts.clear();
     around.groups.clear();

@@ -134,19 +134,6 @@ struct ImpactPlace {
     std::uint32_t block = 0;
 };
 
-/// A body of an impact, in the state after the substeps.
-struct HitBody {
-    std::size_t slot = 0;
-    Float4 velocity;
-    Float4 deltaPosition;
-};
-
-/// Result of the substeps for an impact.
-struct HitImpulse {
-    float impulse = 0.0f;   ///< N s
-    float approach = 0.0f;  ///< m/s, at the start of the step
-};
-
 /// Rolling resistance of a block, in a parallel array that exists only if something in the scene has it.
 struct RollingBlock {
     float resistance[kLanes];  ///< m: maximum torque per newton of normal force

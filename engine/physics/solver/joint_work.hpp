@@ -25,6 +25,10 @@ struct BreakableJoint {
     float torque = 0.0f;  ///< N m
 };
 
+/// A further JointFlag: the definition was changed, and the joint has not yet closed since. A change may do
+/// work, as a rope that is shortened does.
+inline constexpr std::uint8_t kDefinitionChanged = 128;
+
 /// Joint data of a step, in Workspace.
 struct JointWork {
     JointStore<PointBlock> points;

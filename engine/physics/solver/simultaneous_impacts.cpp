@@ -13,12 +13,7 @@ constexpr float kMaxLoad = 0.1f;      // ratio to the impulse: a contact that wa
 constexpr float kLively = 0.5f;       // minimum bounciness: duller crowds would absorb impacts and sink
 constexpr float kNoApproach = 1e-3f;  // m/s
 constexpr float kNoOverlap = 1e-5f;   // m
-constexpr std::uint8_t kNoted = 3;    // in Workspace::hits: the body is recorded
 constexpr int kMaxRounds = 64;
-/// Maximum energy gain, as a ratio. A larger one means that other constraints held the bodies too when the
-/// impulses were taken back; the balls of a cradle gain up to a tenth of it, from their strings.
-constexpr float kMaxGain = 1e-2f;
-
 /// Calls act(block, bounce, lane) for the contact of an impact.
 template <class Act>
 void visit(Workspace& work, const ImpactPlace& impact, Act&& act) {
@@ -67,58 +62,6 @@ void keepChains(Workspace& work) {
         forHits(impact, [&](const std::uint8_t& hits) { shares = shares || hits == 2; });
         return !shares;
     });
-}
-
-/// Records the bodies of all impacts in their current state.
-void noteBodies(Workspace& work) {
-    work.hitBodies.clear();
-    work.hitImpulses.clear();
-    for (const ImpactPlace& impact : work.impacts) {
-        visit(work, impact, [&](const auto& block, const BounceBlock& bounce, int lane) {
-            work.hitImpulses.push_back({block.points[0].impulse[lane], bounce.approach[0][lane]});
-            forSlots(block, lane, [&](std::int32_t slot) {
-                const auto s = static_cast<std::size_t>(slot);
-                if (work.hits[s] == kNoted || work.velocity[s].w == 0.0f) return;
-                work.hits[s] = kNoted;
-                work.hitBodies.push_back({s, work.velocity[s], work.deltaPosition[s]});
-            });
-        });
-    }
-}
-
-float energyOf(const BodyMass& mass, float x, float y, float spin) {
-    return 0.5f * (mass.mass * (x * x + y * y) + mass.inertia * spin * spin);
-}
-
-/// True if the bodies have more energy than at the start of the step plus the work of forces since.
-bool gainsEnergy(const World& world, const Workspace& work) {
-    float before = 0.0f, given = 0.0f, now = 0.0f;
-    for (const HitBody& body : work.hitBodies) {
-        const std::uint32_t index = work.bodyOf[body.slot];
-        const BodyMass& mass = world.bodies.mass[index];
-        const BodyMotion& motion = world.bodies.motion[index];
-        const Float4 &velocity = work.velocity[body.slot], &deltaPosition = work.deltaPosition[body.slot];
-        const Float4& drive = work.drive[body.slot];
-        before += energyOf(mass, motion.velocity.x, motion.velocity.y, motion.angularVelocity);
-        given += mass.mass * (drive.x * deltaPosition.x + drive.y * deltaPosition.y) +
-                 mass.inertia * drive.z * deltaPosition.z;
-        now += energyOf(mass, velocity.x, velocity.y, velocity.z);
-    }
-    return !(now <= (1.0f + kMaxGain) * before + given);
-}
-
-/// Restores the recorded state: as without propagation.
-void forget(Workspace& work) {
-    for (const HitBody& body : work.hitBodies) {
-        work.velocity[body.slot] = body.velocity;
-        work.deltaPosition[body.slot] = body.deltaPosition;
-    }
-    for (std::size_t i = 0; i < work.impacts.size(); ++i) {
-        visit(work, work.impacts[i], [&](auto& block, BounceBlock& bounce, int lane) {
-            block.points[0].impulse[lane] = work.hitImpulses[i].impulse;
-            bounce.approach[0][lane] = work.hitImpulses[i].approach;
-        });
-    }
 }
 
 bool anyHits(Workspace& work, float slowest) {
@@ -229,14 +172,13 @@ void runImpactsOn(StepContext& step, const SolveGroup& group) {
     keepChains(work);
     const float slowest = step.world.settings.bounceSpeed;
     if (!anyHits(work, slowest)) return;
-    noteBodies(work);
     takeBack(work);
     endAtImpact(work, slowest, step.dt);
     for (int i = 0; i < kMaxRounds && collideInTurn(work, slowest); ++i) {
     }
     for (int i = 0; i < kMaxRounds && partInTurn(work, step.dt); ++i) {
     }
-    gainsEnergy(step.world, work) ? forget(work) : markBlows(work);
+    markBlows(work);
 }
 
 }  // namespace plumb::physics

@@ -4,6 +4,7 @@
 #include "physics/islands/sleeping.hpp"
 #include "physics/islands/substep_estimate.hpp"
 #include "physics/joints/joint_types.hpp"
+#include "physics/measure/constraint_errors.hpp"
 #include "physics/solver/joint_lanes.hpp"
 #include "physics/solver/passes.hpp"
 #include "physics/stages.hpp"
@@ -46,8 +47,8 @@ bool moves(const World& world, std::uint32_t body) {
 /// True for joints that store energy or give some. A motor of speed 0 is a brake.
 bool isPowered(const Joint& joint, const JointDefinition& definition) {
     const bool drives = (joint.flags & kDriven) != 0 && definition.motor.speed != 0.0f;
-    return drives || (joint.flags & (kSprung | kSoft)) != 0 || joint.kind == JointKind::Mouse ||
-           joint.kind == JointKind::Motor;
+    return drives || (joint.flags & (kSprung | kSoft | kDefinitionChanged)) != 0 ||
+           joint.kind == JointKind::Mouse || joint.kind == JointKind::Motor;
 }
 
 EnergyAccount& accountOf(const World& world, Workspace& work, std::uint32_t a, std::uint32_t b) {
@@ -145,8 +146,10 @@ void closeAccounts(Workspace& work) {
 /// Few joints are powered or hold to what cannot be pushed: only for these is the island looked up.
 void noteJoints(World& world, Workspace& work) {
     for (const std::uint32_t j : world.joints.awake) {
-        const Joint& joint = world.joints.hot[j];
+        Joint& joint = world.joints.hot[j];
         const bool powered = isPowered(joint, world.joints.definition[j]);
+        if ((joint.flags & kDefinitionChanged) != 0 && openingOf(world, j) <= world.settings.slop)
+            joint.flags = static_cast<std::uint8_t>(joint.flags & ~kDefinitionChanged);
         const bool between = joint.colour < kFirstFixedColour;
         if (!powered && between) continue;
         EnergyAccount& account = accountOf(world, work, joint.bodyA, joint.bodyB);

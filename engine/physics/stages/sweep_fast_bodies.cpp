@@ -17,11 +17,6 @@ namespace {
 
 constexpr int kGrain = 8;
 
-/// What gets no further than this part of its path is wedged: it reaches into something already, and turns
-/// under it faster than its contact can follow. Else it would stay there at full speed.
-constexpr float kWedged = 0.02f;
-constexpr float kKeptWhenWedged = 0.5f;  // of its speeds
-
 // What happens at a hit.
 
 /// Whether the solver has to see the hit, together with what else holds or moves the body.
@@ -50,10 +45,6 @@ void stop(StepContext& step, std::uint32_t body, const PathHit& hit) {
     BodyMotion& motion = step.world.bodies.motion[body];
     if (swept.isHeld) takeBackGain(step, swept, 1.0f - part);
     motion.velocity -= ((1.0f - part) * step.dt) * swept.pull;
-    if (hit.isPressed && part - swept.sweep.begin < kWedged) {
-        motion.velocity *= kKeptWhenWedged;
-        motion.angularVelocity *= kKeptWhenWedged;
-    }
     swept.sweep = resting(swept.sweep.at(part), part);
     swept.hits = kMaxHits + 1;
 }
