@@ -84,6 +84,8 @@ struct JointTree {
     bool direct = true;   ///< in this step: false while its treeBodies touch something
     bool rooted = false;  ///< the last limb has a link too, to a static or kinematic body
     std::uint8_t group = 0;
+    bool powered = false;  ///< a definition was changed, which may do work
+    double gain = 0.0;     ///< J: energy added by its joints in this substep
 };
 
 /// A body found while a tree is built, from the root outwards.
