@@ -167,7 +167,7 @@ Loss lossOf(const Ride& ride) {
 }
 
 TEST(TileSeams, areNotFeltOnFlushFloors) {
-    for (int i = 0; i < membersToTry(60); ++i) {
+    for (int i = 0; i < membersToTry(1000); ++i) {
         const Ride ride = randomRide(static_cast<std::uint64_t>(i));
         const Loss loss = lossOf(ride);
         EXPECT_LE(loss.speed, 0.01f) << ride.text();
@@ -177,7 +177,7 @@ TEST(TileSeams, areNotFeltOnFlushFloors) {
 
 // Of uneven floors, less than the tolerance of 1 mm is passed over.
 TEST(TileSeams, stepsBelowTheToleranceStopNothing) {
-    for (int i = 0; i < membersToTry(40); ++i) {
+    for (int i = 0; i < membersToTry(1000); ++i) {
         Ride ride = randomRide(static_cast<std::uint64_t>(i));
         ride.uneven = 8.0e-4f;
         const Loss loss = lossOf(ride);
@@ -242,7 +242,7 @@ Ends randomEnds(std::uint64_t seed) {
 
 // Where the floor ends, bodies leave and tip as from a single one.
 TEST(TileSeams, realEdgesAreEdges) {
-    for (int i = 0; i < membersToTry(40); ++i) {
+    for (int i = 0; i < membersToTry(1000); ++i) {
         const Ends ends = randomEnds(static_cast<std::uint64_t>(i));
         Playground tiles, single;
         const BodyId a = ends.build(tiles, true), b = ends.build(single, false);
@@ -257,7 +257,7 @@ TEST(TileSeams, realEdgesAreEdges) {
 
 // Steps above the overlap at rest, and walls, stop what slides against them.
 TEST(TileSeams, realStepsStopBodies) {
-    for (int i = 0; i < membersToTry(40); ++i) {
+    for (int i = 0; i < membersToTry(1000); ++i) {
         Ends ends = randomEnds(static_cast<std::uint64_t>(i));
         Random random = Random::seeded(static_cast<std::uint64_t>(i) + 9);
         // What turns tips over a step below its middle.
@@ -277,7 +277,7 @@ TEST(TileSeams, realStepsStopBodies) {
 
 // A corner of a floor and a wall that overlap holds on both sides, at any angle and load.
 TEST(TileSeams, cornersOfOverlappingShapesHoldOnBothSides) {
-    for (int i = 0; i < membersToTry(40); ++i) {
+    for (int i = 0; i < membersToTry(1000); ++i) {
         Random random = Random::seeded(static_cast<std::uint64_t>(i) + 21);
         const float half = 0.05f * std::pow(20.0f, random.unit()), lean = random.between(0.0f, 0.8f);
         const float load = random.between(10.0f, 60.0f);  // m/s2
@@ -313,7 +313,7 @@ TEST(TileSeams, cornersOfOverlappingShapesHoldOnBothSides) {
 // A line of ground as a row of polygons carries bodies as it does as a chain, whose joints are smooth by
 // their ghost vertices.
 TEST(TileSeams, slopesOfPolygonsAreAsChains) {
-    for (int i = 0; i < membersToTry(40); ++i) {
+    for (int i = 0; i < membersToTry(1000); ++i) {
         Random random = Random::seeded(static_cast<std::uint64_t>(i) + 3);
         std::vector<Vec2> line{{-2.0f, 0.0f}, {0.0f, 0.0f}};
         const float half = 0.05f * std::pow(10.0f, random.unit()), bend = random.between(0.0f, 0.1f);
@@ -352,7 +352,7 @@ TEST(TileSeams, slopesOfPolygonsAreAsChains) {
 
 // What is fast enough to be swept hits the floor, not the edges between its tiles.
 TEST(TileSeams, fastBodiesBounceAsOffASingleFloor) {
-    for (int i = 0; i < membersToTry(100); ++i) {
+    for (int i = 0; i < membersToTry(1000); ++i) {
         Random random = Random::seeded(static_cast<std::uint64_t>(i) + 11);
         const float half = 0.02f * std::pow(25.0f, random.unit()), tile = half * random.between(0.5f, 4.0f);
         const Vec2 velocity{random.between(5.0f, 100.0f), -random.between(2.0f, 100.0f)};

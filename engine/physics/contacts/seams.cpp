@@ -89,6 +89,28 @@ Vec2 nearestOnFace(const Convex& outline, Vec2 normal, Vec2 place) {
     return from + std::clamp(dot(place - from, edge) / lengthSquared(edge), 0.0f, 1.0f) * edge;
 }
 
+/// True if a fixed shape contains the middle of B: that is squeezed, and no contact of it is an inner one.
+/// @param middle  in the frame of A's shapes
+template <class Others>
+bool isInside(const World& world, const Contact& contact, Vec2 middle, const Others& others) {
+    const Shapes& shapes = world.shapes;
+    bool inside = false;
+    const auto look = [&](std::uint32_t shape) {
+        const Convex outline = convexOf(shapes.geometry[shape], shapes.corners);
+        const BodyPose& pose = world.bodies.pose[shapes.info[shape].body];
+        const Vec2 point = apply(seenFrom(pose, world.bodies.pose[contact.bodyA]), middle);
+        const std::span<const Corner> corners = outline.corners();
+        inside = inside || std::all_of(corners.begin(), corners.end(), [&](const Corner& corner) {
+                     return dot(corner.normal, point - corner.point) < 0.0f;
+                 });
+    };
+    look(contact.shapeA);
+    others([&](std::uint32_t shape, bool) {
+        if (abuts(shapes.geometry[shape].kind)) look(shape);
+    });
+    return inside;
+}
+
 /// The deepest point that is not inside the others decides.
 template <class Others>
 Verdict judge(const World& world, const Contact& contact, const Others& others) {
@@ -105,9 +127,10 @@ Verdict judge(const World& world, const Contact& contact, const Others& others) 
         const Vec2 point = contact.anchors[i].a + poseA.localCentre;
         FreeSector sector{point, middle - point, tolerance};
         if (!sector.cover(a, {})) continue;
-        if (sector.isClosed()) return {};  // the middle of B is behind the border of A: it is squeezed
+        const bool isDeep = sector.isClosed();  // the middle of B is behind the border of A
         Verdict here;
         coverByOthers(world, contact, point, others, sector, here);
+        if (isDeep && (!here.abut || isInside(world, contact, middle, others))) return {};
         verdict.abut = verdict.abut || here.abut;
         verdict.touch = verdict.touch || here.touch;
         if (sector.isClosed()) {
