@@ -101,8 +101,8 @@ enum class SubstepPhase : std::uint8_t {
     Resigned   ///< a higher quality did not help, so the lower one was taken again
 };
 
-/// State of the quality control of an island, used with a tolerance (solver/effort.hpp). Every body of an
-/// island holds the same copy, so that the state survives when the island splits.
+/// State of the quality control of an island, used with a tolerance (islands/substep_controller.hpp). Every
+/// body of an island holds the same copy, so that the state survives when the island splits.
 struct SubstepController {
     Quality quality = kQualityOfWorld;  ///< of the last step; kQualityOfWorld: never evaluated
     Quality before = kQualityOfWorld;   ///< before the last change

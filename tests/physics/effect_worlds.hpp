@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "physics/model/field.hpp"
 #include "physics/simulation.hpp"
 
 namespace plumb::physics::test {
@@ -15,6 +16,19 @@ inline World makeWorld() {
     World world;
     world.settings.sleeping = false;
     return world;
+}
+
+/// The same without gravity.
+inline World makeSpace() {
+    World world = makeWorld();
+    world.settings.gravity = {};
+    return world;
+}
+
+inline FieldDefinition fieldOf(FieldKind kind) {
+    FieldDefinition field;
+    field.kind = kind;
+    return field;
 }
 
 inline BodyId addBody(World& world, BodyKind kind, WorldPosition place, const Geometry& outline,

@@ -15,18 +15,6 @@ namespace {
 
 using namespace test;
 
-FieldDefinition fieldOf(FieldKind kind) {
-    FieldDefinition field;
-    field.kind = kind;
-    return field;
-}
-
-World makeSpace() {
-    World world = makeWorld();
-    world.settings.gravity = {};
-    return world;
-}
-
 TEST(AreaGravity, isExactInsideOfItsRegionAndNothingOutside) {
     World world = makeWorld();
     FieldDefinition field = fieldOf(FieldKind::AreaGravity);

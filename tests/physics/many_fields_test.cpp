@@ -13,18 +13,6 @@ namespace {
 
 using namespace test;
 
-FieldDefinition fieldOf(FieldKind kind) {
-    FieldDefinition field;
-    field.kind = kind;
-    return field;
-}
-
-World makeSpace() {
-    World world = makeWorld();
-    world.settings.gravity = {};
-    return world;
-}
-
 /// Fields of every kind and size, over as many bodies, some of which lie exactly on the edges.
 World strewnFields(std::uint64_t seed, int fields) {
     Random random = Random::seeded(seed);
