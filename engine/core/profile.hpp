@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/clock.hpp"
+#include "core/task_pool.hpp"
 
 namespace plumb {
 
@@ -14,15 +15,21 @@ public:
         std::string_view name;  ///< a literal: compared by text
         double seconds = 0.0;
         int calls = 0;
+        double rounds = 0.0;       ///< wall seconds of it in which work was shared among threads
+        std::vector<double> busy;  ///< wall seconds of these in which each thread worked, the caller first
     };
 
     void add(std::string_view name, double seconds);
+    /// Adds what a zone had of a pool's threads: what is in `after` and not in `before`.
+    void addThreads(std::string_view name, const TaskPool::Times& before, const TaskPool::Times& after);
     void reset();
     [[nodiscard]] const std::vector<Zone>& zones() const { return zones_; }
 
     bool on = true;  ///< else it measures nothing, as if there was none
 
 private:
+    Zone& zoneOf(std::string_view name);
+
     std::vector<Zone> zones_;
 };
 

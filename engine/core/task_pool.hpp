@@ -1,20 +1,21 @@
 #pragma once
 
 #include <atomic>
-#include <condition_variable>
 #include <cstdint>
-#include <functional>
 #include <memory>
-#include <mutex>
 #include <thread>
+#include <type_traits>
 #include <vector>
 
 namespace plumb {
 
 /// Threads that work on one thing at a time, together with the caller. Made once, used for every step.
 ///
-/// Work is handed out as numbered parts; who takes which part is a matter of chance, so parts must not depend
-/// on each other and must write to places of their own. Then results are the same for any number of threads.
+/// A round of work is handed out as numbered parts. Each thread has a share of consecutive parts, the same ones
+/// in each round of the same size, so that what it works on stays in its caches; a thread that is done takes
+/// parts from the ends of the others' shares. Which thread does a part is left to chance, so parts must not
+/// depend on each other and must write to memory of their own. Then results are the same for any number of
+/// threads.
 class TaskPool {
 public:
     /// @param threads  including the caller's, at least 1
@@ -29,9 +30,15 @@ public:
     TaskPool(const TaskPool&) = delete;
     TaskPool& operator=(const TaskPool&) = delete;
 
-    [[nodiscard]] int threads() const {
-        return foreign_ != nullptr ? foreignThreads_ : static_cast<int>(workers_.size()) + 1;
-    }
+    [[nodiscard]] int threads() const { return threads_; }
+
+    /// Wall time of all rounds since the pool was made, while `isTimed`.
+    struct Times {
+        double rounds = 0.0;       ///< s: of the caller, with its waits for the others
+        std::vector<double> busy;  ///< s: of each thread, the caller first
+    };
+    [[nodiscard]] Times times() const;
+    bool isTimed = false;  ///< costs two looks at the clock per thread and round
 
     /// Runs `task(part, thread)` for every part in 0..count-1 and waits for all. `thread` is 0..threads()-1.
     /// @pre not called from within a task
@@ -44,28 +51,22 @@ public:
     }
 
 private:
-    void run(int count, Call call, void* context);
-    void work(int thread);
-    bool takePart(int thread);
-    void waitForWork(std::uint64_t seen);
+    struct Share;
 
-    std::vector<std::thread> workers_;
+    void run(int count, Call call, void* context);
+    void runRound(int begin, int end, Call call, void* context);
+    void work(int thread);
+    [[nodiscard]] int workOff(int thread);
+    [[nodiscard]] bool waitForWork(Share& own, std::uint32_t round);
+
+    int threads_ = 1;
     Foreign foreign_ = nullptr;
     void* owner_ = nullptr;
-    int foreignThreads_ = 1;
-    // What is done in the present round. Whoever takes a part has read what belongs to the ticket it takes:
-    // the ticket is withdrawn before these change.
-    std::atomic<Call> call_{nullptr};
-    std::atomic<void*> context_{nullptr};
-    std::atomic<std::uint32_t> count_{0};
-    alignas(64) std::atomic<std::uint64_t> ticket_{
-        0};                                 // round in the high half, the next part in the low one
-    alignas(64) std::atomic<int> done_{0};  // parts
-    std::atomic<int> asleep_{0};
-    std::atomic<bool> stop_{false};
-    std::mutex mutex_;
-    std::condition_variable wake_;
-    std::uint64_t round_ = 0;
+    std::unique_ptr<Share[]> shares_;  // one for each thread, the caller's first
+    std::vector<std::thread> workers_;
+    std::uint32_t round_ = 0;
+    double rounds_ = 0.0;  // s: Times::rounds
+    alignas(64) std::atomic<int> done_{0};  // parts of this round
 };
 
 }  // namespace plumb

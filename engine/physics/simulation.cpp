@@ -106,6 +106,31 @@ void count(const StepContext& step, const Stage& stage) {
     step.work.effectsRun |= stage.effects & step.effects;
 }
 
+/// Measures a stage: the time of this thread, and what each thread of the pool did of it.
+class StageScope {
+public:
+    StageScope(const StepOptions& options, std::string_view name)
+        : pool_{options.profile != nullptr && options.profile->on ? options.pool : nullptr},
+          profile_{options.profile},
+          name_{name},
+          before_{pool_ != nullptr ? pool_->times() : TaskPool::Times{}},
+          scope_{options.profile, name} {
+        if (options.pool != nullptr) options.pool->isTimed = pool_ != nullptr;
+    }
+    ~StageScope() {
+        if (pool_ != nullptr) profile_->addThreads(name_, before_, pool_->times());
+    }
+    StageScope(const StageScope&) = delete;
+    StageScope& operator=(const StageScope&) = delete;
+
+private:
+    TaskPool* pool_;
+    Profile* profile_;
+    std::string_view name_;
+    TaskPool::Times before_;
+    ProfileScope scope_;
+};
+
 void countEffects(Workspace& work) {
     for (std::uint32_t left = work.effectsRun; left != 0; left &= left - 1)
         ++work.effectRuns[static_cast<std::size_t>(std::countr_zero(left))];
@@ -158,7 +183,7 @@ void step(World& world, float dt, const StepOptions& options) {
     context.work.rootsKnown = false;
     for (const Stage& stage : kStages) {
         if (!isCalledFor(stage, context)) continue;
-        const ProfileScope scope{options.profile, stage.name};
+        const StageScope scope{options, stage.name};
         count(context, stage);
         stage.run(context);
     }
