@@ -18,7 +18,8 @@ struct StepContext {
     ContactHooks hooks;
     std::uint32_t effects;  ///< bits of the effects of this step
 
-    [[nodiscard]] int threads() const { return pool != nullptr ? pool->threads() : 1; }
+    /// Whether work on so many things is shared among threads in pieces of `grain`, or is one piece.
+    [[nodiscard]] bool isShared(int count, int grain) const { return pool != nullptr && count > grain; }
     [[nodiscard]] bool runs(Effect effect) const { return (effects & Manifest::bit(effect)) != 0; }
     /// To be called by the part of a stage that implements an effect, before it runs: counts the run
     /// (runsOf).
@@ -46,17 +47,57 @@ auto ask(World& world, Call&& call) {
     return answer;
 }
 
+constexpr int piecesOf(int count, int grain) { return (count + grain - 1) / grain; }
+
 /// Splits 0..count-1 into pieces of `grain` and runs `act(begin, end, piece)` for each, on all threads.
 template <class Act>
-void forPieces(const StepContext& step, int count, int grain, Act&& act) {
+void forPieces(TaskPool* pool, int count, int grain, Act&& act) {
     if (count == 0) return;
-    if (step.pool == nullptr || count <= grain) return act(0, count, 0);
-    const int pieces = (count + grain - 1) / grain;
-    step.pool->run(pieces, [&](int piece, int) {
+    if (pool == nullptr || count <= grain) return act(0, count, 0);
+    const int pieces = piecesOf(count, grain);
+    pool->run(pieces, [&](int piece, int) {
         act(piece * grain, piece + 1 < pieces ? (piece + 1) * grain : count, piece);
     });
 }
-constexpr int piecesOf(int count, int grain) { return (count + grain - 1) / grain; }
+template <class Act>
+void forPieces(const StepContext& step, int count, int grain, Act&& act) {
+    forPieces(step.pool, count, grain, act);
+}
+
+/// Lists that pieces of work make at the same time. Taken in the order of the pieces, they are what one
+/// thread would have made.
+template <class T>
+using PieceLists = std::vector<std::vector<T>>;
+
+/// Runs `act(begin, end, found)` for pieces of 0..count-1, each with a list of its own, and joins these to
+/// `all`.
+template <class T, class Act>
+void collect(const StepContext& step, int count, int grain, PieceLists<T>& lists, std::vector<T>& all,
+             Act&& act) {
+    all.clear();
+    const auto pieces = static_cast<std::size_t>(piecesOf(count, grain));
+    if (lists.size() < pieces) lists.resize(pieces);
+    forPieces(step, count, grain, [&](int begin, int end, int piece) {
+        std::vector<T>& found = lists[static_cast<std::size_t>(piece)];
+        found.clear();
+        act(static_cast<std::size_t>(begin), static_cast<std::size_t>(end), found);
+    });
+    for (std::size_t i = 0; i < (step.isShared(count, grain) ? pieces : std::min<std::size_t>(pieces, 1));
+         ++i)
+        all.insert(all.end(), lists[i].begin(), lists[i].end());
+}
+
+/// Lists the numbers i of 0..count-1 for which `is(i)`, in their order, on all threads.
+template <class Is>
+void collectIf(const StepContext& step, std::size_t count, std::vector<std::uint32_t>& all, Is&& is) {
+    constexpr int kGrain = 256;
+    collect(step, static_cast<int>(count), kGrain, step.work.pieceLists, all,
+            [&](std::size_t begin, std::size_t end, std::vector<std::uint32_t>& found) {
+                for (std::size_t i = begin; i < end; ++i) {
+                    if (is(i)) found.push_back(static_cast<std::uint32_t>(i));
+                }
+            });
+}
 
 // The stages in the order of the step. Each has a file of its own name in stages/.
 

@@ -152,6 +152,17 @@ struct EnergyAccount {
     Vec2 middle;                ///< m/s
 };
 
+/// What a body adds to the account of its island.
+struct EnergyBooking {
+    float energy = 0.0f;        ///< J, kinetic
+    float work = 0.0f;          ///< J, by forces
+    float gain = 0.0f;          ///< J, not explained by them
+    float displacement = 0.0f;  ///< kg m2
+    float mass = 0.0f;          ///< kg
+    bool turns = false;
+    Vec2 momentum;  ///< kg m/s
+};
+
 /// Boxes that are not the bounds of shapes, as input of a broad phase.
 struct BoxProxies {
     std::unique_ptr<BroadPhase> search;
@@ -243,15 +254,18 @@ struct Workspace {
     std::vector<std::uint32_t> candidates;                  ///< of the current query
     bool sleepy = false;                                    ///< some body has rested long enough to sleep
     DetectionCounts counts;
-    std::array<std::uint64_t, kMaxStages> stageRuns{};  ///< by stage: see runsOf()
-    std::uint32_t effectsRun = 0;                       ///< bits of effects whose code ran in this step
-    std::array<std::uint64_t, kEffects> effectRuns{};   ///< by effect: steps in which its code ran
-    std::vector<SubstepEstimate> estimate;              ///< by root of an island: automatic quality estimate
-    bool rootsKnown = false;                            ///< findRoots() was called in this step
-    std::vector<std::uint32_t> roots;                   ///< by body: root of its island
-    std::vector<EnergyAccount> accounts;                ///< by root, for islands with an energy account
-    std::vector<std::uint32_t> openAccounts;            ///< roots of those in use
-    std::vector<std::uint32_t> bookedBodies;            ///< their bodies
+    std::array<std::uint64_t, kMaxStages> stageRuns{};   ///< by stage: see runsOf()
+    std::uint32_t effectsRun = 0;                        ///< bits of effects whose code ran in this step
+    std::array<std::uint64_t, kEffects> effectRuns{};    ///< by effect: steps in which its code ran
+    std::vector<SubstepEstimate> estimate;               ///< by root of an island: automatic quality estimate
+    bool rootsKnown = false;                             ///< findRoots() was called in this step
+    std::vector<std::uint32_t> roots;                    ///< by body: root of its island
+    std::vector<EnergyAccount> accounts;                 ///< by root, for islands with an energy account
+    std::vector<std::uint32_t> openAccounts;             ///< roots of those in use
+    std::vector<std::uint32_t> bookedBodies;             ///< their bodies
+    std::vector<EnergyBooking> bookings;                 ///< by index in `bookedBodies`
+    std::vector<std::vector<std::uint32_t>> pieceLists;  ///< scratch of collect(), per piece of work
+    std::vector<std::uint32_t> pieceFound;               ///< joined
     std::vector<std::uint32_t> gainers;  ///< bodies that gained energy from contacts in this step
     std::vector<IslandCase> cases;       ///< by root, if there is a tolerance
 };

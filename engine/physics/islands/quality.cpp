@@ -111,7 +111,7 @@ void sortByIsland(StepContext& step) {
     Workspace& work = step.work;
     const bool judges = world.qualityCallers != 0 || world.settings.automaticQuality;
     // A mere division into groups must not change when islands are built anew, and with that what sleeps.
-    findRoots(world, work, judges || world.settings.tolerance > 0.0f);
+    findRoots(step, judges || world.settings.tolerance > 0.0f);
     if (world.settings.tolerance > 0.0f) {
         holdTolerance(world, work);
     } else if (judges) {

@@ -1,15 +1,19 @@
 #include "physics/islands/sleeping.hpp"
 
+#include <algorithm>
+#include <atomic>
 #include <utility>
 #include <vector>
 
 #include "physics/model/bounds.hpp"
 #include "physics/model/edits.hpp"
-#include "physics/workspace.hpp"
+#include "physics/stages.hpp"
 
 namespace plumb::physics {
 
 namespace {
+
+constexpr int kGrain = 512;
 
 /// Room for all to be free again, so that waking up allocates nothing.
 template <class T>
@@ -244,19 +248,57 @@ void joinIslands(World& world, std::uint32_t a, std::uint32_t b) {
     }
 }
 
-void rebuildIslands(World& world) {
-    for (const std::uint32_t body : world.awake) world.bodies.info[body].island = body;
-    for (const Contact& contact : world.contacts) {
-        if ((contact.flags & kTouching) == 0) continue;
-        if (isUp(world, contact.bodyA) && isUp(world, contact.bodyB)) {
-            joinIslands(world, contact.bodyA, contact.bodyB);
-        }
+namespace {
+
+using AtomicParent = std::atomic_ref<std::uint32_t>;
+
+/// As islandOf() and joinIslands(), for several threads at a time. The lower index is the root, so the roots
+/// do not depend on which thread is first.
+std::uint32_t sharedIslandOf(std::vector<BodyInfo>& info, std::uint32_t body) {
+    for (;;) {
+        const std::uint32_t next = AtomicParent{info[body].island}.load(std::memory_order_relaxed);
+        const std::uint32_t after = AtomicParent{info[next].island}.load(std::memory_order_relaxed);
+        if (next == after) return next;
+        // Whoever is last writes an ancestor: only a root that is joined must not be overwritten.
+        AtomicParent{info[body].island}.store(after, std::memory_order_relaxed);
+        body = after;
     }
-    for (const std::uint32_t j : world.joints.awake) {
-        const Joint& joint = world.joints.hot[j];
-        if (isUp(world, joint.bodyA) && isUp(world, joint.bodyB))
-            joinIslands(world, joint.bodyA, joint.bodyB);
+}
+
+void shareJoin(std::vector<BodyInfo>& info, std::uint32_t a, std::uint32_t b) {
+    for (;;) {
+        a = sharedIslandOf(info, a), b = sharedIslandOf(info, b);
+        if (a == b) return;
+        std::uint32_t root = std::max(a, b);
+        if (AtomicParent{info[root].island}.compare_exchange_strong(root, std::min(a, b),
+                                                                    std::memory_order_relaxed))
+            return;
     }
+}
+
+}  // namespace
+
+void rebuildIslands(World& world, TaskPool* pool) {
+    std::vector<BodyInfo>& info = world.bodies.info;
+    const auto forAll = [&](const auto& all, auto&& act) {
+        forPieces(pool, static_cast<int>(all.size()), kGrain, [&](int begin, int end, int) {
+            for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i)
+                act(all[i]);
+        });
+    };
+    const auto join = [&](std::uint32_t a, std::uint32_t b) {
+        if (isUp(world, a) && isUp(world, b)) shareJoin(info, a, b);
+    };
+    forAll(world.awake, [&](std::uint32_t body) { info[body].island = body; });
+    forAll(world.contacts, [&](const Contact& contact) {
+        if ((contact.flags & kTouching) != 0) join(contact.bodyA, contact.bodyB);
+    });
+    forAll(world.joints.awake,
+           [&](std::uint32_t j) { join(world.joints.hot[j].bodyA, world.joints.hot[j].bodyB); });
+    // Each ends at its root: nothing is left of the order of joining.
+    forAll(world.awake, [&](std::uint32_t body) {
+        AtomicParent{info[body].island}.store(sharedIslandOf(info, body), std::memory_order_relaxed);
+    });
     world.islandsStale = false;
     world.islandsAge = 0.0f;
 }

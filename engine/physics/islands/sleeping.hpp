@@ -5,6 +5,10 @@
 
 #include "physics/world.hpp"
 
+namespace plumb {
+class TaskPool;
+}
+
 namespace plumb::physics {
 
 /// A new body that moves.
@@ -42,6 +46,7 @@ void removeAwakeJoint(World& world, std::uint32_t joint);
 std::uint32_t islandOf(World& world, std::uint32_t body);
 void joinIslands(World& world, std::uint32_t a, std::uint32_t b);
 /// Forgets ties that ended.
-void rebuildIslands(World& world);
+/// @param pool  threads to share the work
+void rebuildIslands(World& world, TaskPool* pool = nullptr);
 
 }  // namespace plumb::physics

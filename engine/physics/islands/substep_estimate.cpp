@@ -58,17 +58,23 @@ void estimateSubsteps(World& world, Workspace& work) {
     }
 }
 
-void findRoots(World& world, Workspace& work, bool exact) {
+void findRoots(const StepContext& step, bool exact) {
+    World& world = step.world;
+    Workspace& work = step.work;
     if (work.rootsKnown) return;
-    if (world.islandsStale && exact) rebuildIslands(world);
+    if (world.islandsStale && exact) rebuildIslands(world, step.pool);
     work.roots.resize(world.bodies.size());
     std::iota(work.roots.begin(), work.roots.end(), 0u);
-    for (const std::uint32_t body : world.awake) {
+    // Looking far shortens the way for the next one, which is not for several threads.
+    collectIf(step, world.awake.size(), work.pieceFound, [&](std::size_t i) {
+        const std::uint32_t body = world.awake[i];
         const BodyInfo& info = world.bodies.info[body];
-        if (info.kind != BodyKind::Dynamic) continue;
-        const bool isNear = world.bodies.info[info.island].island == info.island;
-        work.roots[body] = isNear ? info.island : islandOf(world, body);
-    }
+        if (info.kind != BodyKind::Dynamic) return false;
+        work.roots[body] = info.island;
+        return world.bodies.info[info.island].island != info.island;
+    });
+    for (const std::uint32_t i : work.pieceFound)
+        work.roots[world.awake[i]] = islandOf(world, world.awake[i]);
     work.rootsKnown = !world.islandsStale;
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "physics/workspace.hpp"
+#include "physics/stages.hpp"
 
 namespace plumb::physics {
 
@@ -12,6 +12,6 @@ void estimateSubsteps(World& world, Workspace& work);
 
 /// Computes Workspace::roots, once per step. Bodies that are not dynamic or are asleep are their own root.
 /// @param exact  false: islands that fell apart may still count as one, and nothing of the world changes
-void findRoots(World& world, Workspace& work, bool exact = true);
+void findRoots(const StepContext& step, bool exact = true);
 
 }  // namespace plumb::physics

@@ -10,8 +10,9 @@ namespace plumb::physics {
 
 // Passes over the bodies and constraints of a group, distributed over threads.
 
-inline constexpr int kBlockGrain = 24;
-inline constexpr int kBodyGrain = 1024;
+inline constexpr int kBlockGrain = 8;
+inline constexpr int kSequential = 1 << 30;  ///< as a grain: one piece
+inline constexpr int kBodyGrain = 256;
 inline constexpr float kGroundStiffness =
     2.0f;  ///< ratio to Settings::contactStiffness: the ground does not give way
 
@@ -31,6 +32,14 @@ void forRange(const StepContext& step, int begin, int end, int grain, Act&& act)
     forPieces(step, end - begin, grain, [&](int first, int last, int) { act(begin + first, begin + last); });
 }
 
+/// Runs `act(n)` for the blocks begin..end-1.
+template <class Act>
+void forBlocks(const StepContext& step, int begin, int end, int grain, Act&& act) {
+    forRange(step, begin, end, grain, [&](int first, int last) {
+        for (int n = first; n < last; ++n) act(static_cast<std::size_t>(n));
+    });
+}
+
 template <class Act>
 void forBodies(const StepContext& step, const SolveGroup& group, Act&& act) {
     forRange(step, group.begin, group.end, kBodyGrain, act);
@@ -39,7 +48,7 @@ void forBodies(const StepContext& step, const SolveGroup& group, Act&& act) {
 /// Runs `act(colour, grain)` for each of these colors: the overflow first, in one sequential piece.
 template <class Act>
 void forColours(std::uint64_t colours, Act&& act) {
-    if ((colours >> kOverflow & 1) != 0) act(int{kOverflow}, 1 << 30);
+    if ((colours >> kOverflow & 1) != 0) act(int{kOverflow}, kSequential);
     for (std::uint64_t rest = colours & ((std::uint64_t{1} << kColours) - 1); rest != 0; rest &= rest - 1)
         act(std::countr_zero(rest), kBlockGrain);
 }

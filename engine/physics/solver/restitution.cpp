@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "physics/solver/contact_sides.hpp"
+#include "physics/solver/passes.hpp"
 #include "physics/solver/simultaneous_impacts.hpp"
 
 namespace plumb::physics {
@@ -18,7 +19,7 @@ template <class Block>
 void prepareBlocks(StepContext& step, const std::vector<Block>& blocks, const std::vector<BlockLanes>& lanes,
                    std::vector<BounceBlock>& bounces) {
     bounces.resize(blocks.size());
-    for (std::size_t n = 0; n < blocks.size(); ++n) {
+    forBlocks(step, 0, static_cast<int>(blocks.size()), kBlockGrain, [&](std::size_t n) {
         BounceBlock& bounce = bounces[n];
         for (int i = 0; i < lanes[n].count; ++i) {
             const Contact& contact = step.world.contacts[static_cast<std::size_t>(lanes[n].contact[i])];
@@ -30,12 +31,13 @@ void prepareBlocks(StepContext& step, const std::vector<Block>& blocks, const st
                 bounce.largest[p][i] = 0.0f;
             }
         }
-    }
+    });
 }
 
 template <class Block>
-void noteBlocks(const std::vector<Block>& blocks, std::vector<BounceBlock>& bounces, int begin, int end) {
-    for (auto n = static_cast<std::size_t>(begin); n < static_cast<std::size_t>(end); ++n) {
+void noteBlocks(const StepContext& step, const std::vector<Block>& blocks, std::vector<BounceBlock>& bounces,
+                int begin, int end) {
+    forBlocks(step, begin, end, kBlockGrain, [&](std::size_t n) {
         BounceBlock& bounce = bounces[n];
         for (int p = 0; p < 2; ++p) {
             for (int i = 0; i < kLanes; ++i)
@@ -44,7 +46,7 @@ void noteBlocks(const std::vector<Block>& blocks, std::vector<BounceBlock>& boun
         for (int i = 0; i < kLanes; ++i) {
             if (bounce.sum[i] >= 0.0f) bounce.sum[i] += blocks[n].points[0].impulse[i];
         }
-    }
+    });
 }
 
 /// Restitution at one of the two points of a contact.
@@ -62,8 +64,8 @@ void bouncePoint(StepContext& step, Block& block, const BounceBlock& bounce, int
 
 template <class Block>
 void bounceBlocks(StepContext& step, std::vector<Block>& blocks, const std::vector<BlockLanes>& lanes,
-                  const std::vector<BounceBlock>& bounces, int begin, int end) {
-    for (auto n = static_cast<std::size_t>(begin); n < static_cast<std::size_t>(end); ++n) {
+                  const std::vector<BounceBlock>& bounces, int begin, int end, int grain) {
+    forBlocks(step, begin, end, grain, [&](std::size_t n) {
         const BounceBlock& bounce = bounces[n];
         for (int i = 0; i < lanes[n].count; ++i) {
             if (bounce.bounciness[i] == 0.0f) continue;
@@ -72,7 +74,7 @@ void bounceBlocks(StepContext& step, std::vector<Block>& blocks, const std::vect
                 for (int p = 0; p < 2; ++p) bouncePoint(step, blocks[n], bounce, p, i);
             }
         }
-    }
+    });
 }
 
 bool bounces(const StepContext& step) { return step.runs(Effect::Restitution); }
@@ -88,10 +90,9 @@ void prepareRestitution(StepContext& step) {
 
 void noteLargestImpulses(StepContext& step, const SolveGroup& group) {
     if (!bounces(step)) return;
-    for (const ColourBlocks& colour : group.colours) {
-        noteBlocks(step.work.contactBlocks, step.work.bounces, colour.contactBegin, colour.contactEnd);
-        noteBlocks(step.work.fixedBlocks, step.work.fixedBounces, colour.fixedBegin, colour.fixedEnd);
-    }
+    const ColourBlocks &first = group.colours[0], &last = group.colours[kColours];
+    noteBlocks(step, step.work.contactBlocks, step.work.bounces, first.contactBegin, last.contactEnd);
+    noteBlocks(step, step.work.fixedBlocks, step.work.fixedBounces, first.fixedBegin, last.fixedEnd);
 }
 
 void applyRestitution(StepContext& step, const SolveGroup& group) {
@@ -99,10 +100,11 @@ void applyRestitution(StepContext& step, const SolveGroup& group) {
     runImpactsOn(step, group);
     Workspace& work = step.work;
     for (const ColourBlocks& colour : group.colours) {
+        const int grain = &colour == &group.colours[kOverflow] ? kSequential : kBlockGrain;
         bounceBlocks(step, work.contactBlocks, work.contactLanes, work.bounces, colour.contactBegin,
-                     colour.contactEnd);
+                     colour.contactEnd, grain);
         bounceBlocks(step, work.fixedBlocks, work.fixedLanes, work.fixedBounces, colour.fixedBegin,
-                     colour.fixedEnd);
+                     colour.fixedEnd, grain);
     }
 }
 

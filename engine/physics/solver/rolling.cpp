@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "physics/solver/passes.hpp"
+
 namespace plumb::physics {
 
 namespace {
@@ -35,10 +37,11 @@ void turn(Workspace& work, const FixedContactBlock& block, int i, float impulse)
 }
 
 template <class Block>
-void prepareBlocks(const World& world, const std::vector<Block>& blocks, const std::vector<BlockLanes>& lanes,
-                   std::vector<RollingBlock>& rollings) {
+void prepareBlocks(const StepContext& step, const std::vector<Block>& blocks,
+                   const std::vector<BlockLanes>& lanes, std::vector<RollingBlock>& rollings) {
+    const World& world = step.world;
     rollings.resize(blocks.size());
-    for (std::size_t n = 0; n < blocks.size(); ++n) {
+    forBlocks(step, 0, static_cast<int>(blocks.size()), kBlockGrain, [&](std::size_t n) {
         RollingBlock& rolling = rollings[n] = {};
         for (int i = 0; i < lanes[n].count; ++i) {
             const Contact& contact = world.contacts[static_cast<std::size_t>(lanes[n].contact[i])];
@@ -47,44 +50,50 @@ void prepareBlocks(const World& world, const std::vector<Block>& blocks, const s
             rolling.spin[i] = world.bodies.motion[contact.bodyA].angularVelocity;
             rolling.impulse[i] = contact.rollingResistance > 0.0f ? contact.rollingImpulse : 0.0f;
         }
+    });
+}
+
+template <class Block>
+void warmStartBlock(Workspace& work, const Block& block, const RollingBlock& rolling) {
+    for (int i = 0; i < kLanes; ++i) {
+        if (rolling.impulse[i] != 0.0f) turn(work, block, i, rolling.impulse[i]);
     }
 }
 
 template <class Block>
-void warmStartBlocks(Workspace& work, const std::vector<Block>& blocks,
-                     const std::vector<RollingBlock>& rollings, int begin, int end) {
-    for (auto n = static_cast<std::size_t>(begin); n < static_cast<std::size_t>(end); ++n) {
-        for (int i = 0; i < kLanes; ++i) {
-            if (rollings[n].impulse[i] != 0.0f) turn(work, blocks[n], i, rollings[n].impulse[i]);
-        }
+void relaxBlock(Workspace& work, const Block& block, RollingBlock& rolling) {
+    for (int i = 0; i < kLanes; ++i) {
+        if (rolling.resistance[i] <= 0.0f) continue;
+        const float pressed = block.points[0].impulse[i] + block.points[1].impulse[i];
+        const float maximum = rolling.resistance[i] * pressed;
+        const float before = rolling.impulse[i];
+        const float wanted = before - rolling.mass[i] * rollingSpeed(work, block, rolling, i);
+        rolling.impulse[i] = std::clamp(wanted, -maximum, maximum);
+        turn(work, block, i, rolling.impulse[i] - before);
     }
 }
 
-template <class Block>
-void relaxBlocks(Workspace& work, const std::vector<Block>& blocks, std::vector<RollingBlock>& rollings,
-                 int begin, int end) {
-    for (auto n = static_cast<std::size_t>(begin); n < static_cast<std::size_t>(end); ++n) {
-        RollingBlock& rolling = rollings[n];
-        for (int i = 0; i < kLanes; ++i) {
-            if (rolling.resistance[i] <= 0.0f) continue;
-            const float pressed = blocks[n].points[0].impulse[i] + blocks[n].points[1].impulse[i];
-            const float maximum = rolling.resistance[i] * pressed;
-            const float before = rolling.impulse[i];
-            const float wanted = before - rolling.mass[i] * rollingSpeed(work, blocks[n], rolling, i);
-            rolling.impulse[i] = std::clamp(wanted, -maximum, maximum);
-            turn(work, blocks[n], i, rolling.impulse[i] - before);
-        }
+/// Calls act(block, rolling) with the blocks of a group, color by color.
+template <class Act>
+void forGroup(const StepContext& step, const SolveGroup& group, Act&& act) {
+    Workspace& work = step.work;
+    for (const ColourBlocks& colour : group.colours) {
+        const int grain = &colour == &group.colours[kOverflow] ? kSequential : kBlockGrain;
+        forBlocks(step, colour.contactBegin, colour.contactEnd, grain,
+                  [&](std::size_t n) { act(work.contactBlocks[n], work.rollings[n]); });
+        forBlocks(step, colour.fixedBegin, colour.fixedEnd, grain,
+                  [&](std::size_t n) { act(work.fixedBlocks[n], work.fixedRollings[n]); });
     }
 }
 
-void storeBlocks(World& world, const std::vector<BlockLanes>& lanes,
+void storeBlocks(StepContext& step, const std::vector<BlockLanes>& lanes,
                  const std::vector<RollingBlock>& rollings) {
-    for (std::size_t n = 0; n < rollings.size(); ++n) {
+    forBlocks(step, 0, static_cast<int>(rollings.size()), kBlockGrain, [&](std::size_t n) {
         for (int i = 0; i < lanes[n].count; ++i) {
-            world.contacts[static_cast<std::size_t>(lanes[n].contact[i])].rollingImpulse =
+            step.world.contacts[static_cast<std::size_t>(lanes[n].contact[i])].rollingImpulse =
                 rollings[n].impulse[i];
         }
-    }
+    });
 }
 
 bool rolls(const StepContext& step) { return step.runs(Effect::Rolling); }
@@ -93,32 +102,27 @@ bool rolls(const StepContext& step) { return step.runs(Effect::Rolling); }
 
 void prepareRolling(StepContext& step) {
     if (!step.starts(Effect::Rolling)) return;
-    prepareBlocks(step.world, step.work.contactBlocks, step.work.contactLanes, step.work.rollings);
-    prepareBlocks(step.world, step.work.fixedBlocks, step.work.fixedLanes, step.work.fixedRollings);
+    prepareBlocks(step, step.work.contactBlocks, step.work.contactLanes, step.work.rollings);
+    prepareBlocks(step, step.work.fixedBlocks, step.work.fixedLanes, step.work.fixedRollings);
 }
 
 void warmStartRolling(StepContext& step, const SolveGroup& group) {
     if (!rolls(step)) return;
-    Workspace& work = step.work;
-    for (const ColourBlocks& colour : group.colours) {
-        warmStartBlocks(work, work.contactBlocks, work.rollings, colour.contactBegin, colour.contactEnd);
-        warmStartBlocks(work, work.fixedBlocks, work.fixedRollings, colour.fixedBegin, colour.fixedEnd);
-    }
+    forGroup(step, group, [&](const auto& block, const RollingBlock& rolling) {
+        warmStartBlock(step.work, block, rolling);
+    });
 }
 
 void relaxRolling(StepContext& step, const SolveGroup& group) {
     if (!rolls(step)) return;
-    Workspace& work = step.work;
-    for (const ColourBlocks& colour : group.colours) {
-        relaxBlocks(work, work.contactBlocks, work.rollings, colour.contactBegin, colour.contactEnd);
-        relaxBlocks(work, work.fixedBlocks, work.fixedRollings, colour.fixedBegin, colour.fixedEnd);
-    }
+    forGroup(step, group,
+             [&](const auto& block, RollingBlock& rolling) { relaxBlock(step.work, block, rolling); });
 }
 
 void storeRolling(StepContext& step) {
     if (!rolls(step)) return;
-    storeBlocks(step.world, step.work.contactLanes, step.work.rollings);
-    storeBlocks(step.world, step.work.fixedLanes, step.work.fixedRollings);
+    storeBlocks(step, step.work.contactLanes, step.work.rollings);
+    storeBlocks(step, step.work.fixedLanes, step.work.fixedRollings);
 }
 
 }  // namespace plumb::physics

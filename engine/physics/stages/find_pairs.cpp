@@ -24,26 +24,14 @@ void search(StepContext& step) {
     Workspace& work = step.work;
     for (const std::uint32_t shape : world.moved) work.isMoved[shape] = 1;
     const int count = static_cast<int>(world.moved.size());
-    if (work.foundPairs.size() < static_cast<std::size_t>(piecesOf(count, kGrain))) {
-        work.foundPairs.resize(static_cast<std::size_t>(piecesOf(count, kGrain)));
-    }
     work.broadPhase->arrange(world.moved);
     const std::span<const std::uint32_t> moved{world.moved};
-    forPieces(step, count, kGrain, [&](int begin, int end, int piece) {
-        std::vector<PairKey>& found = work.foundPairs[static_cast<std::size_t>(piece)];
-        found.clear();
-        work.broadPhase->findPairs(
-            proxiesOf(world),
-            moved.subspan(static_cast<std::size_t>(begin), static_cast<std::size_t>(end - begin)),
-            work.isMoved, found);
-        std::erase_if(found, [&](PairKey key) { return work.pairs.has(key); });
-    });
-    work.newPairs.clear();
-    const int pieces = step.pool == nullptr || count <= kGrain ? 1 : piecesOf(count, kGrain);
-    for (int i = 0; i < pieces; ++i) {
-        const std::vector<PairKey>& found = work.foundPairs[static_cast<std::size_t>(i)];
-        work.newPairs.insert(work.newPairs.end(), found.begin(), found.end());
-    }
+    collect(step, count, kGrain, work.foundPairs, work.newPairs,
+            [&](std::size_t begin, std::size_t end, std::vector<PairKey>& found) {
+                work.broadPhase->findPairs(proxiesOf(world), moved.subspan(begin, end - begin), work.isMoved,
+                                           found);
+                std::erase_if(found, [&](PairKey key) { return work.pairs.has(key); });
+            });
     // Whoever found a pair first: contacts are made in an order of their own.
     std::sort(work.newPairs.begin(), work.newPairs.end());
     for (const std::uint32_t shape : world.moved) {

@@ -35,6 +35,8 @@ constexpr float kWhippedWay = 4.0f;
 constexpr float kWild = 100.0f;
 constexpr float kWildPush = kWild * kJointPushing * kJointPushing;
 
+constexpr int kGrain = 256;
+
 bool isPushed(const World& world, std::uint32_t body) {
     return world.bodies.info[body].kind == BodyKind::Dynamic;
 }
@@ -106,17 +108,18 @@ void findGainers(StepContext& step) {
     const float slow = kParting * world.settings.pushSpeed;
     const bool bounces = step.runs(Effect::Restitution);
     const Float4* const velocities = work.velocity.data();
-    for (std::size_t slot = 0, end = slotsWithRotation(work); slot < end; ++slot) {
+    const auto gains = [&](std::size_t slot) {
         const Float4& velocity = velocities[slot];
-        if (isSlow(velocity, slow)) continue;  // as idle ones are
+        if (isSlow(velocity, slow)) return false;  // as idle ones are
         const std::uint32_t body = work.bodyOf[slot];
         const BodyMass& mass = world.bodies.mass[body];
-        if (work.colourMasks[body] == 0 || (mass.inverseInertia == 0.0f && !bounces)) continue;
+        if (work.colourMasks[body] == 0 || (mass.inverseInertia == 0.0f && !bounces)) return false;
         const float energy = energyOf(mass, {velocity.x, velocity.y}, velocity.z);
         const float gain = energy - energyBefore(world, body) - workOn(mass, work, slot);
-        if (gain > std::max(kContactGain * energy, 0.5f * mass.mass * slow * slow))
-            work.gainers.push_back(body);
-    }
+        return gain > std::max(kContactGain * energy, 0.5f * mass.mass * slow * slow);
+    };
+    collectIf(step, slotsWithRotation(work), work.gainers, gains);
+    for (std::uint32_t& gainer : work.gainers) gainer = work.bodyOf[gainer];
 }
 
 void open(Workspace& work, std::uint32_t root, bool isJointed) {
@@ -144,34 +147,54 @@ void closeAccounts(Workspace& work) {
 }
 
 /// Few joints are powered or hold to what cannot be pushed: only for these is the island looked up.
-void noteJoints(World& world, Workspace& work) {
-    for (const std::uint32_t j : world.joints.awake) {
+void noteJoints(StepContext& step) {
+    World& world = step.world;
+    Workspace& work = step.work;
+    const std::vector<std::uint32_t>& awake = world.joints.awake;
+    const auto powered = [&](std::uint32_t j) {
+        return isPowered(world.joints.hot[j], world.joints.definition[j]);
+    };
+    collectIf(step, awake.size(), work.pieceFound, [&](std::size_t i) {
+        return world.joints.hot[awake[i]].colour >= kFirstFixedColour || powered(awake[i]);
+    });
+    for (const std::uint32_t i : work.pieceFound) {
+        const std::uint32_t j = awake[i];
         Joint& joint = world.joints.hot[j];
-        const bool powered = isPowered(joint, world.joints.definition[j]);
+        EnergyAccount& account = accountOf(world, work, joint.bodyA, joint.bodyB);
+        account.isDriven |= powered(j) || moves(world, joint.bodyA) || moves(world, joint.bodyB);
+        account.isRooted |= !isPushed(world, joint.bodyA) || !isPushed(world, joint.bodyB);
         if ((joint.flags & kDefinitionChanged) != 0 && openingOf(world, j) <= world.settings.slop)
             joint.flags = static_cast<std::uint8_t>(joint.flags & ~kDefinitionChanged);
-        const bool between = joint.colour < kFirstFixedColour;
-        if (!powered && between) continue;
-        EnergyAccount& account = accountOf(world, work, joint.bodyA, joint.bodyB);
-        account.isDriven |= powered || moves(world, joint.bodyA) || moves(world, joint.bodyB);
-        account.isRooted |= !isPushed(world, joint.bodyA) || !isPushed(world, joint.bodyB);
     }
 }
 
 /// Whoever touches what its owner moves gets energy from there, and momentum from all that cannot be pushed.
 void noteHolders(StepContext& step) {
-    World& world = step.world;
-    const Workspace& work = step.work;
+    const World& world = step.world;
+    Workspace& work = step.work;
     const bool drivers = step.runs(Effect::Kinematics) || step.runs(Effect::Conveyor);
+    const auto drives = [&](const Contact& contact) {
+        return drivers && (contact.surfaceSpeed != 0.0f || moves(world, contact.bodyA));
+    };
     const auto note = [&](const std::vector<BlockLanes>& lanes, std::int32_t blocks, bool fixed) {
-        for (std::int32_t n = 0; n < blocks; ++n) {
-            const BlockLanes& block = lanes[static_cast<std::size_t>(n)];
-            for (std::int32_t i = 0; i < block.count; ++i) {
-                const Contact& contact = world.contacts[static_cast<std::size_t>(block.contact[i])];
-                EnergyAccount& account = accountOf(world, step.work, contact.bodyA, contact.bodyB);
-                account.isRooted |= fixed;
-                account.isDriven |= contact.surfaceSpeed != 0.0f || moves(world, contact.bodyA);
-            }
+        collect(step, blocks, kGrain / kLanes, work.pieceLists, work.pieceFound,
+                [&](std::size_t begin, std::size_t end, std::vector<std::uint32_t>& found) {
+                    for (std::size_t n = begin; n < end; ++n) {
+                        for (std::int32_t i = 0; i < lanes[n].count; ++i) {
+                            const auto number = static_cast<std::uint32_t>(lanes[n].contact[i]);
+                            const Contact& contact = world.contacts[number];
+                            const EnergyAccount& account =
+                                accountOf(world, work, contact.bodyA, contact.bodyB);
+                            if ((fixed && !account.isRooted) || (!account.isDriven && drives(contact)))
+                                found.push_back(number);
+                        }
+                    }
+                });
+        for (const std::uint32_t number : work.pieceFound) {
+            const Contact& contact = world.contacts[number];
+            EnergyAccount& account = accountOf(world, work, contact.bodyA, contact.bodyB);
+            account.isRooted |= fixed;
+            account.isDriven |= drives(contact);
         }
     };
     const auto [blocks, fixedBlocks] = blocksWithRotation(work);
@@ -190,29 +213,40 @@ void noteSoft(const StepContext& step) {
 /// (solvePlain) has no account.
 void noteBounces(StepContext& step) {
     if (!step.runs(Effect::Restitution)) return;
-    for (std::size_t i = 0; i < step.work.contactKeys.size(); ++i) {
-        const Contact& contact = step.world.contacts[i];
-        if ((step.work.contactKeys[i] & kKeyColour) == kKeyIdle || contact.bounciness == 0.0f) continue;
-        accountOf(step.world, step.work, contact.bodyA, contact.bodyB).isLively = true;
-    }
+    const World& world = step.world;
+    Workspace& work = step.work;
+    collectIf(step, work.contactKeys.size(), work.pieceFound, [&](std::size_t i) {
+        return (work.contactKeys[i] & kKeyColour) != kKeyIdle && world.contacts[i].bounciness != 0.0f;
+    });
+    for (const std::uint32_t i : work.pieceFound)
+        accountOf(world, work, world.contacts[i].bodyA, world.contacts[i].bodyB).isLively = true;
 }
 
-void book(const World& world, const Workspace& work, std::uint32_t body, EnergyAccount& account) {
+EnergyBooking bookingOf(const World& world, const Workspace& work, std::uint32_t body) {
     const auto slot = static_cast<std::size_t>(work.slots[body]);
     const Float4 &velocity = work.velocity[slot], &deltaPosition = work.deltaPosition[slot];
     const BodyMass& mass = world.bodies.mass[body];
-    const float energy = energyOf(mass, {velocity.x, velocity.y}, velocity.z);
-    const float done = workOn(mass, work, slot);
-    account.energy += energy;
-    account.work += done;
-    account.gain += energy - energyBefore(world, body) - done;
-    account.momentum += mass.mass * Vec2{velocity.x, velocity.y};
-    account.mass += mass.mass;
-    account.isLively |= mass.inverseInertia > 0.0f;
-    if (!account.isJointed) return;
-    account.displacement +=
+    EnergyBooking booking;
+    booking.energy = energyOf(mass, {velocity.x, velocity.y}, velocity.z);
+    booking.work = workOn(mass, work, slot);
+    booking.gain = booking.energy - energyBefore(world, body) - booking.work;
+    booking.momentum = mass.mass * Vec2{velocity.x, velocity.y};
+    booking.mass = mass.mass;
+    booking.turns = mass.inverseInertia > 0.0f;
+    booking.displacement =
         0.5f * mass.mass * (deltaPosition.x * deltaPosition.x + deltaPosition.y * deltaPosition.y);
-    const EnergyShare& share = world.bodies.energies[body];
+    return booking;
+}
+
+void add(const EnergyBooking& booking, const EnergyShare& share, EnergyAccount& account) {
+    account.energy += booking.energy;
+    account.work += booking.work;
+    account.gain += booking.gain;
+    account.momentum += booking.momentum;
+    account.mass += booking.mass;
+    account.isLively |= booking.turns;
+    if (!account.isJointed) return;
+    account.displacement += booking.displacement;
     account.credit += share.credit;
     account.peak += share.peak;
 }
@@ -338,29 +372,38 @@ void share(StepContext& step, std::uint32_t body, const EnergyAccount& account) 
 }
 
 /// Lists the bodies of islands that have an account. A body without joints keeps no share of one.
-void findBooked(World& world, Workspace& work) {
+void findBooked(StepContext& step) {
+    World& world = step.world;
+    Workspace& work = step.work;
     std::vector<EnergyShare>& shares = world.bodies.energies;
     const bool hasJoints = !world.joints.awake.empty();
     if (hasJoints) shares.resize(world.bodies.size());
-    work.bookedBodies.clear();
     const std::size_t rotating = slotsWithRotation(work);
-    for (std::size_t slot = 0; slot < work.bodyOf.size(); ++slot) {
+    collectIf(step, work.bodyOf.size(), work.bookedBodies, [&](std::size_t slot) {
         const std::uint32_t body = work.bodyOf[slot];
-        if (body == kNone) continue;
-        if (slot >= rotating) {
-            if (hasJoints) shares[body] = {};
-            continue;
-        }
-        const EnergyAccount& account = work.accounts[work.roots[body]];
-        if (account.isOpen) work.bookedBodies.push_back(body);
-        if (hasJoints && (!account.isOpen || !account.isJointed)) shares[body] = {};
-    }
+        if (body == kNone) return false;
+        const EnergyAccount* account = slot < rotating ? &work.accounts[work.roots[body]] : nullptr;
+        const bool isBooked = account != nullptr && account->isOpen;
+        if (hasJoints && !(isBooked && account->isJointed)) shares[body] = {};
+        return isBooked;
+    });
+    for (std::uint32_t& booked : work.bookedBodies) booked = work.bodyOf[booked];
 }
 
-/// Calls act(body, account) with all bodies of islands that have one.
-template <class Act>
-void forBooked(Workspace& work, Act&& act) {
-    for (const std::uint32_t body : work.bookedBodies) act(body, work.accounts[work.roots[body]]);
+/// Adds up the accounts, each in the order of its bodies.
+void bookAll(StepContext& step) {
+    const World& world = step.world;
+    Workspace& work = step.work;
+    work.bookings.resize(work.bookedBodies.size());
+    forPieces(step, static_cast<int>(work.bookedBodies.size()), kGrain, [&](int begin, int end, int) {
+        for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i)
+            work.bookings[i] = bookingOf(world, work, work.bookedBodies[i]);
+    });
+    for (std::size_t i = 0; i < work.bookings.size(); ++i) {
+        const std::uint32_t body = work.bookedBodies[i];
+        EnergyAccount& account = work.accounts[work.roots[body]];
+        add(work.bookings[i], account.isJointed ? world.bodies.energies[body] : EnergyShare{}, account);
+    }
 }
 
 /// The same with the accounts.
@@ -382,9 +425,10 @@ void limit(World& world, Workspace& work) {
         if (account.isDriven || !account.isLively) account.excess = 0.0f;
         if (!account.isRooted) account.middle = (1.0f / account.mass) * account.momentum;
     });
-    forBooked(work, [&](std::uint32_t body, EnergyAccount& account) {
+    for (const std::uint32_t body : work.bookedBodies) {
+        EnergyAccount& account = work.accounts[work.roots[body]];
         if (exceeds(account)) bookOwn(world, work, body, account);
-    });
+    }
     forAccounts(work, [](EnergyAccount& account) {
         if (exceeds(account)) findParts(account);
     });
@@ -404,15 +448,15 @@ void keepEnergy(StepContext& step) {
     const bool hasJoints = !world.joints.awake.empty();
     findGainers(step);
     if (!hasJoints && work.gainers.empty()) return;
-    findRoots(world, work);
+    findRoots(step);
     openAccounts(world, work);
-    findBooked(world, work);
+    findBooked(step);
     if (hasJoints) {
-        noteJoints(world, work);
+        noteJoints(step);
         noteHolders(step);
         noteSoft(step);
     }
-    forBooked(work, [&](std::uint32_t body, EnergyAccount& account) { book(world, work, body, account); });
+    bookAll(step);
     bool wild = false, tooMuch = false;
     forAccounts(work, [&](EnergyAccount& account) {
         settle(step, account);
@@ -425,9 +469,12 @@ void keepEnergy(StepContext& step) {
         noteSoft(step);
         limit(world, work);
     }
-    if (hasJoints || tooMuch)
-        forBooked(work,
-                  [&](std::uint32_t body, const EnergyAccount& account) { share(step, body, account); });
+    if (hasJoints || tooMuch) {
+        forPieces(step, static_cast<int>(work.bookedBodies.size()), kGrain, [&](int begin, int end, int) {
+            for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i)
+                share(step, work.bookedBodies[i], work.accounts[work.roots[work.bookedBodies[i]]]);
+        });
+    }
     if (wild) forgetImpulses(world, work);
     closeAccounts(work);
 }

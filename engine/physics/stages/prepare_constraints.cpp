@@ -8,22 +8,41 @@ namespace plumb::physics {
 
 namespace {
 
-constexpr int kGrain = 32;  // blocks
+constexpr int kGrain = 32;          // blocks
+constexpr int kLayoutGrain = 2048;  // contacts: each piece counts all kinds
 
 /// Keys of contacts without kKeyBegan: those of a group that are alike are solved together.
 constexpr std::size_t kKinds = kKeyColour + kKeyFixed + 1;
 constexpr std::size_t kOfKind = kKinds - 1;
 
-/// Room for so many contacts of a colour at the end of `lanes`.
-/// @param number  how many; then the first's place among all lanes
-void makeRoom(std::vector<BlockLanes>& lanes, std::int32_t& number, int colour) {
-    const std::int32_t contacts = std::exchange(number, static_cast<std::int32_t>(lanes.size()) * kLanes);
+/// Where each piece of work puts its contacts of each kind: first how many, then the place of the next one.
+struct Cursors {
+    std::vector<std::int32_t>& all;
+    std::size_t kinds;
+    std::size_t pieces;
+
+    [[nodiscard]] std::int32_t* of(std::size_t piece) const { return all.data() + piece * kinds; }
+
+    /// Turns the numbers of a kind into places.
+    /// @param size  places that a contact takes
+    /// @return how many contacts there are
+    std::int32_t giveRoom(std::size_t kind, std::int32_t begin, std::int32_t size) const {
+        std::int32_t next = begin;
+        for (std::size_t piece = 0; piece < pieces; ++piece)
+            next += size * std::exchange(of(piece)[kind], next);
+        return (next - begin) / size;
+    }
+};
+
+void makeRoom(std::vector<BlockLanes>& lanes, const Cursors& cursors, std::size_t kind, int colour) {
+    const auto begin = static_cast<std::int32_t>(lanes.size()) * kLanes;
     const int maximum = colour == kOverflow ? 1 : kLanes;
+    const std::int32_t contacts = cursors.giveRoom(kind, begin, kLanes / maximum);
     for (std::int32_t left = contacts; left > 0; left -= maximum)
         lanes.emplace_back().count = std::min(left, maximum);
 }
 
-void layOut(Workspace& work, std::vector<std::int32_t>& cursors) {
+void layOut(Workspace& work, const Cursors& cursors) {
     work.contactLanes.clear();
     work.fixedLanes.clear();
     for (std::size_t g = 0; g < work.groups.size(); ++g) {
@@ -31,42 +50,47 @@ void layOut(Workspace& work, std::vector<std::int32_t>& cursors) {
         for (int colour = 0; colour <= kColours; ++colour) {
             const auto blocksNow = [&] { return static_cast<std::int32_t>(work.contactLanes.size()); };
             const auto fixedNow = [&] { return static_cast<std::int32_t>(work.fixedLanes.size()); };
-            std::int32_t& contacts = cursors[g * kKinds + static_cast<std::size_t>(colour)];
-            std::int32_t& fixed = cursors[g * kKinds + static_cast<std::size_t>(colour | kKeyFixed)];
-            if (contacts + fixed > 0) work.groups[g].contactColours |= std::uint64_t{1} << colour;
+            const std::size_t kind = g * kKinds + static_cast<std::size_t>(colour);
             ColourBlocks& blocks = work.groups[g].colours[colour];
             blocks.contactBegin = blocksNow();
             blocks.fixedBegin = fixedNow();
-            makeRoom(work.contactLanes, contacts, colour);
-            makeRoom(work.fixedLanes, fixed, colour);
+            makeRoom(work.contactLanes, cursors, kind, colour);
+            makeRoom(work.fixedLanes, cursors, kind | kKeyFixed, colour);
             blocks.contactEnd = blocksNow();
             blocks.fixedEnd = fixedNow();
+            if (blocks.contactBegin < blocks.contactEnd || blocks.fixedBegin < blocks.fixedEnd)
+                work.groups[g].contactColours |= std::uint64_t{1} << colour;
         }
-    }
-}
-
-template <class GroupOf, class Act>
-void forPushing(const Workspace& work, GroupOf&& groupOf, Act&& act) {
-    const auto count = static_cast<std::int32_t>(work.contactKeys.size());
-    const std::uint16_t* keys = work.contactKeys.data();
-    for (std::int32_t i = 0; i < count; ++i) {
-        if ((keys[i] & kKeyColour) != kKeyIdle) act(groupOf(i) * kKinds + (keys[i] & kOfKind), i);
     }
 }
 
 /// Which contacts are solved together.
 /// @param groupOf  the group that a contact is solved in
 template <class GroupOf>
-void fillLanes(Workspace& work, GroupOf&& groupOf) {
-    std::vector<std::int32_t>& cursors = work.cursors;
-    cursors.assign(work.groups.size() * kKinds, 0);
-    forPushing(work, groupOf, [&](std::size_t kind, std::int32_t) { ++cursors[kind]; });
+void fillLanes(const StepContext& step, GroupOf&& groupOf) {
+    Workspace& work = step.work;
+    const std::uint16_t* keys = work.contactKeys.data();
+    const auto count = static_cast<int>(work.contactKeys.size());
+    const bool shared = step.isShared(count, kLayoutGrain);
+    const Cursors cursors{work.cursors, work.groups.size() * kKinds,
+                          static_cast<std::size_t>(shared ? piecesOf(count, kLayoutGrain) : 1)};
+    work.cursors.assign(cursors.pieces * cursors.kinds, 0);
+    const auto forPushing = [&](auto&& act) {
+        forPieces(step, count, kLayoutGrain, [&](int begin, int end, int piece) {
+            std::int32_t* own = cursors.of(static_cast<std::size_t>(piece));
+            for (std::int32_t i = begin; i < end; ++i) {
+                if ((keys[i] & kKeyColour) != kKeyIdle)
+                    act(own[groupOf(i) * kKinds + (keys[i] & kOfKind)], keys[i], i);
+            }
+        });
+    };
+    forPushing([](std::int32_t& number, std::uint16_t, std::int32_t) { ++number; });
     layOut(work, cursors);
     BlockLanes* lanes[] = {work.contactLanes.data(), work.fixedLanes.data()};
-    forPushing(work, groupOf, [&](std::size_t kind, std::int32_t contact) {
-        const auto place = static_cast<std::uint32_t>(cursors[kind]);
-        cursors[kind] += (kind & kKeyColour) == kOverflow ? kLanes : 1;
-        lanes[(kind & kKeyFixed) != 0 ? 1 : 0][place / kLanes].contact[place % kLanes] = contact;
+    forPushing([&](std::int32_t& next, std::uint16_t key, std::int32_t contact) {
+        const auto place = static_cast<std::uint32_t>(next);
+        next += (key & kKeyColour) == kOverflow ? kLanes : 1;
+        lanes[(key & kKeyFixed) != 0 ? 1 : 0][place / kLanes].contact[place % kLanes] = contact;
     });
 }
 
@@ -103,9 +127,9 @@ void fillLanes(const StepContext& step) {
     }
     if (takeLayout(work)) return;
     if (work.groups.size() == 1) {
-        fillLanes(work, [](std::int32_t) { return std::size_t{0}; });
+        fillLanes(step, [](std::int32_t) { return std::size_t{0}; });
     } else {
-        fillLanes(work, [&](std::int32_t contact) {
+        fillLanes(step, [&](std::int32_t contact) {
             return std::size_t{work.groupOf[world.contacts[static_cast<std::size_t>(contact)].bodyB]};
         });
     }

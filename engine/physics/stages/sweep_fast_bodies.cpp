@@ -15,7 +15,8 @@ namespace plumb::physics {
 
 namespace {
 
-constexpr int kGrain = 8;
+constexpr int kGrain = 8;        // searches
+constexpr int kFillGrain = 256;  // bodies
 
 // What happens at a hit.
 
@@ -181,7 +182,7 @@ void hitNext(StepContext& step, std::uint32_t own, std::uint32_t met, const Path
 /// Looks for the next hit of a body on its new path.
 void lookAgain(StepContext& step, std::uint32_t place) {
     Workspace& work = step.work;
-    if (place < work.sweptProxies.bounds.size()) {
+    if (place < work.sweptProxies.bounds.size() && work.sweptProxies.motions[place] != ProxyMotion::Gone) {
         work.sweptProxies.bounds[place] = pathBounds(step, work.swept[place]);
         work.sweptProxies.search->update(work.sweptProxies.view(), {&place, 1});
     }
@@ -237,12 +238,14 @@ void beginHits(StepContext& step) {
         if (work.stepImpulses.size() <= index) work.stepImpulses.resize(index + 1);
         work.stepImpulses[index] = std::fabs(contact.impulse0) + std::fabs(contact.impulse1);
     };
-    for (std::size_t i = 0; i < world.contacts.size(); ++i) {
+    collectIf(step, world.contacts.size(), work.pieceFound, [&](std::size_t i) {
         const Contact& contact = world.contacts[i];
-        if (work.bodyScratch[contact.bodyB] == kNone || (contact.flags & kTouching) != 0) continue;
-        const std::pair pair{pairKey(contact.shapeA, contact.shapeB), std::size_t{0}};
-        const auto hit = std::lower_bound(order.begin(), order.end(), pair);
-        if (hit != order.end() && hit->first == pair.first) begin(i, work.madeHits[hit->second]);
+        return work.bodyScratch[contact.bodyB] != kNone && (contact.flags & kTouching) == 0;
+    });
+    for (const std::uint32_t i : work.pieceFound) {
+        const PairKey key = pairKey(world.contacts[i].shapeA, world.contacts[i].shapeB);
+        const auto hit = std::lower_bound(order.begin(), order.end(), std::pair{key, std::size_t{0}});
+        if (hit != order.end() && hit->first == key) begin(i, work.madeHits[hit->second]);
     }
     for (const auto& [pair, place] : order) {
         if (work.pairs.has(pair)) continue;
@@ -269,22 +272,28 @@ void placeHitBodies(StepContext& step) {
 }
 
 /// Takes the fast bodies of the step. What they may meet while it moves too is found by the bounds of its
-/// path.
-/// @param together  whether there is any such
-void fillSwept(StepContext& step, bool together) {
+/// path: bullets meet all others, these only what is kinematic.
+void fillSwept(StepContext& step, bool hasKinematics, bool hasBullets) {
     Workspace& work = step.work;
     work.bodyScratch.assign(step.world.bodies.size(), kNone);
-    work.swept.clear();
-    for (const std::uint32_t body : work.fastBodies) {
-        work.bodyScratch[body] = static_cast<std::uint32_t>(work.swept.size());
-        work.swept.push_back(sweptBodyOf(step, body));
-    }
+    work.swept.resize(work.fastBodies.size());
     BoxProxies& proxies = work.sweptProxies;
-    proxies.bounds.clear();
-    proxies.filters.clear();
-    proxies.motions.clear();
-    if (!together) return;
-    for (const SweptBody& swept : work.swept) addProxy(step, swept);
+    const std::size_t searched = hasKinematics || hasBullets ? work.swept.size() : 0;
+    proxies.bounds.assign(searched, {});
+    proxies.filters.assign(searched, {});
+    proxies.motions.assign(searched, ProxyMotion::Gone);
+    forPieces(step, static_cast<int>(work.swept.size()), kFillGrain, [&](int begin, int end, int) {
+        for (auto i = static_cast<std::uint32_t>(begin); i < static_cast<std::uint32_t>(end); ++i) {
+            work.bodyScratch[work.fastBodies[i]] = i;
+            work.swept[i] = sweptBodyOf(step, work.fastBodies[i]);
+            const std::uint32_t layer = layerOf(step.world, work.fastBodies[i]);
+            if (searched == 0 || (!hasBullets && layer == kFastLayer)) continue;
+            proxies.bounds[i] = pathBounds(step, work.swept[i]);
+            proxies.filters[i].layers = layer;
+            proxies.motions[i] = ProxyMotion::Awake;
+        }
+    });
+    if (searched == 0) return;
     if (proxies.search == nullptr) proxies.search = makeBroadPhase(BroadPhaseKind::Tree);
     proxies.search->rebuild(proxies.view());
 }
@@ -343,9 +352,9 @@ void sweepFastBodies(StepContext& step) {
                                       [&](std::uint32_t body) { return !isDynamic(world, body); });
     work.kinematicsAtRest = static_cast<std::uint32_t>(moving) <
                             world.manifest.callers[static_cast<std::size_t>(Effect::Kinematics)];
-    const bool together = some([&](std::uint32_t body) { return layerOf(world, body) != kFastLayer; });
-    if (together) updateBroadPhase(world, work);
-    fillSwept(step, together);
+    const bool hasBullets = some([&](std::uint32_t body) { return layerOf(world, body) == kBulletLayer; });
+    if (moving > 0 || hasBullets) updateBroadPhase(world, work);
+    fillSwept(step, moving > 0, hasBullets);
     const int count = static_cast<int>(work.swept.size());
     const auto pieces = static_cast<std::size_t>(piecesOf(count, kGrain));
     if (work.sweptPast.size() < pieces) work.sweptPast.resize(pieces);
