@@ -74,23 +74,24 @@ void makeRoomOnPaths(const World& world, Workspace& work) {
 /// What a fast kinematic body may pass in this step has to be awake: a pair that is found when their bounds
 /// overlap would come too late.
 void wakeOnPaths(World& world, Workspace& work, float dt) {
+    if (world.sleepers.islands.size() == world.sleepers.freeIslands.size()) return;
     std::vector<std::uint32_t>& found = work.candidates;
     const std::size_t awake = world.awake.size();
     for (std::size_t i = 0; i < awake; ++i) {
         const std::uint32_t body = world.awake[i];
         const BodyInfo& info = world.bodies.info[body];
-        const BodyMotion& motion = world.bodies.motion[body];
         if (info.kind != BodyKind::Kinematic) continue;
+        const BodyMotion& motion = world.bodies.motion[body];
         const Vec2 displacement = dt * motion.velocity;
         if (!isFast(displacement, dt * motion.angularVelocity, info)) continue;
         found.clear();
         work.broadPhase->cast(proxiesOf(world), toVec2(world.bodies.pose[body].centre), displacement,
                               {info.reach, info.reach}, 0xffffffffu, found, Among::All);
+        std::erase_if(found,
+                      [&](std::uint32_t shape) { return world.shapes.motion[shape] != ProxyMotion::Asleep; });
         // A broad phase gives them in an order of its own.
         std::sort(found.begin(), found.end());
-        for (const std::uint32_t shape : found) {
-            if (world.shapes.motion[shape] == ProxyMotion::Asleep) wake(world, world.shapes.info[shape].body);
-        }
+        for (const std::uint32_t shape : found) wake(world, world.shapes.info[shape].body);
     }
 }
 

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <utility>
 
 #include "physics/broadphase/broadphase_update.hpp"
 #include "physics/contacts/chain_events.hpp"
@@ -315,12 +316,14 @@ void addPassedBodies(StepContext& step) {
         work.candidates.clear();
         work.broadPhase->cast(proxiesOf(world), toVec2(path.start), path.displacement,
                               {info.reach, info.reach}, 0xffffffffu, work.candidates, Among::All);
-        for (const std::uint32_t shape : work.candidates) {
-            const std::uint32_t other = world.shapes.info[shape].body;
-            if (known[other] != kNone || !isDynamic(world, other) || work.slots[other] < 0) continue;
-            if (!isFastBeside(pathOf(step, other), path, world.bodies.info[other])) continue;
-            known[other] = 0;
-            passed.push_back(other);
+        collectIf(step, work.candidates.size(), work.pieceFound, [&](std::size_t i) {
+            const std::uint32_t other = world.shapes.info[work.candidates[i]].body;
+            return known[other] == kNone && isDynamic(world, other) && work.slots[other] >= 0 &&
+                   isFastBeside(pathOf(step, other), path, world.bodies.info[other]);
+        });
+        for (const std::uint32_t i : work.pieceFound) {
+            const std::uint32_t other = world.shapes.info[work.candidates[i]].body;
+            if (std::exchange(known[other], 0) == kNone) passed.push_back(other);
         }
     }
     work.fastBodies.insert(work.fastBodies.end(), passed.begin(), passed.end());
