@@ -75,6 +75,7 @@ template <class T, class Act>
 void collect(const StepContext& step, int count, int grain, PieceLists<T>& lists, std::vector<T>& all,
              Act&& act) {
     all.clear();
+    if (!step.isShared(count, grain)) return act(std::size_t{0}, static_cast<std::size_t>(count), all);
     const auto pieces = static_cast<std::size_t>(piecesOf(count, grain));
     if (lists.size() < pieces) lists.resize(pieces);
     forPieces(step, count, grain, [&](int begin, int end, int piece) {
@@ -82,9 +83,7 @@ void collect(const StepContext& step, int count, int grain, PieceLists<T>& lists
         found.clear();
         act(static_cast<std::size_t>(begin), static_cast<std::size_t>(end), found);
     });
-    for (std::size_t i = 0; i < (step.isShared(count, grain) ? pieces : std::min<std::size_t>(pieces, 1));
-         ++i)
-        all.insert(all.end(), lists[i].begin(), lists[i].end());
+    for (std::size_t i = 0; i < pieces; ++i) all.insert(all.end(), lists[i].begin(), lists[i].end());
 }
 
 /// Lists the numbers i of 0..count-1 for which `is(i)`, in their order, on all threads.

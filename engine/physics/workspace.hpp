@@ -17,6 +17,7 @@
 #include "physics/solver/colours.hpp"
 #include "physics/solver/contact_block.hpp"
 #include "physics/solver/joint_work.hpp"
+#include "physics/solver/strips.hpp"
 #include "physics/world.hpp"
 
 namespace plumb::physics {
@@ -211,6 +212,7 @@ struct Workspace {
     std::vector<Float4> velocityBeforeImpulses;
     std::vector<Float4> statesWithoutRotation;  ///< as in BodiesWithoutRotation, in steps without rotation
     std::vector<SolveGroup> groups;
+    Strips strips;
     std::vector<std::int32_t> cursors;  ///< by group and key, see prepareConstraints()
     ContactLayout layout;               ///< of contactLanes and fixedLanes, while contacts stay the same
     std::vector<ContactBlock> contactBlocks;

@@ -48,15 +48,21 @@ std::int32_t keyOf(const World& world, const Workspace& work, std::uint32_t inde
            type.block(joint.flags);
 }
 
-void count(const World& world, Workspace& work) {
+/// @return whether some can break or report their load
+bool count(StepContext& step) {
+    const World& world = step.world;
+    Workspace& work = step.work;
     JointWork& joints = work.joints;
     joints.counts.assign(work.groups.size() * kKeysOfGroup, 0);
     joints.keys.resize(world.joints.awake.size());
-    for (std::size_t i = 0; i < joints.keys.size(); ++i) {
-        const std::int32_t key = keyOf(world, work, world.joints.awake[i]);
-        joints.keys[i] = key;
+    collectIf(step, joints.keys.size(), work.pieceFound, [&](std::size_t i) {
+        joints.keys[i] = keyOf(world, work, world.joints.awake[i]);
+        return (world.joints.hot[world.joints.awake[i]].flags & kBreakable) != 0;
+    });
+    for (const std::int32_t key : joints.keys) {
         if (key >= 0) ++joints.counts[static_cast<std::size_t>(key)];
     }
+    return !work.pieceFound.empty();
 }
 
 /// Assigns ranges of blocks to groups and colors. Turns counts into indices of the next free lane.
@@ -82,7 +88,7 @@ void layOut(Workspace& work, Store& store, JointBlockKind kind) {
     store.lanes.resize(static_cast<std::size_t>(blocks));
 }
 
-void fill(const World& world, Workspace& work) {
+void fill(const World& world, Workspace& work, bool someBreak) {
     JointWork& joints = work.joints;
     std::vector<JointLanes>* lanes[kJointBlockKinds] = {&joints.points.lanes, &joints.hinges.lanes,
                                                         &joints.rods.lanes, &joints.sliders.lanes};
@@ -99,7 +105,7 @@ void fill(const World& world, Workspace& work) {
         const std::uint32_t joint = world.joints.awake[i];
         target.joint[lane] = static_cast<std::int32_t>(joint);
         target.count = lane + 1;
-        if ((world.joints.hot[joint].flags & kBreakable) != 0)
+        if (someBreak && (world.joints.hot[joint].flags & kBreakable) != 0)
             joints.breakables.push_back({joint, kind, block, lane});
     }
 }
@@ -384,10 +390,10 @@ void colourNewJoints(World& world, Workspace& work) {
 void prepareJoints(StepContext& step) {
     World& world = step.world;
     Workspace& work = step.work;
-    count(world, work);
+    const bool someBreak = count(step);
     for (SolveGroup& group : work.groups) group.jointColours = 0;
     forKinds(work.joints, [&](auto& store, JointBlockKind kind) { layOut(work, store, kind); });
-    fill(world, work);
+    fill(world, work, someBreak);
     collectTies(step);
     noteBreakables(world, work.joints);
     prepareTrees(step);

@@ -36,6 +36,7 @@ void forSlots(const FixedContactBlock& block, int lane, Act&& act) {
 
 void gather(const std::vector<BounceBlock>& bounces, const std::vector<BlockLanes>& lanes, int begin, int end,
             bool fixed, std::vector<ImpactPlace>& impacts) {
+    const std::size_t before = impacts.size();
     for (auto n = static_cast<std::size_t>(begin); n < static_cast<std::size_t>(end); ++n) {
         const BounceBlock& bounce = bounces[n];
         for (int i = 0; i < lanes[n].count; ++i) {
@@ -44,6 +45,10 @@ void gather(const std::vector<BounceBlock>& bounces, const std::vector<BlockLane
             impacts.push_back({fixed, static_cast<std::uint8_t>(i), static_cast<std::uint32_t>(n)});
         }
     }
+    // Wherever they are in the blocks of a color, they are solved in the order of their numbers.
+    const auto numberOf = [&](const ImpactPlace& impact) { return lanes[impact.block].contact[impact.lane]; };
+    std::sort(impacts.begin() + static_cast<std::ptrdiff_t>(before), impacts.end(),
+              [&](const ImpactPlace& a, const ImpactPlace& b) { return numberOf(a) < numberOf(b); });
 }
 
 /// Keeps the impacts that share a body with another one.

@@ -167,16 +167,14 @@ void makeRoom(Workspace& work, std::size_t pieces) {
 void finishBodies(StepContext& step) {
     World& world = step.world;
     Workspace& work = step.work;
-    const int slots = static_cast<int>(work.bodyOf.size());
-    makeRoom(work, static_cast<std::size_t>(std::max(1, piecesOf(slots, kGrain))));
+    const int count = static_cast<int>(world.awake.size());
+    makeRoom(work, static_cast<std::size_t>(std::max(1, piecesOf(count, kGrain))));
     std::atomic<bool> sleepy{false};
-    forPieces(step, slots, kGrain, [&](int begin, int end, int piece) {
+    forPieces(step, count, kGrain, [&](int begin, int end, int piece) {
         const auto p = static_cast<std::size_t>(piece);
         Findings found{work.leftShapes[p], work.fastOfPiece[p], work.brokenOfPiece[p]};
-        for (int slot = begin; slot < end; ++slot) {
-            const std::uint32_t body = work.bodyOf[static_cast<std::size_t>(slot)];
-            if (body != kNone) finish(step, static_cast<std::size_t>(slot), body, found);
-        }
+        for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i)
+            finish(step, static_cast<std::size_t>(work.slots[world.awake[i]]), world.awake[i], found);
         if (found.sleepy) sleepy.store(true, std::memory_order_relaxed);
     });
     work.sleepy = sleepy.load();

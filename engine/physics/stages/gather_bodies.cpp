@@ -3,6 +3,7 @@
 #include "physics/effects/drag.hpp"
 #include "physics/islands/quality.hpp"
 #include "physics/islands/sleeping.hpp"
+#include "physics/solver/strips.hpp"
 #include "physics/stages.hpp"
 #include "physics/trees/joint_tree_builder.hpp"
 
@@ -90,6 +91,7 @@ void gatherBodies(StepContext& step) {
     Workspace& work = step.work;
     refreshColours(world, work);
     sortByQuality(step);
+    sortIntoStrips(step);
     std::size_t slots = 0;
     for (SolveGroup& group : work.groups) {
         group.begin = static_cast<std::int32_t>(slots);

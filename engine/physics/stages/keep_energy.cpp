@@ -379,30 +379,32 @@ void findBooked(StepContext& step) {
     const bool hasJoints = !world.joints.awake.empty();
     if (hasJoints) shares.resize(world.bodies.size());
     const std::size_t rotating = slotsWithRotation(work);
-    collectIf(step, work.bodyOf.size(), work.bookedBodies, [&](std::size_t slot) {
-        const std::uint32_t body = work.bodyOf[slot];
-        if (body == kNone) return false;
-        const EnergyAccount* account = slot < rotating ? &work.accounts[work.roots[body]] : nullptr;
+    collectIf(step, world.awake.size(), work.bookedBodies, [&](std::size_t i) {
+        const std::uint32_t body = world.awake[i];
+        const bool rotates = static_cast<std::size_t>(work.slots[body]) < rotating;
+        const EnergyAccount* account = rotates ? &work.accounts[work.roots[body]] : nullptr;
         const bool isBooked = account != nullptr && account->isOpen;
         if (hasJoints && !(isBooked && account->isJointed)) shares[body] = {};
         return isBooked;
     });
-    for (std::uint32_t& booked : work.bookedBodies) booked = work.bodyOf[booked];
+    for (std::uint32_t& booked : work.bookedBodies) booked = world.awake[booked];
 }
 
-/// Adds up the accounts, each in the order of its bodies.
+/// Adds up the accounts, each in the order of its bodies. Threads only look the bodies up.
 void bookAll(StepContext& step) {
     const World& world = step.world;
     Workspace& work = step.work;
-    work.bookings.resize(work.bookedBodies.size());
-    forPieces(step, static_cast<int>(work.bookedBodies.size()), kGrain, [&](int begin, int end, int) {
+    const auto all = work.bookedBodies.size();
+    work.bookings.resize(step.isShared(static_cast<int>(all), kGrain) ? all : 0);
+    forPieces(step, static_cast<int>(work.bookings.size()), kGrain, [&](int begin, int end, int) {
         for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i)
             work.bookings[i] = bookingOf(world, work, work.bookedBodies[i]);
     });
-    for (std::size_t i = 0; i < work.bookings.size(); ++i) {
+    for (std::size_t i = 0; i < all; ++i) {
         const std::uint32_t body = work.bookedBodies[i];
         EnergyAccount& account = work.accounts[work.roots[body]];
-        add(work.bookings[i], account.isJointed ? world.bodies.energies[body] : EnergyShare{}, account);
+        const EnergyBooking booking = work.bookings.empty() ? bookingOf(world, work, body) : work.bookings[i];
+        add(booking, account.isJointed ? world.bodies.energies[body] : EnergyShare{}, account);
     }
 }
 

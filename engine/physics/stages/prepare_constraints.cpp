@@ -18,18 +18,21 @@ constexpr std::size_t kOfKind = kKinds - 1;
 /// Where each piece of work puts its contacts of each kind: first how many, then the place of the next one.
 struct Cursors {
     std::vector<std::int32_t>& all;
-    std::size_t kinds;
+    std::size_t kinds;   // of all groups
+    std::size_t strips;  // that each kind is divided into
     std::size_t pieces;
 
-    [[nodiscard]] std::int32_t* of(std::size_t piece) const { return all.data() + piece * kinds; }
+    [[nodiscard]] std::int32_t* of(std::size_t piece) const { return all.data() + piece * kinds * strips; }
 
     /// Turns the numbers of a kind into places.
     /// @param size  places that a contact takes
     /// @return how many contacts there are
     std::int32_t giveRoom(std::size_t kind, std::int32_t begin, std::int32_t size) const {
         std::int32_t next = begin;
-        for (std::size_t piece = 0; piece < pieces; ++piece)
-            next += size * std::exchange(of(piece)[kind], next);
+        for (std::size_t strip = kind * strips; strip < (kind + 1) * strips; ++strip) {
+            for (std::size_t piece = 0; piece < pieces; ++piece)
+                next += size * std::exchange(of(piece)[strip], next);
+        }
         return (next - begin) / size;
     }
 };
@@ -69,18 +72,24 @@ void layOut(Workspace& work, const Cursors& cursors) {
 template <class GroupOf>
 void fillLanes(const StepContext& step, GroupOf&& groupOf) {
     Workspace& work = step.work;
+    if (work.strips.areUsed) work.strips.ofContact.resize(work.contactKeys.size());
     const std::uint16_t* keys = work.contactKeys.data();
     const auto count = static_cast<int>(work.contactKeys.size());
     const bool shared = step.isShared(count, kLayoutGrain);
-    const Cursors cursors{work.cursors, work.groups.size() * kKinds,
+    const std::uint8_t* strips = work.strips.areUsed ? work.strips.ofContact.data() : nullptr;
+    const Cursors cursors{work.cursors, work.groups.size() * kKinds, work.strips.count(),
                           static_cast<std::size_t>(shared ? piecesOf(count, kLayoutGrain) : 1)};
-    work.cursors.assign(cursors.pieces * cursors.kinds, 0);
+    work.cursors.assign(cursors.pieces * cursors.kinds * cursors.strips, 0);
     const auto forPushing = [&](auto&& act) {
         forPieces(step, count, kLayoutGrain, [&](int begin, int end, int piece) {
             std::int32_t* own = cursors.of(static_cast<std::size_t>(piece));
             for (std::int32_t i = begin; i < end; ++i) {
-                if ((keys[i] & kKeyColour) != kKeyIdle)
-                    act(own[groupOf(i) * kKinds + (keys[i] & kOfKind)], keys[i], i);
+                const int colour = keys[i] & kKeyColour;
+                if (colour == kKeyIdle) continue;
+                std::size_t kind = groupOf(i) * kKinds + (keys[i] & kOfKind);
+                // Those without a color are solved in the order of their numbers.
+                if (strips != nullptr) kind = kind * Strips::kCount + (colour == kOverflow ? 0 : strips[i]);
+                act(own[kind], keys[i], i);
             }
         });
     };

@@ -42,8 +42,11 @@ void lookAt(Look& look, std::size_t first, std::size_t count) {
     const std::span<Contact> contacts = std::span{world.contacts}.subspan(first, count);
     findTouches(world, contacts, look.step.dt, look.counts);
     std::uint16_t* keys = look.step.work.contactKeys.data() + first;
+    Strips& strips = look.step.work.strips;  // of the last step
     for (std::size_t i = 0; i < count; ++i) {
         Contact& contact = contacts[i];
+        if (strips.areUsed && contact.bodyB < strips.ofBody.size())
+            strips.ofContact[first + i] = strips.ofBody[contact.bodyB];
         if (look.asked && !mayCollide(world, contact)) contact.flags |= kGone;
         if ((contact.flags & (kFixedA | kTriggered | kPassing | kGone)) == kFixedA)
             look.fixed.push_back({contact.bodyB, static_cast<std::uint32_t>(first + i)});
@@ -69,6 +72,7 @@ void lookAtAll(StepContext& step) {
     for (std::vector<std::uint32_t>& list : work.changedContacts) list.clear();
     std::fill(work.countsOfPiece.begin(), work.countsOfPiece.end(), DetectionCounts{});
     work.contactKeys.resize(world.contacts.size());
+    if (work.strips.areUsed) work.strips.ofContact.resize(world.contacts.size());
     const bool asked = std::exchange(world.filtersStale, false);
     forPieces(step, count, kGrain, [&](int begin, int end, int piece) {
         const auto p = static_cast<std::size_t>(piece);

@@ -1,0 +1,90 @@
+#include "physics/solver/strips.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "physics/stages.hpp"
+
+namespace plumb::physics {
+
+namespace {
+
+constexpr int kGrain = 512;
+constexpr std::size_t kWorthStrips = 256;  // bodies: the solver's data of fewer is in the first cache anyway
+
+std::uint8_t stripOf(const Strips& strips, double at) {
+    const double place = strips.rate * (at - strips.begin) + 1.0;
+    constexpr double kLast = Strips::kCount - 1;
+    return static_cast<std::uint8_t>(place > 0.0 ? std::min(place, kLast) : 0.0);
+}
+
+/// Sets the strips of the next step. Evenly spread bodies reach 1.7 standard deviations from their mean.
+void place(Strips& strips, const std::vector<PositionSums>& pieces, double count) {
+    double mean[2] = {}, deviation[2] = {};
+    for (int axis = 0; axis < 2; ++axis) {
+        double sum = 0.0, squares = 0.0;
+        for (const PositionSums& piece : pieces) sum += piece.sum[axis], squares += piece.squares[axis];
+        mean[axis] = sum / count;
+        deviation[axis] = std::sqrt(std::max(squares / count - mean[axis] * mean[axis], 1e-12));
+    }
+    strips.axis = deviation[0] > deviation[1] ? 0 : 1;
+    const double half = 1.7 * deviation[strips.axis];
+    strips.rate = static_cast<double>(Strips::kCount - 2) / (2.0 * half);
+    strips.begin = mean[strips.axis] - half;
+}
+
+/// Looks up the strip of each body, where they were in the last step.
+void assign(StepContext& step) {
+    const World& world = step.world;
+    Strips& strips = step.work.strips;
+    const int count = static_cast<int>(world.awake.size());
+    strips.sums.assign(static_cast<std::size_t>(piecesOf(count, kGrain)), {});
+    strips.ofBody.resize(world.bodies.size());
+    forPieces(step, count, kGrain, [&](int begin, int end, int piece) {
+        PositionSums own;
+        for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i) {
+            const std::uint32_t body = world.awake[i];
+            const WorldPosition& centre = world.bodies.pose[body].centre;
+            const double at[] = {double{centre.x}, double{centre.y}};
+            strips.ofBody[body] = stripOf(strips, at[strips.axis]);
+            for (int axis = 0; axis < 2; ++axis) {
+                own.sum[axis] += at[axis];
+                own.squares[axis] += at[axis] * at[axis];
+            }
+        }
+        strips.sums[static_cast<std::size_t>(piece)] = own;
+    });
+    place(strips, strips.sums, static_cast<double>(count));
+}
+
+/// Counting sort of a group's bodies.
+void sort(const Strips& strips, const std::uint32_t* bodies, std::size_t count, std::uint32_t* sorted) {
+    std::array<std::uint32_t, Strips::kCount> cursors{};
+    for (std::size_t i = 0; i < count; ++i) ++cursors[strips.ofBody[bodies[i]]];
+    std::uint32_t next = 0;
+    for (std::uint32_t& cursor : cursors) next += std::exchange(cursor, next);
+    for (std::size_t i = 0; i < count; ++i) sorted[cursors[strips.ofBody[bodies[i]]]++] = bodies[i];
+}
+
+}  // namespace
+
+void sortIntoStrips(StepContext& step) {
+    const std::vector<std::uint32_t>& awake = step.world.awake;
+    Workspace& work = step.work;
+    work.strips.areUsed = step.pool != nullptr && awake.size() >= kWorthStrips;
+    if (!work.strips.areUsed) return;
+    assign(step);
+    std::vector<std::uint32_t>& unsorted = work.strips.unsorted;
+    unsorted = work.solveOrder.empty() ? awake : work.solveOrder;
+    work.solveOrder.resize(awake.size());
+    std::size_t first = 0;
+    for (const SolveGroup& group : work.groups) {
+        const auto count = static_cast<std::size_t>(group.bodies);
+        sort(work.strips, unsorted.data() + first, count, work.solveOrder.data() + first);
+        first += count;
+    }
+}
+
+}  // namespace plumb::physics

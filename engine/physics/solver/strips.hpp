@@ -1,0 +1,39 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace plumb::physics {
+
+struct StepContext;
+
+/// Sums over the positions of bodies along x and y.
+struct PositionSums {
+    double sum[2] = {};      ///< m
+    double squares[2] = {};  ///< m2
+};
+
+/// Divides the world into strips with about as many bodies each. Bodies and contacts of a strip are next to
+/// each other in the solver's arrays, so that a thread, which takes the same part of each array, works on
+/// what is near and leaves the rest to the caches of others. It only decides where data is, never what the
+/// result is.
+struct Strips {
+    static constexpr std::size_t kCount = 32;
+
+    bool areUsed = false;              ///< there are several threads, and bodies enough for them
+    int axis = 0;                      ///< along which they follow each other
+    double begin = 0.0;                ///< m: where the second one begins
+    double rate = 0.0;                 ///< 1/m: strips per length
+    std::vector<std::uint8_t> ofBody;  ///< by body
+    std::vector<std::uint8_t> ofContact;
+    std::vector<PositionSums> sums;  ///< per piece of work
+    std::vector<std::uint32_t> unsorted;
+
+    [[nodiscard]] std::size_t count() const { return areUsed ? kCount : 1; }
+};
+
+/// Assigns the awake bodies to strips, and puts those of each group into their order: Workspace::solveOrder.
+void sortIntoStrips(StepContext& step);
+
+}  // namespace plumb::physics
