@@ -10,6 +10,7 @@ namespace plumb {
 Game::Game()
     : types{engineTypes()}, world{types}, input{world.resource<Input>()}, effects{engineEffects(), world} {
     world.provide(assets);
+    world.provide(threads);
 }
 
 void tickGame(Game& game, const InputFrame& frame) {

@@ -7,6 +7,7 @@
 #include "input/input.hpp"
 #include "reflect/type_registry.hpp"
 #include "scene/effects.hpp"
+#include "scene/physics_threads.hpp"
 
 namespace plumb {
 
@@ -38,8 +39,9 @@ public:
     const TypeRegistry types;
     World world;
     AssetStore assets;
-    Input& input;     ///< lives in the world, so that a snapshot has it
-    Effects effects;  ///< which of them run
+    Input& input;            ///< lives in the world, so that a snapshot has it
+    Effects effects;         ///< which of them run
+    PhysicsThreads threads;  ///< of the physics, if there is work for them
 };
 
 /// Advances the game by one tick of 1/60 s: input, onUpdate, the systems in order, then scene changes.

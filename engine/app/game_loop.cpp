@@ -55,6 +55,7 @@ bool GameLoop::prepare() {
         replay_ = std::move(*replay);
         replayPlayer_.emplace(*replay_);
     }
+    game_.threads.setThreads(options_.threads);
     recorder_.replay.project = projectName_;
     recorder_.replay.engine = "0.1.0";
     recorder_.replay.scene = options_.scene;

@@ -11,6 +11,7 @@ namespace plumb {
 namespace {
 
 constexpr std::int64_t kLargestWindow = 16384;  ///< px a side
+constexpr std::int64_t kMaxThreads = 64;
 
 using Row = OptionRow<PlayerOptions>;
 
@@ -44,6 +45,13 @@ bool setEntities(PlayerOptions& options, std::string_view text) {
     std::int64_t entities = 0;
     if (!setNumber(text, 1, entities) || entities > 1'000'000) return false;
     options.entities = static_cast<int>(entities);
+    return true;
+}
+
+bool setThreads(PlayerOptions& options, std::string_view text) {
+    std::int64_t threads = 0;
+    if (!setNumber(text, 1, threads) || threads > kMaxThreads) return false;
+    options.threads = static_cast<int>(threads);
     return true;
 }
 
@@ -87,6 +95,8 @@ constexpr std::array kGameOptions{
     Row{"--all-effects", "", "run every effect, called for or not, to compare",
         [](PlayerOptions& o, std::string_view) { return o.allEffects = true; }},
     Row{"--seed", "N", "seed of the game's random numbers", &setSeed},
+    Row{"--threads", "N", "of the physics, 1..64; otherwise as many as the machine has, up to 8",
+        &setThreads},
     Row{"--scale", "N", "window size in multiples of the game's resolution, 1..16", &setScale},
     Row{"--window", "WxH", "window size in px, e.g. 1280x720", &setWindow},
     Row{"--fullscreen", "", "fill the screen",

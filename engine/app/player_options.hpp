@@ -29,6 +29,7 @@ struct PlayerOptions {
     int entities = 0;  ///< of the benchmark; 0: as many as the seed's table has
     std::uint64_t seed = 1;
     int scale = 0;     ///< window size in multiples of the game's resolution; 0: the project's window
+    int threads = 0;   ///< of the physics; 0: as many as pay
     PixelSize window;  ///< px; nothing: the project's window
     bool fullscreen = false;
     PhysicsView physicsView;  ///< what of the physics is shown over the game

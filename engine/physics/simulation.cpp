@@ -164,6 +164,10 @@ std::uint64_t runsOf(World& world, Effect effect) {
     return world.work.get().effectRuns[static_cast<std::size_t>(effect)];
 }
 
+bool isWorthThreads(const World& world, const StepOptions& options) {
+    return world.awake.size() + world.contacts.size() + world.joints.awake.size() >= options.minimumWork;
+}
+
 void step(World& world, float dt, const StepOptions& options) {
     if (world.isAsking) return;  // called by a callback
     world.events.clear();
@@ -177,13 +181,14 @@ void step(World& world, float dt, const StepOptions& options) {
     wakeForGravity(world);
     if (nothingToDo(world)) return;
     world.stepLength = dt;
-    StepContext context{world,        world.work.get(), dt,
-                        options.pool, options.hooks,    effectsOf(world, options.hooks)};
+    StepOptions own = options;
+    if (!isWorthThreads(world, options)) own.pool = nullptr;
+    StepContext context{world, world.work.get(), dt, own.pool, own.hooks, effectsOf(world, own.hooks)};
     context.work.effectsRun = 0;
     context.work.rootsKnown = false;
     for (const Stage& stage : kStages) {
         if (!isCalledFor(stage, context)) continue;
-        const StageScope scope{options, stage.name};
+        const StageScope scope{own, stage.name};
         count(context, stage);
         stage.run(context);
     }

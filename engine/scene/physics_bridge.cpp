@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "core/profile.hpp"
-#include "core/task_pool.hpp"
 #include "physics/model/bodies.hpp"
 #include "scene/body_sync.hpp"
 #include "scene/components/rigid_body.hpp"
@@ -14,6 +13,7 @@
 #include "scene/field_sync.hpp"
 #include "scene/joint_sync.hpp"
 #include "scene/kinematics.hpp"
+#include "scene/physics_threads.hpp"
 #include "scene/physics_times.hpp"
 #include "scene/publish_bodies.hpp"
 #include "scene/soft_hand.hpp"
@@ -123,7 +123,8 @@ void stepPhysics(World& world, float dt) {
         pull(world, world.resource<PhysicsSettings>().gravity, dt);
         return;
     }
-    physics::step(state.world, dt, {world.service<TaskPool>(), profile, {}});
+    PhysicsThreads* threads = world.service<PhysicsThreads>();
+    physics::step(state.world, dt, {threads != nullptr ? threads->of(state.world) : nullptr, profile});
     {
         const ProfileScope scope{profile, kPhysicsSync};
         publishBodies(world, state);

@@ -70,6 +70,7 @@ TEST(PlayerOptions, wrongAndMissingValuesAreErrorsWithARemedy) {
                                                                    {"--window", "640x99999"},
                                                                    {"--hash-every", "0"},
                                                                    {"--seed", "-3"},
+                                                                   {"--threads", "65"},
                                                                    {"--screenshot", ""},
                                                                    {"--physics-view", "shape"},
                                                                    {"--physics-view"},

@@ -53,7 +53,7 @@ TEST(Bullets, areTestedEquallyOftenWithAnyNumberOfThreads) {
     TaskPool pool{3};
     for (int i = 0; i < 10; ++i) {
         step(one, kTick);
-        step(several, kTick, {.pool = &pool});
+        step(several, kTick, {.pool = &pool, .minimumWork = 0});
         EXPECT_EQ(detectionOf(one).swept, detectionOf(several).swept);
         EXPECT_EQ(hashOf(one), hashOf(several));
     }

@@ -11,7 +11,7 @@ TEST(DetectionCounts, everyPairIsSentAwayOnceOrTouches) {
     TaskPool pool{3};
     DetectionCounts all;
     for (int i = 0; i < 300; ++i) {
-        step(world, kTick, {.pool = i % 2 == 0 ? &pool : nullptr});
+        step(world, kTick, {.pool = i % 2 == 0 ? &pool : nullptr, .minimumWork = 0});
         const DetectionCounts counts = detectionOf(world);
         ASSERT_EQ(counts.pairs,
                   counts.apartByBounds + counts.apartByCircles + counts.apartByAxes + counts.touching);

@@ -41,7 +41,7 @@ std::uint64_t hashAfter(std::uint64_t seed, SimdWidth width, int threads) {
     weave(scene, seed);
     const SimdWidth usual = simdWidth();
     TaskPool pool{threads};
-    if (threads > 1) scene.options.pool = &pool;
+    if (threads > 1) scene.options = {.pool = &pool, .minimumWork = 0};
     (void)setSimdWidth(width);
     scene.run(1.0f);
     (void)setSimdWidth(usual);

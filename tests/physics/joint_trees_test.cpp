@@ -107,7 +107,7 @@ TEST(JointTrees, giveTheSameBitsForAnyNumberOfThreadsAndFromASnapshot) {
         JointWorld scene;
         for (int i = 0; i < 40; ++i) (void)growTree(scene, random, {20.0 * i, 0.0}, i % 3 != 0);
         TaskPool pool{3};
-        if (threads) scene.options.pool = &pool;
+        if (threads) scene.options = {.pool = &pool, .minimumWork = 0};
         scene.run(0.5f);
         const World saved = scene.world;
         scene.run(0.5f);

@@ -145,7 +145,7 @@ TEST(LeanContacts, giveTheSameBitsForAnyThreadsAndInstructionSet) {
     for (std::uint64_t seed = 1; seed <= 4; ++seed) {
         SCOPED_TRACE(seed);
         const std::vector<std::uint64_t> expected = bitsAfter(seed);
-        EXPECT_EQ(bitsAfter(seed, {.pool = &pool}), expected);
+        EXPECT_EQ(bitsAfter(seed, {.pool = &pool, .minimumWork = 0}), expected);
         for (const SimdWidth width : {SimdWidth::Scalar, SimdWidth::Sse2, SimdWidth::Avx2, SimdWidth::Neon}) {
             if (!setSimdWidth(width)) continue;
             EXPECT_EQ(bitsAfter(seed), expected) << static_cast<int>(width);

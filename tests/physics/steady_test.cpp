@@ -41,7 +41,7 @@ TEST_P(SteadyStep, asksForNoMemory) {
     const GoldenScene& scene = goldenScenes()[GetParam()];
     EXPECT_EQ(allocationsOfTheSecondTime(scene, {}), 0u);
     TaskPool pool{2};
-    EXPECT_EQ(allocationsOfTheSecondTime(scene, {.pool = &pool}), 0u);
+    EXPECT_EQ(allocationsOfTheSecondTime(scene, {.pool = &pool, .minimumWork = 0}), 0u);
 }
 
 std::vector<std::size_t> numbers() {
@@ -67,7 +67,7 @@ TEST(SteadyStep, asksForNoMemoryWhereJointsAreSolvedAsTrees) {
     const GoldenScene scene{.name = "trees", .build = makeTrees, .steps = 0};
     EXPECT_EQ(allocationsOfTheSecondTime(scene, {}), 0u);
     TaskPool pool{2};
-    EXPECT_EQ(allocationsOfTheSecondTime(scene, {.pool = &pool}), 0u);
+    EXPECT_EQ(allocationsOfTheSecondTime(scene, {.pool = &pool, .minimumWork = 0}), 0u);
 }
 
 TEST(State, ofABodyWithABoxTakesFewBytes) {

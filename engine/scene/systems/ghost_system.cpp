@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <utility>
 
-#include "core/task_pool.hpp"
 #include "ecs/world.hpp"
 #include "physics/simulation.hpp"
 #include "scene/components/ghost.hpp"
 #include "scene/lab.hpp"
 #include "scene/physics_state.hpp"
+#include "scene/physics_threads.hpp"
 
 namespace plumb {
 
@@ -75,7 +75,8 @@ void GhostSystem::update(World& world, float dt) {
         GhostWorlds::One& one = worldOf(ghosts, entity);
         const std::uint64_t made = madeFrom(ghost, lab != nullptr ? lab->run : 0);
         if (std::exchange(one.made, made) == made) {
-            physics::step(one.world, dt, {world.service<TaskPool>(), nullptr, {}});
+            PhysicsThreads* threads = world.service<PhysicsThreads>();
+            physics::step(one.world, dt, {threads != nullptr ? threads->of(one.world) : nullptr});
             continue;
         }
         one.world = state->world;
