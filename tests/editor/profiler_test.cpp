@@ -37,6 +37,17 @@ TEST(ProfilerRows, theCostliestComesFirstAndStagesStandBelowThePhysics) {
     EXPECT_FLOAT_EQ(rows[3].mean, 8.0f / 3.0f) << "where it did not run it cost nothing";
 }
 
+TEST(ProfilerRows, threadsHaveTheMeanOfWhatEachDid) {
+    std::deque<Sample> samples{sampleOf(1, 6.0f, {4.0f}), sampleOf(2, 6.0f, {2.0f})};
+    samples[0].threads = {{3.0f, {3.0f, 2.0f}}};
+    samples[1].threads = {{}};  // one thread did all of it
+    const auto rows = rowsOf(samples, {{"solve", true}}, 0);
+    EXPECT_FLOAT_EQ(rows[0].threads.shared, 1.5f);
+    ASSERT_EQ(rows[0].threads.busy.size(), 2u);
+    EXPECT_FLOAT_EQ(rows[0].threads.busy[0], 1.5f);
+    EXPECT_FLOAT_EQ(rows[0].threads.busy[1], 1.0f);
+}
+
 TEST(ProfilerRows, spikesAreFarAboveMostTicks) {
     std::deque<Sample> samples;
     for (int i = 0; i < 100; ++i) samples.push_back(sampleOf(i, i % 2 == 0 ? 1.0f : 1.3f));

@@ -292,7 +292,7 @@ TEST(FromBox2d, tasks) {
                       other.join();
                   },
                   nullptr};
-    step(world, 1.0f / 60.0f, {.pool = &pool, .minimumWork = 0});
+    step(world, 1.0f / 60.0f, {.pool = &pool, .minimumWork = 0});  // by default, small worlds do without
     // end
     EXPECT_EQ(pool.threads(), 2);
 }

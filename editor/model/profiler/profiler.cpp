@@ -70,11 +70,14 @@ void Profiler::before(World& world) {
 }
 
 void Profiler::after(World& world, std::int64_t tick, bool again) {
-    Sample sample{tick, again, milliseconds(threadSeconds() - start_), 0.0f, {}, countsOf(world)};
+    Sample sample{.tick = tick, .again = again, .milliseconds = milliseconds(threadSeconds() - start_)};
+    sample.counts = countsOf(world);
     for (const Profile::Zone& zone : profile_.zones()) {
         const std::size_t at = zoneOf(zone.name);
-        if (sample.zones.size() <= at) sample.zones.resize(at + 1);
+        if (sample.zones.size() <= at) sample.zones.resize(at + 1), sample.threads.resize(at + 1);
         sample.zones[at] = milliseconds(zone.seconds);
+        sample.threads[at].shared = milliseconds(zone.rounds);
+        for (const double busy : zone.busy) sample.threads[at].busy.push_back(milliseconds(busy));
     }
     times_.take(profile_);
     samples_.push_back(std::move(sample));
@@ -89,12 +92,31 @@ void Profiler::drew(double seconds, std::size_t drawCalls, std::size_t sprites) 
     last.counts.sprites = static_cast<std::uint32_t>(sprites);
 }
 
+namespace {
+
+/// Means over all samples, also over those in which a zone had one thread.
+Profiler::Threads threadsOf(const std::deque<Profiler::Sample>& samples, std::size_t zone) {
+    Profiler::Threads mean;
+    const float part = 1.0f / static_cast<float>(std::max<std::size_t>(samples.size(), 1));
+    for (const Profiler::Sample& sample : samples) {
+        if (zone >= sample.threads.size()) continue;
+        const Profiler::Threads& threads = sample.threads[zone];
+        mean.shared += part * threads.shared;
+        mean.busy.resize(std::max(mean.busy.size(), threads.busy.size()));
+        for (std::size_t i = 0; i < threads.busy.size(); ++i) mean.busy[i] += part * threads.busy[i];
+    }
+    return mean;
+}
+
+}  // namespace
+
 std::vector<Profiler::Row> rowsOf(const std::deque<Profiler::Sample>& samples,
                                   const std::vector<Profiler::Zone>& zones, std::size_t chosen) {
     std::vector<Profiler::Row> rows(zones.size());
     for (std::size_t zone = 0; zone < rows.size(); ++zone) {
         Profiler::Row& row = rows[zone];
         row.zone = zone;
+        row.threads = threadsOf(samples, zone);
         float sum = 0.0f;
         for (const Profiler::Sample& sample : samples) {
             const float time = zone < sample.zones.size() ? sample.zones[zone] : 0.0f;

@@ -33,13 +33,19 @@ public:
         std::uint32_t sprites = 0;
         std::array<std::uint32_t, physics::kEffects> callers{};  ///< of each effect of the physics
     };
+    /// How several threads shared a stage of the physics.
+    struct Threads {
+        float shared = 0.0f;      ///< ms, on the wall: of the main thread's rounds of shared work
+        std::vector<float> busy;  ///< ms: how long each thread worked in these, the main one first
+    };
     /// One tick. Times are CPU time of the main thread.
     struct Sample {
         std::int64_t tick = 0;
-        bool again = false;         ///< played again, to look at the past
-        float milliseconds = 0.0f;  ///< the whole tick
-        float drawing = 0.0f;       ///< ms: the picture after it; 0 where another tick came before that
-        std::vector<float> zones;   ///< ms, in the order of `zones()`
+        bool again = false;            ///< played again, to look at the past
+        float milliseconds = 0.0f;     ///< the whole tick
+        float drawing = 0.0f;          ///< ms: the picture after it; 0 where another tick came before that
+        std::vector<float> zones;      ///< ms, in the order of `zones()`
+        std::vector<Threads> threads;  ///< in the same order
         Counts counts;
     };
     /// Something that is measured.
@@ -54,6 +60,7 @@ public:
         float mean = 0.0f;    ///< ms a tick
         float worst = 0.0f;   ///< ms
         std::int64_t worstTick = 0;
+        Threads threads;  ///< means; of none if one thread did it all
     };
 
     explicit Profiler(PhysicsTimes& times) : times_{times} { profile_.on = false; }

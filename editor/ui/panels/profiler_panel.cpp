@@ -261,14 +261,39 @@ private:
         }
         tooltip(format("In tick {}; a click shows it", row.worstTick));
         ImGui::TableNextColumn();
-        const ImVec2 at = ImGui::GetCursorScreenPos();
-        const float line = ImGui::GetTextLineHeight();
-        const float part = mean > 0.0f ? std::clamp(row.mean / mean, 0.0f, 1.0f) : 0.0f;
-        ImGui::Dummy({ui.px(100.0f), line});
-        ImGui::GetWindowDrawList()->AddRectFilled(
-            {at.x, at.y + line * 0.25f}, {at.x + ui.px(100.0f) * part, at.y + line * 0.8f},
-            zone.inPhysics ? palette::kTextDim : palette::kAccent, ui.px(2.0f));
+        drawBar(ui, row, zone.inPhysics, mean);
         ImGui::PopID();
+    }
+
+    /// How much of the tick it is. A stage that threads share has a line for each: where it is empty, the
+    /// thread waits for the others.
+    static void drawBar(Ui& ui, const Profiler::Row& row, bool inPhysics, float mean) {
+        const ImVec2 at = ImGui::GetCursorScreenPos();
+        const float line = ImGui::GetTextLineHeight(), width = ui.px(100.0f);
+        ImGui::Dummy({width, line});
+        ImDrawList& list = *ImGui::GetWindowDrawList();
+        const auto x = [&](float time) {
+            return at.x + width * (mean > 0.0f ? std::clamp(time / mean, 0.0f, 1.0f) : 0.0f);
+        };
+        const float top = at.y + line * 0.25f, height = line * 0.55f;
+        const auto bar = [&](float from, float to, float y, float high, ImU32 color) {
+            if (x(to) > x(from)) list.AddRectFilled({x(from), y}, {x(to), y + high}, color, ui.px(1.0f));
+        };
+        const std::vector<float>& busy = row.threads.busy;
+        const ImU32 color = inPhysics ? palette::kTextDim : palette::kAccent;
+        if (busy.size() < 2 || row.threads.shared <= 0.0f) return bar(0.0f, row.mean, top, height, color);
+        const float alone = std::max(row.mean - row.threads.shared, 0.0f);
+        const float each = height / static_cast<float>(busy.size());
+        bar(0.0f, alone + row.threads.shared, top, height, palette::kCellLine);
+        std::string text = format("One thread for {} ms; shared for {} ms, of which they work", ms(alone),
+                                  ms(row.threads.shared));
+        for (std::size_t i = 0; i < busy.size(); ++i) {
+            const float y = top + each * static_cast<float>(i);
+            bar(i == 0 ? 0.0f : alone, alone + busy[i], y, std::max(each - 1.0f, 1.0f),
+                i == 0 ? color : palette::kAccent);
+            text += format("\nthread {}: {} ms", i + 1, ms(busy[i]));
+        }
+        tooltip(text);
     }
 
     static void drawCounts(Ui& ui, const Profiler::Sample& sample) {

@@ -99,7 +99,11 @@ void judge(Lane& lane, const SceneBuilder& world, double contacts, ErrorMean& er
 
 void keepStages(Lane& lane, const SceneBuilder& world, int steps) {
     std::vector<Profile::Zone> stages = world.stages();
-    for (Profile::Zone& zone : stages) zone.seconds *= kMilliseconds / steps;
+    for (Profile::Zone& zone : stages) {
+        zone.seconds *= kMilliseconds / steps;
+        zone.rounds *= kMilliseconds / steps;
+        for (double& busy : zone.busy) busy *= kMilliseconds / steps;
+    }
     if (!stages.empty()) lane.measurement.stages = std::move(stages);
 }
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <numeric>
+#include <vector>
 
 #include "core/file.hpp"
 #include "core/text.hpp"
@@ -34,6 +36,26 @@ void printStages(const Measurement& row) {
             std::printf(" %.*s %.0f %%,", static_cast<int>(zone.name.size()), zone.name.data(), share);
     }
     std::printf(" of %s ms\n", fixedText(sum, sum < 0.1 ? 4 : 2).c_str());
+}
+
+/// What was not shared among the threads, how long each of them worked on the rest, and what that says of
+/// machines with more: G. Amdahl, "Validity of the single processor approach", 1967.
+void printThreads(const Measurement& row) {
+    double alone = 0.0, shared = 0.0;
+    std::vector<double> busy(static_cast<std::size_t>(row.threads));
+    for (const Profile::Zone& zone : row.stages) {
+        alone += zone.seconds - zone.rounds;
+        shared += zone.rounds;
+        for (std::size_t i = 0; i < std::min(busy.size(), zone.busy.size()); ++i) busy[i] += zone.busy[i];
+    }
+    if (shared <= 0.0) return;
+    std::printf("    one thread %.3f ms, shared %.3f ms, of which they work", alone, shared);
+    for (const double thread : busy) std::printf(" %.0f %%", 100.0 * thread / shared);
+    const double all = alone + std::accumulate(busy.begin(), busy.end(), 0.0);
+    std::printf("; at best");
+    for (const int threads : {2, 8, 16})
+        std::printf(" %d: %.1f", threads, all / (alone + (all - alone) / threads));
+    std::printf("\n");
 }
 
 void printRow(const Measurement& row, std::span<const Measurement> rows) {
@@ -97,6 +119,7 @@ void printMeasurements(std::span<const Measurement> rows) {
     for (const Measurement& row : rows) {
         printRow(row, rows);
         printStages(row);
+        printThreads(row);
     }
     std::fflush(stdout);
 }
