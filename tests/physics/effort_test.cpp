@@ -10,11 +10,12 @@
 namespace plumb::physics {
 namespace {
 
-constexpr float kTolerance = 0.001f;  // m
+constexpr float kTolerance = 0.001f;   // m
+constexpr float kStep = 1.0f / 60.0f;  // s
 
 /// An island whose error falls by `gain` for each quality, and follows a new one with a delay.
 struct Island {
-    SubstepController effort = begun(2);
+    SubstepController effort = begun(2, kStep);
     float load = 0.0f;     // m: its error at quality 0
     float gain = 4.0f;     // ratio
     float follows = 0.2f;  // part of the way in a step
@@ -26,7 +27,7 @@ struct Island {
             const float goal = load * std::pow(gain, -static_cast<float>(effort.quality));
             error += follows * (goal - error);
             const Quality before = effort.quality;
-            effort = judged(effort, error, kTolerance, 0);
+            effort = judged(effort, error, kTolerance, 0, kStep);
             changes += effort.quality != before ? 1 : 0;
         }
     }
@@ -40,7 +41,7 @@ TEST(SubstepController, aLightIslandComesDownToTheCheapest) {
 }
 
 TEST(SubstepController, aHardOneRisesByAsManyAsItsErrorSays) {
-    Island island{.effort = begun(0), .load = 0.1f, .follows = 1.0f};
+    Island island{.effort = begun(0, kStep), .load = 0.1f, .follows = 1.0f};
     island.run(6);
     EXPECT_EQ(island.effort.quality, 1) << "not all at once: it would hop";
     island.run(60);
@@ -109,13 +110,13 @@ TEST(SubstepController, whereQualityDoesNotHelpItIsNotBought) {
 }
 
 TEST(SubstepController, neverBelowWhatIsAskedForNorAboveTheMost) {
-    SubstepController effort = begun(0);
+    SubstepController effort = begun(0, kStep);
     for (int i = 0; i < 1000; ++i) {
-        effort = judged(effort, 0.0f, kTolerance, 3);
+        effort = judged(effort, 0.0f, kTolerance, 3, kStep);
         EXPECT_EQ(effort.quality, 3);
     }
     for (int i = 0; i < 5000; ++i) {
-        effort = judged(effort, 10.0f, kTolerance, 3);
+        effort = judged(effort, 10.0f, kTolerance, 3, kStep);
         ASSERT_GE(effort.quality, 3);
         ASSERT_LE(effort.quality, kMaxQuality);
     }

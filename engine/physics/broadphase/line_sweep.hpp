@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "physics/broadphase/overlap.hpp"
+#include "physics/tuning.hpp"
 
 namespace plumb::physics {
 
@@ -16,14 +17,12 @@ struct LineSweep {
     AABB bounds;        ///< m: bounds of the whole sweep; kNowhere if the input is not finite
 };
 
-constexpr float kSweepSlack = 1e-6f;  // ratio: eight times the last bit of a float
-
 inline LineSweep lineSweep(Vec2 from, Vec2 displacement, Vec2 half) {
     if (!isFinite(from) || !isFinite(displacement) || !isFinite(half)) return {{}, {}, {}, kNowhere};
     const Vec2 to = from + displacement;
     const Vec2 lost =
         Vec2{std::fabs(from.x) + std::fabs(displacement.x), std::fabs(from.y) + std::fabs(displacement.y)} *
-        kSweepSlack;
+        2.0f * kRounding;
     const Vec2 reach = max(half, {}) + lost;
     return {from, displacement, reach, usable({min(from, to) - reach, max(from, to) + reach})};
 }
@@ -33,7 +32,7 @@ inline LineSweep lineSweep(Vec2 from, Vec2 displacement, Vec2 half) {
 inline bool mayCollide(const LineSweep& sweep, const AABB& box) {
     const Vec2 middle = middleOf(box);
     const Vec2 half = box.max * 0.5f - box.min * 0.5f + sweep.half;
-    const Vec2 slack{std::fabs(middle.x) * kSweepSlack, std::fabs(middle.y) * kSweepSlack};
+    const Vec2 slack{std::fabs(middle.x) * 2.0f * kRounding, std::fabs(middle.y) * 2.0f * kRounding};
     const float off = std::fabs(cross(sweep.displacement, middle - sweep.from));
     const float reach = std::fabs(sweep.displacement.x) * (half.y + slack.y) +
                         std::fabs(sweep.displacement.y) * (half.x + slack.x);

@@ -7,6 +7,7 @@
 #include "physics/broadphase/box_statistics.hpp"
 #include "physics/broadphase/overlap.hpp"
 #include "physics/broadphase/regions.hpp"
+#include "physics/tuning.hpp"
 
 namespace plumb::physics {
 
@@ -14,7 +15,6 @@ namespace {
 
 constexpr float kLonger = 4.0f;         // ratio of the lengths of successive segments
 constexpr float kStray = 0.25f;         // ratio to the usual length
-constexpr float kRounding = 1e-6f;      // ratio: eight times the last bit of a float
 constexpr std::size_t kMaxShifts = 16;  // per key: with more shifts the keys are not nearly sorted
 
 /// An integer that sorts in the same order as the float. Not for NaN.
@@ -133,14 +133,14 @@ std::uint32_t SweepAndPruneAxis::firstAbove(float x, std::uint32_t begin, std::u
 Stretch SweepAndPruneAxis::findStarts(const Segment& segment, const AABB& box, std::uint32_t from) const {
     // Boxes may have moved from where they were sorted to; lengths and positions may have been rounded.
     const float low = startOf(box) - segment.longest - stray_;
-    const float high = endOf(box) + stray_ + std::fabs(endOf(box)) * kRounding;
+    const float high = endOf(box) + stray_ + std::fabs(endOf(box)) * (2.0f * kRounding);
     if (from > segment.begin) {
         // The search is for boxes after one in this segment, so the last one is not far away.
         std::uint32_t step = 8;
         while (from + step < segment.end && starts_[from + step] <= high) step *= 2;
         return {from, firstAbove(high, from, std::min(from + step, segment.end))};
     }
-    const float lost = (std::fabs(startOf(box)) + segment.longest) * kRounding;
+    const float lost = (std::fabs(startOf(box)) + segment.longest) * (2.0f * kRounding);
     const std::uint32_t begin = firstAbove(low - lost, segment.begin, segment.end);
     return {begin, firstAbove(high, begin, segment.end)};
 }

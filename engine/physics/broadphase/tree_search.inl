@@ -177,8 +177,8 @@ PLUMB_TARGET inline std::uint32_t hitsOf(const TreeBoxes& boxes, const WideSweep
         const Floats high = times(load(boxes.low[axis + 2]), spread(-0.5f));
         const Floats middle = plus(low, high);
         off[axis] = minus(middle, sweep.from[axis]);
-        half[axis] =
-            plus(plus(minus(high, low), sweep.reach[axis]), times(absolute(middle), spread(kSweepSlack)));
+        half[axis] = plus(plus(minus(high, low), sweep.reach[axis]),
+                          times(absolute(middle), spread(2.0f * kRounding)));
     }
     const Floats distance =
         absolute(minus(times(sweep.displacement[0], off[1]), times(sweep.displacement[1], off[0])));

@@ -9,6 +9,7 @@
 #include "physics/model/checks.hpp"
 #include "physics/model/shapes.hpp"
 #include "physics/shapes/shape_types.hpp"
+#include "physics/tuning.hpp"
 
 namespace plumb::physics {
 
@@ -16,8 +17,7 @@ static_assert(std::is_trivially_copyable_v<CharacterController>, "a part of snap
 
 namespace {
 
-constexpr float kTakeOff = 1.0e-3f;  // m/s: a larger upward speed leaves the ground
-constexpr float kMaxTick = 1.0f;     // s
+constexpr float kMaxTick = 1.0f;  // s
 constexpr std::size_t kMaxPushes = 16;
 
 Result<Done> checkOutline(const Geometry& outline) {

@@ -4,22 +4,13 @@
 #include <cmath>
 
 #include "physics/shapes/shape_types.hpp"
+#include "physics/tuning.hpp"
 
 namespace plumb::physics {
 
 namespace {
 
-constexpr int kMaxTurns = 6;          // direction changes of one displacement per tick
-constexpr int kMaxPushes = 16;        // iterations out of overlaps
-constexpr float kSlack = 5.0e-4f;     // of a cosine: 0.04 degrees at 50 degrees
-constexpr float kAxisAligned = 0.1f;  // cosine: less steep than this is a slope, not a wall
-constexpr float kCeiling = 0.7f;      // cosine
-/// Cosine: maximum slope (60 degrees) of a round outline's normal at a floor corner on which it can stand.
-constexpr float kRoundCorner = 0.5f;
-/// Ratio to the radius: how far a round outline has to be over a corner for that.
-constexpr float kRoundReach = 0.14f;
-constexpr int kCornerTries = 16;
-constexpr float kMaxPieces = 8.0f;  // of the displacement of one tick on the ground
+constexpr int kMaxPushes = 16;  // iterations out of overlaps
 
 /// Removes the component of a displacement that leads into a surface.
 Vec2 alongSurface(Vec2 displacement, Vec2 normal) {
@@ -34,7 +25,7 @@ CharacterMover::CharacterMover(World& world, const CharacterDefinition& definiti
       probe_{world, definition, dt},
       position_{position},
       right_{perpendicular(definition.up)},
-      steepest_{cosine(definition.steepest) - kSlack},
+      steepest_{cosine(definition.steepest) - kSlopeSlack},
       feet_{reachAlong(convexOf(definition.outline, {}), -definition.up)} {}
 
 bool CharacterMover::isGround(Vec2 normal) const { return rise(normal) >= steepest_; }
@@ -63,7 +54,7 @@ std::optional<Vec2> CharacterMover::groundNormalOf(const CharacterHit& hit) cons
 
 void CharacterMover::note(CharacterMotion& motion, const CharacterTouch& touch) const {
     const float up = rise(touch.normal);
-    (up > kAxisAligned ? motion.slope : up < -kCeiling ? motion.ceiling : motion.wall) = touch;
+    (up > kAxisAligned ? motion.slope : up < -kSolidSide ? motion.ceiling : motion.wall) = touch;
 }
 
 CharacterTouch CharacterMover::pushOut() {
@@ -99,7 +90,7 @@ bool CharacterMover::escape() {
 
 bool CharacterMover::carryTo(WorldPosition place) {
     Vec2 displacement = place - position_;
-    for (int turn = 0; turn < kMaxTurns; ++turn) {
+    for (int turn = 0; turn < kMoverTurns; ++turn) {
         const auto hit = cast(displacement);
         if (!hit) {
             position_ = turn == 0 ? place : position_ + displacement;
@@ -165,7 +156,7 @@ bool CharacterMover::stepUp(float dx) {
 CharacterMotion CharacterMover::walk(float dx, Vec2 groundNormal) {
     CharacterMotion motion;
     Vec2 normal = isGround(groundNormal) ? groundNormal : definition_.up;
-    for (int turn = 0; turn < kMaxTurns && dx != 0.0f; ++turn) {
+    for (int turn = 0; turn < kMoverTurns && dx != 0.0f; ++turn) {
         const Vec2 displacement = onGround(dx, normal);
         const auto hit = cast(displacement);
         if (!hit) {
@@ -188,7 +179,7 @@ CharacterMotion CharacterMover::walk(float dx, Vec2 groundNormal) {
 CharacterMotion CharacterMover::fly(Vec2 displacement) {
     CharacterMotion motion;
     Vec2 before;  // normal of the surface that it slid along last
-    for (int turn = 0; turn < kMaxTurns && displacement != Vec2{}; ++turn) {
+    for (int turn = 0; turn < kMoverTurns && displacement != Vec2{}; ++turn) {
         const auto hit = cast(displacement);
         if (!hit) {
             shift(displacement);
@@ -206,7 +197,7 @@ CharacterMotion CharacterMover::fly(Vec2 displacement) {
             motion.landed = true;
             break;
         }
-        if (rise(normal) < -kCeiling && rise(displacement) > 0.0f && passCorner(displacement)) continue;
+        if (rise(normal) < -kSolidSide && rise(displacement) > 0.0f && passCorner(displacement)) continue;
         note(motion, hit->touch);
         displacement = alongSurface(displacement, normal);
         const bool wedged =

@@ -9,16 +9,11 @@
 #include "physics/narrowphase/distance.hpp"
 #include "physics/queries/candidates.hpp"
 #include "physics/shapes/shape_types.hpp"
+#include "physics/tuning.hpp"
 
 namespace plumb::physics {
 
 namespace {
-
-constexpr float kSameNormal = 0.9999f;  // cosine
-/// Ratio: a displacement that approaches a surface by less than this fraction of its length leads along it.
-constexpr float kAlong = 1.0e-3f;
-/// m/s: kinematic bodies up to this speed are found where the next step takes them.
-constexpr float kFastestSeen = 60.0f;
 
 using Shapes8 = std::array<std::uint32_t, 8>;
 
@@ -34,7 +29,7 @@ void note(Shapes8& shapes, std::size_t& count, std::uint32_t shape) {
 /// Bounds of a sweep (m), enlarged for rounding errors far from the origin.
 AABB boxAlong(const AABB& bounds, WorldPosition from, Vec2 displacement, float gap) {
     const Vec2 start = toVec2(from);
-    const float margin = gap + 1.0e-6f * (std::fabs(start.x) + std::fabs(start.y));
+    const float margin = gap + 2.0f * kRounding * (std::fabs(start.x) + std::fabs(start.y));
     const AABB box{start + bounds.min, start + bounds.max};
     return grown(merged(box, {box.min + displacement, box.max + displacement}), margin);
 }
@@ -95,7 +90,7 @@ bool CharacterProbe::stops(const CastHit& hit, const BodyPose& pose, const Movin
     const Vec2 normal = unrotate(pose.rotation, hit.normal);
     const auto corners = shape.corners();
     const bool onFace = std::any_of(corners.begin(), corners.end(), [&](const Corner& corner) {
-        return dot(corner.normal, normal) > kSameNormal;
+        return dot(corner.normal, normal) > kSameFace;
     });
     const float feet = dot(open, moving.position - hit.point) - reachAlong(moving.outline, -open);
     return onFace || feet >= 0.0f;

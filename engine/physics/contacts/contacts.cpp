@@ -11,6 +11,7 @@
 #include "physics/narrowphase/reference_face.hpp"
 #include "physics/narrowphase/sweep.hpp"
 #include "physics/solver/kernels.hpp"
+#include "physics/tuning.hpp"
 #include "physics/workspace.hpp"
 
 namespace plumb::physics {
@@ -48,13 +49,6 @@ float separationOf(const Encounter& now, const ContactAnchors& anchors, Vec2 nor
 
 float longest(Vec2 a) { return std::max(std::fabs(a.x), std::fabs(a.y)); }
 
-/// rad, about: a body that has turned by more since the points were found has them found anew. With 0.1
-/// boxes that rock on balls are fed by the stale directions and never come to rest.
-constexpr float kMaxTurn = 0.03f;
-
-/// Ratio to what is about half the size of the smaller body: it has moved far, seen from itself.
-constexpr float kMaxOfSize = 0.1f;
-
 /// True when the bodies have hardly moved to each other since the points were found.
 /// @param normal  the contact's, in A's frame as it is now
 bool hardlyMoved(const Contact& contact, const Encounter& now, Vec2 normal, float tolerance) {
@@ -84,7 +78,7 @@ bool recycle(Contact& contact, const Encounter& now, const Settings& settings) {
     if (contact.count > all) return false;
     // One point of two says little of what comes next: a second may be about to touch.
     const float maximum = displacementToKeep(contact, settings);
-    const float tolerance = contact.count == all ? maximum : 0.05f * maximum;
+    const float tolerance = contact.count == all ? maximum : kOnePointPart * maximum;
     const Vec2 normal = unrotate(now.turnA, contact.normal);
     if (!hardlyMoved(contact, now, normal, tolerance)) return false;
     const float separation0 = separationOf(now, contact.anchors[0], normal);
@@ -196,7 +190,6 @@ void take(const World& world, Contact& contact, const Encounter& now, Manifold m
 /// @return false when it will no longer touch there, or with something else, as at a seam
 bool takeHalfway(const World& world, Contact& contact, const Encounter& now, float halfStep,
                  DetectionCounts& counts) {
-    constexpr float kMinCosine = 0.95f;
     const Geometry& a = world.shapes.geometry[contact.shapeA];
     const Geometry& b = world.shapes.geometry[contact.shapeB];
     if ((contact.flags & (kTouching | kTriggered)) != kTouching || contact.count != 1) return false;

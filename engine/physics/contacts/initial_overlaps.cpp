@@ -3,18 +3,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "physics/tuning.hpp"
+
 namespace plumb::physics {
 
 namespace {
 
-/// 1/s: the root of what is hidden, in slops, falls by this in a second. So an overlap opens with a steady
-/// deceleration of 2 * 4.74^2 slops per second squared: 0.22 m/s2 with a slop of 5 mm, which is gentle beside
-/// gravity, and a body that is put 0.25 m into another comes out at 0.34 m/s within 1.5 s.
-constexpr float kFadeRate = 4.74f;
-
 /// m: how deep what has just begun may be by the motion of the bodies in a step, generously.
 float depthByMotion(const World& world, const Contact& contact) {
-    constexpr float kLongStep = 1.0f / 30.0f;  // s
     const BodyMotion& a = world.bodies.motion[contact.bodyA];
     const BodyMotion& b = world.bodies.motion[contact.bodyB];
     const float turning = std::fabs(a.angularVelocity) * world.bodies.info[contact.bodyA].reach +

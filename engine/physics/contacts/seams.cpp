@@ -9,19 +9,13 @@
 #include "physics/narrowphase/free_sector.hpp"
 #include "physics/narrowphase/reference_face.hpp"
 #include "physics/narrowphase/sweep.hpp"
+#include "physics/tuning.hpp"
 
 namespace plumb::physics {
 
 namespace {
 
 constexpr int kGrain = 32;
-
-/// Ratio to Settings::slop, 1 mm: shapes with smaller gaps and steps between them are flush. Overlaps of that
-/// size are not corrected either.
-constexpr float kFlush = 0.2f;
-
-/// Ratio: 1 minus the cosine of 1.4e-3 rad, see FreeSector.
-constexpr float kSameNormal = 1.0e-6f;
 
 /// Chains have ghost vertices instead, and round shapes do not abut.
 bool abuts(ShapeKind kind) { return kind == ShapeKind::Box || kind == ShapeKind::Polygon; }

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "physics/broadphase/broadphase_update.hpp"
+#include "physics/tuning.hpp"
 
 namespace plumb::physics {
 
@@ -15,7 +16,7 @@ Rot turnOf(const Float4& deltaPosition) { return normalized(Rot{1.0f + deltaPosi
 /// Half the side of a square that contains the body at any angle, and the gap that it keeps (m).
 float reachOf(const StepContext& step, const SweptBody& swept) {
     const Vec2 from = toVec2(swept.sweep.start);
-    const float rounding = 5.0e-7f * std::max(std::fabs(from.x), std::fabs(from.y));
+    const float rounding = kRounding * std::max(std::fabs(from.x), std::fabs(from.y));
     return step.world.bodies.info[swept.body].reach + rounding + step.world.settings.speculativeDistance;
 }
 Vec2 beginOf(const Sweep& sweep) { return toVec2(sweep.start + sweep.displacement * sweep.begin); }
@@ -65,7 +66,6 @@ SweptBody sweptBodyOf(const StepContext& step, std::uint32_t body) {
 }
 
 bool isFastBeside(const Sweep& own, const Sweep& path, const BodyInfo& info) {
-    constexpr float kWide = 1.0f;  // rad: beyond it the chord of a rotation is much shorter than its arc
     if (path.turn == 0.0f) return isFast(own.displacement - path.displacement, own.turn, info);
     const Vec2 arm = own.start - path.start;
     const Vec2 carried = path.displacement + rotate(rotFromAngle(path.turn), arm) - arm;
@@ -90,7 +90,7 @@ void findNextHit(const StepContext& step, std::size_t place, std::vector<std::ui
     SweptBody& swept = step.work.swept[place];
     const Sweep& sweep = swept.sweep;
     swept.next = {};
-    if (!isDynamic(world, swept.body) || swept.hits > kMaxHits || sweep.begin >= 1.0f) return;
+    if (!isDynamic(world, swept.body) || swept.hits > kMaxImpacts || sweep.begin >= 1.0f) return;
     const auto meetAll = [&](std::uint32_t shape) {
         if (shape == swept.passed) return;
         const Sweep path = pathOfMet(step, world.shapes.info[shape].body);

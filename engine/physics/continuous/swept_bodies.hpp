@@ -4,11 +4,6 @@
 
 namespace plumb::physics {
 
-/// Hits that change the path of a body within one step; at one more it stops, and the next step goes on with
-/// it. What comes into a corner of an angle of a leaves it after at most 1 + pi / a elastic hits: 5 are
-/// enough for 45 degrees.
-inline constexpr int kMaxHits = 5;
-
 /// Layers of Workspace::sweptProxies: bullets search for all of them, other bodies for some.
 inline constexpr std::uint32_t kBulletLayer = 1, kFastLayer = 2, kKinematicLayer = 4;
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "math/portable.hpp"
+#include "physics/tuning.hpp"
 
 namespace plumb::physics {
 
@@ -9,9 +10,6 @@ struct Decay {
     float keep;   ///< ratio of the speed that is left
     float drive;  ///< s: speed gained by 1 m/s2; also the distance at 1 m/s
 };
-
-/// Below this drag * h series are as exact as floats, and differences are not.
-inline constexpr float kSlowDrag = 0.1f;
 
 inline Decay decayOf(float drag, float h) {
     const float x = drag * h;

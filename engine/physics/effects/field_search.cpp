@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "physics/effects/field_types.hpp"
+#include "physics/tuning.hpp"
 
 namespace plumb::physics {
 
@@ -18,7 +19,7 @@ constexpr std::size_t kFew = 8;
 AABB boxAround(WorldPosition place, Vec2 half) {
     const Vec2 at = toVec2(place);
     const float far = std::max(std::fabs(at.x) + half.x, std::fabs(at.y) + half.y);
-    return grown({at - half, at + half}, 1.0e-6f * far);
+    return grown({at - half, at + half}, 2.0f * kRounding * far);
 }
 
 AABB boundsOf(const World& world, const FieldDefinition& field) {

@@ -4,14 +4,11 @@
 
 #include "physics/model/bounds.hpp"
 #include "physics/shapes/convex.hpp"
+#include "physics/tuning.hpp"
 
 namespace plumb::physics {
 
 namespace {
-
-/// In multiples of Settings::slop: overlap that still counts as lying on the platform. Larger than the
-/// overlap of resting contacts.
-constexpr float kOnTop = 4.0f;
 
 Vec2 openDirection(const World& world, std::uint32_t shape) {
     const Rot rotation = world.bodies.pose[world.shapes.info[shape].body].rotation;

@@ -1,11 +1,9 @@
 #pragma once
 
+#include "physics/tuning.hpp"
 #include "physics/world.hpp"
 
 namespace plumb::physics {
-
-/// Minimum cosine between the open direction of a one-way shape and a normal on its solid side.
-inline constexpr float kSolidSide = 0.7f;
 
 /// True if the other body is set to fall through one-way shapes: kDropsThrough.
 [[nodiscard]] bool dropsThrough(const World& world, const Contact& contact);

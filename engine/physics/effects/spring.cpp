@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "physics/effects/field_types.hpp"
+#include "physics/tuning.hpp"
 
 namespace plumb::physics {
 
@@ -26,10 +27,6 @@ float easeOf(const End& end, Vec2 along) {
     const float lever = cross(end.arm, along);
     return end.inverseMass + end.inverseInertia * lever * lever;
 }
-
-/// Fraction of the stability limit of the explicit step, (omega h)^2 = 4 - 2 c h, that the stiffness may
-/// reach.
-constexpr float kStiffest = 0.5f;
 
 }  // namespace
 

@@ -74,7 +74,8 @@ void guess(World& world, Workspace& work) {
         if (!island.isNew) continue;
         const int guessed =
             std::min(world.settings.quality + extraQuality(work.estimate[root]), int{kMaxQuality});
-        if (island.controller.quality < guessed) island.controller = begun(static_cast<Quality>(guessed));
+        if (island.controller.quality < guessed)
+            island.controller = begun(static_cast<Quality>(guessed), world.stepLength);
         island.isNew = false;
     }
 }
@@ -86,7 +87,8 @@ bool judge(World& world, Workspace& work) {
         if (!isRoot(world, body)) continue;
         IslandCase& island = work.cases[body];
         const Quality before = island.controller.quality;
-        island.controller = judged(island.controller, island.error, world.settings.tolerance, island.minimum);
+        island.controller = judged(island.controller, island.error, world.settings.tolerance, island.minimum,
+                                   world.stepLength);
         changed |= island.controller.quality != before;
     }
     return changed;

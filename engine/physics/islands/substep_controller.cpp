@@ -2,31 +2,22 @@
 
 #include <algorithm>
 
+#include "physics/tuning.hpp"
+
 namespace plumb::physics {
 
 namespace {
 
-// Range of the factor by which one more quality level (twice the substeps) reduces the error: 4 for
-// compliance, less for the convergence of bodies stacked on each other.
-constexpr float kMinGain = 3.0f;
-constexpr float kMaxGain = 4.5f;
+/// What an island is judged by.
+struct Terms {
+    float tolerance = 0.0f;  ///< m
+    float dt = 0.0f;         ///< s
+    Quality minimum = 0;
 
-constexpr float kRoom = 0.8f;  // ratio to the tolerance: the error that a quality should reach
-
-constexpr std::uint32_t kBlow = 3;  // steps in which the overlap of an impact decays by itself
-/// Steps for each level of a rise. Deep overlap is a loaded spring: released at once, a stack of 16 whose
-/// boxes are 2 cm deep hops by 1.7 m; one level at a time it hardly moves (measured; with 4 steps it hops by
-/// 0.2 m).
-constexpr std::uint32_t kClimb = 8;
-constexpr std::uint32_t kSettling = 20;      // steps, about: until bodies have come out of each other
-constexpr std::uint32_t kWatch = 30;         // calm steps after which a lower quality is tried
-constexpr std::uint32_t kResignation = 240;  // steps after which a rise that did not help is tried again
-constexpr std::uint8_t kMaxPatience = 5;
-
-constexpr float kStillFalls = 0.9f;  // ratio to an earlier error: still decreasing, no need for more yet
-constexpr float kHelped = 0.6f;      // ratio to the error before the rise
-constexpr float kGrew = 1.5f;        // the same: the load has grown
-constexpr float kVanished = 0.02f;   // the same: most of the load is gone
+    [[nodiscard]] std::uint32_t stepsIn(float seconds) const {
+        return static_cast<std::uint32_t>(std::min(seconds / dt + 0.5f, 1.0e6f));
+    }
+};
 
 /// Number of additional quality levels that an error calls for.
 int levelsFor(float error, float tolerance) {
@@ -36,97 +27,102 @@ int levelsFor(float error, float tolerance) {
     return levels;
 }
 
-SubstepController watching(SubstepController controller, SubstepPhase phase) {
+std::uint8_t oneMore(std::uint8_t patience) {
+    return static_cast<std::uint8_t>(std::min<int>(patience + 1, kMaxPatience));
+}
+
+SubstepController watching(SubstepController controller, SubstepPhase phase, const Terms& terms) {
     controller.phase = phase;
-    controller.wait = kWatch << controller.patience;
+    controller.wait = terms.stepsIn(kWatch) << controller.patience;
     controller.error = 0.0f;
     return controller;
 }
 
-SubstepController resigned(SubstepController controller, float error) {
+SubstepController resigned(SubstepController controller, float error, const Terms& terms) {
     controller.phase = SubstepPhase::Resigned;
-    controller.patience = std::min<std::uint8_t>(controller.patience + 1, kMaxPatience);
-    controller.wait = kResignation << controller.patience;
+    controller.patience = oneMore(controller.patience);
+    controller.wait = terms.stepsIn(kResignation) << controller.patience;
     controller.error = error;
     return controller;
 }
 
 /// Quality that a rise aims at.
-Quality goalOf(const SubstepController& controller, float tolerance) {
-    const int levels = std::max(1, levelsFor(controller.first, tolerance));
+Quality goalOf(const SubstepController& controller, const Terms& terms) {
+    const int levels = std::max(1, levelsFor(controller.first, terms.tolerance));
     return static_cast<Quality>(std::min(controller.before + levels, int{kMaxQuality}));
 }
 
-SubstepController oneHigher(SubstepController controller, float error, float tolerance) {
+SubstepController oneHigher(SubstepController controller, float error, const Terms& terms) {
     ++controller.quality;
-    controller.wait = controller.quality < goalOf(controller, tolerance) ? kClimb : kSettling;
+    controller.wait =
+        controller.quality < goalOf(controller, terms) ? terms.stepsIn(kClimb) : terms.stepsIn(kSettling);
     controller.error = error;
     return controller;
 }
 
-SubstepController risen(SubstepController controller, float error, float tolerance) {
-    if (controller.quality == kMaxQuality) return resigned(controller, error);
+SubstepController risen(SubstepController controller, float error, const Terms& terms) {
+    if (controller.quality == kMaxQuality) return resigned(controller, error, terms);
     controller.before = controller.quality;
     controller.first = error;
     controller.phase = SubstepPhase::Rising;
-    return oneHigher(controller, error, tolerance);
+    return oneHigher(controller, error, terms);
 }
 
-SubstepController strained(SubstepController controller) {
+SubstepController strained(SubstepController controller, const Terms& terms) {
     controller.phase = SubstepPhase::Strained;
-    controller.wait = kBlow;
+    controller.wait = terms.stepsIn(kBlow);
     return controller;
 }
 
-/// Within tolerance, as far as is known.
-SubstepController whileCalm(SubstepController controller, float error, float tolerance, Quality minimum) {
+/// Within the tolerance, as far as is known.
+SubstepController whileCalm(SubstepController controller, float error, const Terms& terms) {
     controller.error = std::max(controller.error, error);
     if (controller.patience > 0 &&
         error < kVanished * controller.first) {  // what was learned concerns another load
         controller.patience = 0;
-        controller.wait = std::min(controller.wait, kWatch);
+        controller.wait = std::min(controller.wait, terms.stepsIn(kWatch));
     }
     if (controller.wait > 0) return controller;
     if (controller.phase == SubstepPhase::Trying) {
         controller.before = controller.quality;
         if (controller.patience > 0) --controller.patience;
     }
-    if (controller.quality <= minimum || controller.error * kMaxGain > kRoom * tolerance)
-        return watching(controller, SubstepPhase::Calm);
+    if (controller.quality <= terms.minimum || controller.error * kMaxGain > kRoom * terms.tolerance)
+        return watching(controller, SubstepPhase::Calm, terms);
     controller.before = controller.quality--;
-    return watching(controller, SubstepPhase::Trying);
+    return watching(controller, SubstepPhase::Trying, terms);
 }
 
 /// A lower quality is being tried.
-SubstepController whileTrying(SubstepController controller, float error, float tolerance, Quality minimum) {
-    if (error <= kRoom * tolerance) return whileCalm(controller, error, tolerance, minimum);
+SubstepController whileTrying(SubstepController controller, float error, const Terms& terms) {
+    if (error <= kRoom * terms.tolerance) return whileCalm(controller, error, terms);
     // An impact would prove nothing, but cannot be distinguished here: it will be tried again.
-    const std::uint8_t patience = std::min<std::uint8_t>(controller.patience + 1, kMaxPatience);
-    controller = risen(controller, error, tolerance);
+    const std::uint8_t patience = oneMore(controller.patience);
+    controller = risen(controller, error, terms);
     controller.patience = patience;
     return controller;
 }
 
-SubstepController whileRising(SubstepController controller, float error, float tolerance) {
-    if (error <= tolerance) return watching(controller, SubstepPhase::Calm);
+SubstepController whileRising(SubstepController controller, float error, const Terms& terms) {
+    if (error <= terms.tolerance) return watching(controller, SubstepPhase::Calm, terms);
     if (error > kGrew * controller.first) controller.first = error;  // the load has grown
     if (controller.wait > 0) return controller;
-    if (controller.quality < goalOf(controller, tolerance)) return oneHigher(controller, error, tolerance);
+    if (controller.quality < goalOf(controller, terms)) return oneHigher(controller, error, terms);
     if (error < kStillFalls * controller.error) {
         controller.error = error;
-        controller.wait = kSettling;
+        controller.wait = terms.stepsIn(kSettling);
         return controller;
     }
-    if (error < kHelped * controller.first) return risen(controller, error, tolerance);
+    if (error < kHelped * controller.first) return risen(controller, error, terms);
     controller.quality = controller.before;
-    return resigned(controller, error);
+    return resigned(controller, error, terms);
 }
 
-SubstepController whileResigned(SubstepController controller, float error, float tolerance) {
-    if (error <= tolerance) return watching(controller, SubstepPhase::Calm);
+SubstepController whileResigned(SubstepController controller, float error, const Terms& terms) {
+    if (error <= terms.tolerance) return watching(controller, SubstepPhase::Calm, terms);
     const bool isOver = controller.wait == 0 && controller.quality < kMaxQuality;
     const bool isAnother = error > kGrew * controller.error || error < kHelped * controller.error;
-    return isOver || isAnother ? strained(controller) : controller;
+    return isOver || isAnother ? strained(controller, terms) : controller;
 }
 
 }  // namespace
@@ -144,28 +140,29 @@ SubstepController merged(const SubstepController& a, const SubstepController& b)
     return both;
 }
 
-SubstepController begun(Quality quality) {
+SubstepController begun(Quality quality, float dt) {
     SubstepController controller;
     controller.quality = quality;
-    return watching(controller, SubstepPhase::Calm);
+    return watching(controller, SubstepPhase::Calm, {.dt = dt});
 }
 
-SubstepController judged(SubstepController controller, float error, float tolerance, Quality minimum) {
+SubstepController judged(SubstepController controller, float error, float tolerance, Quality minimum,
+                         float dt) {
+    const Terms terms{tolerance, dt, minimum};
     if (controller.wait > 0) --controller.wait;
     if (controller.quality < minimum) {
         controller.quality = minimum;
-        return watching(controller, SubstepPhase::Calm);
+        return watching(controller, SubstepPhase::Calm, terms);
     }
     switch (controller.phase) {
         case SubstepPhase::Calm:
-            return error > tolerance ? strained(controller)
-                                     : whileCalm(controller, error, tolerance, minimum);
-        case SubstepPhase::Trying: return whileTrying(controller, error, tolerance, minimum);
+            return error > tolerance ? strained(controller, terms) : whileCalm(controller, error, terms);
+        case SubstepPhase::Trying: return whileTrying(controller, error, terms);
         case SubstepPhase::Strained:
-            if (error <= tolerance) return watching(controller, SubstepPhase::Calm);
-            return controller.wait > 0 ? controller : risen(controller, error, tolerance);
-        case SubstepPhase::Rising: return whileRising(controller, error, tolerance);
-        case SubstepPhase::Resigned: return whileResigned(controller, error, tolerance);
+            if (error <= tolerance) return watching(controller, SubstepPhase::Calm, terms);
+            return controller.wait > 0 ? controller : risen(controller, error, terms);
+        case SubstepPhase::Rising: return whileRising(controller, error, terms);
+        case SubstepPhase::Resigned: return whileResigned(controller, error, terms);
     }
     return controller;
 }

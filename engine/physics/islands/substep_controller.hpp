@@ -14,13 +14,13 @@ namespace plumb::physics {
 [[nodiscard]] SubstepController merged(const SubstepController& a, const SubstepController& b);
 
 /// Initial state of an island.
-[[nodiscard]] SubstepController begun(Quality quality);
+[[nodiscard]] SubstepController begun(Quality quality, float dt);
 
 /// State after a step that left an error.
 /// @param error  m: largest overlap or joint error of the island
 /// @param least  minimum quality that its bodies and joints ask for
 [[nodiscard]] SubstepController judged(SubstepController controller, float error, float tolerance,
-                                       Quality minimum);
+                                       Quality minimum, float dt);
 
 /// True while an error is being reduced: an island that fell asleep now would keep it.
 [[nodiscard]] constexpr bool isAtWork(const SubstepController& controller) {

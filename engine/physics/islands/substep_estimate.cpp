@@ -5,6 +5,7 @@
 
 #include "physics/islands/sleeping.hpp"
 #include "physics/trees/joint_tree_builder.hpp"
+#include "physics/tuning.hpp"
 
 namespace plumb::physics {
 
@@ -43,9 +44,9 @@ int extraQuality(const SubstepEstimate& island) {
     if (island.bodies == 0.0f) return 0;
     const float layers =
         (island.highest - island.lowest) * island.bodies / std::max(2.0f * island.size, 1e-6f);
-    // Limits fitted to keep hard cases within millimeters (plumb-accuracy-physics).
-    return std::max({stepsAbove(island.heaviest, 10.0f * island.lightest, 3.0f),
-                     stepsAbove(layers, 7.0f, 2.0f), stepsAbove(island.joints, 8.0f, 4.0f)});
+    return std::max({stepsAbove(island.heaviest, kHeavyRatio * island.lightest, kMinGain),
+                     stepsAbove(layers, kHighStack, kHigherStack),
+                     stepsAbove(island.joints, kManyJoints, kManyMore)});
 }
 
 void estimateSubsteps(World& world, Workspace& work) {

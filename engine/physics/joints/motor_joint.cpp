@@ -2,15 +2,11 @@
 #include <cmath>
 
 #include "physics/joints/joint_types.hpp"
+#include "physics/tuning.hpp"
 
 namespace plumb::physics {
 
 namespace {
-
-/// 1/s: a velocity is written as an error that is closed at this rate. Small: the displacement of a step then
-/// changes it by less than 2e-5 of itself.
-constexpr float kSteering = 1.0e-3f;
-constexpr float kHertz = 5.0f;  // 1/s, unless JointDefinition::hertz says otherwise; critically damped
 
 JointBlockKind blockOf(std::uint8_t) { return kHingeBlocks; }
 
@@ -37,8 +33,8 @@ JointParts partsOf(const JointView& view) {
     parts.apart -= offset;
     // Soft in both passes: the relax pass must not take back what the limited force corrected.
     const bool own = definition.hertz > 0.0f;
-    parts.grip =
-        springGrip(own ? definition.hertz : kHertz, own ? definition.dampingRatio : 1.0f, view.timing.h);
+    parts.grip = springGrip(own ? definition.hertz : kDefaultHertz, own ? definition.dampingRatio : 1.0f,
+                            view.timing.h);
     parts.springs = true;
     parts.maximum = std::min(definition.maxForce * view.timing.h, kNoLimit);
     parts.angle = angleOf(view);

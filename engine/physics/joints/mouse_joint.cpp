@@ -2,13 +2,13 @@
 #include <cmath>
 
 #include "physics/joints/joint_types.hpp"
+#include "physics/tuning.hpp"
 
 namespace plumb::physics {
 
 namespace {
 
 // A damped spring of limited force. Source: E. Catto, "Soft Constraints", GDC 2011.
-constexpr float kHertz = 5.0f;  // 1/s, unless JointDefinition::spring says otherwise; critically damped
 
 JointBlockKind blockOf(std::uint8_t) { return kHingeBlocks; }
 
@@ -17,8 +17,8 @@ JointParts partsOf(const JointView& view) {
     JointParts parts = anchorsOf(view);
     parts.armA = {};
     parts.apart = view.toTarget + parts.armB;
-    parts.grip =
-        springGrip(spring.on ? spring.hertz : kHertz, spring.on ? spring.dampingRatio : 1.0f, view.timing.h);
+    parts.grip = springGrip(spring.on ? spring.hertz : kDefaultHertz, spring.on ? spring.dampingRatio : 1.0f,
+                            view.timing.h);
     parts.springs = true;
     parts.maximum = std::min(view.definition.maxForce * view.timing.h, kNoLimit);
     return parts;

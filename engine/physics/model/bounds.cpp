@@ -5,6 +5,7 @@
 
 #include "physics/contacts/contacts.hpp"
 #include "physics/shapes/shape_types.hpp"
+#include "physics/tuning.hpp"
 #include "physics/workspace.hpp"
 
 namespace plumb::physics {
@@ -15,7 +16,7 @@ namespace {
 float roundingAt(const AABB& box) {
     const float far = std::max(std::max(std::fabs(box.min.x), std::fabs(box.max.x)),
                                std::max(std::fabs(box.min.y), std::fabs(box.max.y)));
-    return far * 2.5e-7f;
+    return 0.5f * far * kRounding;
 }
 
 float marginOf(const AABB& tight, const Settings& settings) {

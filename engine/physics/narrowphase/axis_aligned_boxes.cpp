@@ -1,5 +1,7 @@
 #include "physics/narrowphase/axis_aligned_boxes.hpp"
 
+#include "physics/tuning.hpp"
+
 namespace plumb::physics {
 
 namespace {
@@ -10,8 +12,8 @@ enum Feature : std::uint16_t { kFaceX = 0, kFaceY = 2, kCorner = 4 };
 /// The boxes are separated along both axes: corner to corner.
 Manifold collideCorners(Vec2 halfA, Vec2 gap, Vec2 side, Vec2 displacement, float speculative) {
     const float square = lengthSquared(gap);
-    constexpr float kBlur = 1.0e-10f;  // ratio: positions are only accurate to the square root of this
-    if (square > speculative * speculative || square <= kBlur * lengthSquared(displacement)) return {};
+    if (square > speculative * speculative || square <= kBlur * kBlur * lengthSquared(displacement))
+        return {};
     Manifold manifold;
     const float distance = std::sqrt(square);
     manifold.normal = {side.x * (gap.x / distance), side.y * (gap.y / distance)};

@@ -5,6 +5,7 @@
 
 #include "physics/model/geometry.hpp"
 #include "physics/narrowphase/manifold.hpp"
+#include "physics/tuning.hpp"
 
 namespace plumb::physics {
 
@@ -18,7 +19,7 @@ inline Vec2 gapOf(Vec2 halfA, Vec2 halfB, Vec2 displacement) {
 /// time where both separations are nearly equal.
 inline bool goesAlongY(Vec2 halfA, Vec2 halfB, Vec2 gap) {
     const float smallest = std::min(std::min(halfA.x, halfA.y), std::min(halfB.x, halfB.y));
-    return gap.y > gap.x + std::min(0.0005f, 0.001f * smallest);
+    return gap.y > gap.x + std::min(kMaxFaceTie, kFaceTie * smallest);
 }
 
 /// Collides two axis-aligned boxes without rounded corners: a single contact point, in a frame at A's centre.

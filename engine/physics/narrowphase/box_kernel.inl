@@ -39,16 +39,16 @@ BoxAxis<F> bestAxis(const BoxPair<F>& p, F qx, F qy) {
     const F aY = abs(p.y) - p.halfAy - (s * p.halfBx + c * p.halfBy);
     const F bX = abs(qx) - p.halfBx - (c * p.halfAx + s * p.halfAy);
     const F bY = abs(qy) - p.halfBy - (s * p.halfAx + c * p.halfAy);
-    // As nBodyConstraintOf() of the smallest half size.
-    const F constraint =
-        min(all<F>(0.0005f), all<F>(0.001f) * min(min(p.halfAx, p.halfAy), min(p.halfBx, p.halfBy)));
+    // As faceTieOf() of the smallest half size.
+    const F tie =
+        min(all<F>(kMaxFaceTie), all<F>(kFaceTie) * min(min(p.halfAx, p.halfAy), min(p.halfBx, p.halfBy)));
     const F zero = all<F>(0.0f);
     const F one = all<F>(1.0f);
-    const auto aIsY = aY > aX + constraint;
-    const auto bIsY = bY > bX + constraint;
+    const auto aIsY = aY > aX + tie;
+    const auto bIsY = bY > bX + tie;
     const F a = select(aIsY, aY, aX);
     const F b = select(bIsY, bY, bX);
-    const auto isB = b > a + constraint;
+    const auto isB = b > a + tie;
     const F yOfA = select(aIsY, one, zero);
     const F yOfB = select(bIsY, one, zero);
     return {select(isB, b, a), select(isB, one, zero), select(isB, yOfB, yOfA)};
@@ -193,13 +193,13 @@ void touchCorners(BoxPlaces<F>& w, const BoxView<F>& v, F gap, F radius, F other
     const F passes = -(nearN * (farN - nearN) + displacementT * (farT - nearT));
     const auto apart = (v.lowT > v.halfAlong) | (-v.halfAlong > v.highT);
     const F square = nearN * nearN + displacementT * displacementT;
-    const F blur = all<F>(1.0e-10f) * (v.n * v.n + v.t * v.t);  // positions are accurate to 1e-5 of this
+    const F blur = all<F>(kBlur * kBlur) * (v.n * v.n + v.t * v.t);
     const F beyond = select(isHigh, highBeyond, lowBeyond);
     // A corner that extends only slightly beyond the end of a nearly parallel face stays with the face, so
     // that stacked boxes of equal size keep both points. This costs 0.01 % of the distance.
     const F rise = (farN - nearN) * beyond;
-    const F minimum = all<F>(0.0001f) * nearN * abs(farT - nearT);
-    const auto past = (beyond > all<F>(0.01f) * nearN) | (rise > minimum);
+    const F minimum = all<F>(kPastCorner * kPastCorner) * nearN * abs(farT - nearT);
+    const auto past = (beyond > all<F>(kPastCorner) * nearN) | (rise > minimum);
     const auto isCorner =
         (gap > zero) & (beyond > zero) & (((zero > passes) & past) | apart) & (square > blur);
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "physics/solver/lanes.hpp"
+#include "physics/tuning.hpp"
 
 namespace plumb::physics {
 

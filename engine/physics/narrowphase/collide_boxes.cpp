@@ -1,6 +1,7 @@
 #include <cmath>
 
 #include "physics/narrowphase/collide.hpp"
+#include "physics/tuning.hpp"
 
 namespace plumb::physics {
 

@@ -1,13 +1,14 @@
 #include "physics/narrowphase/collide.hpp"
 #include "physics/narrowphase/reference_face.hpp"
+#include "physics/tuning.hpp"
 
 namespace plumb::physics {
 
 namespace {
 
-/// True if the chain is convex where its normal changes from `from` to `to`. An angle below 0.01 rad counts
-/// as straight. At a spike the angle is nearly 180 degrees.
-bool isSharp(Vec2 from, Vec2 to) { return cross(from, to) > (dot(from, to) > 0.0f ? 0.01f : 0.0f); }
+/// True if the chain is convex where its normal changes from `from` to `to`. At a spike the angle is nearly
+/// 180 degrees.
+bool isSharp(Vec2 from, Vec2 to) { return cross(from, to) > (dot(from, to) > 0.0f ? kStraight : 0.0f); }
 
 /// A joint of a chain. At a convex joint, contact normals between those of the two segments are valid. To
 /// avoid duplicates, the segment that starts at a joint handles it; the last segment also handles the end of
@@ -195,9 +196,9 @@ Manifold collideChain(const Geometry& a, const Geometry& b, std::span<const Corn
     const JointGap joint = widestJointGap(chain, other);
     const JointGap beside = widestNeighbourGap(chain, other);
     if (joint.gap > reach || beside.gap > reach) return {};
-    const float constraint = nBodyConstraintOf(distance(chain.corners[0].point, chain.corners[1].point));
-    const bool byFace = gap + constraint >= joint.gap;
-    if (beside.gap > (byFace ? gap + constraint : joint.gap)) {
+    const float tie = faceTieOf(distance(chain.corners[0].point, chain.corners[1].point));
+    const bool byFace = gap + tie >= joint.gap;
+    if (beside.gap > (byFace ? gap + tie : joint.gap)) {
         return touchBeside(chain, other, beside.end, speculative);
     }
     if (!inFront && (byFace ? gap : joint.gap) < -speculative) return {};  // it came from the back side

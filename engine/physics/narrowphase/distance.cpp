@@ -1,6 +1,7 @@
 #include "physics/narrowphase/distance.hpp"
 
 #include "physics/narrowphase/minkowski.hpp"
+#include "physics/tuning.hpp"
 
 namespace plumb::physics {
 
@@ -8,9 +9,6 @@ namespace {
 
 /// More than any pair of outlines with kMaxCorners needs; a safeguard against endless loops due to rounding.
 constexpr int kMaxIterations = 2 * kMaxCorners;
-/// Ratio to the size of the simplex: cores closer than this count as touching, as their distance has no
-/// reliable direction.
-constexpr float kTouching = 1.0e-6f;
 
 /// A simplex of up to three points of the Minkowski difference.
 struct Simplex {
@@ -128,10 +126,11 @@ DisplacementBetween nearestWay(const Displacements& displacements, Simplex& simp
         }
         nearest = nearestOf(simplex);
         nearest.iterations = iteration;
-        if (iteration == kMaxIterations || nearest.distance <= kTouching * sizeOf(simplex)) return nearest;
+        if (iteration == kMaxIterations || nearest.distance <= kSimplexPrecision * sizeOf(simplex))
+            return nearest;
         const Way displacement = displacements.farthestAlong(-nearest.normal);
         const float nearer = nearest.distance - dot(displacement.displacement, nearest.normal);
-        if (nearer <= kTouching * nearest.distance) return nearest;
+        if (nearer <= kSimplexPrecision * nearest.distance) return nearest;
         for (int i = 0; i < simplex.count; ++i) {
             if (simplex.displacements[i] == displacement) return nearest;
         }
@@ -152,7 +151,7 @@ Distance distanceBetween(const Convex& a, const Convex& b, const Frame& bInA, Si
             cache->b[i] = simplex.displacements[i].indexB;
         }
     }
-    if (simplex.count == 3 || nearest.distance <= kTouching * sizeOf(simplex)) {
+    if (simplex.count == 3 || nearest.distance <= kSimplexPrecision * sizeOf(simplex)) {
         const int before = nearest.iterations;
         nearest = deepestOverlap(displacements);
         nearest.iterations += before;

@@ -3,18 +3,11 @@
 #include <cmath>
 
 #include "physics/shapes/probe.hpp"
+#include "physics/tuning.hpp"
 
 namespace plumb::physics {
 
 namespace {
-
-/// rad, about: a sector narrower than this is a gap between two borders that abut, and borders that differ by
-/// less are one. Rounding is far below, and no body goes into such a corner.
-constexpr float kSameAngle = 0.02f;
-
-/// Ratio: 1 minus the cosine of 1.4e-3 rad, by which a normal may miss the border. At 20 m/s that adds a
-/// speed of 3 cm/s, which lifts a body by 0.04 mm.
-constexpr float kSameNormal = 1.0e-6f;
 
 /// How a point is to an outline, and the normals of the first and the last edge at it, in the order of
 /// rotation.

@@ -1,4 +1,5 @@
 #include "physics/narrowphase/minkowski.hpp"
+#include "physics/tuning.hpp"
 
 namespace plumb::physics {
 
@@ -6,8 +7,6 @@ namespace {
 
 /// The Minkowski difference has at most as many vertices as both outlines together.
 constexpr int kMaxWays = 2 * kMaxCorners + 4;
-/// Ratio to the size of the polytope: a new vertex must extend it by more than this.
-constexpr float kFlat = 1.0e-6f;
 
 /// A polygon inside the Minkowski difference that is expanded towards its boundary. Its vertices are in the
 /// order in which normals rotate.
@@ -40,7 +39,7 @@ Polytope startFrom(const Displacements& set) {
         bool known = false;
         for (int i = 0; i < polytope.count; ++i) {
             known = known || distance(polytope.displacements[i].displacement, displacement.displacement) <=
-                                 kFlat * polytope.size;
+                                 kSimplexPrecision * polytope.size;
         }
         if (!known) polytope.insert(polytope.count, displacement);
     }
@@ -79,7 +78,7 @@ DisplacementBetween deepestOverlap(const Displacements& displacements) {
         ++result.iterations;
         const Way displacement = displacements.farthestAlong(side.normal);
         const float out = dot(displacement.displacement, side.normal) - side.distance;
-        if (!(out > kFlat * polytope.size) || polytope.contains(displacement)) break;
+        if (!(out > kSimplexPrecision * polytope.size) || polytope.contains(displacement)) break;
         polytope.insert(side.index + 1, displacement);
         side = nearestSide(polytope);
     }

@@ -9,14 +9,11 @@
 #include "physics/effects/one_way.hpp"
 #include "physics/model/joints.hpp"
 #include "physics/shapes/shape_types.hpp"
+#include "physics/tuning.hpp"
 
 namespace plumb::physics {
 
 namespace {
-
-/// Parts of an outline that may not pass, of those that touch from the start: where one is that deep already,
-/// spinning or pressed, the next one counts.
-constexpr float kCores[] = {kSweptCore, 0.25f, 0.1f, 0.02f};
 
 class Core {
 public:
@@ -111,7 +108,8 @@ void meetOnPath(const World& world, const Mover& mover, const Mover& target, Pat
     float part = impactOf(convexOf(geometry, corners), kSweptGap, latest);
     const bool isPressed = part <= begin;
     if (isPressed) {
-        for (const float size : kCores) {
+        // Where a core is that deep already, spinning or pressed, half of it counts.
+        for (float size = kSweptCore; size > kLeastCore; size *= 0.5f) {
             part = impactOf(Core{geometry, corners, size}.outline(), 0.0f, latest);
             if (part > begin) break;
         }

@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "physics/tuning.hpp"
+
 namespace plumb::physics {
 
 namespace {
@@ -9,10 +11,6 @@ namespace {
 std::size_t next(std::span<const Corner> corners, std::size_t i) {
     return i + 1 < corners.size() ? i + 1 : 0;
 }
-
-/// Ratio: positions are accurate to this part of their distance from the origin. Corners closer than this
-/// have no reliable direction from one to the other.
-constexpr float kBlur = 1.0e-5f;
 
 /// A manifold with a single point between two (rounded) corners.
 Manifold touchAtCorners(const CornerPair& pair, const Side& reference, const Side& other, bool isB,
@@ -101,8 +99,9 @@ std::optional<CornerPair> nearestCorners(const EdgeOnEdge& edges, const Side& re
     if (!apart && dot(corner - near, far - near) > 0.0f) return std::nullopt;
     // A corner that extends only slightly beyond the end of a nearly parallel face stays with the face, so
     // that boxes of equal size keep both points. This costs 0.01 % of the distance.
-    const bool past = nearBeyond > 0.01f * near.y ||
-                      (far.y - near.y) * nearBeyond > 0.0001f * near.y * std::fabs(far.x - near.x);
+    const bool past =
+        nearBeyond > kPastCorner * near.y ||
+        (far.y - near.y) * nearBeyond > kPastCorner * kPastCorner * near.y * std::fabs(far.x - near.x);
     if (!apart && !past) return std::nullopt;
 
     CornerPair pair{.reference = atStart ? edges.face : next(reference.corners, edges.face),
@@ -175,8 +174,7 @@ Manifold collideSides(const Side& a, const Side& b, float speculative) {
     if (!(gapB.gap <= reach)) return {};
 
     const Corner& face = a.corners[gapA.face];
-    const bool isB =
-        gapB.gap > gapA.gap + nBodyConstraintOf(dot(face.normal, face.point - a.centre) + a.radius);
+    const bool isB = gapB.gap > gapA.gap + faceTieOf(dot(face.normal, face.point - a.centre) + a.radius);
     const Side& reference = isB ? b : a;
     const Side& other = isB ? a : b;
     const EdgeOnEdge edges = edgeOnEdge(reference, isB ? gapB.face : gapA.face, other);

@@ -5,6 +5,7 @@
 
 #include "physics/narrowphase/manifold.hpp"
 #include "physics/shapes/convex.hpp"
+#include "physics/tuning.hpp"
 
 namespace plumb::physics {
 
@@ -38,12 +39,8 @@ FaceGap widestGap(std::span<const Corner> faces, std::span<const Corner> other);
 /// The face whose normal is most opposed to a direction.
 std::size_t faceAgainst(std::span<const Corner> faces, Vec2 direction);
 
-/// m: the second outline provides the reference face only if its separation is larger by this, so that
-/// normals do not flicker between nearly parallel faces. A thousandth of the half size, to be safe for tiny
-/// shapes, and at most 0.5 mm.
-inline float nBodyConstraintOf(float halfSize) {
-    return 0.001f * halfSize < 0.0005f ? 0.001f * halfSize : 0.0005f;
-}
+/// m: the second outline provides the reference face only if its separation is larger by this.
+inline float faceTieOf(float halfSize) { return std::min(kMaxFaceTie, kFaceTie * halfSize); }
 
 /// The incident edge in the coordinates of the reference edge: along it and in front of it.
 struct EdgeOnEdge {

@@ -1,18 +1,17 @@
 #include "physics/narrowphase/shape_cast.hpp"
 
+#include "physics/tuning.hpp"
+
 namespace plumb::physics {
 
 namespace {
-
-constexpr int kMaxIterations = 48;
-/// Ratio: a displacement that approaches the surface by less than this part of its length is parallel to it.
-constexpr float kAlong = 1.0e-4f;
 
 /// m: distance that counts as a hit: the accuracy of floats at this distance from the origin.
 float touchOf(const Convex& a, const Frame& bInA) {
     const Vec2 far = bInA.position;
     const Vec2 own = a.centre;
-    return 1.0e-5f + 2.0e-6f * (std::fabs(far.x) + std::fabs(far.y) + std::fabs(own.x) + std::fabs(own.y));
+    return kCastTouch +
+           4.0f * kRounding * (std::fabs(far.x) + std::fabs(far.y) + std::fabs(own.x) + std::fabs(own.y));
 }
 
 }  // namespace
@@ -20,7 +19,7 @@ float touchOf(const Convex& a, const Frame& bInA) {
 std::optional<ConvexHit> castShape(const Convex& a, const Convex& b, const Frame& bInA, Vec2 displacement) {
     SimplexCache cache;
     ConvexHit hit;
-    for (int iteration = 0; iteration < kMaxIterations; ++iteration) {
+    for (int iteration = 0; iteration < kMaxAdvances; ++iteration) {
         const Frame frame{bInA.position + displacement * hit.fraction, bInA.rotation};
         const Distance apart = distanceBetween(a, b, frame, &cache);
         hit.normal = apart.normal;

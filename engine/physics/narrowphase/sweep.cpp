@@ -4,12 +4,11 @@
 #include <cmath>
 
 #include "physics/narrowphase/distance.hpp"
+#include "physics/tuning.hpp"
 
 namespace plumb::physics {
 
 namespace {
-
-constexpr int kMaxAdvances = 64;
 
 /// m: how far the outline's corners are from the centre that they turn about. Its radius turns in place.
 float armOf(const SweptOutline& swept) {

@@ -41,15 +41,6 @@ struct SweptOutline {
     const Sweep& sweep;
 };
 
-/// m: the gap that is left between what meets. At 10 m/s it is 5 us of flight, and coordinates of 100 m are
-/// floats to a tenth of it.
-inline constexpr float kSweptGap = 5.0e-5f;
-/// m: what is nearer to a gap than this is at it.
-inline constexpr float kSweepTolerance = 2.0e-5f;
-/// How much of an outline may not pass. What slides along a floor dips into it a little, and into the next
-/// piece of it, and is not to be stopped for that.
-inline constexpr float kSweptCore = 0.5f;
-
 /// A part that no step has.
 inline constexpr float kNever = 4.0f;
 

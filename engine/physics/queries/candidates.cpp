@@ -6,13 +6,14 @@
 #include "physics/broadphase/broadphase_update.hpp"
 #include "physics/model/checks.hpp"
 #include "physics/shapes/shape_types.hpp"
+#include "physics/tuning.hpp"
 
 namespace plumb::physics {
 
 namespace {
 
 /// m: bounds are float, so a position and bounds there may each be rounded by this much.
-float roundingAt(Vec2 place) { return std::max(std::fabs(place.x), std::fabs(place.y)) * 5.0e-7f; }
+float roundingAt(Vec2 place) { return std::max(std::fabs(place.x), std::fabs(place.y)) * kRounding; }
 
 bool passes(const World& world, std::uint32_t shape, const QueryFilter& filter) {
     const Shapes& shapes = world.shapes;

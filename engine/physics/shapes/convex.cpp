@@ -1,5 +1,7 @@
 #include "physics/shapes/convex.hpp"
 
+#include "physics/tuning.hpp"
+
 namespace plumb::physics {
 
 std::array<Corner, 2> cornersOfSegment(Vec2 start, Vec2 end) {
@@ -45,7 +47,7 @@ Convex convexOf(const Geometry& geometry, std::span<const Corner> pool) {
             break;
         case ShapeKind::Capsule:
             takeSegment();
-            if (!(distance(geometry.a, geometry.b) > kShortestCapsule * geometry.radius)) {
+            if (!(distance(geometry.a, geometry.b) > kBlur * geometry.radius)) {
                 convex.own[0] = {convex.centre, kAnyNormal};
                 convex.count = 1;
             }

@@ -22,9 +22,6 @@ struct Convex {
     }
 };
 
-/// ratio to the radius: a shorter capsule is a disc, because its direction is not reliable.
-inline constexpr float kShortestCapsule = 1.0e-5f;
-
 /// The normal that is used where geometry defines none, as for two discs with the same centre.
 inline constexpr Vec2 kAnyNormal{1.0f, 0.0f};
 

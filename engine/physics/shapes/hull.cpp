@@ -6,12 +6,11 @@
 #include "core/text.hpp"
 #include "physics/ranges.hpp"
 #include "physics/shapes/exact.hpp"
+#include "physics/tuning.hpp"
 
 namespace plumb::physics {
 
 namespace {
-
-constexpr double kFlat = 1.0e-5;  ///< ratio to the size: a corner that protrudes by less is omitted
 
 /// The part of the hull below all points, or above them if the points are sorted in descending order.
 void appendChain(std::span<const Vec2> sorted, std::vector<Vec2>& loop) {
@@ -109,7 +108,7 @@ Result<Hull> makeHull(std::span<const Vec2> points) {
     if (!(size >= kSmallest)) {
         return error(format("it is only {} m large", size), "make it at least 0.1 mm large");
     }
-    if (loop.size() <= kAbsurd) dropFlat(loop, kFlat * static_cast<double>(size));
+    if (loop.size() <= kAbsurd) dropFlat(loop, static_cast<double>(kBlur * size));
     if (loop.size() < 3) return error("it is too thin to have an inside", "use a segment or a capsule");
     if (loop.size() > kMaxCorners) {
         return error(format("it has {} corners, the maximum is {}", loop.size(), kMaxCorners),

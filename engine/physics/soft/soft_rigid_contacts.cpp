@@ -10,27 +10,18 @@
 #include "physics/shapes/shape_types.hpp"
 #include "physics/solver/passes.hpp"
 #include "physics/stages.hpp"
+#include "physics/tuning.hpp"
 
 namespace plumb::physics {
 
 namespace {
-
-/// m/s: a particle that hits a sleeping body at this speed wakes it.
-constexpr float kRousing = 0.5f;
-/// m: margin for particles that move further within a step than their velocities predict.
-constexpr float kSlack = 0.01f;
-/// Part of a link's length by which a load may move its particles in a substep. Links carry it when they are
-/// shorter by about as much.
-constexpr float kGivenWay = 1.0f / 16.0f;
-/// Part of a soft body's particles that bears a load: about a side of it.
-constexpr float kBearing = 0.25f;
 
 bool isPushed(const World& world, std::uint32_t body) {
     return world.bodies.info[body].kind == BodyKind::Dynamic && world.bodies.info[body].place != kNone;
 }
 
 /// m: beyond its radius.
-float reachOf(const SoftBody& body) { return body.radius + kSlack; }
+float reachOf(const SoftBody& body) { return body.radius + kSoftSlack; }
 
 AABB boundsOf(const SoftBody& body, float dt) {
     constexpr float kFar = std::numeric_limits<float>::max();

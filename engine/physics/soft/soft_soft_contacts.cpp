@@ -3,12 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "physics/tuning.hpp"
+
 namespace plumb::physics {
 
 namespace {
-
-/// m: margin for particles that move further within a step than their velocities predict.
-constexpr double kSlack = 0.01;
 
 SoftBox boxOf(const SoftParticle& p, float dt) {
     const WorldPosition there = p.place + dt * p.velocity;
@@ -32,7 +31,7 @@ bool overlap(const SoftBox& a, const SoftBox& b) {
 SoftBox boxOf(const SoftBody& body, float dt) {
     SoftBox box = boxOf(body.particles.front(), dt);
     for (const SoftParticle& p : body.particles) box = merged(box, boxOf(p, dt));
-    return grown(box, static_cast<double>(body.radius) + kSlack);
+    return grown(box, static_cast<double>(body.radius + kSoftSlack));
 }
 
 bool mayCollide(const SoftBody& a, const SoftBody& b) {
@@ -56,7 +55,7 @@ public:
         : dt_{dt},
           own_{world.softBodies.all[body]},
           other_{world.softBodies.all[other]},
-          reach_{static_cast<double>(own_.radius + other_.radius) + kSlack},
+          reach_{static_cast<double>(own_.radius + other_.radius + kSoftSlack)},
           ids_{.body = body, .other = other},
           meetings_{meetings} {}
 

@@ -4,13 +4,11 @@
 #include <limits>
 #include <span>
 
+#include "physics/tuning.hpp"
+
 namespace plumb::physics {
 
 namespace {
-
-/// Iterations over two points of a contact, which converge by a factor of at least 4 each, as for a long rod
-/// (where it is ((m / I) a^2 - 1) / ((m / I) a^2 + 1) squared = 1/4): 4^-8 is 1.5e-5 of the impact speed.
-constexpr int kTurns = 8;
 
 struct ImpactPoint {
     Vec2 armA;
@@ -44,7 +42,7 @@ public:
     }
 
     void stop() {
-        for (int turn = 0; turn < kTurns; ++turn) {
+        for (int turn = 0; turn < kTwoPointTurns; ++turn) {
             for (ImpactPoint& point : points()) {
                 push(point, -point.closing);
                 const float maximum = contact_.friction * point.push, before = point.rub;
@@ -55,7 +53,7 @@ public:
     }
 
     void bounce(float bounceSpeed) {
-        for (int turn = 0; turn < kTurns; ++turn) {
+        for (int turn = 0; turn < kTwoPointTurns; ++turn) {
             for (ImpactPoint& point : points()) {
                 if (turn == 0) point.stopping = point.push;
                 const bool bounces = point.closing == 0.0f && point.approach.x < -bounceSpeed;

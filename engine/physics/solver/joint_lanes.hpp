@@ -1,14 +1,9 @@
 #pragma once
 
 #include "physics/stages.hpp"
+#include "physics/tuning.hpp"
 
 namespace plumb::physics {
-
-/// Ratio to Settings::pushSpeed: maximum speed at which joint errors are closed. Without a limit, a joint
-/// that was torn open (by a sweep that stops one of its bodies at a wall) would hurl both bodies together:
-/// with long arms, at many times their speed. Below 6 a cloth of ten thousand joints comes apart under its
-/// weight.
-inline constexpr float kJointPushing = 10.0f;
 
 /// The bodies that a joint moves: kNone for one that is not dynamic, or that the joint leaves alone.
 struct PushedBodies {

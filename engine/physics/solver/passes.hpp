@@ -5,6 +5,7 @@
 
 #include "physics/solver/softness.hpp"
 #include "physics/stages.hpp"
+#include "physics/tuning.hpp"
 
 namespace plumb::physics {
 
@@ -13,8 +14,6 @@ namespace plumb::physics {
 inline constexpr int kBlockGrain = 8;
 inline constexpr int kSequential = 1 << 30;  ///< as a grain: one piece
 inline constexpr int kBodyGrain = 256;
-inline constexpr float kGroundStiffness =
-    2.0f;  ///< ratio to Settings::contactStiffness: the ground does not give way
 
 /// @param stiffness  ratio to Settings::contactStiffness
 inline ContactPass contactPass(const Settings& settings, float h, float stiffness) {

@@ -6,14 +6,11 @@
 #include "physics/solver/contact_sides.hpp"
 #include "physics/solver/passes.hpp"
 #include "physics/solver/simultaneous_impacts.hpp"
+#include "physics/tuning.hpp"
 
 namespace plumb::physics {
 
 namespace {
-
-/// Iterations over the two points of a contact: an impulse at one rotates the body about the other, and a
-/// body that lands on a corner would leave faster than it came.
-constexpr int kTurns = 6;
 
 template <class Block>
 void prepareBlocks(StepContext& step, const std::vector<Block>& blocks, const std::vector<BlockLanes>& lanes,
@@ -70,7 +67,7 @@ void bounceBlocks(StepContext& step, std::vector<Block>& blocks, const std::vect
         for (int i = 0; i < lanes[n].count; ++i) {
             if (bounce.bounciness[i] == 0.0f) continue;
             const bool both = bounce.largest[0][i] > 0.0f && bounce.largest[1][i] > 0.0f;
-            for (int turn = both ? kTurns : 1; turn > 0; --turn) {
+            for (int turn = both ? kTwoPointTurns : 1; turn > 0; --turn) {
                 for (int p = 0; p < 2; ++p) bouncePoint(step, blocks[n], bounce, p, i);
             }
         }

@@ -4,16 +4,12 @@
 #include <vector>
 
 #include "physics/solver/contact_sides.hpp"
+#include "physics/tuning.hpp"
 
 namespace plumb::physics {
 
 namespace {
 
-constexpr float kMaxLoad = 0.1f;      // ratio to the impulse: a contact that was loaded more is in no chain
-constexpr float kLively = 0.5f;       // minimum bounciness: duller crowds would absorb impacts and sink
-constexpr float kNoApproach = 1e-3f;  // m/s
-constexpr float kNoOverlap = 1e-5f;   // m
-constexpr int kMaxRounds = 64;
 /// Calls act(block, bounce, lane) for the contact of an impact.
 template <class Act>
 void visit(Workspace& work, const ImpactPlace& impact, Act&& act) {

@@ -7,16 +7,13 @@
 #include "physics/ranges.hpp"
 #include "physics/shapes/shape_types.hpp"
 #include "physics/stages.hpp"
+#include "physics/tuning.hpp"
 
 namespace plumb::physics {
 
 namespace {
 
 constexpr int kGrain = 256;
-/// What touches and flies off gains all that its drive gives, and a little more or less by rounding.
-constexpr float kRounded = 1.001f;
-/// Of Settings::bounceSpeed: who bounced at that leaves more slowly. What creeps is pressed, or will be.
-constexpr float kLivelyPart = 0.25f;
 
 /// What one piece of work found.
 struct Findings {

@@ -8,32 +8,11 @@
 #include "physics/solver/joint_lanes.hpp"
 #include "physics/solver/passes.hpp"
 #include "physics/stages.hpp"
+#include "physics/tuning.hpp"
 
 namespace plumb::physics {
 
 namespace {
-
-/// s: for so long energy that went somewhere (into joints that gave way, a blow) may come back. A taut bridge
-/// takes a quarter of a second to throw what fell on it.
-constexpr float kMemory = 2.0f;
-/// s: for so long the most that a group moved at counts as what rounding is measured by.
-constexpr float kPeakMemory = 4.0f;
-/// Of that peak, joints may add this part in all.
-constexpr float kMaxGain = 0.005f;
-/// Of what an island without joints has, contacts may seem to add this part in a step.
-constexpr float kContactGain = 1e-3f;
-/// Ratios to Settings::pushSpeed: who is no faster is let be, among contacts and among joints. At such speeds
-/// things that overlap part, and what hangs too low in joints that gave way is lifted.
-constexpr float kParting = 0.1f;
-constexpr float kCreeping = 0.006f;
-/// Who keeps less than this part of its speed has not got where it should be either.
-constexpr float kWhipped = 0.5f;
-/// Nor has who went further than speeds of so many times its energy explain, or joints that close.
-constexpr float kWhippedWay = 4.0f;
-/// Who has so many times the energy that it had, or that it has at ten times the speed at which joints close,
-/// is not slowed down but stopped: its places are wrong as well.
-constexpr float kWild = 100.0f;
-constexpr float kWildPush = kWild * kJointPushing * kJointPushing;
 
 constexpr int kGrain = 256;
 
@@ -264,12 +243,13 @@ void settleContacts(EnergyAccount& account) {
 /// Joints do: for a while an island may get back what it lost.
 void settleJoints(EnergyAccount& account, float pushSpeed, float dt) {
     const float pushed = 0.5f * account.mass * pushSpeed * pushSpeed;
-    account.isWild = !account.isDriven && !(account.energy <= kWild * account.peak + kWildPush * pushed);
+    const float wildPush = kWild * kJointPushing * kJointPushing;
+    account.isWild = !account.isDriven && !(account.energy <= kWild * account.peak + wildPush * pushed);
     if (account.isWild) return;
     const float due = account.energy - account.gain + std::max(account.credit, 0.0f);
     account.peak = std::max(std::min(account.energy, due), account.peak * fade(dt, kPeakMemory));
     account.credit -= account.gain;
-    const float maximum = kMaxGain * account.peak, excess = -maximum - account.credit;
+    const float maximum = kIslandGain * account.peak, excess = -maximum - account.credit;
     if (account.isDriven) {
         account.credit = 0.0f;
     } else if (excess > 0.0f) {

@@ -4,14 +4,11 @@
 #include "physics/islands/substep_controller.hpp"
 #include "physics/islands/substep_estimate.hpp"
 #include "physics/stages.hpp"
+#include "physics/tuning.hpp"
 
 namespace plumb::physics {
 
 namespace {
-
-/// Part of Settings::sleepTime: contacts and joints that ended keep islands larger than need be for so long.
-/// A rebuild looks at every contact; an island that fell apart sleeps late by this at most.
-constexpr float kRebuildPart = 0.5f;
 
 /// What a moving platform carries or pulls stays awake, however slow it is: it could be left in the air.
 void keepCarriedAwake(StepContext& step, std::vector<std::uint32_t>& verdict) {

@@ -11,6 +11,7 @@
 #include "physics/model/bounds.hpp"
 #include "physics/solver/impact.hpp"
 #include "physics/stages.hpp"
+#include "physics/tuning.hpp"
 
 namespace plumb::physics {
 
@@ -24,7 +25,7 @@ constexpr int kFillGrain = 256;  // bodies
 /// Whether the solver has to see the hit, together with what else holds or moves the body.
 bool needsSolver(const StepContext& step, std::uint32_t body) {
     if (!isDynamic(step.world, body)) return false;
-    return step.work.slots[body] < 0 || isHeld(step, body) || hitsOf(step.work, body) >= kMaxHits ||
+    return step.work.slots[body] < 0 || isHeld(step, body) || hitsOf(step.work, body) >= kMaxImpacts ||
            (step.world.bodies.info[body].flags & (kLockX | kLockY)) != 0;
 }
 
@@ -48,7 +49,7 @@ void stop(StepContext& step, std::uint32_t body, const PathHit& hit) {
     if (swept.isHeld) takeBackGain(step, swept, 1.0f - part);
     motion.velocity -= ((1.0f - part) * step.dt) * swept.pull;
     swept.sweep = resting(swept.sweep.at(part), part);
-    swept.hits = kMaxHits + 1;
+    swept.hits = kMaxImpacts + 1;
 }
 
 /// Takes a held body that a kinematic one hit along with that to the end of the step, where the solver finds
@@ -148,7 +149,7 @@ bool isRefused(const StepContext& step, const PathHit& hit, const Contact& conta
 void hitNext(StepContext& step, std::uint32_t own, std::uint32_t met, const PathHit& hit) {
     Workspace& work = step.work;
     Contact contact = contactOf(step, hit, own, met);
-    if (hitsOf(work, own) < kMaxHits && isRefused(step, hit, contact)) {
+    if (hitsOf(work, own) < kMaxImpacts && isRefused(step, hit, contact)) {
         SweptBody& swept = work.swept[work.bodyScratch[own]];
         swept.passed = hit.met;
         swept.sweep.begin = hit.part;

@@ -7,6 +7,7 @@
 #include "physics/joints/joint_types.hpp"
 #include "physics/trees/tree_joints.hpp"
 #include "physics/trees/tree_rows.hpp"
+#include "physics/tuning.hpp"
 
 namespace plumb::physics {
 
@@ -14,26 +15,8 @@ namespace {
 
 constexpr int kGrain = 8;  // trees
 
-/// Compliance of a joint, relative to the response of its bodies: joints that cannot all be satisfied share
-/// the load.
-constexpr double kSoftness = 1.0e-6;
 /// Compliance of a row with zero effective mass; large enough that its impulse is zero.
 constexpr double kNoAnswer = 1.0e30;
-/// A light limb under tension oscillates faster than substeps can follow. Its inertia is at least this
-/// fraction of straining * h^2; below 1/4 the oscillation would grow (Stoermer-Verlet bound).
-constexpr double kCalm = 0.5;
-/// Of gaps beyond Link::reach, which no smooth motion makes, this fraction is closed in a substep.
-constexpr double kSoftRate = 0.28;
-/// Gap, relative to the arms, up to which a joint that the SIMD solver left open may be closed at once. A
-/// tree that is held at both ends may be as taut as a bridge: slightly less length is much less sag, which
-/// would throw what lies on it.
-constexpr double kClosed = 1.0e-3;
-constexpr double kClosedWhereHeld = 2.5e-6;
-
-/// Joints do no work, but seem to where a substep is too long for a whipping motion. Energy that they may add
-/// in a substep, relative to that of the tree. Regular motion stays a hundred times below. Without this limit
-/// 2 of 1,600 ropes and linkages of the families gain 4 to 6 %.
-constexpr double kMaxGain = 2.0e-3;
 
 struct Trees {
     Workspace& work;
@@ -84,7 +67,7 @@ void soften(const TreeBody& treeBody, Link& link, const TreeBody* parent) {
         if (r >= rowsOf(link.kind)) return 1.0;
         const double all =
             offered(treeBody, onTreeBody) + (parent != nullptr ? offered(*parent, onParent) : 0.0);
-        return all > 0.0 ? kSoftness * all : kNoAnswer;
+        return all > 0.0 ? kTreeSoftness * all : kNoAnswer;
     };
     if (link.byArms) {
         link.softness = {softness(0, {1.0, 0.0, link.limbY}, {1.0, 0.0, link.parentY}),
@@ -242,7 +225,7 @@ void calmTree(const Trees& trees, JointTree& tree) {
         middle += treeBody.mass * Triple{treeBody.velocity.x, treeBody.velocity.y, 0.0};
         mass += treeBody.mass;
     }
-    const double excess = tree.gain - kMaxGain * energy;
+    const double excess = tree.gain - kTreeGain * energy;
     if (excess <= 0.0 || tree.powered || isDriven(trees, tree)) return;
     middle = tree.rooted ? Triple{} : 1.0 / mass * middle;
     const double own = energy - 0.5 * mass * (middle.x * middle.x + middle.y * middle.y);
