@@ -24,6 +24,12 @@ if(PLUMB_FUZZ)
     add_compile_options(-fsanitize=fuzzer-no-link)
 endif()
 
+option(PLUMB_TUNABLE "let tests change the constants of physics/tuning.hpp: ./plumb accuracy --tuning" OFF)
+if(PLUMB_TUNABLE)
+    add_compile_options(-include ${PROJECT_SOURCE_DIR}/tests/support/tunable.hpp)
+    add_compile_definitions(PLUMB_TUNABLE)
+endif()
+
 # Contraction to fused multiply-add changes bits between CPUs; nothing here may allow it.
 if(MSVC)
     add_compile_options(/fp:precise /utf-8 /permissive-)

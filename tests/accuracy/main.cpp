@@ -17,6 +17,7 @@
 #include "tests/accuracy/report/sweep.hpp"
 #include "tests/accuracy/report/tables.hpp"
 #include "tests/accuracy/stability/stability.hpp"
+#include "tests/accuracy/tuning/tuning.hpp"
 #include "tests/bench/physics/peers/peers.hpp"
 #include "tests/support/allocations.hpp"
 
@@ -148,6 +149,7 @@ int main(int argc, char** argv) {
         return 0;
     }
     if (options.stability) return stability::runStability(options.otherWords);
+    if (options.tuning) return tuning::runTuningCommand(options.otherWords, options.out);
     if (options.families) return families::runFamilyCommand(options.otherWords, comparedPeers(), options.out);
 
     const std::vector<scenes::Engine> peers = options.peers ? comparedPeers() : std::vector<scenes::Engine>{};

@@ -26,6 +26,7 @@ constexpr Option kOptions[] = {
     {"--list", "", "the scenes"},
     {"--stability", "", "the map of how far hard cases hold, instead; what follows is for it"},
     {"--families", "", "random scenes and relations that must hold in all of them, instead; the same"},
+    {"--tuning", "", "what each constant of the physics does at half and at double, instead; the same"},
     {"--help", "", "this text"},
 };
 
@@ -107,8 +108,10 @@ Result<Options> readOptions(std::span<const std::string_view> words) {
             options.sweep.runs = 1;
         } else if (word == "--no-peers") {
             options.peers = false;
-        } else if (word == "--stability" || word == "--families") {
-            (word == "--stability" ? options.stability : options.families) = true;
+        } else if (word == "--stability" || word == "--families" || word == "--tuning") {
+            (word == "--stability"  ? options.stability
+             : word == "--families" ? options.families
+                                    : options.tuning) = true;
             options.otherWords.assign(words.begin() + static_cast<std::ptrdiff_t>(i) + 1, words.end());
             return options;
         } else {

@@ -21,6 +21,7 @@ struct Options {
     bool list = false;       ///< only the names of the scenes
     bool stability = false;  ///< the stability map instead, which reads the other words
     bool families = false;   ///< families and relations instead, the same
+    bool tuning = false;     ///< what each constant of the physics does instead, the same
     std::vector<std::string_view> otherWords;
 };
 

@@ -1,0 +1,52 @@
+#include "physics/tuning.hpp"
+
+#include <set>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "physics/simulation.hpp"
+#include "tests/physics/golden_scenes.hpp"
+#include "tests/support/tunable.hpp"
+
+// Constants that a build with PLUMB_TUNABLE can change: ./plumb accuracy --tuning.
+
+namespace plumb::physics {
+namespace {
+
+std::uint64_t hashOfScene(const char* name) {
+    for (const test::GoldenScene& scene : test::goldenScenes()) {
+        if (std::string{scene.name} != name) continue;
+        World world = scene.build();
+        for (int i = 0; i < scene.steps; ++i) {
+            if (scene.before != nullptr) scene.before(world, i);
+            step(world, 1.0f / 60.0f);
+        }
+        return physics::hashOf(world);
+    }
+    return 0;
+}
+
+TEST(Tuning, changesResultsWhereConstantsAreVariables) {
+    if (tuning::constants == nullptr) GTEST_SKIP() << "the constants of this build are fixed";
+    std::set<std::string> names;
+    const tuning::Constant* stiffness = nullptr;
+    for (const tuning::Constant* constant = tuning::constants; constant != nullptr;
+         constant = constant->next) {
+        EXPECT_TRUE(names.insert(constant->name).second) << constant->name;
+        EXPECT_NE(constant->value, 0.0) << constant->name << ": half and double of it are the same";
+        EXPECT_STRNE(constant->unit, "") << constant->name;
+        EXPECT_STRNE(constant->derivation, "") << constant->name;
+        if (std::string{constant->name} == "kGroundStiffness") stiffness = constant;
+    }
+    ASSERT_NE(stiffness, nullptr);
+    const std::uint64_t usual = hashOfScene("pyramid");
+    stiffness->set(0.5 * stiffness->value);
+    const std::uint64_t softer = hashOfScene("pyramid");
+    stiffness->set(stiffness->value);
+    EXPECT_NE(softer, usual);
+    EXPECT_EQ(hashOfScene("pyramid"), usual) << "the value of the table again";
+}
+
+}  // namespace
+}  // namespace plumb::physics

@@ -1,0 +1,44 @@
+#pragma once
+
+// Included before everything else in a build with PLUMB_TUNABLE: there the constants of physics/tuning.hpp
+// are variables that list themselves here. In other builds the list is empty.
+
+namespace plumb::tuning {
+
+/// One constant. Numbers of all types are doubles here.
+struct Constant {
+    const char* name = nullptr;
+    const char* unit = nullptr;
+    const char* derivation = nullptr;
+    int line = 0;        ///< of the table
+    double value = 0.0;  ///< as in the table
+    void* place = nullptr;
+    void (*assign)(void* at, double to) = nullptr;
+    const Constant* next = nullptr;
+
+    void set(double to) const { assign(place, to); }
+};
+
+/// The last one that was listed; in no particular order.
+inline const Constant* constants = nullptr;
+
+template <class T>
+struct Listed : Constant {
+    Listed(T& variable, const Constant& row) : Constant{row} {
+        value = static_cast<double>(variable);
+        place = &variable;
+        assign = [](void* at, double to) { *static_cast<T*>(at) = static_cast<T>(to); };
+        next = constants;
+        constants = this;
+    }
+};
+
+}  // namespace plumb::tuning
+
+#ifdef PLUMB_TUNABLE
+#define PLUMB_TUNING(name, value, unit, derivation)     \
+    inline auto name = value;                           \
+    inline const ::plumb::tuning::Listed name##Listed { \
+        name, { #name, unit, derivation, __LINE__ }     \
+    }
+#endif
