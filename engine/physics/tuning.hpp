@@ -16,19 +16,20 @@ namespace plumb::physics {
 PLUMB_TUNING(kRounding, 5.0e-7f, "ratio", "of coordinates after a few operations: four times the last bit of the largest");
 PLUMB_TUNING(kBlur, 1.0e-5f, "ratio", "of corners seen from each other, to their coordinates or the size: what is closer has no direction");
 PLUMB_TUNING(kSimplexPrecision, 1.0e-6f, "ratio", "to a simplex: closer cores touch; eight times the last bit");
-PLUMB_TUNING(kCastTouch, 1.0e-5f, "m", "at which a cast hits, beside rounding: a tenth of the smallest gap of a character");
+PLUMB_TUNING(kTouchDistance, 1.0e-5f, "m", "closer is touching, for casts, overlaps that are removed at once and, doubled, sweeps: below it "
+             "coordinates of 100 m are not exact; a tenth of the smallest shape");
 PLUMB_TUNING(kAlong, 1.0e-3f, "ratio", "a displacement that approaches a surface by less of its length leads along it");
-PLUMB_TUNING(kMaxAdvances, 64, "iterations", "of conservative advancement, a safeguard: it takes fewer than 20");
+PLUMB_TUNING(kMaxRounds, 64, "rounds", "a safeguard: of conservative advancement, which takes fewer but for grazing rotations, and "
+             "of propagating an impact, which takes n along a row of n bodies");
 PLUMB_TUNING(kSlowDrag, 0.1f, "ratio", "drag * h below which series are as exact as floats, and differences are not");
 
 // Contact points.
 PLUMB_TUNING(kFaceTie, 0.001f, "ratio to the half size",
              "by which another reference face has to be better, or normals flicker between parallel faces");
 PLUMB_TUNING(kMaxFaceTie, 0.0005f, "m", "upper limit of that: a tenth of the default slop");
-PLUMB_TUNING(kPastCorner, 0.01f, "rad", "how far a corner may be beyond the end of a nearly parallel face and stay with the "
-             "face, so that boxes of equal size keep both points; costs its square, 0.01 % of the distance");
-PLUMB_TUNING(kStraight, 0.01f, "rad", "smaller angles between the segments of a chain are none");
-PLUMB_TUNING(kSameAngle, 0.02f, "rad", "a narrower sector is a gap between borders that abut: no body goes into it");
+PLUMB_TUNING(kParallel, 0.01f, "rad", "edges at a smaller angle are parallel: a corner that is so little beyond the end of a face "
+             "stays with it (boxes of equal size keep both points, at its square, 0.01 %, of the distance), chains have no "
+             "corner there, and borders of outlines no sector between them");
 PLUMB_TUNING(kSameNormal, 1.0e-6f, "1 - cosine", "1.4e-3 rad, which lifts a body at a seam by 0.04 mm at 20 m/s");
 PLUMB_TUNING(kFlush, 0.2f, "ratio to Settings::slop", "shapes with smaller gaps and steps are flush: 1 mm, below any overlap");
 PLUMB_TUNING(kMaxTurn, 0.03f, "rad", "since points were found; with 0.1 boxes that rock on balls are fed by stale directions "
@@ -38,12 +39,10 @@ PLUMB_TUNING(kOnePointPart, 0.05f, "ratio to that", "where one point of two touc
 PLUMB_TUNING(kMinCosine, 0.95f, "cosine", "18 degrees: what is round and turns by more in half a step touches elsewhere");
 PLUMB_TUNING(kFadeRate, 4.74f, "1/s", "by which the root of an initial overlap falls, in slops: a deceleration of 0.22 m/s2 at a "
              "slop of 5 mm, gentle beside gravity; 0.25 m open within 1.5 s, at 0.34 m/s");
-PLUMB_TUNING(kLongStep, 1.0f / 30.0f, "s", "an overlap that motion in two steps of 60 Hz does not explain was there before");
 PLUMB_TUNING(kGroundStiffness, 2.0f, "ratio to Settings::contactStiffness", "the ground does not give way: half a spring");
 
 // Impacts.
 PLUMB_TUNING(kSweptGap, 5.0e-5f, "m", "left between what meets: 5 us at 10 m/s; coordinates of 100 m are exact to a tenth of it");
-PLUMB_TUNING(kSweepTolerance, 2.0e-5f, "m", "what is nearer to a gap is at it: less than half of it");
 PLUMB_TUNING(kSweptCore, 0.5f, "ratio to the outline", "may not pass: what slides dips into the floor and its next piece");
 PLUMB_TUNING(kLeastCore, 0.02f, "ratio to the outline", "where a core touches from the start, half of it counts, down to this");
 PLUMB_TUNING(kMaxImpacts, 5, "hits", "of a body in a step before it stops: it leaves a corner of angle a after at most 1 + pi / a "
@@ -54,8 +53,6 @@ PLUMB_TUNING(kTwoPointTurns, 8, "iterations", "over two points of a contact, eac
 PLUMB_TUNING(kLively, 0.5f, "bounciness", "duller crowds would absorb impacts that are propagated, and sink");
 PLUMB_TUNING(kMaxLoad, 0.1f, "ratio to the impulse", "a contact that was loaded more propagates no impact");
 PLUMB_TUNING(kNoApproach, 1.0e-3f, "m/s", "slower approaches are not propagated");
-PLUMB_TUNING(kNoOverlap, 1.0e-5f, "m", "smaller overlaps of a chain of impacts are left");
-PLUMB_TUNING(kMaxRounds, 64, "rounds", "of propagation: a row of n bodies takes n");
 PLUMB_TUNING(kRounded, 1.001f, "ratio", "what flies off gains all that its drive gives, and this by rounding");
 PLUMB_TUNING(kLivelyPart, 0.25f, "ratio to Settings::bounceSpeed", "what bounced leaves faster; what creeps is pressed");
 
@@ -76,14 +73,14 @@ PLUMB_TUNING(kTreeGain, 2.0e-3, "ratio to the energy", "that joints of a tree ma
              "regular motion; without it 2 of 1,600 ropes and linkages gain 4 to 6 %");
 
 // Energy.
-PLUMB_TUNING(kMemory, 2.0f, "s", "energy that went into joints or a blow may come back: a taut bridge takes 0.25 s for a throw");
-PLUMB_TUNING(kPeakMemory, 4.0f, "s", "for which the largest energy of an island counts: rounding is measured by it");
-PLUMB_TUNING(kIslandGain, 0.005f, "ratio to that peak", "that joints may add in all");
+PLUMB_TUNING(kMemory, 2.0f, "s", "energy that went into joints or a blow may come back, and for twice as long the largest of an "
+             "island is what rounding is measured by: a taut bridge takes 0.25 s to throw");
+PLUMB_TUNING(kIslandGain, 0.005f, "ratio to that largest", "that joints may add in all");
 PLUMB_TUNING(kContactGain, 1.0e-3f, "ratio to the energy", "that contacts may seem to add in a step");
 PLUMB_TUNING(kParting, 0.1f, "ratio to Settings::pushSpeed", "overlaps part at such speeds, which are left to islands without joints");
 PLUMB_TUNING(kCreeping, 0.006f, "ratio to Settings::pushSpeed", "and to those with joints: what hangs too low is lifted");
-PLUMB_TUNING(kWhipped, 0.5f, "ratio to the speed", "what keeps less of it is not where it should be either");
-PLUMB_TUNING(kWhippedWay, 4.0f, "ratio to the energy", "nor is what went further than it explains");
+PLUMB_TUNING(kWhipped, 0.5f, "ratio to the speed", "what keeps less of it is not where it should be either, nor what went "
+             "further than 1 / this explains");
 PLUMB_TUNING(kWild, 100.0f, "ratio to the energy", "and to that of joints that close ten times as fast as they may: with more, a "
              "body is stopped");
 
@@ -127,7 +124,6 @@ PLUMB_TUNING(kAxisAligned, 0.1f, "cosine", "less steep is a slope, not a wall");
 PLUMB_TUNING(kRoundCorner, 0.5f, "cosine", "60 degrees: what is round stands on corners up to this normal");
 PLUMB_TUNING(kRoundReach, 0.14f, "ratio to the radius", "that it has to be over them: 1 - the cosine of 30 degrees");
 PLUMB_TUNING(kFastestSeen, 60.0f, "m/s", "kinematic bodies up to this speed are found where the next step takes them");
-PLUMB_TUNING(kSameFace, 0.9999f, "cosine", "0.8 degrees: the normal of a hit is that of a face");
 PLUMB_TUNING(kMoverTurns, 6, "turns", "of a displacement in a tick: a corner of three surfaces takes 3");
 PLUMB_TUNING(kCornerTries, 16, "tries", "to pass a corner");
 PLUMB_TUNING(kMaxPieces, 8.0f, "pieces", "of a displacement on the ground in a tick");

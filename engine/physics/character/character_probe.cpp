@@ -90,7 +90,7 @@ bool CharacterProbe::stops(const CastHit& hit, const BodyPose& pose, const Movin
     const Vec2 normal = unrotate(pose.rotation, hit.normal);
     const auto corners = shape.corners();
     const bool onFace = std::any_of(corners.begin(), corners.end(), [&](const Corner& corner) {
-        return dot(corner.normal, normal) > kSameFace;
+        return dot(corner.normal, normal) > 1.0f - kParallel * kParallel;
     });
     const float feet = dot(open, moving.position - hit.point) - reachAlong(moving.outline, -open);
     return onFace || feet >= 0.0f;

@@ -160,7 +160,7 @@ bool isLeftToSweep(const World& world, const Contact& contact, const Manifold& m
     const std::uint32_t swept = isB ? contact.bodyB : contact.bodyA;
     float gap = manifold.points[0].separation;
     if (manifold.count == 2) gap = std::min(gap, manifold.points[1].separation);
-    if (gap <= kSweptGap + 2.0f * kSweepTolerance) return false;
+    if (gap <= kSweptGap + 4.0f * kTouchDistance) return false;
     const std::vector<BodyMotion>& motion = world.bodies.motion;
     const Vec2 speed = motion[contact.bodyB].velocity - motion[contact.bodyA].velocity;
     const float closing =

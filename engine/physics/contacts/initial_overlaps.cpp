@@ -15,7 +15,7 @@ float depthByMotion(const World& world, const Contact& contact) {
     const BodyMotion& b = world.bodies.motion[contact.bodyB];
     const float turning = std::fabs(a.angularVelocity) * world.bodies.info[contact.bodyA].reach +
                           std::fabs(b.angularVelocity) * world.bodies.info[contact.bodyB].reach;
-    return world.settings.slop + kLongStep * (length(b.velocity - a.velocity) + turning);
+    return world.settings.slop + 2.0f * world.stepLength * (length(b.velocity - a.velocity) + turning);
 }
 
 float depthOf(const Contact& contact) { return -std::min(contact.separation0, contact.separation1); }

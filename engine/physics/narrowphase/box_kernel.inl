@@ -198,8 +198,8 @@ void touchCorners(BoxPlaces<F>& w, const BoxView<F>& v, F gap, F radius, F other
     // A corner that extends only slightly beyond the end of a nearly parallel face stays with the face, so
     // that stacked boxes of equal size keep both points. This costs 0.01 % of the distance.
     const F rise = (farN - nearN) * beyond;
-    const F minimum = all<F>(kPastCorner * kPastCorner) * nearN * abs(farT - nearT);
-    const auto past = (beyond > all<F>(kPastCorner) * nearN) | (rise > minimum);
+    const F minimum = all<F>(kParallel * kParallel) * nearN * abs(farT - nearT);
+    const auto past = (beyond > all<F>(kParallel) * nearN) | (rise > minimum);
     const auto isCorner =
         (gap > zero) & (beyond > zero) & (((zero > passes) & past) | apart) & (square > blur);
 

@@ -8,7 +8,7 @@ namespace {
 
 /// True if the chain is convex where its normal changes from `from` to `to`. At a spike the angle is nearly
 /// 180 degrees.
-bool isSharp(Vec2 from, Vec2 to) { return cross(from, to) > (dot(from, to) > 0.0f ? kStraight : 0.0f); }
+bool isSharp(Vec2 from, Vec2 to) { return cross(from, to) > (dot(from, to) > 0.0f ? kParallel : 0.0f); }
 
 /// A joint of a chain. At a convex joint, contact normals between those of the two segments are valid. To
 /// avoid duplicates, the segment that starts at a joint handles it; the last segment also handles the end of

@@ -65,7 +65,7 @@ bool FreeSector::cover(const Convex& outline, const Frame& frame) {
     return true;
 }
 
-bool FreeSector::isClosed() const { return isCovered_ || end_.angle + 4.0f - start_.angle < kSameAngle; }
+bool FreeSector::isClosed() const { return isCovered_ || end_.angle + 4.0f - start_.angle < kParallel; }
 
 bool FreeSector::isFlat() const { return dot(start_.normal, end_.normal) > 1.0f - kSameNormal; }
 
@@ -76,8 +76,8 @@ bool FreeSector::allows(Vec2 normal) const {
 }
 
 std::optional<Vec2> FreeSector::ownNormal(Vec2 normal) const {
-    const bool starts = ownStart_->angle > start_.angle - kSameAngle;
-    const bool ends = ownEnd_->angle < end_.angle + kSameAngle;
+    const bool starts = ownStart_->angle > start_.angle - kParallel;
+    const bool ends = ownEnd_->angle < end_.angle + kParallel;
     if (!starts && !ends) return std::nullopt;
     if (!ends) return ownStart_->normal;
     if (!starts) return ownEnd_->normal;

@@ -100,8 +100,8 @@ std::optional<CornerPair> nearestCorners(const EdgeOnEdge& edges, const Side& re
     // A corner that extends only slightly beyond the end of a nearly parallel face stays with the face, so
     // that boxes of equal size keep both points. This costs 0.01 % of the distance.
     const bool past =
-        nearBeyond > kPastCorner * near.y ||
-        (far.y - near.y) * nearBeyond > kPastCorner * kPastCorner * near.y * std::fabs(far.x - near.x);
+        nearBeyond > kParallel * near.y ||
+        (far.y - near.y) * nearBeyond > kParallel * kParallel * near.y * std::fabs(far.x - near.x);
     if (!apart && !past) return std::nullopt;
 
     CornerPair pair{.reference = atStart ? edges.face : next(reference.corners, edges.face),

@@ -10,7 +10,7 @@ namespace {
 float touchOf(const Convex& a, const Frame& bInA) {
     const Vec2 far = bInA.position;
     const Vec2 own = a.centre;
-    return kCastTouch +
+    return kTouchDistance +
            4.0f * kRounding * (std::fabs(far.x) + std::fabs(far.y) + std::fabs(own.x) + std::fabs(own.y));
 }
 
@@ -19,7 +19,7 @@ float touchOf(const Convex& a, const Frame& bInA) {
 std::optional<ConvexHit> castShape(const Convex& a, const Convex& b, const Frame& bInA, Vec2 displacement) {
     SimplexCache cache;
     ConvexHit hit;
-    for (int iteration = 0; iteration < kMaxAdvances; ++iteration) {
+    for (int iteration = 0; iteration < kMaxRounds; ++iteration) {
         const Frame frame{bInA.position + displacement * hit.fraction, bInA.rotation};
         const Distance apart = distanceBetween(a, b, frame, &cache);
         hit.normal = apart.normal;

@@ -43,10 +43,10 @@ float firstImpact(const SweptOutline& a, const SweptOutline& b, float gap, float
     const float turning = std::fabs(a.sweep.turn) * armOf(a) + std::fabs(b.sweep.turn) * armOf(b);
     SimplexCache cache;
     float part = std::max(a.sweep.begin, b.sweep.begin);
-    for (int i = 0; i < kMaxAdvances && part <= latest; ++i) {
+    for (int i = 0; i < kMaxRounds && part <= latest; ++i) {
         const BodyPose poseA = a.sweep.at(part), poseB = b.sweep.at(part);
         const Distance now = distanceBetween(a.outline, b.outline, seenFrom(poseA, poseB), &cache);
-        if (now.distance <= gap + kSweepTolerance) return part;
+        if (now.distance <= gap + 2.0f * kTouchDistance) return part;
         const float closing = dot(rotate(poseA.rotation, now.normal), displacement) + turning;
         part = closing > 0.0f ? part + (now.distance - gap) / closing : kNever;
     }

@@ -143,7 +143,7 @@ bool partInTurn(Workspace& work, float dt) {
             // Overlap from before the step is pushed out as usual: removed at once, it would add height.
             const float start = std::max(block.points[0].separation[lane], 0.0f);
             const float depth = -(start + approachIn(work, block, 0, lane, dt).displacement);
-            if (depth <= kNoOverlap) return;
+            if (depth <= kTouchDistance) return;
             overlapped = true;
             part(work, block, lane, depth);
         });

@@ -247,7 +247,7 @@ void settleJoints(EnergyAccount& account, float pushSpeed, float dt) {
     account.isWild = !account.isDriven && !(account.energy <= kWild * account.peak + wildPush * pushed);
     if (account.isWild) return;
     const float due = account.energy - account.gain + std::max(account.credit, 0.0f);
-    account.peak = std::max(std::min(account.energy, due), account.peak * fade(dt, kPeakMemory));
+    account.peak = std::max(std::min(account.energy, due), account.peak * fade(dt, 2.0f * kMemory));
     account.credit -= account.gain;
     const float maximum = kIslandGain * account.peak, excess = -maximum - account.credit;
     if (account.isDriven) {
@@ -256,7 +256,7 @@ void settleJoints(EnergyAccount& account, float pushSpeed, float dt) {
         account.excess = excess;
         account.credit = -maximum;
     }
-    const float farthest = (kWhippedWay * account.peak + pushed) * dt * dt;
+    const float farthest = (account.peak / (kWhipped * kWhipped) + pushed) * dt * dt;
     if (!account.isDriven && account.displacement > farthest)
         account.part = std::sqrt(farthest / account.displacement);
     // What a swing takes for half its time and gives back is not forgotten.

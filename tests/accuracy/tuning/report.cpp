@@ -70,9 +70,9 @@ constexpr std::string_view kWhat =
     "(docs/families.md), "
     "and maps of the stability report of which another number of cells holds (docs/stability.md). 'Nothing': "
     "bodies "
-    "move otherwise, but no share does. 'No bit': nothing there depends on it, as on characters, which "
-    "tests/physics "
-    "tries. Chance: where motion is chaotic, as many members of a family turn worse as turn better.";
+    "move otherwise, but no share does. 'No bit': nothing there depends on it; characters, casts and "
+    "Settings::tolerance are tried by tests/physics. "
+    "Chance: where motion is chaotic, as many members of a family turn worse as turn better.";
 
 }  // namespace
 
@@ -90,12 +90,12 @@ std::string textOf(const Trial& trial) {
 }
 
 std::string csvOf(const std::vector<Trial>& trials) {
-    std::string text = "constant,factor,scene,map,members,base,reached,worse,better,differs\n";
+    std::string text = "constant,value,factor,scene,map,members,base,reached,worse,better,differs\n";
     for (const Trial& trial : trials) {
         for (const Move& move : trial.moves)
-            text += format("{},{},{},{},{},{},{},{},{},{}\n", trial.constant->name, trial.factor, move.scene,
-                           move.isMap ? 1 : 0, move.members, move.base, move.reached, move.worse, move.better,
-                           move.differs ? 1 : 0);
+            text += format("{},{},{},{},{},{},{},{},{},{},{}\n", trial.constant->name, trial.constant->value,
+                           trial.factor, move.scene, move.isMap ? 1 : 0, move.members, move.base,
+                           move.reached, move.worse, move.better, move.differs ? 1 : 0);
     }
     return text;
 }

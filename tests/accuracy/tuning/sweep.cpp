@@ -151,7 +151,6 @@ std::uint64_t Sweep::signature() const {
     Hasher hasher;
     for (const auto& family : base_->ends)
         for (const End& end : family) hasher.add(end.bits);
-    for (const Constant* constant : allConstants()) hasher.add(static_cast<float>(constant->value));
     return hasher.value();
 }
 

@@ -113,14 +113,14 @@ std::vector<Trial> readTrials(const Path& path, const std::string& first) {
     if (!text || !text->starts_with(first)) return trials;
     for (const std::string_view line : split(*text, '\n')) {
         const auto cells = split(line, ',');
-        const Constant* constant = cells.size() == 10 ? findConstant(cells[0]) : nullptr;
-        if (constant == nullptr) continue;
-        const double factor = static_cast<double>(parseFloat(cells[1]).value_or(0.0f));
+        const Constant* constant = cells.size() == 11 ? findConstant(cells[0]) : nullptr;
+        if (constant == nullptr || cells[1] != format("{}", constant->value)) continue;
+        const double factor = static_cast<double>(parseFloat(cells[2]).value_or(0.0f));
         if (trials.empty() || trials.back().constant != constant || trials.back().factor != factor)
             trials.push_back({constant, factor, {}});
         const auto number = [&](std::size_t i) { return static_cast<int>(parseInt(cells[i]).value_or(0)); };
-        trials.back().moves.push_back({std::string{cells[2]}, number(3) != 0, number(4), number(5), number(6),
-                                       number(7), number(8), number(9) != 0});
+        trials.back().moves.push_back({std::string{cells[3]}, number(4) != 0, number(5), number(6), number(7),
+                                       number(8), number(9), number(10) != 0});
     }
     return trials;
 }
