@@ -1,0 +1,62 @@
+cmake_minimum_required(VERSION 3.22)
+
+# Every constant of the physics that was chosen is a row of physics/tuning.hpp, and every row is in docs/tuning.md with
+# its value. Sizes, bits and indices are unsigned and not looked at; parts whose constants change the time of a step or
+# a picture and no result are left out.
+#
+#   cmake -D ROOT=. -P check_tuning.cmake
+
+set(physics ${ROOT}/engine/physics)
+set(left_out "broadphase/|debug/|terrain/|ranges.hpp|tuning.hpp")
+set(sizes kMaxCorners kMaxWays kMaxIterations kMaxPushes kLanes kColours kFirstFixedColour)
+set(pieces_of_work kSequential kAtOnce kAhead)  # and all that end in Grain
+set(no_value kFarAway kEndless kFar kNever kNoAnswer kNoLimit kNoChain)
+set(smallest_divisors kNoDistance kMinInertia)
+set(ranges_of_input kFarthestAhead kLightest kMaxTick kMost)
+set(mathematics kQuarter kTurn kTurning)
+set(allowed ${sizes} ${pieces_of_work} ${no_value} ${smallest_divisors} ${ranges_of_input} ${mathematics})
+
+set(broken 0)
+set(unused ${allowed})
+file(GLOB_RECURSE files RELATIVE ${physics} ${physics}/*.hpp ${physics}/*.cpp ${physics}/*.inl)
+foreach(file IN LISTS files)
+    if(file MATCHES "^(${left_out})")
+        continue()
+    endif()
+    file(STRINGS ${physics}/${file} found REGEX "constexpr (float|double|int|auto) k[A-Za-z0-9]+ ?[={]")
+    foreach(line IN LISTS found)
+        string(REGEX MATCH "k[A-Z][A-Za-z0-9]*" name "${line}")
+        list(REMOVE_ITEM unused ${name})
+        if(NOT name IN_LIST allowed AND NOT name MATCHES "Grain$")
+            message("engine/physics/${file}: ${name} is a row of physics/tuning.hpp, or of a kind that check_tuning.cmake allows")
+            math(EXPR broken "${broken} + 1")
+        endif()
+    endforeach()
+endforeach()
+list(REMOVE_ITEM unused kEndless kMaxPushes)  # the latter are unsigned in some files, the former of several types
+foreach(name IN LISTS unused)
+    message("check_tuning.cmake allows ${name}, which there is not")
+    math(EXPR broken "${broken} + 1")
+endforeach()
+
+set(rows 0)
+set(docs "")
+if(EXISTS ${ROOT}/docs/tuning.md)
+    file(READ ${ROOT}/docs/tuning.md docs)
+endif()
+file(STRINGS ${physics}/tuning.hpp table REGEX "^PLUMB_TUNING")
+foreach(row IN LISTS table)
+    math(EXPR rows "${rows} + 1")
+    string(REGEX MATCH "k[A-Z][A-Za-z0-9]*" name "${row}")
+    string(FIND "${docs}" "| ${name} |" place)
+    if(place EQUAL -1)
+        message("docs/tuning.md lacks ${name}; run ./plumb accuracy --tuning --docs docs")
+        math(EXPR broken "${broken} + 1")
+    endif()
+endforeach()
+if(rows EQUAL 0)
+    message(FATAL_ERROR "no constant was found in ${physics}/tuning.hpp; this rule would check nothing")
+endif()
+if(broken)
+    message(FATAL_ERROR "${broken} constant(s) are not where they belong")
+endif()
