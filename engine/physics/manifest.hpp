@@ -65,6 +65,13 @@ struct Manifest {
     void leave(Effect effect, bool on) { call(effect, on, -1); }
 };
 
-std::string_view nameOf(Effect effect);
+constexpr std::string_view nameOf(Effect effect) {
+    constexpr std::array<std::string_view, kEffects> kNames{
+        "gravity",        "rotation", "friction",  "restitution", "rolling",  "drag",
+        "joints",         "motors",   "ccd",       "sleep",       "contacts", "triggers",
+        "contact_events", "one_way",  "conveyor",  "kinematics",  "locks",    "area_gravity",
+        "wind",           "buoyancy", "attractor", "explosion",   "springs",  "soft_bodies"};
+    return kNames[static_cast<std::size_t>(effect)];
+}
 
 }  // namespace plumb::physics

@@ -29,10 +29,10 @@ public:
     [[nodiscard]] Vec2 velocity() const { return velocityOf(world_, id_); }                 ///< m/s
     [[nodiscard]] float angularVelocity() const { return angularVelocityOf(world_, id_); }  ///< rad/s
     /// m/s2
-    [[nodiscard]] Vec2 acceleration() const { return world_.bodies.driveOf(id_.index).acceleration; }
+    [[nodiscard]] Vec2 acceleration() const { return driveOf(world_, id_).acceleration; }
     [[nodiscard]] float mass() const { return massOf(world_, id_); }  ///< kg
     /// N: sum of what was added since the last update, without gravity and contacts.
-    [[nodiscard]] Vec2 netForce() const { return world_.bodies.driveOf(id_.index).force; }
+    [[nodiscard]] Vec2 netForce() const { return driveOf(world_, id_).force; }
     /// Transform after dt (s) if nothing is in the way.
     [[nodiscard]] Frame predictTransform(float dt) const {
         return physics::predictTransform(world_, id_, dt);

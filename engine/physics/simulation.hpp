@@ -5,7 +5,7 @@
 
 #include "physics/contacts/detection_counts.hpp"
 #include "physics/model/bodies.hpp"
-#include "physics/model/contact_hooks.hpp"
+#include "physics/model/contact.hpp"
 #include "physics/model/joints.hpp"
 #include "physics/model/shapes.hpp"
 #include "physics/world.hpp"

@@ -2,7 +2,7 @@
 
 #include "core/profile.hpp"
 #include "core/task_pool.hpp"
-#include "physics/model/contact_hooks.hpp"
+#include "physics/model/contact.hpp"
 #include "physics/solver/kernels.hpp"
 #include "physics/workspace.hpp"
 #include "physics/world.hpp"

@@ -4,20 +4,10 @@
 
 namespace plumb::physics {
 
-WorkspaceHolder::WorkspaceHolder() = default;
-WorkspaceHolder::~WorkspaceHolder() = default;
-WorkspaceHolder::WorkspaceHolder(const WorkspaceHolder&) {}
-WorkspaceHolder& WorkspaceHolder::operator=(const WorkspaceHolder&) { return state_ = State::Stale, *this; }
-WorkspaceHolder::WorkspaceHolder(WorkspaceHolder&& other) noexcept
-    : workspace_{std::move(other.workspace_)}, state_{std::exchange(other.state_, State::Stale)} {}
-WorkspaceHolder& WorkspaceHolder::operator=(WorkspaceHolder&& other) noexcept {
-    workspace_ = std::move(other.workspace_);
-    state_ = std::exchange(other.state_, State::Stale);
-    return *this;
-}
+void WorkspaceHolder::Delete::operator()(Workspace* workspace) const { delete workspace; }
 
 Workspace& WorkspaceHolder::get() {
-    if (workspace_ == nullptr) workspace_ = std::make_unique<Workspace>();
+    if (workspace_ == nullptr) workspace_.reset(new Workspace);
     return *workspace_;
 }
 

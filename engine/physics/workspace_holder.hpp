@@ -1,7 +1,6 @@
 #pragma once
 
 #include <memory>
-#include <utility>
 
 namespace plumb::physics {
 
@@ -11,12 +10,11 @@ struct Workspace;
 /// them, and a world that is overwritten keeps the memory but refills it.
 class WorkspaceHolder {
 public:
-    WorkspaceHolder();
-    ~WorkspaceHolder();
-    WorkspaceHolder(const WorkspaceHolder& other);
-    WorkspaceHolder& operator=(const WorkspaceHolder& other);
-    WorkspaceHolder(WorkspaceHolder&& other) noexcept;
-    WorkspaceHolder& operator=(WorkspaceHolder&& other) noexcept;
+    WorkspaceHolder() = default;
+    WorkspaceHolder(const WorkspaceHolder&) {}
+    WorkspaceHolder& operator=(const WorkspaceHolder&) { return state_ = State::Stale, *this; }
+    WorkspaceHolder(WorkspaceHolder&&) noexcept = default;
+    WorkspaceHolder& operator=(WorkspaceHolder&&) noexcept = default;
 
     /// Created on first use.
     Workspace& get();
@@ -30,13 +28,17 @@ public:
     }
     /// True once after the world was created or overwritten.
     bool takeStale() { return stale() && (state_ = State::Refilled, true); }
-    [[nodiscard]] bool stale() const { return state_ == State::Stale; }
+    [[nodiscard]] bool stale() const { return workspace_ == nullptr || state_ == State::Stale; }
 
 private:
     /// A query refills what it needs, such as the broad phase, and leaves the rest as it was.
     enum class State : unsigned char { Stale, Refilled, Stepped };
 
-    std::unique_ptr<Workspace> workspace_;
+    struct Delete {
+        void operator()(Workspace* workspace) const;
+    };
+
+    std::unique_ptr<Workspace, Delete> workspace_;
     State state_ = State::Stale;
 };
 

@@ -300,4 +300,42 @@ struct World {
     WorkspaceHolder work;             ///< derived from the rest: neither copied nor hashed
 };
 
+/// True if an id is the last that its index was given to; its object may have been destroyed since.
+template <class List, class Thing>
+[[nodiscard]] bool isLatest(const List& list, Id<Thing> id) {
+    return id.generation != 0 && id.index < list.size() && list[id.index].generation == id.generation;
+}
+[[nodiscard]] inline bool alive(const World& world, BodyId id) {
+    return isLatest(world.bodies.info, id) && world.bodies.info[id.index].kind != BodyKind::None;
+}
+[[nodiscard]] inline bool alive(const World& world, ShapeId id) {
+    return isLatest(world.shapes.info, id) && (world.shapes.motion[id.index] != ProxyMotion::Gone ||
+                                               (world.shapes.info[id.index].flags & kShapeOff) != 0);
+}
+[[nodiscard]] inline bool alive(const World& world, JointId id) {
+    return isLatest(world.joints.hot, id) && world.joints.hot[id.index].bodyA != kNone;
+}
+[[nodiscard]] inline bool alive(const World& world, FieldId id) {
+    return isLatest(world.fields.all, id) && world.fields.all[id.index].isAlive;
+}
+[[nodiscard]] inline bool alive(const World& world, SoftBodyId id) {
+    return isLatest(world.softBodies.all, id) && world.softBodies.all[id.index].isAlive;
+}
+
+/// What a list of the world has of an object. Of one that was destroyed or never made it is a default value:
+/// all getters of the library answer so.
+template <class T, class Thing>
+[[nodiscard]] const T& readOf(const World& world, const std::vector<T>& list, Id<Thing> id) {
+    static const T kNeutral{};
+    return alive(world, id) ? list[id.index] : kNeutral;
+}
+
+[[nodiscard]] inline bool isDynamic(const World& world, std::uint32_t body) {
+    return world.bodies.info[body].kind == BodyKind::Dynamic;
+}
+/// True for a body that can be pushed and is awake.
+[[nodiscard]] inline bool isUp(const World& world, std::uint32_t body) {
+    return isDynamic(world, body) && world.bodies.info[body].place != kNone;
+}
+
 }  // namespace plumb::physics

@@ -268,6 +268,44 @@ TEST(Edits, massDataOfTheShapesThemselvesChangesNothing) {
     }
 }
 
+TEST(Edits, aStackRestsOnWhenAShapeMovesACenterOfMass) {
+    // A light shape inside the crate moves its center by up to 0.1 m and adds little weight.
+    for (const Vec2 place : {Vec2{0.3f, 0.0f}, Vec2{-0.2f, 0.2f}, Vec2{0.0f, -0.3f}}) {
+        for (const bool removes : {false, true}) {
+            for (int changed = 0; changed < 3; ++changed) {
+                Playground scene;
+                scene.floor();
+                std::vector<BodyId> crates;
+                for (int i = 0; i < 3; ++i) {
+                    crates.push_back(scene.crate({0.0, 0.5 + i}));
+                    if (removes && i == changed)
+                        scene.shape(crates.back(), box({0.1f, 0.1f}, place), {.density = 10.0f});
+                }
+                const auto at = static_cast<std::size_t>(changed);
+                scene.run(240);
+                std::vector<WorldPosition> before;
+                for (const BodyId crate : crates) before.push_back(positionOf(scene.world, crate));
+                if (removes) {
+                    std::vector<ShapeId> shapes;
+                    shapesOf(scene.world, crates[at], shapes);
+                    destroyShape(scene.world, shapes.back());
+                } else {
+                    scene.shape(crates[at], box({0.1f, 0.1f}, place), {.density = 10.0f});
+                }
+                for (int i = 0; i < 30; ++i) {
+                    scene.run(1);
+                    EXPECT_TRUE(scene.world.events.empty());
+                    for (std::size_t c = 0; c < crates.size(); ++c) {
+                        EXPECT_NEAR(positionOf(scene.world, crates[c]).x, before[c].x, 5.0e-4) << i;
+                        EXPECT_NEAR(positionOf(scene.world, crates[c]).y, before[c].y, 5.0e-4) << i;
+                        EXPECT_LT(length(scene.velocity(crates[c])), 0.02f) << i;
+                    }
+                }
+            }
+        }
+    }
+}
+
 TEST(Edits, aTorqueTurnsABodyByItsSetInertia) {
     World world;
     world.settings.gravity = {};

@@ -93,6 +93,24 @@ TEST(JointEdits, limitsMotorsAndSpringsWorkFromTheNextStepOn) {
     EXPECT_EQ(readingOf(scene.world, joint).motorForce, 0.0f);
 }
 
+TEST(JointEdits, motorSpeedsAndTargetsAreRefusedWhereTheyHaveNoEffect) {
+    for (int kind = 0; kind < static_cast<int>(JointKind::Gear); ++kind) {
+        JointWorld scene;
+        const BodyId disc = scene.disc({1.0, -1.0});
+        const auto asked = static_cast<JointKind>(kind);
+        const JointId joint = scene.join(scene.define(asked, scene.ground, disc, {}));
+        const bool hasMotor = asked != JointKind::Weld && asked != JointKind::Mouse;
+        EXPECT_EQ(setMotorSpeed(scene.world, joint, 2.0f).ok(), hasMotor) << kind;
+        EXPECT_EQ(definitionOf(scene.world, joint).motor.speed, hasMotor ? 2.0f : 0.0f);
+        EXPECT_EQ(setTarget(scene.world, joint, {3.0, 4.0}).ok(), asked == JointKind::Mouse) << kind;
+        EXPECT_EQ(definitionOf(scene.world, joint).target.x, asked == JointKind::Mouse ? 3.0 : 0.0);
+    }
+    JointWorld scene;
+    const JointId pulley = scene.join(scene.definePulley(1.0f));
+    EXPECT_NE(setMotorSpeed(scene.world, pulley, 1.0f).error().text().find("no motor"), std::string::npos);
+    EXPECT_FALSE(setTarget(scene.world, pulley, {}).ok());
+}
+
 TEST(JointEdits, readingsOfLengths) {
     JointWorld scene;
     const BodyId disc = scene.disc({0.0, -2.0});

@@ -52,14 +52,39 @@ TEST(GearJoint, passesTorqueOnByItsRatio) {
     EXPECT_NEAR(angularVelocityOf(scene.world, scene.first), 1.0f / (0.125f * 1.25f), 0.05f);
 }
 
-TEST(GearJoint, letsGoWhenOneOfItsJointsGoes) {
-    Gears scene{1.0f};
-    destroyJoint(scene.world, scene.axleA);
-    (void)*setAngularVelocity(scene.world, scene.first, 2.0f);
+TEST(GearJoint, goesWithEitherOfItsJoints) {
+    for (const bool first : {true, false}) {
+        Gears scene{1.0f};
+        const JointId other =
+            scene.join(scene.define(JointKind::Revolute, scene.ground, scene.disc({9.0, 0.0}), {9.0, 0.0}));
+        destroyJoint(scene.world, other);
+        EXPECT_TRUE(alive(scene.world, scene.gear));
+        destroyJoint(scene.world, first ? scene.axleA : scene.axleB);
+        EXPECT_FALSE(alive(scene.world, scene.gear));
+        EXPECT_TRUE(alive(scene.world, first ? scene.axleB : scene.axleA));
+        (void)*setAngularVelocity(scene.world, scene.first, 2.0f);
 
-    scene.run(1.0f);
+        scene.run(1.0f);
 
-    EXPECT_NEAR(angularVelocityOf(scene.world, scene.second), 0.0f, 1.0e-6f);
+        EXPECT_NEAR(angularVelocityOf(scene.world, scene.second), 0.0f, 1.0e-6f);
+    }
+}
+
+TEST(GearJoint, goesWithTheBodyOfOneOfItsJointsOrWhenThatBreaks) {
+    for (const bool breaks : {true, false}) {
+        Gears scene{1.0f};
+        if (breaks) {
+            ASSERT_TRUE(change(scene.world, scene.axleA, [](auto& d) { d.breakForce = 5.0f; }).ok());
+            ASSERT_TRUE(applyForce(scene.world, scene.first, {0.0f, 1000.0f}).ok());
+            scene.run(JointWorld::kDt);
+        } else {
+            destroyBody(scene.world, scene.first);
+        }
+        EXPECT_FALSE(alive(scene.world, scene.axleA));
+        EXPECT_FALSE(alive(scene.world, scene.gear));
+        EXPECT_EQ(scene.world.bodies.info[scene.second.index].firstJoint, scene.axleB.index);
+        scene.run(1.0f);
+    }
 }
 
 }  // namespace

@@ -29,7 +29,7 @@ struct Held : Playground {
     }
     [[nodiscard]] IslandReport islandOf(BodyId body) const {
         const std::vector<IslandReport> islands = reportIslands(world);
-        const std::uint32_t index = islandIndexOf(world, body);
+        const std::uint32_t index = islandIndices(world)[body.index];
         EXPECT_LT(index, islands.size());
         return index < islands.size() ? islands[index] : IslandReport{};
     }

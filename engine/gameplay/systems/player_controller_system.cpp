@@ -1,7 +1,6 @@
 #include "gameplay/systems/player_controller_system.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <utility>
 
@@ -135,12 +134,11 @@ private:
     /// @param own  m: its own way in this tick
     /// @return     what is left of it
     Vec2 ride(Vec2 own) {
-        std::array<physics::CharacterProbe::Push, 16> room;
-        const std::size_t pushes = mover_.probe().pushesAt(mover_.position(), ride_, own, ground_, room);
+        const auto pushes = mover_.probe().pushesAt(mover_.position(), ride_, own, ground_);
         mover_.probe().carrier = ground_;
         mover_.carry(ride_);
         mover_.probe().carrier = {};
-        const Vec2 left = mover_.giveWay({room.data(), pushes}, grounded_ ? Vec2{} : own);
+        const Vec2 left = mover_.giveWay(pushes, grounded_ ? Vec2{} : own);
         mover_.pushOut();
         return left;
     }

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "physics/contacts/chain_events.hpp"
+#include "physics/model/edits.hpp"
 
 namespace plumb::physics {
 
@@ -12,13 +13,8 @@ namespace {
 void refill(World& world, Workspace& work) {
     work.pairs.clear();
     countSurfaces(world, work);
-    for (const Contact& contact : world.contacts) work.pairs.add(pairKey(contact.shapeA, contact.shapeB));
-    for (const SleepingIsland& island : world.sleepers.islands) {
-        for (std::uint32_t c = island.firstContact; c != kNone; c = world.sleepers.nextContact[c]) {
-            const Contact& contact = world.sleepers.contacts[c];
-            work.pairs.add(pairKey(contact.shapeA, contact.shapeB));
-        }
-    }
+    forContacts(world,
+                [&](const Contact& contact) { work.pairs.add(pairKey(contact.shapeA, contact.shapeB)); });
 }
 
 }  // namespace

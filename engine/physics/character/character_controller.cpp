@@ -1,7 +1,6 @@
 #include "physics/character/character_controller.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <type_traits>
 
@@ -18,7 +17,6 @@ static_assert(std::is_trivially_copyable_v<CharacterController>, "a part of snap
 namespace {
 
 constexpr float kMaxTick = 1.0f;  // s
-constexpr std::size_t kMaxPushes = 16;
 
 Result<Done> checkOutline(const Geometry& outline) {
     const bool known = outline.kind == ShapeKind::Box || outline.kind == ShapeKind::Circle ||
@@ -58,7 +56,7 @@ WorldPosition turned(Rot rotation, WorldPosition arm) {
 }
 
 /// The ground that has moved up to a character in flight.
-CharacterTouch caughtBy(CharacterMover& mover, std::span<const CharacterProbe::Push> pushes) {
+CharacterTouch caughtBy(CharacterMover& mover, const CharacterProbe::Pushes& pushes) {
     const CharacterDefinition& definition = mover.probe().definition();
     const WorldPosition place = mover.position();
     for (const CharacterProbe::Push& push : pushes) {
@@ -175,21 +173,21 @@ void CharacterController::stopAt(World& world, const CharacterTouch& touch, floa
     velocity_ += touch.normal * closing;
 }
 
-void CharacterController::walk(CharacterMover& mover, float dx, CharacterMotion& motion) const {
-    const CharacterTouch squeezedBy = motion.squeezedBy;
-    motion = mover.walkOnGround(dx, ground_.normal);
-    motion.squeezedBy = squeezedBy;
-    if (motion.ground) return;
+CharacterMotion CharacterController::walk(CharacterMover& mover, float dx) const {
+    CharacterMotion motion = mover.walkOnGround(dx, ground_.normal);
+    if (motion.ground) return motion;
     const WorldPosition place = mover.position();
     motion.ground = mover.fly(definition_.up * (-4.0f * definition_.gap)).ground;  // a pit between two slopes
     if (!motion.ground) mover.setPosition(place);
+    return motion;
 }
 
 // NOLINTNEXTLINE(readability-function-size): one tick, in order
 CharacterMotion CharacterController::update(World& world, float dt) {
     CharacterMotion motion;
     if (!(dt > 0.0f && dt <= kMaxTick)) return motion;
-    if (ground_ && !alive(world, ground_.shape)) leaveGround(), motion.leftGround = true;
+    const bool lostGround = ground_ && !alive(world, ground_.shape);
+    if (lostGround) leaveGround();
     CharacterMover mover{world, definition_, position_, dt};
     if (placed_ && mover.pushOut()) mover.escape();
     position_ = mover.position();
@@ -206,30 +204,26 @@ CharacterMotion CharacterController::update(World& world, float dt) {
     const float dx = walks ? (along(velocity_) + conveyorSpeed(world, ground_)) * dt : 0.0f;
     Vec2 own = walks ? right * dx : velocity_ * dt + gravity * (0.5f * dt * dt);
     mover.probe().floor = ground_.shape;
-    std::array<CharacterProbe::Push, kMaxPushes> room;
-    const std::size_t pushes = mover.probe().pushesAt(position_, taken, own, ground_.body, room);
+    const CharacterProbe::Pushes pushes = mover.probe().pushesAt(position_, taken, own, ground_.body);
     const bool arrived = !stood || held == position_ || ride(mover, held);
     const WorldPosition rode = mover.position();
-    const std::span<const CharacterProbe::Push> pushed{room.data(), pushes};
-    const Vec2 left = mover.giveWay(pushed, walks ? Vec2{} : own);
-    motion.squeezedBy = mover.pushOut();
+    const Vec2 left = mover.giveWay(pushes, walks ? Vec2{} : own);
+    const CharacterTouch squeezedBy = mover.pushOut();
     const WorldPosition start = mover.position();
 
     // Its own motion.
-    const CharacterTouch caught = walks || pushes == 0 ? CharacterTouch{} : caughtBy(mover, pushed);
+    const CharacterTouch caught = walks ? CharacterTouch{} : caughtBy(mover, pushes);
     if (walks) {
-        walk(mover, dx, motion);
+        motion = walk(mover, dx);
     } else if (caught) {
         motion.wall = mover.walk(along(left), caught.normal).wall;
         motion.ground = caught;
     } else {
-        const CharacterMotion flown = mover.fly(left);
-        motion.ground = flown.ground;
-        motion.slope = flown.slope;
-        motion.wall = flown.wall;
-        motion.ceiling = flown.ceiling;
+        motion = mover.fly(left);
         velocity_ += gravity * dt;
     }
+    motion.squeezedBy = squeezedBy;
+    motion.leftGround = lostGround;
     const BodyId before = ground_.body;
     position_ = mover.position();
     for (const CharacterTouch* touch : {&motion.slope, &motion.wall, &motion.ceiling}) {
@@ -252,7 +246,7 @@ CharacterMotion CharacterController::update(World& world, float dt) {
         }
     } else {
         if (walks) velocity_ = right * along(velocity_), leaveGround();
-        motion.leftGround = motion.leftGround || stood;
+        motion.leftGround = lostGround || stood;
     }
     return motion;
 }

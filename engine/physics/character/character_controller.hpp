@@ -46,7 +46,7 @@ private:
     }
     [[nodiscard]] WorldPosition heldPlace(const CharacterProbe& probe) const;
     bool ride(CharacterMover& mover, WorldPosition held);
-    void walk(CharacterMover& mover, float dx, CharacterMotion& motion) const;
+    CharacterMotion walk(CharacterMover& mover, float dx) const;
     void stopAt(World& world, const CharacterTouch& touch, float dt);
     void leaveGround();
     void holdOn(const CharacterProbe& probe);

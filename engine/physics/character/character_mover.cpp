@@ -40,21 +40,28 @@ Vec2 CharacterMover::onGround(float dx, Vec2 normal) const {
 }
 
 /// At the corner of a floor a round outline has any normal. The slope that counts is that of the floor.
-std::optional<Vec2> CharacterMover::groundNormalOf(const CharacterHit& hit) const {
-    const Vec2 normal = hit.touch.normal;
+std::optional<Vec2> CharacterMover::groundNormalOf(const CastHit& hit) const {
+    const Vec2 normal = hit.normal;
     if (isGround(normal)) return normal;
     if (definition_.outline.radius <= 0.0f || rise(normal) < kRoundCorner) return std::nullopt;
     const float gap = definition_.gap;
     const float inward = along(normal) > 0.0f ? -3.0f * gap : 3.0f * gap;
-    const WorldPosition over = hit.touch.point + (right_ * inward + definition_.up * (5.0f * gap));
-    const auto floor = probe_.castDisc(over, gap, definition_.up * (-8.0f * gap));
-    if (!floor || !isGround(floor->touch.normal)) return std::nullopt;
-    return floor->touch.normal;
+    const WorldPosition over = hit.point + (right_ * inward + definition_.up * (5.0f * gap));
+    const auto floor = probe_.cast(circle(gap), over, definition_.up * (-8.0f * gap));
+    if (!floor || !isGround(floor->normal)) return std::nullopt;
+    return floor->normal;
 }
 
 void CharacterMover::note(CharacterMotion& motion, const CharacterTouch& touch) const {
     const float up = rise(touch.normal);
     (up > kAxisAligned ? motion.slope : up < -kSolidSide ? motion.ceiling : motion.wall) = touch;
+}
+
+/// Moves up to the first hit.
+std::optional<CastHit> CharacterMover::advance(Vec2 displacement) {
+    const auto hit = cast(displacement);
+    shift(displacement * (hit ? hit->fraction : 1.0f));
+    return hit;
 }
 
 CharacterTouch CharacterMover::pushOut() {
@@ -63,12 +70,12 @@ CharacterTouch CharacterMover::pushOut() {
     for (int i = 0; i < kMaxPushes; ++i) {
         const auto hit = probe_.nearest(position_, 0.5f * gap);
         if (!hit) return {};
-        shift(hit->touch.normal * (gap - hit->separation));
+        shift(hit->normal * (gap - hit->separation));
     }
     const auto hit = probe_.nearest(position_, -0.5f * gap);
     if (!hit) return {};
     position_ = before;
-    return hit->touch;
+    return touchOf(*hit);
 }
 
 bool CharacterMover::escape() {
@@ -91,27 +98,20 @@ bool CharacterMover::escape() {
 bool CharacterMover::carryTo(WorldPosition place) {
     Vec2 displacement = place - position_;
     for (int turn = 0; turn < kMoverTurns; ++turn) {
-        const auto hit = cast(displacement);
-        if (!hit) {
-            position_ = turn == 0 ? place : position_ + displacement;
-            return turn == 0;
-        }
-        shift(displacement * hit->fraction);
-        displacement = alongSurface(displacement * (1.0f - hit->fraction), hit->touch.normal);
+        const auto hit = advance(displacement);
+        if (!hit && turn == 0) position_ = place;  // exactly, without rounding
+        if (!hit) return turn == 0;
+        displacement = alongSurface(displacement * (1.0f - hit->fraction), hit->normal);
     }
     return false;
 }
 
-Vec2 CharacterMover::giveWay(std::span<const CharacterProbe::Push> pushes, Vec2 own) {
+Vec2 CharacterMover::giveWay(const CharacterProbe::Pushes& pushes, Vec2 own) {
     float met = 1.0f;
     for (const CharacterProbe::Push& push : pushes) met = std::min(met, push.fraction);
-    const auto advance = [&](Vec2 displacement) {
-        const auto hit = cast(displacement);
-        shift(displacement * (hit ? hit->fraction : 1.0f));
-    };
     for (const CharacterProbe::Push& push : pushes) {
         probe_.carrier = push.body;
-        if (&push == pushes.data()) advance(own * met);
+        if (&push == pushes.begin()) advance(own * met);
         advance(push.displacement);
         if ((probe_.world().shapes.info[push.shape.index].flags & kOneWay) != 0) probe_.floor = push.shape;
     }
@@ -145,7 +145,7 @@ bool CharacterMover::stepUp(float dx) {
     const auto floor = probe_.cast(place, up * -raised);
     if (!floor || !groundNormalOf(*floor)) return false;
     // A round outline may get over the corner of a higher step.
-    const float height = rise(floor->touch.point - position_) + feet_ + gap;
+    const float height = rise(floor->point - position_) + feet_ + gap;
     if (height > definition_.stepHeight + 0.5f * gap) return false;
     place = place + up * (-raised * floor->fraction);
     if (!(raised * (1.0f - floor->fraction) > 0.1f * gap)) return false;
@@ -157,20 +157,14 @@ CharacterMotion CharacterMover::walk(float dx, Vec2 groundNormal) {
     CharacterMotion motion;
     Vec2 normal = isGround(groundNormal) ? groundNormal : definition_.up;
     for (int turn = 0; turn < kMoverTurns && dx != 0.0f; ++turn) {
-        const Vec2 displacement = onGround(dx, normal);
-        const auto hit = cast(displacement);
-        if (!hit) {
-            shift(displacement);
-            break;
-        }
-        shift(displacement * hit->fraction);
+        const auto hit = advance(onGround(dx, normal));
+        if (!hit) break;
         dx *= 1.0f - hit->fraction;
-        if (isGround(hit->touch.normal)) {
-            normal = hit->touch.normal;
+        if (isGround(hit->normal)) {
+            normal = hit->normal;
             continue;
         }
-        if (stepUp(dx)) break;
-        note(motion, hit->touch);
+        if (!stepUp(dx)) note(motion, touchOf(*hit));
         break;
     }
     return motion;
@@ -180,30 +174,26 @@ CharacterMotion CharacterMover::fly(Vec2 displacement) {
     CharacterMotion motion;
     Vec2 before;  // normal of the surface that it slid along last
     for (int turn = 0; turn < kMoverTurns && displacement != Vec2{}; ++turn) {
-        const auto hit = cast(displacement);
-        if (!hit) {
-            shift(displacement);
-            break;
-        }
-        const Vec2 normal = hit->touch.normal;
-        shift(displacement * hit->fraction);
+        const auto hit = advance(displacement);
+        if (!hit) break;
+        const Vec2 normal = hit->normal;
         displacement *= 1.0f - hit->fraction;
         const auto ground = rise(displacement) <= 0.0f ? groundNormalOf(*hit) : std::nullopt;
         if (ground) {
             const CharacterMotion walked = walk(along(displacement), *ground);
             motion.wall = walked.wall ? walked.wall : motion.wall;
-            motion.ground = hit->touch;
+            motion.ground = touchOf(*hit);
             motion.ground.normal = *ground;
             motion.landed = true;
             break;
         }
         if (rise(normal) < -kSolidSide && rise(displacement) > 0.0f && passCorner(displacement)) continue;
-        note(motion, hit->touch);
+        note(motion, touchOf(*hit));
         displacement = alongSurface(displacement, normal);
         const bool wedged =
             before != Vec2{} && dot(before, normal) < 0.999f && dot(displacement, before) < 0.0f;
         if (wedged && rise(before) > kAxisAligned && rise(normal) > kAxisAligned) {
-            motion.ground = hit->touch;  // wedged between two slopes, it stands as in a pit
+            motion.ground = touchOf(*hit);  // wedged between two slopes, it stands as in a pit
             motion.ground.normal = definition_.up;
             motion.landed = true;
         }
@@ -238,7 +228,7 @@ CharacterMotion CharacterMover::snapDown(float reach) {
     auto normal = hit ? groundNormalOf(*hit) : std::nullopt;
     if (hit && !normal) {
         // Its rear may rest on the corner that it has just left.
-        const Vec2 aside = right_ * (along(hit->touch.normal) < 0.0f ? -definition_.gap : definition_.gap);
+        const Vec2 aside = right_ * (along(hit->normal) < 0.0f ? -definition_.gap : definition_.gap);
         const WorldPosition place = position_ + aside;
         hit = cast(aside) ? std::nullopt : probe_.cast(place, definition_.up * -reach);
         normal = hit ? groundNormalOf(*hit) : std::nullopt;
@@ -248,7 +238,7 @@ CharacterMotion CharacterMover::snapDown(float reach) {
     const float drop = reach * hit->fraction;
     // At rest it is not moved, otherwise it would creep.
     if (drop > 0.0625f * definition_.gap) shift(definition_.up * -drop);
-    motion.ground = hit->touch;
+    motion.ground = touchOf(*hit);
     motion.ground.normal = *normal;
     motion.landed = true;
     return motion;

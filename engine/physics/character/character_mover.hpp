@@ -32,7 +32,7 @@ public:
     /// Gives way to what the next step moves, given by CharacterProbe::pushesAt().
     /// @param own  m: its own displacement, of which the part before the collision is taken
     /// @return the rest of `own`
-    Vec2 giveWay(std::span<const CharacterProbe::Push> pushes, Vec2 own);
+    Vec2 giveWay(const CharacterProbe::Pushes& pushes, Vec2 own);
     /// Walks horizontally by dx (m, positive to the right of `up`), follows the ground up and climbs steps.
     CharacterMotion walk(float dx, Vec2 groundNormal);
     /// Flies by a displacement (m); slides along what it hits.
@@ -48,16 +48,17 @@ public:
     void settle(float reach);
 
 private:
-    [[nodiscard]] std::optional<CharacterHit> cast(Vec2 displacement) const {
+    [[nodiscard]] std::optional<CastHit> cast(Vec2 displacement) const {
         return probe_.cast(position_, displacement);
     }
-    [[nodiscard]] std::optional<Vec2> groundNormalOf(const CharacterHit& hit) const;
+    [[nodiscard]] std::optional<Vec2> groundNormalOf(const CastHit& hit) const;
     [[nodiscard]] float rise(Vec2 displacement) const { return dot(displacement, definition_.up); }
     [[nodiscard]] float along(Vec2 displacement) const { return dot(displacement, right_); }
     [[nodiscard]] float slopeOf(Vec2 normal) const { return -along(normal) / rise(normal); }
     [[nodiscard]] Vec2 onGround(float dx, Vec2 normal) const;
     void note(CharacterMotion& motion, const CharacterTouch& touch) const;
     void shift(Vec2 displacement) { position_ = position_ + displacement; }
+    std::optional<CastHit> advance(Vec2 displacement);
     [[nodiscard]] float steepestSlope() const;
     CharacterMotion followDown(float walked, float climbed);
     bool stepUp(float dx);

@@ -15,15 +15,9 @@ namespace plumb::physics {
 
 namespace {
 
-using Shapes8 = std::array<std::uint32_t, 8>;
-
-bool contains(const Shapes8& shapes, std::size_t count, std::uint32_t shape) {
-    const auto end = shapes.begin() + static_cast<std::ptrdiff_t>(count);
-    return std::find(shapes.begin(), end, shape) != end;
-}
-
-void note(Shapes8& shapes, std::size_t& count, std::uint32_t shape) {
-    if (count < shapes.size()) shapes[count++] = shape;
+template <std::size_t N>
+bool contains(const FixedList<std::uint32_t, N>& shapes, std::uint32_t shape) {
+    return std::find(shapes.begin(), shapes.end(), shape) != shapes.end();
 }
 
 /// Bounds of a sweep (m), enlarged for rounding errors far from the origin.
@@ -69,12 +63,10 @@ std::span<const std::uint32_t> CharacterProbe::around(const AABB& bounds, WorldP
                            0.5f * bounds.size() + Vec2{reach, reach}, filter);
 }
 
-bool CharacterProbe::hasPassed(std::uint32_t shape) const { return contains(passed_, passedCount_, shape); }
-
 bool CharacterProbe::ignores(std::uint32_t shape) const {
     const ShapeInfo& info = world_.shapes.info[shape];
     return (!oneWay && (info.flags & kOneWay) != 0) || (carrier && info.body == carrier.index) ||
-           contains(behind_, behindCount_, shape);
+           contains(behind_, shape);
 }
 
 /// A one-way shape stops an outline that starts in front of it and hits its open side, or hits one of its
@@ -96,8 +88,8 @@ bool CharacterProbe::stops(const CastHit& hit, const BodyPose& pose, const Movin
     return onFace || feet >= 0.0f;
 }
 
-std::optional<CharacterHit> CharacterProbe::first(const Geometry& outline, WorldPosition from,
-                                                  Vec2 displacement) const {
+std::optional<CastHit> CharacterProbe::cast(const Geometry& outline, WorldPosition from,
+                                            Vec2 displacement) const {
     const MovingOutline moving{convexOf(outline, {}), from, {}, displacement};
     const AABB bounds = boundsOf(outline, {}, {});
     const float along = kAlong * length(displacement);
@@ -112,32 +104,21 @@ std::optional<CharacterHit> CharacterProbe::first(const Geometry& outline, World
         if (!hit || (first && hit->fraction >= first->fraction)) continue;
         const float nearer = -dot(displacement, hit->normal);
         if ((hit->fraction == 0.0f && !(nearer > along)) || !stops(*hit, pose, moving)) continue;
-        if (hit->separation < 0.0f && hasPassed(shape)) continue;
+        if (hit->separation < 0.0f && contains(passed_, shape)) continue;
         first = hit;
         closing = nearer;
     }
-    if (!first) return std::nullopt;
     const float back = closing > 0.0f ? definition_.gap / closing : 0.0f;
-    return CharacterHit{{first->shape, first->body, first->normal, first->point},
-                        std::max(first->fraction - back, 0.0f),
-                        first->separation};
+    if (first) first->fraction = std::max(first->fraction - back, 0.0f);
+    return first;
 }
 
-std::optional<CharacterHit> CharacterProbe::cast(WorldPosition from, Vec2 displacement) const {
-    return first(definition_.outline, from, displacement);
-}
-
-std::optional<CharacterHit> CharacterProbe::castDisc(WorldPosition from, float radius,
-                                                     Vec2 displacement) const {
-    return first(circle(radius), from, displacement);
-}
-
-std::optional<CharacterHit> CharacterProbe::apart(std::uint32_t shape, WorldPosition at, float within) const {
+std::optional<CastHit> CharacterProbe::apart(std::uint32_t shape, WorldPosition at, float within) const {
     const ShapeInfo& info = world_.shapes.info[shape];
     const BodyPose pose = poseOf(info.body);
     const Geometry& geometry = world_.shapes.geometry[shape];
     const Frame frame = seenFrom(pose, at, Rot{});
-    CharacterHit hit{{idOf(world_, shape), {info.body, world_.bodies.info[info.body].generation}, {}, {}}};
+    CastHit hit{.shape = idOf(world_, shape), .body = bodyOf(world_, idOf(world_, shape))};
     if (geometry.kind == ShapeKind::ChainSegment) {
         const Manifold manifold =
             collide(definition_.outline, geometry, world_.shapes.corners, inverse(frame), within);
@@ -146,24 +127,24 @@ std::optional<CharacterHit> CharacterProbe::apart(std::uint32_t shape, WorldPosi
             manifold.count == 2 && manifold.points[1].separation < manifold.points[0].separation;
         const ManifoldPoint& deepest = manifold.points[second ? 1 : 0];
         hit.separation = deepest.separation;
-        hit.touch.normal = -manifold.normal;
-        hit.touch.point = at + deepest.point;
+        hit.normal = -manifold.normal;
+        hit.point = at + deepest.point;
         return hit;
     }
     const Distance apart =
         distanceBetween(convexOf(geometry, world_.shapes.corners), convexOf(definition_.outline, {}), frame);
     if (!(apart.distance < within)) return std::nullopt;
     hit.separation = apart.distance;
-    hit.touch.normal = rotate(pose.rotation, apart.normal);
-    hit.touch.point = placeOf(pose, apart.pointA);
+    hit.normal = rotate(pose.rotation, apart.normal);
+    hit.point = placeOf(pose, apart.pointA);
     return hit;
 }
 
-std::optional<CharacterHit> CharacterProbe::nearest(WorldPosition at, float within) const {
-    std::optional<CharacterHit> best;
+std::optional<CastHit> CharacterProbe::nearest(WorldPosition at, float within) const {
+    std::optional<CastHit> best;
     for (const std::uint32_t shape : around(boundsOf(definition_.outline, {}, {}), at, {})) {
         const ShapeInfo& info = world_.shapes.info[shape];
-        if (ignores(shape) || hasPassed(shape)) continue;
+        if (ignores(shape) || contains(passed_, shape)) continue;
         if ((info.flags & kOneWay) != 0 && idOf(world_, shape) != floor) continue;
         const auto hit = apart(shape, at, within);
         if (hit && hit->separation < within && (!best || hit->separation < best->separation)) best = hit;
@@ -171,11 +152,11 @@ std::optional<CharacterHit> CharacterProbe::nearest(WorldPosition at, float with
     return best;
 }
 
-std::size_t CharacterProbe::pushesAt(WorldPosition at, Vec2 ride, Vec2 own, BodyId except,
-                                     std::span<Push> room) {
+CharacterProbe::Pushes CharacterProbe::pushesAt(WorldPosition at, Vec2 ride, Vec2 own, BodyId except) {
     MovingOutline moving{convexOf(definition_.outline, {}), at, {}, {}};
-    std::size_t count = 0;
-    passedCount_ = behindCount_ = 0;
+    Pushes pushes;
+    passed_.clear();
+    behind_.clear();
     for (const std::uint32_t shape : around(boundsOf(definition_.outline, {}, {}), at, ride + own)) {
         const std::uint32_t body = world_.shapes.info[shape].body;
         if (ignores(shape) || !isCarried(body) || (except && except.index == body)) continue;
@@ -187,14 +168,14 @@ std::size_t CharacterProbe::pushesAt(WorldPosition at, Vec2 ride, Vec2 own, Body
             hit && -dot(moving.displacement, hit->normal) > kAlong * length(moving.displacement);
         const bool stopped = meets && stops(*hit, pose, moving);
         const bool fromBehind = (world_.shapes.info[shape].flags & kOneWay) != 0 && hit && !stopped;
-        if (!meets) note(passed_, passedCount_, shape);
-        if (fromBehind) note(behind_, behindCount_, shape);
-        if (!stopped || count == room.size()) continue;
+        if (!meets && !passed_.full()) passed_.push(shape);
+        if (fromBehind && !behind_.full()) behind_.push(shape);
+        if (!stopped || pushes.full()) continue;
         const float pressed = dot(taken - ride, hit->normal) * (1.0f - hit->fraction);
         if (!(pressed > 0.0f)) continue;
-        room[count++] = {hit->body, hit->shape, hit->normal * (pressed + definition_.gap), hit->fraction};
+        pushes.push({hit->body, hit->shape, hit->normal * (pressed + definition_.gap), hit->fraction});
     }
-    return count;
+    return pushes;
 }
 
 }  // namespace plumb::physics

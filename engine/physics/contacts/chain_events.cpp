@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "physics/contacts/contacts.hpp"
+#include "physics/model/edits.hpp"
 
 namespace plumb::physics {
 
@@ -146,16 +147,10 @@ void publishSurfaces(World& world, Workspace& work) {
 
 void countSurfaces(const World& world, Workspace& work) {
     std::vector<PairKey> pairs;
-    const auto note = [&](const Contact& contact) {
+    forContacts(world, [&](const Contact& contact) {
         const bool counts = (contact.flags & kTouching) != 0 && isReported(world, contact);
         if (counts && isOfSurface(world, contact)) pairs.push_back(keyOf(world, contact));
-    };
-    for (const Contact& contact : world.contacts) note(contact);
-    for (const SleepingIsland& island : world.sleepers.islands) {
-        for (std::uint32_t c = island.firstContact; c != kNone; c = world.sleepers.nextContact[c]) {
-            note(world.sleepers.contacts[c]);
-        }
-    }
+    });
     std::sort(pairs.begin(), pairs.end());
     work.chainTouches.clear();
     work.chainChanges.clear();

@@ -7,9 +7,6 @@ namespace plumb::physics {
 /// Layers of Workspace::sweptProxies: bullets search for all of them, other bodies for some.
 inline constexpr std::uint32_t kBulletLayer = 1, kFastLayer = 2, kKinematicLayer = 4;
 
-inline bool isDynamic(const World& world, std::uint32_t body) {
-    return world.bodies.info[body].kind == BodyKind::Dynamic;
-}
 inline bool isBullet(const World& world, std::uint32_t body) {
     return (world.bodies.info[body].flags & kBullet) != 0;
 }

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "physics/debug_draw.hpp"
+#include "physics/model/edits.hpp"
 #include "physics/shapes/convex.hpp"
 
 namespace plumb::physics {
@@ -107,17 +108,11 @@ struct Picture {
     template <class Draw>
     void forContacts(bool triggered, Draw&& draw) const {
         const std::uint16_t wanted = triggered ? kTouching | kTriggered : kTouching;
-        const auto visit = [&](const Contact& contact) {
+        physics::forContacts(world, [&](const Contact& contact) {
             if ((contact.flags & (kTouching | kTriggered)) == wanted &&
                 (shows(contact.bodyA) || shows(contact.bodyB)))
                 draw(contact);
-        };
-        const Sleepers& sleepers = world.sleepers;
-        for (const Contact& contact : world.contacts) visit(contact);
-        for (const SleepingIsland& island : sleepers.islands) {
-            for (std::uint32_t c = island.firstContact; c != kNone; c = sleepers.nextContact[c])
-                visit(sleepers.contacts[c]);
-        }
+        });
     }
 };
 

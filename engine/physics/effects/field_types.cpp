@@ -1,7 +1,6 @@
 #include "physics/effects/field_types.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "physics/shapes/convex.hpp"
@@ -9,23 +8,6 @@
 namespace plumb::physics {
 
 namespace {
-
-constexpr std::array<FieldType, static_cast<std::size_t>(FieldKind::Count)> kTypes{{
-    {"area gravity", Effect::AreaGravity, areaGravity},
-    {"wind", Effect::Wind, wind},
-    {"buoyancy", Effect::Buoyancy, buoyancy},
-    {"attractor", Effect::Attractor, attractor},
-    {"explosion", Effect::Explosion, nullptr},
-    {"spring", Effect::Springs, spring},
-}};
-
-bool isOnLayers(const World& world, std::uint32_t layers, std::uint32_t body) {
-    if (layers == 0xffffffffu) return true;
-    for (std::uint32_t s = world.bodies.info[body].firstShape; s != kNone; s = world.shapes.info[s].next) {
-        if ((world.shapes.filter[s].layers & layers) != 0) return true;
-    }
-    return false;
-}
 
 bool isInRegion(const FieldDefinition& field, Vec2 displacement, float reach) {
     switch (field.region) {
@@ -41,7 +23,13 @@ bool isInRegion(const FieldDefinition& field, Vec2 displacement, float reach) {
 
 }  // namespace
 
-const FieldType& fieldTypeOf(FieldKind kind) { return kTypes[static_cast<std::size_t>(kind)]; }
+bool isOnLayers(const World& world, std::uint32_t layers, std::uint32_t body) {
+    if (layers == 0xffffffffu) return true;
+    for (std::uint32_t s = world.bodies.info[body].firstShape; s != kNone; s = world.shapes.info[s].next) {
+        if ((world.shapes.filter[s].layers & layers) != 0) return true;
+    }
+    return false;
+}
 
 WorldPosition centreOf(const World& world, const FieldDefinition& field) {
     const bool follows = field.kind == FieldKind::Attractor && field.a;
@@ -66,6 +54,28 @@ bool isInRegion(const FieldDefinition& field, WorldPosition place) {
 
 bool isConstant(const FieldDefinition& field) {
     return field.kind == FieldKind::AreaGravity && field.strength == 0.0f;
+}
+
+Acceleration accelerationAt(const FieldView& view, std::span<const std::uint32_t> fields, std::uint32_t body,
+                            const BodyState& state) {
+    Acceleration sum;
+    for (const std::uint32_t f : fields) {
+        const FieldDefinition& field = view.world.fields.all[f].definition;
+        if (!view.withSteady && isConstant(field)) continue;
+        if (const auto acceleration = fieldTypeOf(field.kind).acceleration; acceleration != nullptr) {
+            sum += acceleration(view, field, body, state);
+        }
+    }
+    const std::uint8_t flags = view.world.bodies.info[body].flags;
+    if ((flags & kLockX) != 0) sum.linear.x = 0.0f;
+    if ((flags & kLockY) != 0) sum.linear.y = 0.0f;
+    return sum;
+}
+
+BodyState stateAtStart(const World& world, std::uint32_t body) {
+    const BodyPose& pose = world.bodies.pose[body];
+    const BodyMotion& motion = world.bodies.motion[body];
+    return {pose.centre, pose.rotation, motion.velocity, motion.angularVelocity};
 }
 
 float widthAcross(const Geometry& geometry, std::span<const Corner> corners, Vec2 direction) {

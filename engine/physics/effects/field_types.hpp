@@ -1,6 +1,6 @@
 #pragma once
 
-#include <string_view>
+#include <span>
 
 #include "physics/world.hpp"
 
@@ -14,6 +14,7 @@ struct BodyState {
     float angularVelocity = 0.0f;  ///< rad/s
 };
 
+/// Integrators use it for displacements (m, rad) and velocities, too.
 struct Acceleration {
     Vec2 linear;           ///< m/s2
     float angular = 0.0f;  ///< rad/s2
@@ -38,9 +39,8 @@ struct FieldView {
     bool withSteady = true;        ///< false skips fields for which isConstant() holds
 };
 
-/// Properties of one kind of field.
+/// One kind of field: a row of the table in field_kinds.cpp.
 struct FieldType {
-    std::string_view name;
     Effect effect;
     /// Acceleration that the field gives a body in a state; null if it is not a smooth force (explosions).
     Acceleration (*acceleration)(const FieldView& view, const FieldDefinition& field, std::uint32_t body,
@@ -61,13 +61,17 @@ const FieldType& fieldTypeOf(FieldKind kind);
 /// form.
 [[nodiscard]] bool isConstant(const FieldDefinition& field);
 
-// One line per kind, each in a file of its name.
+/// True if a body has a shape on one of these layers, or if they are all.
+[[nodiscard]] bool isOnLayers(const World& world, std::uint32_t layers, std::uint32_t body);
 
-Acceleration areaGravity(const FieldView&, const FieldDefinition&, std::uint32_t, const BodyState&);
-Acceleration wind(const FieldView&, const FieldDefinition&, std::uint32_t, const BodyState&);
+/// Acceleration of a body in a state by a list of fields, m/s2 and rad/s2. The only evaluation of smooth
+/// forces: for all integrators, and for bodies that touch something.
+Acceleration accelerationAt(const FieldView& view, std::span<const std::uint32_t> fields, std::uint32_t body,
+                            const BodyState& state);
+/// State of a body at the start of the step.
+BodyState stateAtStart(const World& world, std::uint32_t body);
+
 Acceleration buoyancy(const FieldView&, const FieldDefinition&, std::uint32_t, const BodyState&);
-Acceleration attractor(const FieldView&, const FieldDefinition&, std::uint32_t, const BodyState&);
-Acceleration spring(const FieldView&, const FieldDefinition&, std::uint32_t, const BodyState&);
 
 /// m: width of a shape across a unit direction in the shape's frame.
 [[nodiscard]] float widthAcross(const Geometry& geometry, std::span<const Corner> corners, Vec2 direction);

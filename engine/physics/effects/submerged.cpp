@@ -87,20 +87,14 @@ void cutAt(Cuts& cuts, const Arc& arc, float angle) {
     cuts.add(static_cast<double>(displacement) / static_cast<double>(arc.sweep));
 }
 
-void cutAtDepth(Cuts& cuts, const Arc& arc, float depth) {
-    const float sine = (depth - arc.centre.y) / arc.radius;
-    if (!(sine > -1.0f && sine < 1.0f)) return;
-    const float cosine = std::sqrt(1.0f - sine * sine);
-    cutAt(cuts, arc, arcTangent(sine, cosine));
-    cutAt(cuts, arc, arcTangent(sine, -cosine));
-}
-
-void cutAtSide(Cuts& cuts, const Arc& arc, float side) {
-    const float cosine = (side - arc.centre.x) / arc.radius;
-    if (!(cosine > -1.0f && cosine < 1.0f)) return;
-    const float sine = std::sqrt(1.0f - cosine * cosine);
-    cutAt(cuts, arc, arcTangent(sine, cosine));
-    cutAt(cuts, arc, arcTangent(-sine, cosine));
+/// Adds cuts where an arc crosses a line along or across the surface.
+/// @param offset  m: of the line from the center
+void cutAtLine(Cuts& cuts, const Arc& arc, float offset, bool isAcross) {
+    const float part = offset / arc.radius;
+    if (!(part > -1.0f && part < 1.0f)) return;
+    const float other = std::sqrt(1.0f - part * part);
+    for (const float side : {other, -other})
+        cutAt(cuts, arc, isAcross ? arcTangent(side, part) : arcTangent(part, side));
 }
 
 /// Adds the part of an arc from angle a to b (rad), in closed form.
@@ -122,10 +116,10 @@ void addRound(Sums& sums, const Arc& arc, double a, double b) {
 void addArc(Sums& sums, const Arc& arc, const FluidBox& fluid) {
     if (arc.sweep == 0.0f) return;
     Cuts cuts;
-    cutAtDepth(cuts, arc, 0.0f);
-    cutAtDepth(cuts, arc, fluid.depth);
-    cutAtSide(cuts, arc, fluid.half);
-    cutAtSide(cuts, arc, -fluid.half);
+    cutAtLine(cuts, arc, 0.0f - arc.centre.y, false);
+    cutAtLine(cuts, arc, fluid.depth - arc.centre.y, false);
+    cutAtLine(cuts, arc, fluid.half - arc.centre.x, true);
+    cutAtLine(cuts, arc, -fluid.half - arc.centre.x, true);
     const double start = arc.start, sweep = arc.sweep, half = fluid.half, depth = fluid.depth;
     cuts.forPieces([&](double from, double to) {
         const double a = start + from * sweep, b = start + to * sweep;

@@ -1,21 +1,16 @@
-#include "physics/islands/hold_tolerance.hpp"
-
 #include <algorithm>
 
 #include "physics/islands/substep_controller.hpp"
 #include "physics/islands/substep_estimate.hpp"
 #include "physics/measure/constraint_errors.hpp"
+#include "physics/model/edits.hpp"
 
 namespace plumb::physics {
 
 namespace {
 
-bool isPushed(const World& world, std::uint32_t body) {
-    return world.bodies.info[body].kind == BodyKind::Dynamic;
-}
-
 bool isRoot(const World& world, std::uint32_t body) {
-    return isPushed(world, body) && world.bodies.info[body].island == body;
+    return isDynamic(world, body) && world.bodies.info[body].island == body;
 }
 
 /// What is known before errors are measured.
@@ -32,7 +27,7 @@ Findings openCases(World& world, Workspace& work) {
         if (isRoot(world, body)) work.cases[body] = {};
     }
     for (const std::uint32_t body : world.awake) {
-        if (!isPushed(world, body)) continue;
+        if (!isDynamic(world, body)) continue;
         IslandCase& island = work.cases[work.roots[body]];
         const SubstepController& controller = world.bodies.substepControllers[body];
         const Quality others = island.controller.quality;
@@ -47,7 +42,7 @@ Findings openCases(World& world, Workspace& work) {
 
 void measure(World& world, Workspace& work) {
     const auto note = [&](std::uint32_t a, std::uint32_t b, float error) {
-        float& maximum = work.cases[work.roots[isPushed(world, b) ? b : a]].error;
+        float& maximum = work.cases[work.roots[isDynamic(world, b) ? b : a]].error;
         maximum = std::max(maximum, error);
     };
     if (world.manifest.runs(Effect::Contacts)) {
@@ -118,8 +113,8 @@ void takeAlong(const World& world, Workspace& work) {
     if (!world.manifest.runs(Effect::Kinematics)) return;
     for (const std::uint32_t j : world.joints.awake) {
         const Joint& joint = world.joints.hot[j];
-        if (isPushed(world, joint.bodyA) && isPushed(world, joint.bodyB)) continue;
-        const std::uint32_t pushed = isPushed(world, joint.bodyA) ? joint.bodyA : joint.bodyB;
+        if (isDynamic(world, joint.bodyA) && isDynamic(world, joint.bodyB)) continue;
+        const std::uint32_t pushed = isDynamic(world, joint.bodyA) ? joint.bodyA : joint.bodyB;
         const std::uint32_t other = pushed == joint.bodyA ? joint.bodyB : joint.bodyA;
         work.bodyScratch[other] = std::max(work.bodyScratch[other], work.bodyScratch[pushed]);
     }
@@ -128,7 +123,7 @@ void takeAlong(const World& world, Workspace& work) {
 void takeDown(World& world, Workspace& work) {
     work.bodyScratch.assign(world.bodies.size(), 0);
     for (const std::uint32_t body : world.awake) {
-        if (!isPushed(world, body)) continue;
+        if (!isDynamic(world, body)) continue;
         const SubstepController& controller = work.cases[work.roots[body]].controller;
         world.bodies.substepControllers[body] = controller;
         work.bodyScratch[body] = static_cast<std::uint32_t>(std::max(controller.quality, Quality{0}));
@@ -140,11 +135,7 @@ void takeDown(World& world, Workspace& work) {
 
 Quality wishOf(const World& world, std::uint32_t body) {
     Quality wish = world.bodies.info[body].quality;
-    for (std::uint32_t j = world.bodies.info[body].firstJoint; j != kNone;) {
-        const Joint& joint = world.joints.hot[j];
-        wish = std::max(wish, joint.quality);
-        j = joint.bodyA == body ? joint.nextA : joint.nextB;
-    }
+    forJointsOf(world, body, [&](std::uint32_t j) { wish = std::max(wish, world.joints.hot[j].quality); });
     return wish;
 }
 

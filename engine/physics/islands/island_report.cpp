@@ -1,8 +1,9 @@
 #include "physics/islands/island_report.hpp"
 
 #include <algorithm>
-#include <utility>
+#include <numeric>
 
+#include "physics/islands/sleeping.hpp"
 #include "physics/measure/constraint_errors.hpp"
 #include "physics/workspace.hpp"
 
@@ -10,38 +11,23 @@ namespace plumb::physics {
 
 namespace {
 
-/// Islands recomputed from scratch: the world's own may be larger than needed, and lookups change them.
-class Forest {
-public:
-    explicit Forest(const World& world) : world_{world}, parent_(world.bodies.size()) {
-        for (std::uint32_t body = 0; body < parent_.size(); ++body) parent_[body] = body;
-        for (const Contact& contact : world.contacts) {
-            if ((contact.flags & (kTouching | kTriggered)) == kTouching) join(contact.bodyA, contact.bodyB);
-        }
-        for (const std::uint32_t j : world.joints.awake)
-            join(world.joints.hot[j].bodyA, world.joints.hot[j].bodyB);
+/// Of each body the one with the lowest index in its island. Recomputed from scratch: the world's own islands
+/// may be larger than needed, and lookups change them.
+std::vector<std::uint32_t> firstBodies(const World& world) {
+    std::vector<std::uint32_t> firsts(world.bodies.size());
+    std::iota(firsts.begin(), firsts.end(), 0u);
+    const auto parent = [&](std::uint32_t body) -> std::uint32_t& { return firsts[body]; };
+    const auto join = [&](std::uint32_t a, std::uint32_t b) {
+        if (isUp(world, a) && isUp(world, b)) joinTrees(parent, a, b);
+    };
+    for (const Contact& contact : world.contacts) {
+        if ((contact.flags & (kTouching | kTriggered)) == kTouching) join(contact.bodyA, contact.bodyB);
     }
-
-    [[nodiscard]] bool isPushed(std::uint32_t body) const {
-        const BodyInfo& info = world_.bodies.info[body];
-        return info.kind == BodyKind::Dynamic && info.place != kNone;
-    }
-    /// The body of its island with the lowest index.
-    std::uint32_t firstOf(std::uint32_t body) {
-        while (parent_[body] != body) body = std::exchange(parent_[body], parent_[parent_[body]]);
-        return body;
-    }
-
-private:
-    void join(std::uint32_t a, std::uint32_t b) {
-        if (!isPushed(a) || !isPushed(b)) return;
-        const std::uint32_t firstA = firstOf(a), firstB = firstOf(b);
-        parent_[std::max(firstA, firstB)] = std::min(firstA, firstB);
-    }
-
-    const World& world_;
-    std::vector<std::uint32_t> parent_;
-};
+    for (const std::uint32_t j : world.joints.awake)
+        join(world.joints.hot[j].bodyA, world.joints.hot[j].bodyB);
+    for (std::uint32_t& first : firsts) first = rootOf(parent, first);
+    return firsts;
+}
 
 /// Of a single body, in the last step.
 Quality qualityOf(const World& world, std::uint32_t body) {
@@ -55,11 +41,12 @@ Quality qualityOf(const World& world, std::uint32_t body) {
     return std::find_if(work->groups.begin(), work->groups.end(), solvedIn)->quality;
 }
 
-std::vector<std::uint32_t> indicesOf(const World& world, Forest& forest, std::vector<IslandReport>& islands) {
+std::vector<std::uint32_t> indicesOf(const World& world, std::vector<IslandReport>& islands) {
+    const std::vector<std::uint32_t> firsts = firstBodies(world);
     std::vector<std::uint32_t> indices(world.bodies.size(), kNone);
     for (std::uint32_t body = 0; body < indices.size(); ++body) {
-        if (!forest.isPushed(body)) continue;
-        std::uint32_t& index = indices[forest.firstOf(body)];
+        if (!isUp(world, body)) continue;
+        std::uint32_t& index = indices[firsts[body]];
         if (index == kNone) {  // the first body itself: none is lower
             index = static_cast<std::uint32_t>(islands.size());
             islands.emplace_back().first = {body, world.bodies.info[body].generation};
@@ -106,8 +93,7 @@ void addConstraints(const World& world, const std::vector<std::uint32_t>& indice
 
 std::vector<IslandReport> reportIslands(const World& world) {
     std::vector<IslandReport> islands;
-    Forest forest{world};
-    const std::vector<std::uint32_t> indices = indicesOf(world, forest, islands);
+    const std::vector<std::uint32_t> indices = indicesOf(world, islands);
     addBodies(world, indices, islands);
     addConstraints(world, indices, islands);
     return islands;
@@ -115,13 +101,7 @@ std::vector<IslandReport> reportIslands(const World& world) {
 
 std::vector<std::uint32_t> islandIndices(const World& world) {
     std::vector<IslandReport> islands;
-    Forest forest{world};
-    return indicesOf(world, forest, islands);
-}
-
-std::uint32_t islandIndexOf(const World& world, BodyId body) {
-    const std::vector<std::uint32_t> indices = islandIndices(world);
-    return body.index < indices.size() ? indices[body.index] : kNone;
+    return indicesOf(world, islands);
 }
 
 }  // namespace plumb::physics

@@ -27,7 +27,4 @@ struct IslandReport {
 /// or not dynamic.
 [[nodiscard]] std::vector<std::uint32_t> islandIndices(const World& world);
 
-/// The same for one body.
-[[nodiscard]] std::uint32_t islandIndexOf(const World& world, BodyId body);
-
 }  // namespace plumb::physics

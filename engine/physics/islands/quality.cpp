@@ -5,7 +5,6 @@
 #include <bit>
 #include <span>
 
-#include "physics/islands/hold_tolerance.hpp"
 #include "physics/islands/sleeping.hpp"
 #include "physics/islands/substep_estimate.hpp"
 #include "physics/stages.hpp"

@@ -22,13 +22,8 @@ void growFree(std::vector<std::uint32_t>& free, const std::vector<T>& all) {
 }
 
 std::uint32_t takeIsland(Sleepers& sleepers) {
-    if (sleepers.freeIslands.empty()) {
-        sleepers.islands.emplace_back();
-        growFree(sleepers.freeIslands, sleepers.islands);
-        return static_cast<std::uint32_t>(sleepers.islands.size() - 1);
-    }
-    const std::uint32_t island = sleepers.freeIslands.back();
-    sleepers.freeIslands.pop_back();
+    const std::uint32_t island = takeIndex(sleepers.freeIslands, sleepers.islands);
+    growFree(sleepers.freeIslands, sleepers.islands);
     sleepers.islands[island] = {};
     return island;
 }
@@ -47,23 +42,10 @@ void putInIsland(World& world, std::uint32_t island, std::uint32_t body) {
 }
 
 void putInIsland(Sleepers& sleepers, std::uint32_t island, const Contact& contact) {
-    std::uint32_t place = static_cast<std::uint32_t>(sleepers.contacts.size());
-    if (sleepers.freeContacts.empty()) {
-        sleepers.contacts.push_back(contact);
-        sleepers.nextContact.push_back(kNone);
-        growFree(sleepers.freeContacts, sleepers.contacts);
-    } else {
-        place = sleepers.freeContacts.back();
-        sleepers.freeContacts.pop_back();
-        sleepers.contacts[place] = contact;
-    }
+    const std::uint32_t place = takeIndex(sleepers.freeContacts, sleepers.contacts, sleepers.nextContact);
+    growFree(sleepers.freeContacts, sleepers.contacts);
+    sleepers.contacts[place] = contact;
     sleepers.nextContact[place] = std::exchange(sleepers.islands[island].firstContact, place);
-}
-
-/// True for a body that can be pushed and is awake.
-bool isUp(const World& world, std::uint32_t body) {
-    const BodyInfo& info = world.bodies.info[body];
-    return info.kind == BodyKind::Dynamic && info.place != kNone;
 }
 
 /// A kinematic body can begin or end a contact while the other body sleeps, unless that rests on it: then it
@@ -230,22 +212,11 @@ void sleepNow(World& world, std::uint32_t body) {
 }
 
 std::uint32_t islandOf(World& world, std::uint32_t body) {
-    std::vector<BodyInfo>& info = world.bodies.info;
-    while (info[body].island != body) {
-        info[body].island = info[info[body].island].island;
-        body = info[body].island;
-    }
-    return body;
+    return rootOf([&](std::uint32_t i) -> std::uint32_t& { return world.bodies.info[i].island; }, body);
 }
 
 void joinIslands(World& world, std::uint32_t a, std::uint32_t b) {
-    const std::uint32_t rootA = islandOf(world, a), rootB = islandOf(world, b);
-    // The lower index is the root, so that the forest does not depend on the order of joining.
-    if (rootA < rootB) {
-        world.bodies.info[rootB].island = rootA;
-    } else {
-        world.bodies.info[rootA].island = rootB;
-    }
+    joinTrees([&](std::uint32_t i) -> std::uint32_t& { return world.bodies.info[i].island; }, a, b);
 }
 
 namespace {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -39,13 +40,26 @@ void sleepIslands(World& world, std::vector<std::uint32_t>& sleepingRoots);
 void addAwakeJoint(World& world, std::uint32_t joint);
 void removeAwakeJoint(World& world, std::uint32_t joint);
 
-// The forest of islands: who touches or is tied to whom. Two bodies of one island have one root; islands may
-// be larger than need be until the forest is made anew. Source: R. Tarjan, "Efficiency of a good but not
-// linear set union algorithm", 1975 (path halving).
+// The forest of islands: what touches or is joined. Two bodies of one island have one root; islands may be
+// larger than need be until the forest is made anew. Source: R. Tarjan, "Efficiency of a good but not linear
+// set union algorithm", 1975 (path halving).
+
+/// @param parent  gives the parent of a member, as std::uint32_t&; a root is its own
+template <class Parent>
+std::uint32_t rootOf(Parent&& parent, std::uint32_t member) {
+    while (parent(member) != member) member = parent(member) = parent(parent(member));
+    return member;
+}
+/// The lower root stays one, so that the forest does not depend on the order of joining.
+template <class Parent>
+void joinTrees(Parent&& parent, std::uint32_t a, std::uint32_t b) {
+    const std::uint32_t rootA = rootOf(parent, a), rootB = rootOf(parent, b);
+    parent(std::max(rootA, rootB)) = std::min(rootA, rootB);
+}
 
 std::uint32_t islandOf(World& world, std::uint32_t body);
 void joinIslands(World& world, std::uint32_t a, std::uint32_t b);
-/// Forgets ties that ended.
+/// Forgets contacts and joints that ended.
 /// @param pool  threads to share the work
 void rebuildIslands(World& world, TaskPool* pool = nullptr);
 

@@ -4,6 +4,7 @@
 #include <numeric>
 
 #include "physics/islands/sleeping.hpp"
+#include "physics/model/edits.hpp"
 #include "physics/trees/joint_tree_builder.hpp"
 #include "physics/tuning.hpp"
 
@@ -31,11 +32,7 @@ void addTo(SubstepEstimate& island, const World& world, const Workspace& work, s
     island.highest = std::max(island.highest, depth);
     island.size += world.bodies.info[body].core;
     island.bodies += 1.0f;
-    for (std::uint32_t j = world.bodies.info[body].firstJoint; j != kNone;) {
-        const Joint& joint = world.joints.hot[j];
-        island.joints += 0.5f;  // the other body adds the other half
-        j = joint.bodyA == body ? joint.nextA : joint.nextB;
-    }
+    forJointsOf(world, body, [&](std::uint32_t) { island.joints += 0.5f; });  // each body adds a half
 }
 
 }  // namespace

@@ -8,14 +8,7 @@
 
 namespace plumb::physics {
 
-#define PLUMB_DECLARE(name) extern const JointType k##name##Joint;
-PLUMB_JOINTS(PLUMB_DECLARE)
-
 namespace {
-
-#define PLUMB_ROW(name) &k##name##Joint,
-constexpr std::array<const JointType*, static_cast<std::size_t>(JointKind::Count)> kJointTypes{
-    PLUMB_JOINTS(PLUMB_ROW)};
 
 Grip gripOf(const Softness& soft) {
     return {soft.massScale, soft.massScale * soft.biasRate, soft.impulseScale};
@@ -23,7 +16,16 @@ Grip gripOf(const Softness& soft) {
 
 }  // namespace
 
-const JointType& jointType(JointKind kind) { return *kJointTypes[static_cast<std::size_t>(kind)]; }
+JointView viewOf(const World& world, std::uint32_t index, const JointTiming& timing) {
+    const Joint& joint = world.joints.hot[index];
+    const JointDefinition& definition = world.joints.definition[index];
+    const BodyPose &a = world.bodies.pose[joint.bodyA], &b = world.bodies.pose[joint.bodyB];
+    JointView view{joint, definition, timing, a.rotation, b.rotation, b.centre - a.centre, {}};
+    if (joint.kind == JointKind::Mouse) view.toTarget = b.centre - definition.target;
+    return view;
+}
+
+float impulseOf(float force, const JointView& view) { return std::min(force * view.timing.h, kNoLimit); }
 
 JointParts anchorsOf(const JointView& view) {
     JointParts parts;
@@ -67,7 +69,7 @@ ValueParts valueParts(const JointView& view) {
     if (definition.motor.on) {
         value.driven = true;
         value.speed = definition.motor.speed;
-        value.maxMotor = std::min(definition.motor.maxForce * view.timing.h, kNoLimit);
+        value.maxMotor = impulseOf(definition.motor.maxForce, view);
     }
     if (definition.limit.on) {
         value.limited = true;

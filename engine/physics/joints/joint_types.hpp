@@ -1,7 +1,5 @@
 #pragma once
 
-#include <string_view>
-
 #include "physics/solver/n_body_constraint.hpp"
 #include "physics/world.hpp"
 
@@ -61,20 +59,25 @@ struct JointParts {
     float maxSpin = 0.0f;  ///< N m s: maximum impulse of that motor per substep
 };
 
-/// One kind of joint. A new kind is a file in joints/, a row in the table, and a test.
+/// One kind of joint: a row of the table in joint_kinds.cpp.
 struct JointType {
-    std::string_view name;
     JointBlockKind (*block)(std::uint8_t flags);  ///< block layout, by bits of JointFlag
     JointParts (*parts)(const JointView& view);
     /// Replaces both for joints that are not defined by two bodies and their anchors (gears, pulleys).
     NBodyConstraint (*constraint)(const World& world, const Joint& joint,
                                   const JointDefinition& definition) = nullptr;
+    bool hasMotor = false;  ///< JointDefinition::motor has an effect
 };
 
 const JointType& jointType(JointKind kind);
 
-// Helpers shared by the joint files.
+/// A joint at the current poses of its bodies. It refers to `timing`.
+JointView viewOf(const World& world, std::uint32_t joint, const JointTiming& timing);
 
+// Parts that several kinds have.
+
+/// N s or N m s: of a force or torque in a substep.
+float impulseOf(float force, const JointView& view);
 /// Arms and separation of both anchors in world space.
 JointParts anchorsOf(const JointView& view);
 /// rad, -pi..pi: rotation of B relative to A, minus the reference angle.

@@ -46,21 +46,8 @@ float overlapOf(const Contact& contact) {
 
 namespace {
 
-JointView viewOf(const World& world, std::uint32_t index) {
-    // A joint with a frequency of its own is a spring, however stiff.
-    static constexpr JointTiming kTiming{1.0f / 60.0f, std::numeric_limits<float>::infinity(), {}};
-    const Joint& joint = world.joints.hot[index];
-    const JointDefinition& definition = world.joints.definition[index];
-    const BodyPose& a = world.bodies.pose[joint.bodyA];
-    const BodyPose& b = world.bodies.pose[joint.bodyB];
-    return {joint,
-            definition,
-            kTiming,
-            a.rotation,
-            b.rotation,
-            b.centre - a.centre,
-            b.centre - definition.target};
-}
+/// A joint with a frequency of its own is a spring, however stiff.
+constexpr JointTiming kTiming{1.0f / 60.0f, std::numeric_limits<float>::infinity(), {}};
 
 }  // namespace
 
@@ -68,16 +55,16 @@ float openingOf(const World& world, std::uint32_t index) {
     const Joint& joint = world.joints.hot[index];
     const JointType& type = jointType(joint.kind);
     if (type.constraint != nullptr || joint.kind == JointKind::Mouse) return 0.0f;
-    return openingOf(type.parts(viewOf(world, index)), type.block(joint.flags));
+    return openingOf(type.parts(viewOf(world, index, kTiming)), type.block(joint.flags));
 }
 
 JointReading readingOf(const World& world, JointId id) {
+    if (!alive(world, id) || world.joints.hot[id.index].kind == JointKind::Filter) return {};
     const Joint& joint = world.joints.hot[id.index];
     const JointType& type = jointType(joint.kind);
-    if (joint.kind == JointKind::Filter) return {};
     if (type.constraint != nullptr)
         return {.separation = std::fabs(type.constraint(world, joint, definitionOf(world, id)).error)};
-    const JointView view = viewOf(world, id.index);
+    const JointView view = viewOf(world, id.index, kTiming);
     const JointParts parts = type.parts(view);
     const bool drives = joint.kind == JointKind::Motor && view.definition.motor.on;
     const Vec2 apart = view.between + (parts.armB - parts.armA);

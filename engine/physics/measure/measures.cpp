@@ -3,19 +3,18 @@
 #include <algorithm>
 #include <cmath>
 
+#include "physics/effects/field_types.hpp"
 #include "physics/measure/constraint_errors.hpp"
+#include "physics/model/bodies.hpp"
+#include "physics/model/edits.hpp"
 
 namespace plumb::physics {
 
 namespace {
 
-bool isDynamic(const World& world, std::size_t body) {
-    return world.bodies.info[body].kind == BodyKind::Dynamic;
-}
-
 double square(double x, double y) { return x * x + y * y; }
 
-double energyOfMotion(const World& world, std::size_t body) {
+double energyOfMotion(const World& world, std::uint32_t body) {
     const BodyMass& mass = world.bodies.mass[body];
     const BodyMotion& motion = world.bodies.motion[body];
     const auto spin = static_cast<double>(motion.angularVelocity);
@@ -24,40 +23,27 @@ double energyOfMotion(const World& world, std::size_t body) {
            0.5 * static_cast<double>(mass.inertia) * spin * spin;
 }
 
-double energyInGravity(const World& world, std::size_t body) {
+double energyInGravity(const World& world, std::uint32_t body) {
     const WorldPosition& place = world.bodies.pose[body].centre;
-    const BodyDrive& drive = world.bodies.driveOf(static_cast<std::uint32_t>(body));
+    const BodyDrive& drive = world.bodies.driveOf(body);
     const Vec2 gravity = world.settings.gravity * drive.gravityScale;
     return -static_cast<double>(world.bodies.mass[body].mass) *
            (static_cast<double>(gravity.x) * place.x + static_cast<double>(gravity.y) * place.y);
 }
 
-WorldPosition endOf(const World& world, BodyId body, Vec2 anchor) {
-    const BodyPose& pose = world.bodies.pose[body.index];
-    const Vec2 arm = rotate(pose.rotation, anchor - pose.localCentre);
-    return {pose.centre.x + static_cast<double>(arm.x), pose.centre.y + static_cast<double>(arm.y)};
-}
-
 double energyOfSpring(const World& world, const FieldDefinition& spring) {
-    const WorldPosition a = endOf(world, spring.a, spring.anchorA);
-    const WorldPosition b = spring.b ? endOf(world, spring.b, spring.anchorB) : spring.place;
+    const WorldPosition a = worldPoint(world, spring.a, spring.anchorA);
+    const WorldPosition b = spring.b ? worldPoint(world, spring.b, spring.anchorB) : spring.place;
     const double stretch = std::sqrt(square(b.x - a.x, b.y - a.y)) - static_cast<double>(spring.length);
     return 0.5 * static_cast<double>(spring.strength) * stretch * stretch;
 }
 
-bool isPulled(const World& world, std::size_t body, std::uint32_t layers) {
-    for (std::uint32_t s = world.bodies.info[body].firstShape; s != kNone; s = world.shapes.info[s].next) {
-        if ((world.shapes.filter[s].layers & layers) != 0) return true;
-    }
-    return false;
-}
-
 double energyOfAttractor(const World& world, const FieldDefinition& field) {
-    const WorldPosition centre = field.a ? world.bodies.pose[field.a.index].centre : field.place;
+    const WorldPosition centre = centreOf(world, field);
     double sum = 0.0;
-    for (std::size_t i = 0; i < world.bodies.size(); ++i) {
-        if (!isDynamic(world, i) || (field.a && field.a.index == i) || !isPulled(world, i, field.layers))
-            continue;
+    for (std::uint32_t i = 0; i < world.bodies.size(); ++i) {
+        const bool isCentre = field.a && field.a.index == i;
+        if (!isDynamic(world, i) || isCentre || !isOnLayers(world, field.layers, i)) continue;
         const WorldPosition& place = world.bodies.pose[i].centre;
         sum += 0.5 * static_cast<double>(world.bodies.mass[i].mass * field.strength) *
                square(place.x - centre.x, place.y - centre.y);
@@ -77,7 +63,7 @@ double energyOfField(const World& world, const Field& field) {
 
 double energyOf(const World& world) {
     double sum = 0.0;
-    for (std::size_t i = 0; i < world.bodies.size(); ++i) {
+    for (std::uint32_t i = 0; i < world.bodies.size(); ++i) {
         if (isDynamic(world, i)) sum += energyOfMotion(world, i) + energyInGravity(world, i);
     }
     for (const Field& field : world.fields.all) sum += energyOfField(world, field);
@@ -86,18 +72,14 @@ double energyOf(const World& world) {
 
 float deepestOverlapOf(const World& world) {
     float deepest = 0.0f;
-    for (const Contact& contact : world.contacts) deepest = std::max(deepest, overlapOf(contact));
-    for (const SleepingIsland& island : world.sleepers.islands) {
-        for (std::uint32_t c = island.firstContact; c != kNone; c = world.sleepers.nextContact[c])
-            deepest = std::max(deepest, overlapOf(world.sleepers.contacts[c]));
-    }
+    forContacts(world, [&](const Contact& contact) { deepest = std::max(deepest, overlapOf(contact)); });
     return deepest;
 }
 
 double largestDistanceOf(const World& world, const World& other) {
     double largest = 0.0;
-    const std::size_t count = std::min(world.bodies.size(), other.bodies.size());
-    for (std::size_t i = 0; i < count; ++i) {
+    const auto count = std::min(world.bodies.size(), other.bodies.size());
+    for (std::uint32_t i = 0; i < count; ++i) {
         const bool same = world.bodies.info[i].generation == other.bodies.info[i].generation;
         if (!same || !isDynamic(world, i) || !isDynamic(other, i)) continue;
         const WorldPosition& here = world.bodies.pose[i].centre;

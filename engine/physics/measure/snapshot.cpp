@@ -1,7 +1,10 @@
 #include "physics/measure/snapshot.hpp"
 
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <cstring>
+#include <type_traits>
 
 #include "core/hash.hpp"
 
@@ -11,55 +14,176 @@ namespace {
 
 using Parts = std::vector<std::vector<std::uint8_t>>;
 
-/// Hands the whole state to an archive. The bindings name every member: a new one does not compile.
-template <class Archive>
-void visit(Archive& archive, World& world) {
+/// Hands the whole state to an archive, in the order of the hash. The bindings name every member: a new one
+/// does not compile. What is not exact has a part less: worlds keep the hash that they had before it existed.
+template <class Archive, class AnyWorld>
+void visit(Archive& archive, AnyWorld& world) {
     auto& [settings, bodies, shapes, joints, fields, softBodies, awake, moved, altered, contacts, sleepers,
            initialOverlaps, events, brokenJoints, strainedJoints, fellAsleep, quarantined, qualityCallers,
            newJoints, filtersStale, islandsStale, islandsAge, manifest, gravityOfLastStep, steps, stepLength,
            isAsking, work] = world;
-    archive.values(settings, qualityCallers, newJoints, filtersStale, islandsStale, islandsAge, manifest,
-                   gravityOfLastStep, steps, stepLength);
-    archive.lists(awake, moved, altered, contacts, initialOverlaps);
+    archive.values(settings);
     auto& [pose, motion, mass, info, controllers, energies, drives, freeBodies, dyingBodies] = bodies;
-    archive.lists(pose, motion, mass, info, controllers, energies, drives.rows, drives.free, freeBodies,
-                  dyingBodies);
+    archive.lists(pose, motion, mass, info, drives.rows, drives.free, freeBodies, dyingBodies);
+    if (Archive::kIsExact || !controllers.empty()) archive.lists(controllers);
+    if (Archive::kIsExact || !energies.empty()) archive.lists(energies);
     auto& [geometry, bounds, filter, motions, shapeInfo, extras, freeShapes, dyingShapes, corners,
            freeCorners] = shapes;
     archive.lists(geometry, bounds, filter, motions, shapeInfo, extras.rows, extras.free, freeShapes,
                   dyingShapes, corners);
-    for (std::vector<std::uint32_t>& free : freeCorners) archive.lists(free);
+    for (auto& free : freeCorners) archive.lists(free);
     auto& [hot, definition, awakeJoints, freeJoints] = joints;
-    archive.lists(hot, definition, awakeJoints, freeJoints);
-    auto& [islands, freeIslands, sleeping, nextContact, freeContacts, nextBody, islandOf] = sleepers;
-    archive.lists(islands, freeIslands, sleeping, nextContact, freeContacts, nextBody, islandOf);
-    archive.lists(fields.all, fields.free, softBodies.free);
+    archive.lists(hot, awakeJoints, freeJoints, definition, fields.all, fields.free);
     archive.resize(softBodies.all);
-    for (SoftBody& soft : softBodies.all) {
+    for (auto& soft : softBodies.all) {
         auto& [particles, links, ring, touches, area, areaCompliance, radius, damping, friction, layers, mask,
                generation, substeps, isAlive] = soft;
         archive.lists(particles, links, ring, touches);
         archive.values(area, areaCompliance, radius, damping, friction, layers, mask, generation, substeps,
                        isAlive);
     }
+    archive.lists(softBodies.free, awake, moved, contacts);
+    if (Archive::kIsExact || !altered.empty()) archive.lists(altered);
+    auto& [islands, freeIslands, sleeping, nextContact, freeContacts, nextBody, islandOf] = sleepers;
+    archive.lists(islands, freeIslands, sleeping, nextContact, freeContacts, nextBody, islandOf,
+                  initialOverlaps);
+    // Events belong to the last step: the next one does not depend on them.
+    archive.values(qualityCallers, newJoints, filtersStale, islandsStale, islandsAge, gravityOfLastStep,
+                   steps, manifest);
+    if (Archive::kIsExact) archive.values(stepLength);
 }
+
+/// True for types without padding, whose bytes are undefined: it makes this no constant expression.
+template <class T>
+constexpr bool isDense() {
+    unsigned sum = 0;
+    for (const unsigned char byte : std::bit_cast<std::array<unsigned char, sizeof(T)>>(T{})) sum += byte;
+    return sum < sizeof(T) * 256;
+}
+
+/// Hashes lists as bytes, and one by one the values of types with padding and of those that once had some.
+class HashArchive {
+public:
+    static constexpr bool kIsExact = false;
+
+    template <class... T>
+    void values(const T&... all) {
+        (add(all), ...);
+    }
+    template <class T>
+    void resize(const std::vector<T>&) {}
+    template <class... T>
+    void lists(const std::vector<T>&... all) {
+        (addList(all), ...);
+    }
+    [[nodiscard]] std::uint64_t value() const { return hash_.value(); }
+
+private:
+    template <class T>
+    static constexpr bool kByValue =
+        std::is_same_v<T, JointDefinition> || std::is_same_v<T, Field> || std::is_same_v<T, SoftParticle> ||
+        std::is_same_v<T, SoftLink> || std::is_same_v<T, SoftTouch> || std::is_same_v<T, InitialOverlap>;
+
+    template <class T>
+    void addList(const std::vector<T>& list) {
+        if constexpr (kByValue<T>) {
+            for (const T& each : list) add(each);
+        } else {
+            static_assert(isDense<T>());
+            hash_.addBytes(list.data(), list.size() * sizeof(T));
+        }
+    }
+
+    static std::uint64_t bitsOf(float value) { return std::bit_cast<std::uint32_t>(value); }
+    void add(float value) { hash_.add(bitsOf(value)); }
+    void add(double value) { hash_.add(std::bit_cast<std::uint64_t>(value)); }
+    void add(Vec2 value) { hash_.add(bitsOf(value.x) << 32 | bitsOf(value.y)); }
+    void add(const WorldPosition& value) { values(value.x, value.y); }
+    template <class Thing>
+    void add(Id<Thing> id) {
+        hash_.add(std::uint64_t{id.index} << 32 | id.generation);
+    }
+    template <class T>
+    requires std::is_integral_v<T> || std::is_enum_v<T>
+    void add(T value) { hash_.add(static_cast<std::uint64_t>(value)); }
+
+    void add(const Manifest& manifest) {
+        static_assert(isDense<Manifest>());
+        hash_.addBytes(&manifest, sizeof manifest);
+    }
+    void add(const Settings& settings) {
+        const auto& [gravity, integrator, broadPhase, quality, iterations, automaticQuality, tolerance,
+                     directJoints, contactStiffness, jointStiffness, contactDampingRatio, jointDampingRatio,
+                     pushSpeed, deepPushRate, slop, speculativeDistance, recycleDistance, boundsMargin,
+                     bounceSpeed, sleepTime, maxSpeed, continuous, sleeping, stayEvents] = settings;
+        values(gravity, integrator, broadPhase, quality, iterations, automaticQuality, directJoints,
+               contactStiffness, jointStiffness, contactDampingRatio, jointDampingRatio, pushSpeed,
+               deepPushRate, slop, speculativeDistance, recycleDistance, boundsMargin, bounceSpeed, sleepTime,
+               maxSpeed, continuous, sleeping, stayEvents);
+        if (tolerance != 0.0f) values(tolerance);  // as in visit()
+    }
+    void add(const JointDefinition& definition) {
+        const auto& [kind, a, b, anchorA, anchorB, axis, referenceAngle, length, ratio, groundA, groundB,
+                     target, offset, velocity, jointA, jointB, limit, motor, spring, maxForce, maxTorque,
+                     breakForce, breakTorque, reportForce, reportTorque, hertz, dampingRatio,
+                     collideConnected, quality, user] = definition;
+        values(kind, a, b, anchorA, anchorB, axis, referenceAngle, length, ratio, groundA, groundB, target,
+               offset, jointA, jointB, maxForce, maxTorque, breakForce, breakTorque, hertz, dampingRatio,
+               collideConnected, quality, user);
+        const auto& [limitOn, lower, upper] = limit;
+        const auto& [motorOn, speed, mostForce] = motor;
+        const auto& [springOn, springHertz, springDamping, rest] = spring;
+        values(limitOn, lower, upper, motorOn, speed, mostForce, springOn, springHertz, springDamping, rest);
+        const JointDefinition usual;
+        if (velocity != usual.velocity) values(velocity);  // as in visit()
+        if (reportForce != usual.reportForce || reportTorque != usual.reportTorque)
+            values(reportForce, reportTorque);
+    }
+    void add(const Field& field) {
+        const auto& [definition, fieldGeneration, fieldIsAlive] = field;
+        const auto& [kind, region, replacesGravity, linear, layers, place, half, radius, acceleration,
+                     velocity, strength, damping, length, density, linearDrag, angularDrag, gust, gustSteps,
+                     seed, a, b, anchorA, anchorB] = definition;
+        values(kind, region, replacesGravity, linear, layers, place, half, radius, acceleration, velocity,
+               strength, damping, length, density, linearDrag, angularDrag, gust, gustSteps, seed, a, b,
+               anchorA, anchorB, fieldGeneration, fieldIsAlive);
+    }
+    void add(const SoftParticle& particle) {
+        const auto& [place, before, velocity, inverseMass, mass] = particle;
+        values(place, before, velocity, inverseMass, mass);
+    }
+    void add(const SoftLink& link) {
+        const auto& [a, b, length, compliance, isEdge] = link;
+        values(a, b, length, compliance, isEdge);
+    }
+    void add(const SoftTouch& touch) {
+        const auto& [particle, shape, force] = touch;
+        values(particle, shape, force);
+    }
+    void add(const InitialOverlap& overlap) {
+        const auto& [pair, hidden] = overlap;
+        values(pair, hidden);
+    }
+
+    LaneHasher hash_;
+};
 
 class Writer {
 public:
+    static constexpr bool kIsExact = true;
     Parts parts;
 
     template <class... T>
-    void values(T&... all) {
+    void values(const T&... all) {
         parts.emplace_back();
         (append(&all, sizeof all), ...);
     }
     template <class T>
-    void resize(std::vector<T>& list) {
-        std::uint64_t count = list.size();
-        values(count);
+    void resize(const std::vector<T>& list) {
+        values(std::uint64_t{list.size()});
     }
     template <class... T>
-    void lists(std::vector<T>&... all) {
+    void lists(const std::vector<T>&... all) {
         static_assert((std::is_trivially_copyable_v<T> && ...));
         ((parts.emplace_back(), append(all.data(), all.size() * sizeof(T))), ...);
     }
@@ -73,6 +197,8 @@ private:
 
 class Reader {
 public:
+    static constexpr bool kIsExact = true;
+
     explicit Reader(const Parts& parts) : parts_{parts} {}
     [[nodiscard]] bool good() const { return ok_; }
     [[nodiscard]] bool ok() const { return ok_ && next_ == parts_.size(); }
@@ -118,7 +244,7 @@ private:
 
 Parts partsOf(const World& world) {
     Writer writer;
-    visit(writer, const_cast<World&>(world));  // a Writer only reads
+    visit(writer, world);
     return std::move(writer.parts);
 }
 
@@ -136,7 +262,7 @@ Result<World> worldOf(const Parts& parts) {
 
 /// Changes with the layout of the state and the byte order of the machine.
 std::uint64_t versionOf() {
-    constexpr std::uint64_t kFormat = 1;
+    constexpr std::uint64_t kFormat = 2;
     Hasher hasher;
     for (const std::size_t size : {sizeof(World), sizeof(Settings), sizeof(BodyInfo), sizeof(ShapeInfo),
                                    sizeof(Geometry), sizeof(Joint), sizeof(JointDefinition), sizeof(Contact),
@@ -189,6 +315,14 @@ Result<Parts> split(std::span<const std::uint8_t> bytes) {
 }
 
 }  // namespace
+
+std::uint64_t hashOf(const World& world) {
+    HashArchive hash;
+    visit(hash, world);
+    return hash.value();
+}
+
+void addTo(Hasher& hasher, const World& world) { hasher.add(hashOf(world)); }
 
 std::size_t stateBytes(const World& world) {
     std::size_t bytes = sizeof(World);
@@ -243,12 +377,10 @@ Result<World> WorldRecording::replay(std::size_t count, const StepOptions& optio
 
 std::vector<std::uint8_t> WorldRecording::toBytes() const {
     Writer writer;
-    std::uint64_t count = start_.size();
-    writer.values(count);
+    writer.values(std::uint64_t{start_.size()});
     writer.parts.insert(writer.parts.end(), start_.begin(), start_.end());
     for (const Step& step : steps_) {
-        count = step.changes.size();
-        writer.values(step.hash, step.dt, count);
+        writer.values(step.hash, step.dt, std::uint64_t{step.changes.size()});
         for (const auto& [part, content] : step.changes) {
             writer.values(part);
             writer.parts.push_back(content);

@@ -11,7 +11,6 @@
 #include "physics/model/checks.hpp"
 #include "physics/model/edits.hpp"
 #include "physics/model/joints.hpp"
-#include "physics/model/mass.hpp"
 #include "physics/model/shapes.hpp"
 #include "physics/workspace.hpp"
 
@@ -34,23 +33,6 @@ Result<Done> check(const BodyDefinition& definition) {
         checkQuality("BodyDefinition.quality", definition.quality));
 }
 
-std::uint32_t allocateIndex(World& world) {
-    Bodies& bodies = world.bodies;
-    if (!bodies.free.empty()) {
-        const std::uint32_t index = bodies.free.back();
-        bodies.free.pop_back();
-        return index;
-    }
-    const std::size_t count = bodies.size() + 1;
-    bodies.pose.resize(count);
-    bodies.motion.resize(count);
-    bodies.mass.resize(count);
-    bodies.info.resize(count);
-    world.sleepers.nextBody.resize(count, kNone);
-    world.sleepers.islandOf.resize(count, kNone);
-    return static_cast<std::uint32_t>(count - 1);
-}
-
 std::uint8_t flagsOf(const BodyDefinition& definition) {
     return static_cast<std::uint8_t>((definition.bullet ? kBullet : 0) |
                                      (definition.canSleep ? kCanSleep : 0) |
@@ -59,12 +41,10 @@ std::uint8_t flagsOf(const BodyDefinition& definition) {
 }
 
 BodyDrive driveOf(const BodyDefinition& definition) {
-    BodyDrive drive;
-    drive.acceleration = definition.acceleration;
-    drive.gravityScale = definition.gravityScale;
-    drive.linearDrag = definition.linearDrag;
-    drive.angularDrag = definition.angularDrag;
-    return drive;
+    return {.acceleration = definition.acceleration,
+            .gravityScale = definition.gravityScale,
+            .linearDrag = definition.linearDrag,
+            .angularDrag = definition.angularDrag};
 }
 
 /// Changes a property that a body's effects depend on, and updates the manifest.
@@ -75,12 +55,42 @@ void change(World& world, BodyId body, Change&& change) {
     countEffectsOfBody(world, body.index, 1);
 }
 
-bool isHeldUpright(const BodyInfo& info) {
-    return info.kind == BodyKind::Dynamic && (info.flags & kFixedRotation) != 0;
+/// Changes what acts on a body in every step, and wakes it if that pushes it another way.
+template <class Change>
+Result<Done> setDrive(World& world, const char* where, BodyId body, const Result<Done>& value, Change&& set) {
+    const auto checked = firstOf(checkAlive(where, world, body), value);
+    if (!checked) return checked;
+    const BodyDrive before = world.bodies.driveOf(body.index);
+    BodyDrive drive = before;
+    set(drive);
+    if (drive == before) return checked;
+    if (drive.acceleration != before.acceleration || drive.gravityScale != before.gravityScale)
+        wake(world, body.index);
+    change(world, body, [&] { world.bodies.ownDriveOf(body.index) = drive; });
+    return checked;
 }
 
-bool isDynamic(const World& world, BodyId body) {
-    return world.bodies.info[body.index].kind == BodyKind::Dynamic;
+/// Adds to what moves a dynamic body, and wakes it.
+template <class Add>
+Result<Done> push(World& world, const char* where, BodyId body, const Result<Done>& value, Add&& add) {
+    const auto checked = firstOf(checkAlive(where, world, body), value);
+    if (!checked || !isDynamic(world, body.index)) return checked;
+    wake(world, body.index);
+    add();
+    return checked;
+}
+
+/// @return false if it is set already, or the body is gone
+bool setFlag(World& world, BodyId body, BodyFlag flag, bool on) {
+    if (!mayChange(world, body)) return false;
+    std::uint8_t& flags = world.bodies.info[body.index].flags;
+    if (on == ((flags & flag) != 0)) return false;
+    change(world, body, [&] { flags ^= flag; });
+    return true;
+}
+
+bool isHeldUpright(const BodyInfo& info) {
+    return info.kind == BodyKind::Dynamic && (info.flags & kFixedRotation) != 0;
 }
 
 }  // namespace
@@ -100,12 +110,6 @@ void countEffectsOfBody(World& world, std::uint32_t body, int times) {
     manifest.call(Effect::Locks, dynamic && (info.flags & (kLockX | kLockY)) != 0, times);
 }
 
-bool alive(const World& world, BodyId body) {
-    return body.generation != 0 && body.index < world.bodies.size() &&
-           world.bodies.info[body.index].generation == body.generation &&
-           world.bodies.info[body.index].kind != BodyKind::None;
-}
-
 std::size_t bodyCount(const World& world) {
     return world.bodies.size() - world.bodies.free.size() - world.bodies.dying.size();
 }
@@ -113,18 +117,18 @@ std::size_t bodyCount(const World& world) {
 Result<BodyId> createBody(World& world, const BodyDefinition& definition) {
     if (const auto checked = firstOf(checkOutside("createBody", world), check(definition)); !checked)
         return checked.error();
-    const std::uint32_t index = allocateIndex(world);
     Bodies& bodies = world.bodies;
+    const std::uint32_t index = takeIndex(bodies.free, bodies.info, bodies.pose, bodies.motion, bodies.mass);
+    world.sleepers.nextBody.resize(bodies.size(), kNone);
+    world.sleepers.islandOf.resize(bodies.size(), kNone);
     BodyInfo& info = bodies.info[index];
-    const std::uint32_t generation = info.generation + 1;
-    info = {};
-    info.generation = generation;
-    info.kind = definition.kind;
-    info.flags = flagsOf(definition);
-    info.quality = definition.quality;
-    info.island = index;
-    info.sleepSpeed = definition.sleepSpeed;
-    info.user = definition.user;
+    info = {.generation = info.generation + 1,
+            .kind = definition.kind,
+            .flags = flagsOf(definition),
+            .quality = definition.quality,
+            .island = index,
+            .sleepSpeed = definition.sleepSpeed,
+            .user = definition.user};
     bodies.pose[index] = {definition.position, rotFromAngle(definition.angle), {}};
     bodies.motion[index] = {definition.velocity, definition.angularVelocity, 0.0f};
     if (index < bodies.substepControllers.size()) bodies.substepControllers[index] = {};
@@ -141,7 +145,7 @@ Result<BodyId> createBody(World& world, const BodyDefinition& definition) {
     } else if (definition.kind == BodyKind::Dynamic) {
         addAsleep(world, index);
     }
-    return BodyId{index, generation};
+    return BodyId{index, info.generation};
 }
 
 void destroyBody(World& world, BodyId body) {
@@ -161,8 +165,6 @@ void destroyBody(World& world, BodyId body) {
     world.bodies.motion[body.index] = {};
     world.bodies.dying.push_back(body.index);
 }
-
-bool isAwake(const World& world, BodyId body) { return world.bodies.info[body.index].place != kNone; }
 
 FreeMotion freeMotionOf(const World& world, std::uint32_t body, float dt) {
     const BodyInfo& info = world.bodies.info[body];
@@ -184,6 +186,7 @@ FreeMotion freeMotionOf(const World& world, std::uint32_t body, float dt) {
 
 Frame predictTransform(const World& world, BodyId body, float dt) {
     constexpr float kFarthestAhead = 1.0e6f;  // s
+    if (!alive(world, body)) return {};
     const FreeMotion free =
         freeMotionOf(world, body.index, std::isnan(dt) ? 0.0f : std::clamp(dt, 0.0f, kFarthestAhead));
     const BodyPose& pose = world.bodies.pose[body.index];
@@ -208,11 +211,10 @@ Result<Done> setPosition(World& world, BodyId body, WorldPosition position, floa
 Result<Done> setVelocity(World& world, BodyId body, Vec2 velocity) {
     const auto checked =
         firstOf(checkAlive("setVelocity", world, body), checkVector("setVelocity", velocity, kFastest));
-    if (!checked) return checked;
-    if (world.bodies.info[body.index].kind == BodyKind::Static) return Done{};
+    if (!checked || world.bodies.info[body.index].kind == BodyKind::Static) return checked;
     if (velocity != Vec2{}) wakeForMotion(world, body.index);
     world.bodies.motion[body.index].velocity = velocity;
-    return Done{};
+    return checked;
 }
 
 Result<Done> setAngularVelocity(World& world, BodyId body, float velocity) {
@@ -227,52 +229,36 @@ Result<Done> setAngularVelocity(World& world, BodyId body, float velocity) {
 }
 
 Result<Done> setAcceleration(World& world, BodyId body, Vec2 acceleration) {
-    const auto checked = firstOf(checkAlive("setAcceleration", world, body),
-                                 checkVector("setAcceleration", acceleration, kFastest));
-    if (!checked) return checked;
-    if (acceleration == world.bodies.driveOf(body.index).acceleration) return Done{};
-    wake(world, body.index);
-    world.bodies.ownDriveOf(body.index).acceleration = acceleration;
-    return Done{};
+    return setDrive(world, "setAcceleration", body, checkVector("setAcceleration", acceleration, kFastest),
+                    [&](BodyDrive& drive) { drive.acceleration = acceleration; });
 }
 
 Result<Done> setGravityScale(World& world, BodyId body, float scale) {
-    const auto checked = firstOf(checkAlive("setGravityScale", world, body),
-                                 checkNumber("setGravityScale", scale, -kFastest, kFastest));
-    if (!checked) return checked;
-    if (scale == world.bodies.driveOf(body.index).gravityScale) return Done{};
-    wake(world, body.index);
-    change(world, body, [&] { world.bodies.ownDriveOf(body.index).gravityScale = scale; });
-    return Done{};
+    return setDrive(world, "setGravityScale", body,
+                    checkNumber("setGravityScale", scale, -kFastest, kFastest),
+                    [&](BodyDrive& drive) { drive.gravityScale = scale; });
 }
 
 Result<Done> setDrag(World& world, BodyId body, float linear, float angular) {
-    const auto checked =
-        firstOf(checkAlive("setDrag", world, body), checkNumber("setDrag linear", linear, 0.0, kFastest),
-                checkNumber("setDrag angular", angular, 0.0, kFastest));
-    if (!checked) return checked;
-    const BodyDrive& drive = world.bodies.driveOf(body.index);
-    if (linear == drive.linearDrag && angular == drive.angularDrag) return Done{};
-    change(world, body, [&] {
-        BodyDrive& own = world.bodies.ownDriveOf(body.index);
-        own.linearDrag = linear;
-        own.angularDrag = angular;
+    const auto checked = firstOf(checkNumber("setDrag linear", linear, 0.0, kFastest),
+                                 checkNumber("setDrag angular", angular, 0.0, kFastest));
+    return setDrive(world, "setDrag", body, checked, [&](BodyDrive& drive) {
+        drive.linearDrag = linear;
+        drive.angularDrag = angular;
     });
-    return Done{};
 }
 
 Result<Done> setMass(World& world, BodyId body, float mass) {
     const auto checked =
         firstOf(checkAlive("setMass", world, body), checkNumber("setMass", mass, 0.0, kStrongest));
-    if (!checked) return checked;
-    if (!isDynamic(world, body)) return Done{};
+    if (!checked || !isDynamic(world, body.index)) return checked;
     BodyInfo& info = world.bodies.info[body.index];
     const float wanted = mass > 0.0f ? std::max(mass, kLightest) : 0.0f;
     if (wanted != ((info.owned & kSetMass) != 0 ? massOf(world, body) : 0.0f)) wake(world, body.index);
     info.owned = static_cast<std::uint8_t>((info.owned & kBodyOff) | (wanted > 0.0f ? kSetMass : 0));
     world.bodies.mass[body.index].mass = wanted;
-    updateMassInContact(world, body.index);
-    return Done{};
+    updateMass(world, body.index);
+    return checked;
 }
 
 Result<Done> setQuality(World& world, BodyId body, Quality quality) {
@@ -283,50 +269,35 @@ Result<Done> setQuality(World& world, BodyId body, Quality quality) {
 }
 
 Result<Done> applyForce(World& world, BodyId body, Vec2 force) {
-    const auto checked =
-        firstOf(checkAlive("applyForce", world, body), checkVector("applyForce", force, kStrongest));
-    if (!checked) return checked;
-    if (!isDynamic(world, body)) return Done{};
-    wake(world, body.index);
-    world.bodies.ownDriveOf(body.index).force += force;
-    return Done{};
+    return push(world, "applyForce", body, checkVector("applyForce", force, kStrongest),
+                [&] { world.bodies.ownDriveOf(body.index).force += force; });
 }
 
 Result<Done> applyForceAt(World& world, BodyId body, Vec2 force, WorldPosition point) {
     if (const auto checked = checkPlace("applyForceAt point", point); !checked) return checked;
     const Result<Done> applied = applyForce(world, body, force);
-    if (!applied || !isDynamic(world, body)) return applied;
+    if (!applied || !isDynamic(world, body.index)) return applied;
     world.bodies.ownDriveOf(body.index).torque += cross(point - world.bodies.pose[body.index].centre, force);
     return applied;
 }
 
 Result<Done> applyTorque(World& world, BodyId body, float torque) {
-    const auto checked = firstOf(checkAlive("applyTorque", world, body),
-                                 checkNumber("applyTorque", torque, -kStrongest, kStrongest));
-    if (!checked) return checked;
-    if (!isDynamic(world, body)) return Done{};
-    wake(world, body.index);
-    world.bodies.ownDriveOf(body.index).torque += torque;
-    return Done{};
+    return push(world, "applyTorque", body, checkNumber("applyTorque", torque, -kStrongest, kStrongest),
+                [&] { world.bodies.ownDriveOf(body.index).torque += torque; });
 }
 
 Result<Done> applyImpulse(World& world, BodyId body, Vec2 impulse) {
-    const auto checked =
-        firstOf(checkAlive("applyImpulse", world, body), checkVector("applyImpulse", impulse, kStrongest));
-    if (!checked) return checked;
-    if (!isDynamic(world, body)) return Done{};
-    wake(world, body.index);
-    world.bodies.motion[body.index].velocity += world.bodies.mass[body.index].inverseMass * impulse;
-    return Done{};
+    return push(world, "applyImpulse", body, checkVector("applyImpulse", impulse, kStrongest), [&] {
+        world.bodies.motion[body.index].velocity += world.bodies.mass[body.index].inverseMass * impulse;
+    });
 }
 
 Result<Done> applyAngularImpulse(World& world, BodyId body, float impulse) {
-    const auto checked = firstOf(checkAlive("applyAngularImpulse", world, body),
-                                 checkNumber("applyAngularImpulse", impulse, -kStrongest, kStrongest));
-    if (!checked || !isDynamic(world, body)) return checked;
-    wake(world, body.index);
-    world.bodies.motion[body.index].angularVelocity += world.bodies.mass[body.index].inverseInertia * impulse;
-    return Done{};
+    return push(world, "applyAngularImpulse", body,
+                checkNumber("applyAngularImpulse", impulse, -kStrongest, kStrongest), [&] {
+                    world.bodies.motion[body.index].angularVelocity +=
+                        world.bodies.mass[body.index].inverseInertia * impulse;
+                });
 }
 
 void clearForces(World& world, BodyId body) {
@@ -347,7 +318,7 @@ Result<Done> setSleepSpeed(World& world, BodyId body, float speed) {
 Result<Done> applyImpulseAt(World& world, BodyId body, Vec2 impulse, WorldPosition point) {
     if (const auto checked = checkPlace("applyImpulseAt point", point); !checked) return checked;
     const Result<Done> applied = applyImpulse(world, body, impulse);
-    if (!applied || !isDynamic(world, body)) return applied;
+    if (!applied || !isDynamic(world, body.index)) return applied;
     world.bodies.motion[body.index].angularVelocity +=
         world.bodies.mass[body.index].inverseInertia *
         cross(point - world.bodies.pose[body.index].centre, impulse);
@@ -381,51 +352,29 @@ void setAwake(World& world, BodyId body, bool awake) {
 }
 
 void setFixedRotation(World& world, BodyId body, bool fixed) {
-    if (!mayChange(world, body)) return;
-    BodyInfo& info = world.bodies.info[body.index];
-    if (fixed == ((info.flags & kFixedRotation) != 0)) return;
-    change(world, body, [&] {
-        info.flags =
-            static_cast<std::uint8_t>(fixed ? info.flags | kFixedRotation : info.flags & ~kFixedRotation);
-    });
+    if (!setFlag(world, body, kFixedRotation, fixed)) return;
     wake(world, body.index);
-    if (isHeldUpright(info)) world.bodies.motion[body.index].angularVelocity = 0.0f;
+    if (isHeldUpright(world.bodies.info[body.index])) world.bodies.motion[body.index].angularVelocity = 0.0f;
     updateMass(world, body.index);
     refreshContactsOf(world, body.index);
 }
 
-void setBullet(World& world, BodyId body, bool bullet) {
-    if (!mayChange(world, body)) return;
-    std::uint8_t& flags = world.bodies.info[body.index].flags;
-    flags = static_cast<std::uint8_t>(bullet ? flags | kBullet : flags & ~kBullet);
-}
+void setBullet(World& world, BodyId body, bool bullet) { setFlag(world, body, kBullet, bullet); }
 
 void setCanSleep(World& world, BodyId body, bool canSleep) {
-    if (!mayChange(world, body)) return;
-    change(world, body, [&] {
-        std::uint8_t& flags = world.bodies.info[body.index].flags;
-        flags = static_cast<std::uint8_t>(canSleep ? flags | kCanSleep : flags & ~kCanSleep);
-    });
-    if (!canSleep) wake(world, body.index);
+    if (setFlag(world, body, kCanSleep, canSleep) && !canSleep) wake(world, body.index);
 }
 
 void setLocks(World& world, BodyId body, bool lockX, bool lockY) {
     if (!mayChange(world, body)) return;
-    change(world, body, [&] {
-        std::uint8_t& flags = world.bodies.info[body.index].flags;
-        flags = static_cast<std::uint8_t>((flags & ~(kLockX | kLockY)) | (lockX ? kLockX : 0) |
-                                          (lockY ? kLockY : 0));
-    });
+    setFlag(world, body, kLockX, lockX);
+    setFlag(world, body, kLockY, lockY);
     world.work.get().joints.trees.stale = true;
     wake(world, body.index);
 }
 
 void setDropThrough(World& world, BodyId body, bool drops) {
-    if (!mayChange(world, body)) return;
-    std::uint8_t& flags = world.bodies.info[body.index].flags;
-    if (drops == ((flags & kDropsThrough) != 0)) return;
-    flags = static_cast<std::uint8_t>(drops ? flags | kDropsThrough : flags & ~kDropsThrough);
-    wake(world, body.index);
+    if (setFlag(world, body, kDropsThrough, drops)) wake(world, body.index);
 }
 
 }  // namespace plumb::physics

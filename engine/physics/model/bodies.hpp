@@ -12,42 +12,42 @@ Result<BodyId> createBody(World& world, const BodyDefinition& definition);
 /// Destroys a body with its shapes and joints; its contacts end in the next step. A stale id does nothing.
 void destroyBody(World& world, BodyId body);
 
-[[nodiscard]] bool alive(const World& world, BodyId body);
 [[nodiscard]] std::size_t bodyCount(const World& world);
 
-// Getters. All need a living body.
+// Getters. Of a body that was destroyed or never made they say that it is at the origin, rests, weighs
+// nothing and is neither awake nor enabled.
 
 /// m: a point that is given in the frame of the body's shapes, and the inverse.
 [[nodiscard]] inline WorldPosition worldPoint(const World& world, BodyId body, Vec2 point) {
-    const BodyPose& pose = world.bodies.pose[body.index];
+    const BodyPose& pose = readOf(world, world.bodies.pose, body);
     return pose.centre + rotate(pose.rotation, point - pose.localCentre);
 }
 [[nodiscard]] inline Vec2 localPoint(const World& world, BodyId body, WorldPosition point) {
-    const BodyPose& pose = world.bodies.pose[body.index];
+    const BodyPose& pose = readOf(world, world.bodies.pose, body);
     return pose.localCentre + unrotate(pose.rotation, point - pose.centre);
 }
 [[nodiscard]] inline WorldPosition positionOf(const World& world, BodyId body) {
     return worldPoint(world, body, {});  ///< m, of the frame of its shapes
 }
 [[nodiscard]] inline WorldPosition centreOf(const World& world, BodyId body) {
-    return world.bodies.pose[body.index].centre;
+    return readOf(world, world.bodies.pose, body).centre;
 }
 [[nodiscard]] inline Rot rotationOf(const World& world, BodyId body) {
-    return world.bodies.pose[body.index].rotation;
+    return readOf(world, world.bodies.pose, body).rotation;
 }
 [[nodiscard]] inline Vec2 velocityOf(const World& world, BodyId body) {
-    return world.bodies.motion[body.index].velocity;
+    return readOf(world, world.bodies.motion, body).velocity;
 }
 [[nodiscard]] inline float angularVelocityOf(const World& world, BodyId body) {
-    return world.bodies.motion[body.index].angularVelocity;
+    return readOf(world, world.bodies.motion, body).angularVelocity;
 }
 /// m/s: of the point of the body that is at a position (m) now.
 [[nodiscard]] inline Vec2 velocityAt(const World& world, BodyId body, WorldPosition point) {
-    const BodyMotion& motion = world.bodies.motion[body.index];
+    const BodyMotion& motion = readOf(world, world.bodies.motion, body);
     return motion.velocity + cross(motion.angularVelocity, point - centreOf(world, body));
 }
 [[nodiscard]] inline float massOf(const World& world, BodyId body) {
-    return world.bodies.mass[body.index].mass;
+    return readOf(world, world.bodies.mass, body).mass;
 }
 /// Mass properties. The center of mass is in the frame of the shapes, the inertia about it.
 struct MassData {
@@ -56,13 +56,18 @@ struct MassData {
     float inertia = 0.0f;  ///< kg m2; 0: cannot rotate
 };
 [[nodiscard]] inline MassData massDataOf(const World& world, BodyId body) {
-    const BodyMass& mass = world.bodies.mass[body.index];
-    return {mass.mass, world.bodies.pose[body.index].localCentre, mass.inertia};
+    const BodyMass& mass = readOf(world, world.bodies.mass, body);
+    return {mass.mass, readOf(world, world.bodies.pose, body).localCentre, mass.inertia};
 }
 [[nodiscard]] inline bool isEnabled(const World& world, BodyId body) {
-    return (world.bodies.info[body.index].owned & kBodyOff) == 0;
+    return alive(world, body) && (world.bodies.info[body.index].owned & kBodyOff) == 0;
 }
-[[nodiscard]] bool isAwake(const World& world, BodyId body);
+[[nodiscard]] inline bool isAwake(const World& world, BodyId body) {
+    return readOf(world, world.bodies.info, body).place != kNone;
+}
+[[nodiscard]] inline const BodyDrive& driveOf(const World& world, BodyId body) {
+    return world.bodies.drives[readOf(world, world.bodies.info, body).drive];
+}
 /// The pose after dt (s, 0 to a million; NaN counts as 0) if only gravity, drag, the body's own acceleration
 /// and the forces and torques applied for the next step acted on it, all that time.
 [[nodiscard]] Frame predictTransform(const World& world, BodyId body, float dt);

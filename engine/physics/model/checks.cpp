@@ -3,9 +3,6 @@
 #include <cmath>
 
 #include "core/text.hpp"
-#include "physics/model/bodies.hpp"
-#include "physics/model/joints.hpp"
-#include "physics/model/shapes.hpp"
 
 namespace plumb::physics {
 
@@ -52,24 +49,9 @@ Result<Done> checkOutside(const char* where, const World& world) {
     return wrong(where, "called from a callback within a step", "note it there, and do it after the step");
 }
 
-namespace {
-
-Result<Done> checkAlive(const char* where, const World& world, bool lives, const std::string& what) {
-    if (lives) return checkOutside(where, world);
+Error goneError(const char* where, const std::string& what) {
     return wrong(where, "expected a living " + what + ", found one that was destroyed or never made",
                  "check alive() first, or drop the id when its object is destroyed");
-}
-
-}  // namespace
-
-Result<Done> checkAlive(const char* where, const World& world, BodyId body) {
-    return checkAlive(where, world, alive(world, body), "body");
-}
-Result<Done> checkAlive(const char* where, const World& world, ShapeId shape) {
-    return checkAlive(where, world, alive(world, shape), "shape");
-}
-Result<Done> checkAlive(const char* where, const World& world, JointId joint) {
-    return checkAlive(where, world, alive(world, joint), "joint");
 }
 
 }  // namespace plumb::physics

@@ -18,13 +18,22 @@ Result<Done> checkVector(const char* where, Vec2 value, float maximum);
 Result<Done> checkPlace(const char* where, WorldPosition value);
 Result<Done> checkKind(const char* where, BodyKind kind);
 Result<Done> checkQuality(const char* where, int quality);
-Result<Done> checkAlive(const char* where, const World& world, BodyId body);
-Result<Done> checkAlive(const char* where, const World& world, ShapeId shape);
-Result<Done> checkAlive(const char* where, const World& world, JointId joint);
 
 /// @error a callback of the step is running, which must not change the world
 Result<Done> checkOutside(const char* where, const World& world);
-/// For functions that return no Error.
+
+constexpr const char* nameOf(BodyId) { return "body"; }
+constexpr const char* nameOf(ShapeId) { return "shape"; }
+constexpr const char* nameOf(JointId) { return "joint"; }
+constexpr const char* nameOf(FieldId) { return "field"; }
+constexpr const char* nameOf(SoftBodyId) { return "soft body"; }
+Error goneError(const char* where, const std::string& what);
+/// Checks that an object lives and may be changed now.
+template <class Thing>
+Result<Done> checkAlive(const char* where, const World& world, Id<Thing> id) {
+    return alive(world, id) ? checkOutside(where, world) : goneError(where, nameOf(id));
+}
+/// The same for functions that return no Error.
 template <class Thing>
 [[nodiscard]] bool mayChange(const World& world, Id<Thing> id) {
     return !world.isAsking && alive(world, id);

@@ -4,17 +4,14 @@
 #include "physics/model/bodies.hpp"
 #include "physics/model/bounds.hpp"
 #include "physics/model/checks.hpp"
-#include "physics/model/mass.hpp"
 
 namespace plumb::physics {
 
 namespace {
 
-/// As createJoint() checks it.
 bool canHold(const World& world, const Joint& joint, std::uint32_t body, BodyKind kind) {
-    const std::uint32_t other = joint.bodyA == body ? joint.bodyB : joint.bodyA;
-    if (joint.kind == JointKind::Mouse && joint.bodyB == body) return kind == BodyKind::Dynamic;
-    return kind == BodyKind::Dynamic || world.bodies.info[other].kind == BodyKind::Dynamic;
+    const auto kindOf = [&](std::uint32_t i) { return i == body ? kind : world.bodies.info[i].kind; };
+    return canHold(joint.kind, kindOf(joint.bodyA), kindOf(joint.bodyB));
 }
 
 }  // namespace
@@ -85,8 +82,7 @@ Result<Done> setMassData(World& world, BodyId body, const MassData& data) {
                                  checkNumber("MassData.mass", data.mass, 0.0, kStrongest),
                                  checkVector("MassData.centre", data.centre, kLargest),
                                  checkNumber("MassData.inertia", data.inertia, 0.0, kStrongest));
-    if (!checked) return checked;
-    if (world.bodies.info[body.index].kind != BodyKind::Dynamic) return Done{};
+    if (!checked || !isDynamic(world, body.index)) return checked;
     if (data.mass == 0.0f) return setMass(world, body, 0.0f);
     wake(world, body.index);
     world.bodies.info[body.index].owned |= kSetMass | kSetMassData;
@@ -94,8 +90,7 @@ Result<Done> setMassData(World& world, BodyId body, const MassData& data) {
     world.bodies.mass[body.index].inertia = data.inertia;
     moveCentre(world, body.index, data.centre);
     updateMass(world, body.index);
-    alterAll(world, body.index);
-    return Done{};
+    return checked;
 }
 
 }  // namespace plumb::physics

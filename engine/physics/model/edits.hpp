@@ -14,6 +14,16 @@ void forShapesOf(const World& world, std::uint32_t body, Act&& act) {
         act(s);
 }
 
+/// All contacts, those that sleep last.
+template <class Act>
+void forContacts(const World& world, Act&& act) {
+    for (const Contact& contact : world.contacts) act(contact);
+    for (const SleepingIsland& island : world.sleepers.islands) {
+        for (std::uint32_t c = island.firstContact; c != kNone; c = world.sleepers.nextContact[c])
+            act(world.sleepers.contacts[c]);
+    }
+}
+
 template <class Act>
 void forJointsOf(const World& world, std::uint32_t body, Act&& act) {
     for (std::uint32_t j = world.bodies.info[body].firstJoint; j != kNone;) {
@@ -28,9 +38,23 @@ void forJointsOf(const World& world, std::uint32_t body, Act&& act) {
 void countEffectsOfBody(World& world, std::uint32_t body, int times);
 void countEffectsOfShape(World& world, std::uint32_t shape, int times);
 
+/// Whether a joint has a dynamic body to move: one of the two, of a mouse joint b.
+constexpr bool canHold(JointKind kind, BodyKind a, BodyKind b) {
+    return b == BodyKind::Dynamic || (a == BodyKind::Dynamic && kind != JointKind::Mouse);
+}
+
 /// Its bodies no longer have the color of the joint. A joint that stays gets kNoColour and World::newJoints.
 void releaseColour(World& world, std::uint32_t joint);
 /// One island for both bodies of a joint, if both are dynamic.
 void joinIslandsOf(World& world, const Joint& joint);
+
+inline constexpr float kLightest = 1.0e-12f;  ///< kg: minimum mass of a dynamic body
+
+/// Computes mass, centre of mass, inertia and extent of a body from its shapes. A dynamic body whose shapes
+/// have no mass gets 1 kg and cannot rotate. The shapes stay where they are; the velocity becomes that of the
+/// new centre of mass. Joints and contacts keep their points on the shapes.
+void updateMass(World& world, std::uint32_t body);
+/// Moves the center of mass (m, in the frame of the shapes).
+void moveCentre(World& world, std::uint32_t body, Vec2 centre);
 
 }  // namespace plumb::physics

@@ -57,33 +57,17 @@ void wakeThoseIn(World& world, const FieldDefinition& definition) {
     }
 }
 
-std::uint32_t allocateIndex(Fields& fields) {
-    if (fields.free.empty()) {
-        fields.all.emplace_back();
-        return static_cast<std::uint32_t>(fields.all.size() - 1);
-    }
-    const std::uint32_t index = fields.free.back();
-    fields.free.pop_back();
-    return index;
-}
-
 }  // namespace
 
-bool alive(const World& world, FieldId field) {
-    return field.generation != 0 && field.index < world.fields.all.size() &&
-           world.fields.all[field.index].isAlive &&
-           world.fields.all[field.index].generation == field.generation;
-}
-
 const FieldDefinition& definitionOf(const World& world, FieldId field) {
-    return world.fields.all[field.index].definition;
+    return readOf(world, world.fields.all, field).definition;
 }
 
 std::size_t fieldCount(const World& world) { return world.fields.all.size() - world.fields.free.size(); }
 
 Result<FieldId> createField(World& world, const FieldDefinition& definition) {
     if (const auto checked = check(world, definition); !checked) return checked.error();
-    const std::uint32_t index = allocateIndex(world.fields);
+    const std::uint32_t index = takeIndex(world.fields.free, world.fields.all);
     Field& field = world.fields.all[index];
     field.definition = definition;
     field.isAlive = true;

@@ -15,8 +15,7 @@ void destroyField(World& world, FieldId field);
 /// @error as createField(); a stale id, another kind
 Result<Done> setField(World& world, FieldId field, const FieldDefinition& definition);
 
-[[nodiscard]] bool alive(const World& world, FieldId field);
-/// @pre the field is alive
+/// A default one for a field that is gone.
 [[nodiscard]] const FieldDefinition& definitionOf(const World& world, FieldId field);
 [[nodiscard]] std::size_t fieldCount(const World& world);
 

@@ -8,26 +8,19 @@
 
 namespace plumb::physics {
 
-// clang-format off
-/// The table of joints. Each has a file joints/<name>_joint.cpp with a JointType named k<Name>Joint.
-#define PLUMB_JOINTS(JOINT)                                                                                \
-    JOINT(Distance)  /* keeps two points at a distance: a rod, a rope (only an upper limit) or a spring */ \
-    JOINT(Revolute)  /* a hinge: two points coincide; angle with spring, limit and motor */                \
-    JOINT(Prismatic) /* a slider: B moves along A's axis without rotating; spring, limit and motor */      \
-    JOINT(Weld)      /* keeps the relative pose of both bodies, rigid or springy */                        \
-    JOINT(Wheel)     /* B rotates freely and moves along A's axis on a spring; a motor rotates it */       \
-    JOINT(Mouse)     /* pulls a point of B to `target` by a spring of limited force */                     \
-    JOINT(Motor)     /* drives B to an offset from A, or at a velocity, with limited force and torque */   \
-    JOINT(Gear)      /* keeps angle of jointA + ratio * angle of jointB constant */                        \
-    JOINT(Pulley)    /* keeps lengthA + ratio * lengthB constant */                                        \
-    JOINT(Filter)    /* only keeps the two bodies from colliding */
-// clang-format on
-
+/// The kinds of joints. Each has a row in joints/joint_kinds.cpp.
 enum class JointKind : std::uint8_t {
-#define PLUMB_NAME(name) name,
-    PLUMB_JOINTS(PLUMB_NAME)
-#undef PLUMB_NAME
-        Count
+    Distance,   ///< keeps two points at a distance: a rod, a rope (only an upper limit) or a spring
+    Revolute,   ///< a hinge: two points coincide; angle with spring, limit and motor
+    Prismatic,  ///< a slider: B moves along A's axis without rotating; spring, limit and motor
+    Weld,       ///< keeps the relative pose of both bodies, rigid or springy
+    Wheel,      ///< B rotates freely and moves along A's axis on a spring; a motor rotates it
+    Mouse,      ///< pulls a point of B to `target` by a spring of limited force
+    Motor,      ///< drives B to an offset from A, or at a velocity, with limited force and torque
+    Gear,       ///< keeps angle of jointA + ratio * angle of jointB constant
+    Pulley,     ///< keeps lengthA + ratio * lengthB constant
+    Filter,     ///< only keeps the two bodies from colliding
+    Count
 };
 
 struct JointLimit {

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "physics/islands/sleeping.hpp"
+#include "physics/joints/joint_types.hpp"
 #include "physics/model/bodies.hpp"
 #include "physics/model/bounds.hpp"
 #include "physics/model/checks.hpp"
@@ -61,14 +62,9 @@ Result<Done> check(const World& world, const JointDefinition& d) {
         return wrong("createJoint", "expected two bodies, found the same one twice",
                      "connect it to another body, such as a static one");
     }
-    if (world.bodies.info[d.a.index].kind != BodyKind::Dynamic &&
-        world.bodies.info[d.b.index].kind != BodyKind::Dynamic) {
-        return wrong("createJoint", "expected at least one dynamic body, found none",
-                     "make one of them dynamic");
-    }
-    if (d.kind == JointKind::Mouse && world.bodies.info[d.b.index].kind != BodyKind::Dynamic) {
-        return wrong("createJoint", "expected b, the body that a mouse joint pulls, to be dynamic",
-                     "pass the pulled body as b");
+    if (!canHold(d.kind, world.bodies.info[d.a.index].kind, world.bodies.info[d.b.index].kind)) {
+        return wrong("createJoint", "expected at least one dynamic body, of a mouse joint b, found none",
+                     "make one of them dynamic; pass the body that a mouse joint pulls as b");
     }
     const auto gears = [&](JointId joint) {
         if (!alive(world, joint)) return false;
@@ -81,17 +77,6 @@ Result<Done> check(const World& world, const JointDefinition& d) {
                      "create both first, and pass their ids as jointA and jointB");
     }
     return checkNumbers(d);
-}
-
-std::uint32_t allocateIndex(Joints& joints) {
-    if (!joints.free.empty()) {
-        const std::uint32_t index = joints.free.back();
-        joints.free.pop_back();
-        return index;
-    }
-    joints.hot.emplace_back();
-    joints.definition.emplace_back();
-    return static_cast<std::uint32_t>(joints.size() - 1);
 }
 
 void callFor(World& world, const JointDefinition& definition, int times) {
@@ -137,22 +122,25 @@ void take(World& world, std::uint32_t index, const JointDefinition& definition, 
     wake(world, joint.bodyB);
 }
 
-}  // namespace
-
-bool alive(const World& world, JointId joint) {
-    return joint.generation != 0 && joint.index < world.joints.size() &&
-           world.joints.hot[joint.index].generation == joint.generation &&
-           world.joints.hot[joint.index].bodyA != kNone;
+/// A gear is nothing without the joints that it couples.
+void destroyGearsOf(World& world, JointId joint) {
+    for (std::uint32_t j = 0; j < world.joints.size(); ++j) {
+        const JointDefinition& gear = world.joints.definition[j];
+        if (world.joints.hot[j].kind == JointKind::Gear && (gear.jointA == joint || gear.jointB == joint))
+            destroyJoint(world, {j, world.joints.hot[j].generation});
+    }
 }
 
+}  // namespace
+
 bool keptApart(const World& world, std::uint32_t bodyA, std::uint32_t bodyB) {
-    for (std::uint32_t j = world.bodies.info[bodyA].firstJoint; j != kNone;) {
+    bool kept = false;
+    forJointsOf(world, bodyA, [&](std::uint32_t j) {
         const Joint& joint = world.joints.hot[j];
         const std::uint32_t other = joint.bodyA == bodyA ? joint.bodyB : joint.bodyA;
-        if (other == bodyB && (joint.flags & kKeepsApart) != 0) return true;
-        j = joint.bodyA == bodyA ? joint.nextA : joint.nextB;
-    }
-    return false;
+        kept |= other == bodyB && (joint.flags & kKeepsApart) != 0;
+    });
+    return kept;
 }
 
 void releaseColour(World& world, std::uint32_t index) {
@@ -165,22 +153,18 @@ void releaseColour(World& world, std::uint32_t index) {
 }
 
 void joinIslandsOf(World& world, const Joint& joint) {
-    const auto dynamic = [&](std::uint32_t body) {
-        return world.bodies.info[body].kind == BodyKind::Dynamic;
-    };
-    if (dynamic(joint.bodyA) && dynamic(joint.bodyB)) joinIslands(world, joint.bodyA, joint.bodyB);
+    if (isDynamic(world, joint.bodyA) && isDynamic(world, joint.bodyB))
+        joinIslands(world, joint.bodyA, joint.bodyB);
 }
 
 Result<JointId> createJoint(World& world, const JointDefinition& definition) {
     if (const auto checked = check(world, definition); !checked) return checked.error();
-    const std::uint32_t index = allocateIndex(world.joints);
+    const std::uint32_t index = takeIndex(world.joints.free, world.joints.hot, world.joints.definition);
     Joint& joint = world.joints.hot[index];
-    const std::uint32_t generation = joint.generation + 1;
-    joint = {};
-    joint.generation = generation;
-    joint.bodyA = definition.a.index;
-    joint.bodyB = definition.b.index;
-    joint.kind = definition.kind;
+    joint = {.bodyA = definition.a.index,
+             .bodyB = definition.b.index,
+             .kind = definition.kind,
+             .generation = joint.generation + 1};
     joint.nextA = std::exchange(world.bodies.info[joint.bodyA].firstJoint, index);
     joint.nextB = std::exchange(world.bodies.info[joint.bodyB].firstJoint, index);
     take(world, index, definition, normalized(definition.axis));
@@ -188,7 +172,7 @@ Result<JointId> createJoint(World& world, const JointDefinition& definition) {
     if (joint.kind != JointKind::Filter) joinIslandsOf(world, joint);
     if (!definition.collideConnected) world.filtersStale = true;
     world.newJoints = true;
-    return JointId{index, generation};
+    return JointId{index, joint.generation};
 }
 
 void destroyJoint(World& world, JointId id) {
@@ -205,6 +189,7 @@ void destroyJoint(World& world, JointId id) {
     joint.bodyA = joint.bodyB = kNone;
     world.islandsStale = true;
     world.joints.free.push_back(id.index);
+    destroyGearsOf(world, id);
 }
 
 Result<Done> setDefinition(World& world, JointId id, const JointDefinition& definition) {
@@ -234,19 +219,21 @@ Result<Done> setDefinition(World& world, JointId id, const JointDefinition& defi
     return Done{};
 }
 
-Vec2 jointForce(const World& world, JointId joint) {
-    return alive(world, joint) ? world.joints.hot[joint.index].force : Vec2{};
-}
+Vec2 jointForce(const World& world, JointId joint) { return readOf(world, world.joints.hot, joint).force; }
 
-float jointTorque(const World& world, JointId joint) {
-    return alive(world, joint) ? world.joints.hot[joint.index].torque : 0.0f;
-}
+float jointTorque(const World& world, JointId joint) { return readOf(world, world.joints.hot, joint).torque; }
 
 Result<Done> setMotorSpeed(World& world, JointId joint, float speed) {
+    if (alive(world, joint) && !jointType(definitionOf(world, joint).kind).hasMotor) {
+        return wrong("setMotorSpeed", "joints of this kind have no motor",
+                     "use a distance, revolute, prismatic, wheel or motor joint");
+    }
     return change(world, joint, [&](JointDefinition& definition) { definition.motor.speed = speed; });
 }
 
 Result<Done> setTarget(World& world, JointId joint, WorldPosition target) {
+    if (alive(world, joint) && definitionOf(world, joint).kind != JointKind::Mouse)
+        return wrong("setTarget", "expected a mouse joint, found another kind", "use a mouse joint");
     return change(world, joint, [&](JointDefinition& definition) { definition.target = target; });
 }
 

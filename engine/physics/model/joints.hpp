@@ -9,13 +9,12 @@ namespace plumb::physics {
 /// @error a dead body, a body connected to itself, two bodies that are not dynamic, numbers out of range
 Result<JointId> createJoint(World& world, const JointDefinition& definition);
 
-/// Destroys a joint and wakes its bodies. A stale id does nothing.
+/// Destroys a joint, with the gears that it is a part of, and wakes its bodies. A stale id does nothing.
 void destroyJoint(World& world, JointId joint);
 
-[[nodiscard]] bool alive(const World& world, JointId joint);
-/// @pre the joint is alive
+/// A default one for a joint that is gone.
 [[nodiscard]] inline const JointDefinition& definitionOf(const World& world, JointId joint) {
-    return world.joints.definition[joint.index];
+    return readOf(world, world.joints.definition, joint);
 }
 /// Changes a joint as if it had been created so, and wakes its bodies. Its kind, bodies and geared joints
 /// must stay the same. See also change() in shapes.hpp.
@@ -33,13 +32,14 @@ struct JointReading {
         0.0f;  ///< m: error of what it holds, limits included; of Mouse: distance to the target
     float angularSeparation = 0.0f;  ///< rad: the same for its angle
 };
-/// All 0 for a Filter. @pre the joint is alive
+/// All 0 for a Filter, and for a joint that is gone.
 [[nodiscard]] JointReading readingOf(const World& world, JointId joint);
 
 /// The force (N, on B) and the torque (N m) that held the joint in the last step.
 [[nodiscard]] Vec2 jointForce(const World& world, JointId joint);
 [[nodiscard]] float jointTorque(const World& world, JointId joint);
 
+/// @error a joint of a kind without a motor, or without a target
 Result<Done> setMotorSpeed(World& world, JointId joint, float speed);       ///< rad/s or m/s
 Result<Done> setTarget(World& world, JointId joint, WorldPosition target);  ///< m, of a Mouse joint
 

@@ -1,4 +1,3 @@
-#include "physics/model/mass.hpp"
 
 #include <algorithm>
 
@@ -73,11 +72,28 @@ void updateExtent(World& world, std::uint32_t body) {
     }
 }
 
+/// Contacts keep their points, which are relative to the center of mass.
+void moveAnchors(World& world, std::uint32_t body, Vec2 displacement) {
+    if (displacement == Vec2{}) return;
+    for (std::vector<Contact>* contacts : {&world.contacts, &world.sleepers.contacts}) {
+        for (Contact& contact : *contacts) {
+            for (ContactAnchors& anchors : contact.anchors) {
+                if (contact.bodyA == body) anchors.a -= displacement;
+                if (contact.bodyB == body) anchors.b -= displacement;
+            }
+        }
+    }
+}
+
 }  // namespace
 
 void moveCentre(World& world, std::uint32_t body, Vec2 centre) {
     BodyPose& pose = world.bodies.pose[body];
     BodyMotion& motion = world.bodies.motion[body];
+    const BodyInfo& info = world.bodies.info[body];
+    const bool mayTouch =
+        info.reach > 0.0f && info.firstShape != kNone;  // it had shapes before, and has some
+    if (mayTouch) moveAnchors(world, body, centre - pose.localCentre);
     const Vec2 displacement = rotate(pose.rotation, centre - pose.localCentre);
     pose.centre = pose.centre + displacement;
     pose.localCentre = centre;
@@ -97,12 +113,6 @@ void updateMass(World& world, std::uint32_t body) {
     }
     updateJoints(world, body);
     updateExtent(world, body);
-}
-
-void updateMassInContact(World& world, std::uint32_t body) {
-    const Vec2 before = world.bodies.pose[body].localCentre;
-    updateMass(world, body);
-    if (world.bodies.pose[body].localCentre != before) alterAll(world, body);
 }
 
 }  // namespace plumb::physics

@@ -1,6 +1,7 @@
 #include "physics/model/shapes.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <tuple>
 #include <vector>
 
@@ -10,8 +11,7 @@
 #include "physics/model/bounds.hpp"
 #include "physics/model/checks.hpp"
 #include "physics/model/edits.hpp"
-#include "physics/model/mass.hpp"
-#include "physics/model/polygon_store.hpp"
+#include "physics/shapes/hull.hpp"
 #include "physics/shapes/shape_types.hpp"
 
 namespace plumb::physics {
@@ -41,54 +41,35 @@ Result<Done> check(const Geometry& geometry) {
                  "use createPolygon for polygons");
 }
 
-std::uint32_t allocateIndex(World& world) {
-    Shapes& shapes = world.shapes;
-    if (!shapes.free.empty()) {
-        const std::uint32_t index = shapes.free.back();
-        shapes.free.pop_back();
-        return index;
-    }
-    const std::size_t count = shapes.size() + 1;
-    shapes.geometry.resize(count);
-    shapes.bounds.resize(count);
-    shapes.filter.resize(count);
-    shapes.motion.resize(count, ProxyMotion::Gone);
-    shapes.info.resize(count);
-    return static_cast<std::uint32_t>(count - 1);
-}
-
-ShapeInfo infoOf(const ShapeDefinition& definition) {
-    ShapeInfo info;
-    info.flags =
-        static_cast<std::uint8_t>((definition.isTrigger ? kTrigger : 0) | (definition.oneWay ? kOneWay : 0) |
-                                  (definition.reportsContacts ? kReportsContacts : 0));
+/// What `info` has of a definition; the rest stays.
+void take(const ShapeDefinition& definition, ShapeInfo& info) {
+    info.flags = static_cast<std::uint8_t>(
+        (info.flags & (kLeftBounds | kAltered | kShapeOff)) | (definition.isTrigger ? kTrigger : 0) |
+        (definition.oneWay ? kOneWay : 0) | (definition.reportsContacts ? kReportsContacts : 0));
     info.density = definition.density;
     info.friction = definition.friction;
     info.bounciness = definition.bounciness;
     info.user = definition.user;
     info.surface = definition.surface;
-    return info;
 }
 
 ShapeExtras extrasOf(const ShapeDefinition& definition) {
-    ShapeExtras extras;
-    extras.rollingResistance = definition.rollingResistance;
-    extras.surfaceSpeed = definition.surfaceSpeed;
-    if (definition.oneWay) extras.oneWayDirection = normalized(definition.oneWayDirection);
-    extras.frontLayers = definition.frontLayers;
-    extras.frontMask = definition.frontMask;
-    return extras;
+    return {.rollingResistance = definition.rollingResistance,
+            .surfaceSpeed = definition.surfaceSpeed,
+            .oneWayDirection = definition.oneWay ? normalized(definition.oneWayDirection) : Vec2{},
+            .frontLayers = definition.frontLayers,
+            .frontMask = definition.frontMask};
 }
 
 /// Adds a shape that was checked already. Does not update the body's mass.
 ShapeId add(World& world, BodyId body, const Geometry& geometry, const ShapeDefinition& definition) {
-    const std::uint32_t index = allocateIndex(world);
     Shapes& shapes = world.shapes;
-    BodyInfo& owner = world.bodies.info[body.index];
-    ShapeInfo info = infoOf(definition);
-    info.generation = shapes.info[index].generation + 1;
-    info.body = body.index;
-    info.next = std::exchange(owner.firstShape, index);
+    const std::uint32_t index =
+        takeIndex(shapes.free, shapes.info, shapes.geometry, shapes.bounds, shapes.filter, shapes.motion);
+    ShapeInfo info{.generation = shapes.info[index].generation + 1,
+                   .body = body.index,
+                   .next = std::exchange(world.bodies.info[body.index].firstShape, index)};
+    take(definition, info);
     if (!isEnabled(world, body)) info.flags |= kShapeOff;
     const ShapeExtras extras = extrasOf(definition);
     if (!(extras == ShapeExtras{})) shapes.extras.own(info.extras) = extras;
@@ -101,16 +82,51 @@ ShapeId add(World& world, BodyId body, const Geometry& geometry, const ShapeDefi
     return {index, info.generation};
 }
 
+/// Blocks of corners have power-of-two sizes, so that a freed block fits other polygons.
+std::size_t sizeClass(std::size_t corners) {
+    return static_cast<std::size_t>(std::bit_width(std::max<std::size_t>(corners, 4) - 1));
+}
+
+/// Stores the corners of a hull, if possible in a block that freeCornersOf() returned.
+Geometry storePolygon(Shapes& shapes, const Hull& hull, float radius) {
+    const std::size_t block = sizeClass(hull.corners.size());
+    std::vector<std::uint32_t>& free = shapes.freeCorners[block];
+    auto first = static_cast<std::uint32_t>(shapes.corners.size());
+    if (free.empty()) {
+        shapes.corners.resize(first + (std::size_t{1} << block));
+    } else {
+        first = free.back();
+        free.pop_back();
+    }
+    std::copy(hull.corners.begin(), hull.corners.end(), shapes.corners.begin() + first);
+    return polygon(hull, first, radius);
+}
+
+void freeCornersOf(Shapes& shapes, std::uint32_t shape) {
+    const Geometry& geometry = shapes.geometry[shape];
+    if (geometry.kind == ShapeKind::Polygon)
+        shapes.freeCorners[sizeClass(geometry.count)].push_back(geometry.first);
+}
+
 /// The index becomes free once the next step has ended the shape's contacts.
 void remove(World& world, std::uint32_t shape) {
     Shapes& shapes = world.shapes;
     countEffectsOfShape(world, shape, -1);
-    if (shapes.geometry[shape].kind == ShapeKind::Polygon) freePolygon(shapes, shapes.geometry[shape]);
+    freeCornersOf(shapes, shape);
     shapes.extras.release(shapes.info[shape].extras);
     shapes.motion[shape] = ProxyMotion::Gone;
     shapes.info[shape].flags &= static_cast<std::uint8_t>(~kShapeOff);
     shapes.dying.push_back(shape);
     noteChanged(world, shape);
+}
+
+/// Replaces the outline of a shape.
+void replace(World& world, std::uint32_t shape, const Geometry& geometry) {
+    const std::uint32_t body = world.shapes.info[shape].body;
+    wakeTouching(world, body);
+    world.shapes.geometry[shape] = geometry;
+    updateMass(world, body);
+    alter(world, shape);
 }
 
 }  // namespace
@@ -131,21 +147,15 @@ void countEffectsOfShape(World& world, std::uint32_t shape, int times) {
     manifest.call(Effect::ContactEvents, (info.flags & kReportsContacts) != 0, times);
 }
 
-bool alive(const World& world, ShapeId shape) {
-    return shape.generation != 0 && shape.index < world.shapes.size() &&
-           world.shapes.info[shape.index].generation == shape.generation &&
-           (world.shapes.motion[shape.index] != ProxyMotion::Gone ||
-            (world.shapes.info[shape.index].flags & kShapeOff) != 0);
-}
-
 BodyId bodyOf(const World& world, ShapeId shape) {
-    const std::uint32_t body = world.shapes.info[shape.index].body;
-    return {body, world.bodies.info[body].generation};
+    const std::uint32_t body = readOf(world, world.shapes.info, shape).body;
+    return body == kNone ? BodyId{} : BodyId{body, world.bodies.info[body].generation};
 }
 
 void segmentsOf(const World& world, ShapeId chain, std::vector<ShapeId>& found) {
-    const ShapeInfo& info = world.shapes.info[chain.index];
     found.clear();
+    if (!alive(world, chain)) return;
+    const ShapeInfo& info = world.shapes.info[chain.index];
     forShapesOf(world, info.body, [&](std::uint32_t s) {
         const ShapeInfo& other = world.shapes.info[s];
         if (s == chain.index || (info.surface != 0 && other.surface == info.surface))
@@ -209,8 +219,11 @@ Result<ShapeId> createChain(World& world, BodyId body, std::span<const Vec2> poi
                             points[(at + 2) % count]);
     };
     for (std::size_t i = 0; i < segments; ++i) {
-        const Geometry piece = segmentAt(i);
-        if (const auto checked = check(piece); !checked) return checked.error();
+        const auto checked = check(segmentAt(i));
+        if (checked) continue;
+        const std::size_t from = (first + i) % count, to = (first + i + 1) % count;
+        return Error{"createChain, points " + std::to_string(from) + " and " + std::to_string(to),
+                     checked.error().where + ": " + checked.error().what, checked.error().remedy};
     }
     std::uint32_t surface = definitions[0].surface;
     ShapeId chain;
@@ -256,7 +269,7 @@ void destroyShape(World& world, ShapeId shape) {
 
 void destroyChain(World& world, ShapeId chain) {
     std::vector<ShapeId> segments;
-    if (alive(world, chain)) segmentsOf(world, chain, segments);
+    segmentsOf(world, chain, segments);
     for (const ShapeId segment : segments) destroyShape(world, segment);
 }
 
@@ -273,30 +286,12 @@ void destroyShapes(World& world, BodyId body) {
     updateMass(world, body.index);
 }
 
-namespace {
-
-/// Replaces the outline of a shape.
-Result<Done> replace(World& world, ShapeId shape, const Geometry& geometry) {
-    const std::uint32_t body = world.shapes.info[shape.index].body;
-    wakeTouching(world, body);
-    world.shapes.geometry[shape.index] = geometry;
-    updateMassInContact(world, body);
-    alter(world, shape.index);
-    return Done{};
-}
-
-void freeCornersOf(World& world, ShapeId shape) {
-    const Geometry& geometry = world.shapes.geometry[shape.index];
-    if (geometry.kind == ShapeKind::Polygon) freePolygon(world.shapes, geometry);
-}
-
-}  // namespace
-
 Result<Done> setGeometry(World& world, ShapeId shape, const Geometry& geometry) {
     const auto checked = firstOf(checkAlive("setGeometry", world, shape), check(geometry));
     if (!checked) return checked;
-    freeCornersOf(world, shape);
-    return replace(world, shape, geometry);
+    freeCornersOf(world.shapes, shape.index);
+    replace(world, shape.index, geometry);
+    return checked;
 }
 
 Result<Done> setPolygon(World& world, ShapeId shape, std::span<const Vec2> points, float radius) {
@@ -305,11 +300,13 @@ Result<Done> setPolygon(World& world, ShapeId shape, std::span<const Vec2> point
     if (!checked) return checked;
     const Result<Hull> hull = makeHull(points);
     if (!hull) return hull.error();
-    freeCornersOf(world, shape);
-    return replace(world, shape, storePolygon(world.shapes, *hull, radius));
+    freeCornersOf(world.shapes, shape.index);
+    replace(world, shape.index, storePolygon(world.shapes, *hull, radius));
+    return checked;
 }
 
 ShapeDefinition definitionOf(const World& world, ShapeId shape) {
+    if (!alive(world, shape)) return {};
     const ShapeInfo& info = world.shapes.info[shape.index];
     const ShapeExtras& extras = world.shapes.extrasOf(shape.index);
     const Filter& filter = world.shapes.filter[shape.index];
@@ -342,19 +339,14 @@ Result<Done> setDefinition(World& world, ShapeId shape, const ShapeDefinition& d
     ShapeInfo& info = shapes.info[shape.index];
     wakeTouching(world, info.body);
     countEffectsOfShape(world, shape.index, -1);
-    const ShapeInfo made = infoOf(definition);
-    info.flags = static_cast<std::uint8_t>((info.flags & (kLeftBounds | kAltered | kShapeOff)) | made.flags);
-    info.density = made.density;
-    info.friction = made.friction;
-    info.bounciness = made.bounciness;
-    info.user = made.user;
+    take(definition, info);
     const ShapeExtras extras = extrasOf(definition);
     if (!(extras == shapes.extrasOf(shape.index))) shapes.extras.own(info.extras) = extras;
     countEffectsOfShape(world, shape.index, 1);
     if (definition.layers != before.layers || definition.mask != before.mask ||
         definition.group != before.group)
         setFilter(world, shape, definition.layers, definition.mask, definition.group);
-    if (definition.density != before.density) updateMassInContact(world, info.body);
+    if (definition.density != before.density) updateMass(world, info.body);
     // These are decided when a contact begins.
     const auto atBegin = [](const ShapeDefinition& d) {
         return std::tuple{d.isTrigger,       d.oneWay,      d.oneWayDirection.x, d.oneWayDirection.y,

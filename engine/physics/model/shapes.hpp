@@ -25,8 +25,8 @@ Result<ShapeId> createChain(World& world, BodyId body, std::span<const Vec2> poi
 /// The same with a definition for each segment.
 Result<ShapeId> createChain(World& world, BodyId body, std::span<const Vec2> points, bool closed,
                             std::span<const ShapeDefinition> definitions);
-/// The segments of a chain, given by any of them, in order. Results replace the content of `found`.
-/// @pre it is alive
+/// The segments of a chain, given by any of them, in order; none of a chain that is gone. Results replace the
+/// content of `found`.
 void segmentsOf(const World& world, ShapeId chain, std::vector<ShapeId>& found);
 /// Destroys all segments of a chain, given by any of them.
 void destroyChain(World& world, ShapeId chain);
@@ -39,7 +39,7 @@ void destroyShapes(World& world, BodyId body);
 /// Destroys a shape; its contacts end in the next step. A stale id does nothing.
 void destroyShape(World& world, ShapeId shape);
 
-[[nodiscard]] bool alive(const World& world, ShapeId shape);
+/// The null id for a shape that is gone.
 [[nodiscard]] BodyId bodyOf(const World& world, ShapeId shape);
 
 // Changes of a living shape. The body behaves as if the shape had been created so: masses are updated, bodies
@@ -49,7 +49,7 @@ void destroyShape(World& world, ShapeId shape);
 /// Replaces the outline by another of any kind; setPolygon() by the convex hull of the points (m).
 Result<Done> setGeometry(World& world, ShapeId shape, const Geometry& geometry);
 Result<Done> setPolygon(World& world, ShapeId shape, std::span<const Vec2> points, float radius = 0.0f);
-/// @pre the shape is alive
+/// A default one for a shape that is gone.
 [[nodiscard]] ShapeDefinition definitionOf(const World& world, ShapeId shape);
 /// Replaces material, filter and the rest; only `surface` must stay the same. See also change().
 Result<Done> setDefinition(World& world, ShapeId shape, const ShapeDefinition& definition);

@@ -7,6 +7,19 @@
 
 namespace plumb::physics {
 
+/// An index that was freed, or a new one at the end of parallel lists.
+template <class First, class... Others>
+std::uint32_t takeIndex(std::vector<std::uint32_t>& free, First& first, Others&... others) {
+    if (free.empty()) {
+        first.emplace_back();
+        (others.emplace_back(), ...);
+        return static_cast<std::uint32_t>(first.size() - 1);
+    }
+    const std::uint32_t index = free.back();
+    free.pop_back();
+    return index;
+}
+
 /// Rare properties, stored outside the main arrays to keep these small: each object has the index of a row,
 /// and kNone stands for a row of defaults.
 template <class Row>
@@ -21,12 +34,7 @@ struct SideTable {
     /// A writable row. Creates one for an object that has none; it is kept until release().
     Row& own(std::uint32_t& index) {
         if (index != kNone) return rows[index];
-        if (free.empty()) {
-            index = static_cast<std::uint32_t>(rows.size());
-            return rows.emplace_back();
-        }
-        index = free.back();
-        free.pop_back();
+        index = takeIndex(free, rows);
         return rows[index] = {};
     }
 

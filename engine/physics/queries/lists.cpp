@@ -13,19 +13,15 @@ namespace {
 
 template <class Act>
 void forTouching(const World& world, Act&& act) {
-    const auto see = [&](const Contact& contact) {
+    forContacts(world, [&](const Contact& contact) {
         if ((contact.flags & kTouching) != 0) act(contact);
-    };
-    for (const Contact& contact : world.contacts) see(contact);
-    for (const SleepingIsland& island : world.sleepers.islands) {
-        for (std::uint32_t c = island.firstContact; c != kNone; c = world.sleepers.nextContact[c])
-            see(world.sleepers.contacts[c]);
-    }
+    });
 }
 
 template <class Is>
-void collect(const World& world, std::vector<const Contact*>& found, Is&& is) {
+void collect(const World& world, std::vector<const Contact*>& found, bool lives, Is&& is) {
     found.clear();
+    if (!lives) return;
     forTouching(world, [&](const Contact& contact) {
         if ((contact.flags & kTriggered) == 0 && is(contact)) found.push_back(&contact);
     });
@@ -38,6 +34,7 @@ constexpr AABB kNothing{{kFar, kFar}, {-kFar, -kFar}};
 
 void shapesOf(const World& world, BodyId body, std::vector<ShapeId>& found) {
     found.clear();
+    if (!alive(world, body)) return;
     forShapesOf(world, body.index, [&](std::uint32_t s) {
         found.push_back({s, world.shapes.info[s].generation});
     });
@@ -46,6 +43,7 @@ void shapesOf(const World& world, BodyId body, std::vector<ShapeId>& found) {
 
 void jointsOf(const World& world, BodyId body, std::vector<JointId>& found) {
     found.clear();
+    if (!alive(world, body)) return;
     forJointsOf(world, body.index, [&](std::uint32_t j) {
         found.push_back({j, world.joints.hot[j].generation});
     });
@@ -53,16 +51,18 @@ void jointsOf(const World& world, BodyId body, std::vector<JointId>& found) {
 }
 
 void contactsOf(const World& world, BodyId body, std::vector<const Contact*>& found) {
-    collect(world, found, [&](const Contact& c) { return c.bodyA == body.index || c.bodyB == body.index; });
+    collect(world, found, alive(world, body),
+            [&](const Contact& c) { return c.bodyA == body.index || c.bodyB == body.index; });
 }
 
 void contactsOf(const World& world, ShapeId shape, std::vector<const Contact*>& found) {
-    collect(world, found,
+    collect(world, found, alive(world, shape),
             [&](const Contact& c) { return c.shapeA == shape.index || c.shapeB == shape.index; });
 }
 
 void overlapsOf(const World& world, ShapeId trigger, std::vector<ShapeId>& found) {
     found.clear();
+    if (!alive(world, trigger)) return;
     forTouching(world, [&](const Contact& contact) {
         const bool isA = contact.shapeA == trigger.index;
         if ((contact.flags & kTriggered) == 0 || (!isA && contact.shapeB != trigger.index)) return;
@@ -93,6 +93,7 @@ FixedList<ContactPoint, 2> contactPoints(const World& world, const Contact& cont
 }
 
 AABB boundsOf(const World& world, BodyId body) {
+    if (!alive(world, body)) return {};
     AABB bounds = kNothing;
     forShapesOf(world, body.index, [&](std::uint32_t s) {
         bounds = {min(bounds.min, world.shapes.bounds[s].min), max(bounds.max, world.shapes.bounds[s].max)};

@@ -7,7 +7,7 @@
 
 namespace plumb::physics {
 
-// What belongs to what. Results replace the content of `found`. All need a living body or shape.
+// What belongs to what. Results replace the content of `found`; of what is gone there are none.
 
 /// In the order in which they were created.
 void shapesOf(const World& world, BodyId body, std::vector<ShapeId>& found);
@@ -32,7 +32,8 @@ struct ContactPoint {
 /// The points of a contact: Contact::count of them, 0 to 2.
 [[nodiscard]] FixedList<ContactPoint, 2> contactPoints(const World& world, const Contact& contact);
 
-/// m: bounding box of the shapes of a body, as the broad phase has them (with margins).
+/// m: bounding box of the shapes of a body, as the broad phase has them (with margins); both corners (0, 0)
+/// if there is none.
 [[nodiscard]] AABB boundsOf(const World& world, BodyId body);
 /// m: of all shapes of the world; both corners (0, 0) if there is none.
 [[nodiscard]] AABB boundsOf(const World& world);

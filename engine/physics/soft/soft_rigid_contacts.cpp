@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "math/portable.hpp"
 #include "physics/broadphase/broadphase_update.hpp"
 #include "physics/islands/sleeping.hpp"
 #include "physics/shapes/shape_types.hpp"
+#include "physics/soft/soft_soft_contacts.hpp"
 #include "physics/solver/passes.hpp"
 #include "physics/stages.hpp"
 #include "physics/tuning.hpp"
@@ -16,29 +16,17 @@ namespace plumb::physics {
 
 namespace {
 
-bool isPushed(const World& world, std::uint32_t body) {
-    return world.bodies.info[body].kind == BodyKind::Dynamic && world.bodies.info[body].place != kNone;
-}
-
 /// m: beyond its radius.
 float reachOf(const SoftBody& body) { return body.radius + kSoftSlack; }
-
-AABB boundsOf(const SoftBody& body, float dt) {
-    constexpr float kFar = std::numeric_limits<float>::max();
-    AABB bounds{{kFar, kFar}, {-kFar, -kFar}};
-    for (const SoftParticle& p : body.particles) {
-        const Vec2 here = toVec2(p.place), there = toVec2(p.place + dt * p.velocity);
-        bounds = {min(bounds.min, min(here, there)), max(bounds.max, max(here, there))};
-    }
-    return grown(bounds, body.radius + reachOf(body));
-}
 
 void findShapes(StepContext& step, const SoftBody& body) {
     const Shapes& shapes = step.world.shapes;
     std::vector<std::uint32_t>& found = step.work.softSurroundings.shapes;
     const auto first = static_cast<std::ptrdiff_t>(found.size());
     if (step.work.broadPhase != nullptr) {
-        step.work.broadPhase->query(proxiesOf(step.world), boundsOf(body, step.dt), body.mask, found);
+        step.work.broadPhase->query(proxiesOf(step.world),
+                                    grown(rounded(boxOf(body, step.dt)), body.radius + reachOf(body)),
+                                    body.mask, found);
     }
     const auto end = std::remove_if(found.begin() + first, found.end(), [&](std::uint32_t shape) {
         return (shapes.info[shape].flags & kTrigger) != 0 || (shapes.filter[shape].mask & body.layers) == 0;
@@ -52,7 +40,7 @@ Vec2 velocityAt(const Float4& motion, Vec2 arm) { return Vec2{motion.x, motion.y
 void addNeighbours(World& world, SoftSurroundings& around, std::uint32_t soft) {
     for (const std::uint32_t shape : around.shapesOf(soft)) {
         const std::uint32_t body = world.shapes.info[shape].body;
-        if (isPushed(world, body)) around.neighbours.emplace_back(islandOf(world, body), soft);
+        if (isUp(world, body)) around.neighbours.emplace_back(islandOf(world, body), soft);
     }
 }
 
@@ -61,7 +49,7 @@ SoftObstacle obstacleOf(const World& world, std::uint32_t body) {
     const BodyInfo& info = world.bodies.info[body];
     const BodyPose& pose = world.bodies.pose[body];
     SoftObstacle obstacle{
-        .body = body, .isPushed = isPushed(world, body), .centre = pose.centre, .rotation = pose.rotation};
+        .body = body, .isPushed = isUp(world, body), .centre = pose.centre, .rotation = pose.rotation};
     if (info.kind != BodyKind::Dynamic)
         obstacle.motion = {motion.velocity.x, motion.velocity.y, motion.angularVelocity, 0.0f};
     if (!obstacle.isPushed) return obstacle;
@@ -98,7 +86,7 @@ void forParticlesNear(const StepContext& step, SoftBody& soft, std::uint32_t sha
 
 void rouse(const StepContext& step, SoftBody& soft, std::uint32_t shape) {
     const std::uint32_t body = step.world.shapes.info[shape].body;
-    if (step.world.bodies.info[body].kind != BodyKind::Dynamic || isPushed(step.world, body)) return;
+    if (step.world.bodies.info[body].kind != BodyKind::Dynamic || isUp(step.world, body)) return;
     bool hit = false;
     forParticlesNear(step, soft, shape, [&](const SoftContact& contact, Vec2 velocity) {
         hit = hit || dot(velocity, contact.normal) < -kRousing;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "physics/islands/sleeping.hpp"
 #include "physics/tuning.hpp"
 
 namespace plumb::physics {
@@ -28,24 +29,8 @@ bool overlap(const SoftBox& a, const SoftBox& b) {
     return a.min.x <= b.max.x && b.min.x <= a.max.x && a.min.y <= b.max.y && b.min.y <= a.max.y;
 }
 
-SoftBox boxOf(const SoftBody& body, float dt) {
-    SoftBox box = boxOf(body.particles.front(), dt);
-    for (const SoftParticle& p : body.particles) box = merged(box, boxOf(p, dt));
-    return grown(box, static_cast<double>(body.radius + kSoftSlack));
-}
-
 bool mayCollide(const SoftBody& a, const SoftBody& b) {
     return (a.mask & b.layers) != 0 && (b.mask & a.layers) != 0;
-}
-
-std::uint32_t leaderOf(const SoftSoftContacts& meetings, std::uint32_t body) {
-    while (meetings.leaders[body] != body) body = meetings.leaders[body];
-    return body;
-}
-
-void join(SoftSoftContacts& meetings, std::uint32_t a, std::uint32_t b) {
-    const std::uint32_t first = leaderOf(meetings, a), second = leaderOf(meetings, b);
-    meetings.leaders[std::max(first, second)] = std::min(first, second);
 }
 
 /// Finds the potential contacts of one body's particles with another's edges.
@@ -183,6 +168,12 @@ bool aim(const SoftSoftContact& which, Meeting& meeting) {
 
 }  // namespace
 
+SoftBox boxOf(const SoftBody& body, float dt) {
+    SoftBox box = boxOf(body.particles.front(), dt);
+    for (const SoftParticle& p : body.particles) box = merged(box, boxOf(p, dt));
+    return box;
+}
+
 void groupSoftBodies(const World& world, float dt, const SoftSurroundings& around,
                      SoftSoftContacts& meetings) {
     const std::vector<SoftBody>& all = world.softBodies.all;
@@ -194,21 +185,23 @@ void groupSoftBodies(const World& world, float dt, const SoftSurroundings& aroun
     meetings.boxes.resize(all.size());
     meetings.leaders.resize(all.size());
     for (const std::uint32_t body : meetings.order) {
-        meetings.boxes[body] = boxOf(all[body], dt);
+        meetings.boxes[body] =
+            grown(boxOf(all[body], dt), static_cast<double>(all[body].radius + kSoftSlack));
         meetings.leaders[body] = body;
     }
+    const auto leader = [&](std::uint32_t body) -> std::uint32_t& { return meetings.leaders[body]; };
     for (const std::uint32_t b : meetings.order) {
         for (const std::uint32_t a : meetings.order) {
             if (a == b) break;
             if (overlap(meetings.boxes[a], meetings.boxes[b]) && mayCollide(all[a], all[b]))
-                join(meetings, a, b);
+                joinTrees(leader, a, b);
         }
     }
     for (std::size_t i = 1; i < around.neighbours.size(); ++i) {
         const auto &a = around.neighbours[i - 1], &b = around.neighbours[i];
-        if (a.first == b.first) join(meetings, a.second, b.second);
+        if (a.first == b.first) joinTrees(leader, a.second, b.second);
     }
-    for (const std::uint32_t body : meetings.order) meetings.leaders[body] = leaderOf(meetings, body);
+    for (const std::uint32_t body : meetings.order) leader(body) = rootOf(leader, body);
     std::sort(meetings.order.begin(), meetings.order.end(), [&](std::uint32_t a, std::uint32_t b) {
         const std::uint32_t first = meetings.leaders[a], second = meetings.leaders[b];
         return first != second ? first < second : a < b;

@@ -43,6 +43,10 @@ struct SoftSoftContacts {
     std::vector<SoftSoftContact> all;  ///< by group
 };
 
+/// Bounds of a soft body over dt seconds, without its radius.
+[[nodiscard]] SoftBox boxOf(const SoftBody& body, float dt);
+[[nodiscard]] inline AABB rounded(const SoftBox& box) { return {toVec2(box.min), toVec2(box.max)}; }
+
 /// Sorts soft bodies so that those that may touch within a step of dt seconds, or push the same island, are
 /// adjacent in `order`.
 void groupSoftBodies(const World& world, float dt, const SoftSurroundings& around,

@@ -4,6 +4,7 @@
 
 #include "physics/islands/sleeping.hpp"
 #include "physics/model/checks.hpp"
+#include "physics/soft/soft_soft_contacts.hpp"
 
 namespace plumb::physics {
 
@@ -21,15 +22,13 @@ Result<Done> check(const SoftMaterial& material) {
 }
 
 SoftBody bodyOf(const SoftMaterial& material) {
-    SoftBody body;
-    body.areaCompliance = material.areaCompliance;
-    body.radius = material.radius;
-    body.damping = material.damping;
-    body.friction = material.friction;
-    body.layers = material.layers;
-    body.mask = material.mask;
-    body.substeps = material.substeps;
-    return body;
+    return {.areaCompliance = material.areaCompliance,
+            .radius = material.radius,
+            .damping = material.damping,
+            .friction = material.friction,
+            .layers = material.layers,
+            .mask = material.mask,
+            .substeps = material.substeps};
 }
 
 void addParticle(SoftBody& body, WorldPosition place, float mass) {
@@ -64,13 +63,7 @@ void sortByColor(SoftBody& body) {
 SoftBodyId take(World& world, SoftBody&& body) {
     sortByColor(body);
     SoftBodies& soft = world.softBodies;
-    std::uint32_t index = static_cast<std::uint32_t>(soft.all.size());
-    if (soft.free.empty()) {
-        soft.all.emplace_back();
-    } else {
-        index = soft.free.back();
-        soft.free.pop_back();
-    }
+    const std::uint32_t index = takeIndex(soft.free, soft.all);
     body.generation = soft.all[index].generation + 1;
     body.isAlive = true;
     soft.all[index] = std::move(body);
@@ -78,17 +71,9 @@ SoftBodyId take(World& world, SoftBody&& body) {
     return {index, soft.all[index].generation};
 }
 
-AABB boundsOf(const SoftBody& body) {
-    const Vec2 first = toVec2(body.particles.front().place);
-    AABB bounds{first, first};
-    for (const SoftParticle& p : body.particles)
-        bounds = {min(bounds.min, toVec2(p.place)), max(bounds.max, toVec2(p.place))};
-    return grown(bounds, 2.0f * body.radius);
-}
-
 /// Without it, bodies that sleep on it would hang in the air.
 void wakeNeighbours(World& world, const SoftBody& body) {
-    const AABB bounds = boundsOf(body);
+    const AABB bounds = grown(rounded(boxOf(body, 0.0f)), 2.0f * body.radius);
     for (std::size_t s = 0; s < world.shapes.size(); ++s) {
         if (world.shapes.motion[s] == ProxyMotion::Asleep && intersects(world.shapes.bounds[s], bounds))
             wake(world, world.shapes.info[s].body);
@@ -96,28 +81,12 @@ void wakeNeighbours(World& world, const SoftBody& body) {
 }
 
 Result<Done> checkParticle(const char* where, const World& world, SoftBodyId body, int particle) {
-    if (!alive(world, body)) {
-        return wrong(where, "expected a living soft body, found one that was destroyed or never made",
-                     "use the id that its create function returned");
-    }
     return firstOf(
-        checkOutside(where, world),
+        checkAlive(where, world, body),
         checkNumber(where, particle, 0.0, static_cast<double>(particlesOf(world, body).size()) - 1.0));
 }
 
 }  // namespace
-
-bool alive(const World& world, SoftBodyId body) {
-    return body.generation != 0 && body.index < world.softBodies.all.size() &&
-           world.softBodies.all[body.index].isAlive &&
-           world.softBodies.all[body.index].generation == body.generation;
-}
-
-const SoftBody& softBodyOf(const World& world, SoftBodyId body) { return world.softBodies.all[body.index]; }
-
-std::span<const SoftParticle> particlesOf(const World& world, SoftBodyId body) {
-    return softBodyOf(world, body).particles;
-}
 
 Result<SoftBodyId> createRope(World& world, WorldPosition from, WorldPosition to, int count,
                               const SoftMaterial& material) {

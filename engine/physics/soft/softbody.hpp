@@ -37,10 +37,13 @@ Result<SoftBodyId> createJelly(World& world, WorldPosition place, std::span<cons
 /// A stale id does nothing.
 void destroySoftBody(World& world, SoftBodyId body);
 
-[[nodiscard]] bool alive(const World& world, SoftBodyId body);
-/// @pre the body is alive
-[[nodiscard]] std::span<const SoftParticle> particlesOf(const World& world, SoftBodyId body);
-[[nodiscard]] const SoftBody& softBodyOf(const World& world, SoftBodyId body);
+/// Without particles if the body is gone.
+[[nodiscard]] inline const SoftBody& softBodyOf(const World& world, SoftBodyId body) {
+    return readOf(world, world.softBodies.all, body);
+}
+[[nodiscard]] inline std::span<const SoftParticle> particlesOf(const World& world, SoftBodyId body) {
+    return softBodyOf(world, body).particles;
+}
 
 /// Fixes a particle in its position, or releases it.
 Result<Done> pinParticle(World& world, SoftBodyId body, int particle, bool pinned);

@@ -2,7 +2,7 @@
 
 #include "physics/effects/drag.hpp"
 #include "physics/effects/field_search.hpp"
-#include "physics/effects/forces.hpp"
+#include "physics/effects/field_types.hpp"
 #include "physics/islands/sleeping.hpp"
 #include "physics/model/bodies.hpp"
 #include "physics/model/fields.hpp"
@@ -30,19 +30,14 @@ void dropOrphans(World& world) {
 
 void note(const World& world, Workspace& work, std::uint32_t body, std::uint32_t field) {
     const std::int32_t slot = work.slots[body];
-    if (slot < 0 || world.bodies.info[body].kind != BodyKind::Dynamic) return;
+    if (slot < 0 || !isDynamic(world, body)) return;
     work.smooth.pulls.push_back({static_cast<std::uint32_t>(slot), field});
 }
 
 void findPulls(const World& world, Workspace& work) {
     work.smooth.pulls.clear();
-    updateFieldBoxes(world, work);
-    for (const std::uint32_t body : world.awake) {
-        if (world.bodies.info[body].kind != BodyKind::Dynamic) continue;
-        for (const std::uint32_t f : fieldsNear(world, work, body, 0xffffffffu)) {
-            if (actsOn(world, world.fields.all[f].definition, body)) note(world, work, body, f);
-        }
-    }
+    forFieldsOnBodies(world, work, 0xffffffffu,
+                      [&](std::uint32_t body, std::uint32_t f) { note(world, work, body, f); });
     if (!world.manifest.runs(Effect::Springs)) return;
     for (std::uint32_t f = 0; f < world.fields.all.size(); ++f) {
         const FieldDefinition& d = world.fields.all[f].definition;
@@ -134,10 +129,7 @@ void launch(StepContext& step, std::size_t slot, std::uint32_t body, float h) {
 
 /// A body at rest is woken by a spring whose other end moves.
 void wakeOtherEnds(World& world) {
-    const auto rests = [&](BodyId body) {
-        const BodyInfo& info = world.bodies.info[body.index];
-        return info.kind == BodyKind::Dynamic && info.place == kNone;
-    };
+    const auto rests = [&](BodyId body) { return isDynamic(world, body.index) && !isUp(world, body.index); };
     const auto moves = [&](BodyId body) {
         const BodyInfo& info = world.bodies.info[body.index];
         return info.place != kNone &&

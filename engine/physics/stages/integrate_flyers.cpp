@@ -1,12 +1,168 @@
 #include <algorithm>
+#include <array>
 
 #include "math/portable.hpp"
-#include "physics/effects/integrators.hpp"
 #include "physics/stages.hpp"
 
 namespace plumb::physics {
 
 namespace {
+
+/// The bodies of a group that are integrated together, and what fields may ask of them.
+struct Flight {
+    const World& world;
+    const SmoothForces& forces;
+    std::span<Flyer> flyers;
+    float h;
+    bool dragInside;  // drag is evaluated with the other forces
+};
+
+BodyState stateInFlight(const FieldView& view, std::uint32_t body) {
+    const Flight& flight = *static_cast<const Flight*>(view.flight);
+    const std::int32_t number = flight.forces.flyerOf[body];
+    if (number >= 0) {
+        const Flyer* flyer = &flight.forces.flyers[static_cast<std::size_t>(number)];
+        if (flyer >= flight.flyers.data() && flyer < flight.flyers.data() + flight.flyers.size()) {
+            return flyer->trial;
+        }
+    }
+    BodyState state = stateAtStart(view.world, body);
+    state.centre = state.centre + view.elapsed * state.velocity;
+    return state;
+}
+
+bool dragIsInside(const Flight& flight, const Flyer& flyer) {
+    // Only drag that is slow for the step; all other drag is integrated exactly beside it (dragHalfway).
+    return flight.dragInside && flyer.linearDrag * flight.h < 0.5f && flyer.angularDrag * flight.h < 0.5f;
+}
+
+/// Accelerations of all bodies in their trial states.
+void evaluate(const Flight& flight, int which, float elapsed) {
+    const FieldView view{flight.world, flight.h, stateInFlight, &flight, elapsed, false};
+    for (Flyer& flyer : flight.flyers) {
+        Acceleration& at = flyer.at[which];
+        at = accelerationAt(view, flight.forces.fieldsOf(flyer.slot), flyer.body, flyer.trial);
+        if (!dragIsInside(flight, flyer)) continue;
+        at.linear -= flyer.linearDrag * flyer.trial.velocity;
+        at.angular -= flyer.angularDrag * flyer.trial.angularVelocity;
+    }
+}
+
+Rot turnedBy(const World& world, const Flyer& flyer, float angle) {
+    const Rot start = world.bodies.pose[flyer.body].rotation;
+    return angle == 0.0f ? start : normalized(rotFromAngle(angle) * start);
+}
+
+Acceleration operator*(float s, const Acceleration& a) { return {s * a.linear, s * a.angular}; }
+Acceleration operator+(Acceleration a, const Acceleration& b) { return a += b; }
+Acceleration operator-(const Acceleration& a, const Acceleration& b) {
+    return {a.linear - b.linear, a.angular - b.angular};
+}
+
+Acceleration velocityOf(const BodyState& state) { return {state.velocity, state.angularVelocity}; }
+
+/// Sets the trial state: `now`, advanced by a displacement and a change of velocity.
+void tryOut(const Flight& flight, Flyer& flyer, const Acceleration& displacement,
+            const Acceleration& gained) {
+    flyer.trial.centre = flyer.now.centre + displacement.linear;
+    flyer.trial.rotation = turnedBy(flight.world, flyer, flyer.turned + displacement.angular);
+    flyer.trial.velocity = flyer.now.velocity + gained.linear;
+    flyer.trial.angularVelocity = flyer.now.angularVelocity + gained.angular;
+}
+
+/// The same, as the new state.
+void take(const Flight& flight, Flyer& flyer, const Acceleration& displacement, const Acceleration& gained) {
+    tryOut(flight, flyer, displacement, gained);
+    flyer.turned += displacement.angular;
+    flyer.now = flyer.trial;
+}
+
+/// What first-order schemes miss of the displacement under constant acceleration, h^2 a / 2. Only for bodies
+/// on which nothing else acts: where a field balances the constant acceleration, it would prevent rest.
+Acceleration missed(const Flyer& flyer, float h) {
+    return flyer.isSteady ? (0.5f * h * h) * flyer.steady : Acceleration{};
+}
+
+/// x1 = x0 + h v0, v1 = v0 + h a(x0, v0). Gains energy in every oscillation: for teaching.
+void explicitEuler(const Flight& flight, float elapsed) {
+    const float h = flight.h;
+    evaluate(flight, 0, elapsed);
+    for (Flyer& f : flight.flyers)
+        take(flight, f, h * velocityOf(f.now) + missed(f, h), h * (f.at[0] + f.steady));
+}
+
+/// v1 = v0 + h a(x0, v0), x1 = x0 + h v1: symplectic.
+void semiImplicitEuler(const Flight& flight, float elapsed) {
+    const float h = flight.h;
+    evaluate(flight, 0, elapsed);
+    for (Flyer& f : flight.flyers) {
+        const Acceleration gained = h * (f.at[0] + f.steady);
+        take(flight, f, h * (velocityOf(f.now) + gained) - missed(f, h), gained);
+    }
+}
+
+/// x1 = x0 + h v0 + h^2/2 a0, v1 = v0 + h/2 (a0 + a1): symplectic, second order.
+void velocityVerlet(const Flight& flight, float elapsed) {
+    const float h = flight.h;
+    const auto displacement = [h](const Flyer& f) {
+        return h * velocityOf(f.now) + (0.5f * h * h) * (f.at[0] + f.steady);
+    };
+    evaluate(flight, 0, elapsed);
+    for (Flyer& f : flight.flyers) tryOut(flight, f, displacement(f), h * (f.at[0] + f.steady));
+    evaluate(flight, 1, elapsed + h);
+    for (Flyer& f : flight.flyers)
+        take(flight, f, displacement(f), (0.5f * h) * (f.at[0] + f.steady + f.at[1] + f.steady));
+}
+
+/// Classical scheme of W. Kutta, 1901: fourth order. Loses the energy of oscillations that are too fast for
+/// the step.
+void rungeKutta(const Flight& flight, float elapsed) {
+    const float h = flight.h;
+    constexpr std::array<float, 4> kAt{0.0f, 0.5f, 0.5f, 1.0f};
+    for (int i = 0; i < 4; ++i) {
+        const float part = kAt[static_cast<std::size_t>(i)] * h;
+        for (Flyer& f : flight.flyers) {
+            // The velocity of the previous stage is that of `trial`.
+            if (i > 0) tryOut(flight, f, part * velocityOf(f.trial), part * (f.at[i - 1] + f.steady));
+        }
+        evaluate(flight, i, elapsed + part);
+    }
+    for (Flyer& f : flight.flyers) {
+        const Acceleration first = f.at[0] + f.at[1] + f.at[2] + 3.0f * f.steady;
+        const Acceleration all = f.at[0] + 2.0f * (f.at[1] + f.at[2]) + f.at[3] + 6.0f * f.steady;
+        take(flight, f, h * velocityOf(f.now) + (h * h / 6.0f) * first, (h / 6.0f) * all);
+    }
+}
+
+using Integrator = void (*)(const Flight& flight, float elapsed);
+constexpr std::array<Integrator, static_cast<std::size_t>(IntegratorKind::Count)> kIntegrators{
+    explicitEuler, semiImplicitEuler, velocityVerlet, rungeKutta};
+
+/// Applies the drag of half a step.
+void dragHalfway(const Flight& flight) {
+    for (Flyer& f : flight.flyers) {
+        if ((f.linearDrag <= 0.0f && f.angularDrag <= 0.0f) || dragIsInside(flight, f)) continue;
+        f.now.velocity *= exponential(-0.5f * flight.h * f.linearDrag);
+        f.now.angularVelocity *= exponential(-0.5f * flight.h * f.angularDrag);
+    }
+}
+
+/// Advances bodies of a group through all substeps, together, as they may attract each other. Under steady
+/// acceleration alone every scheme is exact. Drag is split off and exact too (G. Strang, 1968); only
+/// Runge-Kutta evaluates slow drag with the other forces. Source: E. Hairer, C. Lubich, G. Wanner, "Geometric
+/// Numerical Integration", 2006, I.1.
+void integrate(const StepContext& step, const SolveGroup& group, std::span<Flyer> flyers) {
+    const auto kind = static_cast<std::size_t>(step.world.settings.integrator);
+    const Integrator oneStep = kIntegrators[kind < kIntegrators.size() ? kind : 1];
+    const float h = step.dt / static_cast<float>(group.substeps);
+    const Flight flight{step.world, step.work.smooth, flyers, h, oneStep == rungeKutta};
+    for (int n = 0; n < group.substeps; ++n) {
+        dragHalfway(flight);
+        for (Flyer& f : flyers) f.trial = f.now;
+        oneStep(flight, h * static_cast<float>(n));
+        dragHalfway(flight);
+    }
+}
 
 /// Writes where a flyer is over what the solver, which did not know of its fields, has made of it.
 void land(const World& world, Workspace& work, const Flyer& flyer) {
@@ -32,9 +188,7 @@ void integrateFlyers(StepContext& step) {
         const auto begin =
             std::lower_bound(smooth.flyers.begin(), smooth.flyers.end(), group.begin, slotBefore);
         const auto end = std::lower_bound(begin, smooth.flyers.end(), group.end, slotBefore);
-        if (begin == end) continue;
-        integrate(step.world, smooth, std::span<Flyer>{begin, end}, step.world.settings.integrator,
-                  step.dt / static_cast<float>(group.substeps), group.substeps);
+        if (begin != end) integrate(step, group, {begin, end});
     }
     for (const Flyer& flyer : smooth.flyers) land(step.world, step.work, flyer);
 }

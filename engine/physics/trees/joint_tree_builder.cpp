@@ -4,8 +4,8 @@
 #include <optional>
 #include <span>
 
+#include "physics/model/edits.hpp"
 #include "physics/trees/joint_tree_solver.hpp"
-#include "physics/trees/tree_rows.hpp"
 
 namespace plumb::physics {
 
@@ -45,7 +45,7 @@ public:
                 const Joint& joint = world_.joints.hot[index];
                 const auto kind = kindOf(world_, joint);
                 if (!kind) continue;
-                const bool a = isPushed(joint.bodyA), b = isPushed(joint.bodyB);
+                const bool a = isDynamic(world_, joint.bodyA), b = isDynamic(world_, joint.bodyB);
                 if (hanging == (a && b)) continue;
                 const std::uint32_t root = a ? joint.bodyA : joint.bodyB;
                 if (trees_.reached[root] == 0) grow({root, -1, hanging ? index : kNone, *kind});
@@ -54,10 +54,6 @@ public:
     }
 
 private:
-    [[nodiscard]] bool isPushed(std::uint32_t body) const {
-        return world_.bodies.info[body].kind == BodyKind::Dynamic;
-    }
-
     void grow(const ReachedBody& root) {
         reached_.assign(1, root);
         held_.clear();
@@ -75,24 +71,20 @@ private:
     bool reachFrom(std::int32_t place) {
         const ReachedBody from = reached_[static_cast<std::size_t>(place)];
         bool isTree = true;
-        for (std::uint32_t j = world_.bodies.info[from.body].firstJoint; j != kNone;) {
-            const Joint& joint = world_.joints.hot[j];
-            const std::uint32_t index = j;
+        forJointsOf(world_, from.body, [&](std::uint32_t index) {
+            const Joint& joint = world_.joints.hot[index];
             const std::uint32_t other = joint.bodyA == from.body ? joint.bodyB : joint.bodyA;
-            j = joint.bodyA == from.body ? joint.nextA : joint.nextB;
-            if (index == from.joint || joint.place == kNone) continue;  // a filter, or to a disabled body
+            if (index == from.joint || joint.place == kNone) return;  // a filter, or to a disabled body
             const auto kind = kindOf(world_, joint);
-            if (!kind) {
-                isTree = false;
-            } else if (!isPushed(other)) {
-                held_.push_back({place, index, *kind});
-            } else if (trees_.reached[other] != 0) {
+            if (kind && !isDynamic(world_, other)) {
+                held_.push_back({other, place, index, *kind});
+            } else if (!kind || trees_.reached[other] != 0) {
                 isTree = false;
             } else {
                 trees_.reached[other] = 1;
                 reached_.push_back({other, place, index, *kind});
             }
-        }
+        });
         return isTree;
     }
 
@@ -101,8 +93,8 @@ private:
     [[nodiscard]] bool canBeHeld() const {
         int freedom = 0;
         for (const ReachedBody& body : reached_) freedom += body.joint == kNone ? 3 : 3 - rowsOf(body.kind);
-        for (const HeldJoint& held : held_) {
-            if (held.treeBody == 0) return false;
+        for (const ReachedBody& held : held_) {
+            if (held.parent == 0) return false;
             freedom -= rowsOf(held.kind);
         }
         return held_.empty() || freedom > 0;
@@ -135,10 +127,10 @@ private:
             link.parent = it->parent < 0 ? -1 : tree.end - 1 - it->parent;
         }
         tree.holdBegin = static_cast<std::int32_t>(trees_.holds.size());
-        for (const HeldJoint& held : held_) {
+        for (const ReachedBody& held : held_) {
             trees_.holds.push_back(
-                linkOf(held.joint, held.kind, reached_[static_cast<std::size_t>(held.treeBody)].body));
-            trees_.holds.back().treeBody = tree.end - 1 - held.treeBody;
+                linkOf(held.joint, held.kind, reached_[static_cast<std::size_t>(held.parent)].body));
+            trees_.holds.back().treeBody = tree.end - 1 - held.parent;
             trees_.holds.back().byArms = false;
         }
         tree.holdEnd = static_cast<std::int32_t>(trees_.holds.size());
@@ -148,18 +140,17 @@ private:
     const World& world_;
     JointTrees& trees_;
     std::vector<ReachedBody>& reached_;
-    std::vector<HeldJoint>& held_;
+    std::vector<ReachedBody>& held_;
 };
 
 /// Notes the colors of each body's joints. Any further color of the body then belongs to a contact.
 void noteColours(const World& world, JointTrees& trees) {
     for (TreeBody& treeBody : trees.treeBodies) {
         treeBody.colours = 0;
-        for (std::uint32_t j = world.bodies.info[treeBody.body].firstJoint; j != kNone;) {
-            const Joint& joint = world.joints.hot[j];
-            if (joint.colour < kColours) treeBody.colours |= 1u << joint.colour;
-            j = joint.bodyA == treeBody.body ? joint.nextA : joint.nextB;
-        }
+        forJointsOf(world, treeBody.body, [&](std::uint32_t j) {
+            const std::uint8_t colour = world.joints.hot[j].colour;
+            if (colour < kColours) treeBody.colours |= 1u << colour;
+        });
     }
 }
 

@@ -6,7 +6,6 @@
 
 #include "physics/joints/joint_types.hpp"
 #include "physics/trees/tree_joints.hpp"
-#include "physics/trees/tree_rows.hpp"
 #include "physics/tuning.hpp"
 
 namespace plumb::physics {
@@ -27,6 +26,10 @@ struct Trees {
 
     [[nodiscard]] TreeBody& treeBody(std::int32_t i) const {
         return all.treeBodies[static_cast<std::size_t>(i)];
+    }
+    [[nodiscard]] std::span<TreeBody> bodiesOf(const JointTree& tree) const {
+        return std::span{all.treeBodies}.subspan(static_cast<std::size_t>(tree.begin),
+                                                 static_cast<std::size_t>(tree.end - tree.begin));
     }
     [[nodiscard]] Link& link(std::int32_t i) const { return all.links[static_cast<std::size_t>(i)]; }
     [[nodiscard]] TreeBody* parentOf(const Link& link) const {
@@ -104,16 +107,21 @@ void takeMotion(const Trees& trees, TreeBody& treeBody) {
     treeBody.impulse = {};
 }
 
-/// Updates motions, rows and gaps to the current poses.
+/// Factors one limb. To be called from the leaves to the root.
+void factorLimb(const Trees& trees, const JointTree& tree, std::int32_t i) {
+    TreeBody& treeBody = trees.treeBody(i);
+    treeBody.own = treeBody.turns ? inverse(treeBody.own) : inverseUnturned(treeBody.own);
+    if (hasLink(tree, i)) stiffen(treeBody, trees.link(i), trees.parentOf(trees.link(i)));
+}
+
+/// Updates motions, rows and gaps to the current poses, and factors the system.
 void setTree(const Trees& trees, const JointTree& tree) {
-    for (std::int32_t i = tree.begin; i < tree.end; ++i) {
-        TreeBody& treeBody = trees.treeBody(i);
+    for (TreeBody& treeBody : trees.bodiesOf(tree)) {
         takeMotion(trees, treeBody);
         treeBody.straining = 0.0;
     }
     forLinks(trees.all, tree, [&](Link& link) { setLink(trees, link); });
-    for (std::int32_t i = tree.begin; i < tree.end; ++i) {
-        TreeBody& treeBody = trees.treeBody(i);
+    for (TreeBody& treeBody : trees.bodiesOf(tree)) {
         const double inertia = std::max(treeBody.inertia, kCalm * trees.h * trees.h * treeBody.straining);
         treeBody.own = {treeBody.mass, 0.0, treeBody.mass, 0.0, 0.0, inertia};
     }
@@ -122,13 +130,7 @@ void setTree(const Trees& trees, const JointTree& tree) {
                           1.0 / hold.softness.turn};
         addRows(hold.onTreeBody, hold.stiffness, trees.treeBody(hold.treeBody).own);
     }
-}
-
-/// Factors one limb. To be called from the leaves to the root.
-void factorLimb(const Trees& trees, const JointTree& tree, std::int32_t i) {
-    TreeBody& treeBody = trees.treeBody(i);
-    treeBody.own = treeBody.turns ? inverse(treeBody.own) : inverseUnturned(treeBody.own);
-    if (hasLink(tree, i)) stiffen(treeBody, trees.link(i), trees.parentOf(trees.link(i)));
+    for (std::int32_t i = tree.begin; i < tree.end; ++i) factorLimb(trees, tree, i);
 }
 
 // Errors.
@@ -172,10 +174,14 @@ void giveHold(const Trees& trees, Link& hold) {
     hold.given += -1.0 * (hold.stiffness * seenFromLimb(hold, trees.treeBody(hold.treeBody).impulse));
 }
 
-void addChange(Float4& velocity, const Triple& change) {
-    velocity.x = static_cast<float>(static_cast<double>(velocity.x) + change.x);
-    velocity.y = static_cast<float>(static_cast<double>(velocity.y) + change.y);
-    velocity.z = static_cast<float>(static_cast<double>(velocity.z) + change.turn);
+/// Not warm started: the next substep computes tree impulses anew, along the arms of then.
+void addChange(const Trees& trees, const TreeBody& treeBody, const Triple& change) {
+    const auto slot = static_cast<std::size_t>(treeBody.slot);
+    for (Float4* velocity : {&trees.work.velocity[slot], &trees.work.velocityBeforeImpulses[slot]}) {
+        velocity->x = static_cast<float>(static_cast<double>(velocity->x) + change.x);
+        velocity->y = static_cast<float>(static_cast<double>(velocity->y) + change.y);
+        velocity->z = static_cast<float>(static_cast<double>(velocity->z) + change.turn);
+    }
 }
 
 /// J: change of a limb's kinetic energy by a change of its velocity.
@@ -194,10 +200,7 @@ void giveTree(const Trees& trees, JointTree& tree) {
         } else {
             treeBody.impulse = treeBody.own * treeBody.impulse;
         }
-        // Not warm started: the next substep computes tree impulses anew, along the arms of then.
-        addChange(trees.work.velocity[static_cast<std::size_t>(treeBody.slot)], treeBody.impulse);
-        addChange(trees.work.velocityBeforeImpulses[static_cast<std::size_t>(treeBody.slot)],
-                  treeBody.impulse);
+        addChange(trees, treeBody, treeBody.impulse);
         tree.gain += gainOf(treeBody, treeBody.impulse);
     }
     for (Link& hold : trees.holdsOf(tree)) giveHold(trees, hold);
@@ -218,8 +221,7 @@ bool isDriven(const Trees& trees, const JointTree& tree) {
 void calmTree(const Trees& trees, JointTree& tree) {
     Triple middle;
     double mass = 0.0, energy = 0.0;
-    for (std::int32_t i = tree.begin; i < tree.end; ++i) {
-        TreeBody& treeBody = trees.treeBody(i);
+    for (TreeBody& treeBody : trees.bodiesOf(tree)) {
         treeBody.velocity += treeBody.impulse;
         energy += -gainOf(treeBody, -1.0 * treeBody.velocity);
         middle += treeBody.mass * Triple{treeBody.velocity.x, treeBody.velocity.y, 0.0};
@@ -230,59 +232,51 @@ void calmTree(const Trees& trees, JointTree& tree) {
     middle = tree.rooted ? Triple{} : 1.0 / mass * middle;
     const double own = energy - 0.5 * mass * (middle.x * middle.x + middle.y * middle.y);
     const double less = own > excess ? 1.0 - std::sqrt(1.0 - excess / own) : 1.0;
-    for (std::int32_t i = tree.begin; i < tree.end; ++i) {
-        TreeBody& treeBody = trees.treeBody(i);
+    for (const TreeBody& treeBody : trees.bodiesOf(tree)) {
         Triple change = treeBody.velocity;
         change += -1.0 * middle;
         change = -less * change;
-        addChange(trees.work.velocity[static_cast<std::size_t>(treeBody.slot)], change);
-        addChange(trees.work.velocityBeforeImpulses[static_cast<std::size_t>(treeBody.slot)], change);
+        addChange(trees, treeBody, change);
     }
     tree.gain -= excess;
 }
 
-void pushTree(const Trees& trees, JointTree& tree, bool again) {
-    if (!again) tree.gain = 0.0;
-    if (trees.elapsed == 0.0 && !again) {  // later substeps reuse the factors of the relax pass
-        setTree(trees, tree);
-        for (std::int32_t i = tree.begin; i < tree.end; ++i) factorLimb(trees, tree, i);
-    }
-    if (!again) forLinks(trees.all, tree, [](Link& link) { link.given = {}; });
-    for (std::int32_t i = tree.begin; i < tree.end; ++i) {
-        takeMotion(trees, trees.treeBody(i));
-        lookAhead(trees, trees.treeBody(i));
-    }
+/// Removes the errors of all links, which `find` writes to Link::error.
+template <class Find>
+void solveTree(const Trees& trees, JointTree& tree, Find&& find) {
     for (Link& hold : trees.holdsOf(tree)) {
-        aimAtGaps(trees, hold);
+        find(trees, hold);
         answerHold(trees, hold);
     }
     for (std::int32_t i = tree.begin; i < tree.end; ++i) {
         if (!hasLink(tree, i)) continue;
         Link& link = trees.link(i);
-        aimAtGaps(trees, link);
+        find(trees, link);
         answer(trees.treeBody(i), link, trees.parentOf(link));
     }
     giveTree(trees, tree);
 }
 
+void pushTree(const Trees& trees, JointTree& tree, bool again) {
+    if (!again) {
+        tree.gain = 0.0;
+        if (trees.elapsed == 0.0) setTree(trees, tree);  // later substeps reuse the factors of the relax pass
+        forLinks(trees.all, tree, [](Link& link) { link.given = {}; });
+    }
+    for (TreeBody& treeBody : trees.bodiesOf(tree)) {
+        takeMotion(trees, treeBody);
+        lookAhead(trees, treeBody);
+    }
+    solveTree(trees, tree, aimAtGaps);
+}
+
 void relaxTree(const Trees& trees, JointTree& tree, bool again) {
     if (again) {
-        for (std::int32_t i = tree.begin; i < tree.end; ++i) takeMotion(trees, trees.treeBody(i));
+        for (TreeBody& treeBody : trees.bodiesOf(tree)) takeMotion(trees, treeBody);
     } else {
         setTree(trees, tree);
     }
-    for (Link& hold : trees.holdsOf(tree)) {
-        findSpeeds(trees, hold);
-        answerHold(trees, hold);
-    }
-    for (std::int32_t i = tree.begin; i < tree.end; ++i) {
-        if (!again) factorLimb(trees, tree, i);
-        if (!hasLink(tree, i)) continue;
-        Link& link = trees.link(i);
-        findSpeeds(trees, link);
-        answer(trees.treeBody(i), link, trees.parentOf(link));
-    }
-    giveTree(trees, tree);
+    solveTree(trees, tree, findSpeeds);
     if (tree.gain > 0.0) calmTree(trees, tree);
     forLinks(trees.all, tree, [&](Link& link) {
         link.force = trees.rate * onTreeBody(link, link.given);
@@ -305,12 +299,8 @@ void forTrees(StepContext& step, const SolveGroup& group, Act&& act) {
 // Preparation and results.
 
 void prepareArms(const World& world, Link& link) {
-    const Joint& joint = world.joints.hot[link.joint];
-    const JointDefinition& definition = world.joints.definition[link.joint];
-    const BodyPose& a = world.bodies.pose[joint.bodyA];
-    const BodyPose& b = world.bodies.pose[joint.bodyB];
     const JointTiming timing{};
-    const JointView view{joint, definition, timing, a.rotation, b.rotation, b.centre - a.centre, {}};
+    const JointView view = viewOf(world, link.joint, timing);
     const JointParts parts = anchorsOf(view);
     const float sign = link.treeBodyIsB ? 1.0f : -1.0f;
     link.treeBodyArm = link.treeBodyIsB ? parts.armB : parts.armA;
@@ -318,13 +308,13 @@ void prepareArms(const World& world, Link& link) {
     link.apart = sign * parts.apart;
     link.reach = 0.25f * (length(parts.armA) + length(parts.armB));
     if (link.kind == TreeJointKind::Rod) {
-        link.rest = definition.length;
-        link.reach += 0.25f * definition.length;
+        link.rest = view.definition.length;
+        link.reach += 0.25f * view.definition.length;
     }
     if (link.kind == TreeJointKind::Weld || link.kind == TreeJointKind::Slider)
         link.angle = sign * angleOf(view);
-    if (link.kind == TreeJointKind::Slider) link.axis = rotate(a.rotation, definition.axis);
-    const Vec2 force = sign * joint.force;
+    if (link.kind == TreeJointKind::Slider) link.axis = rotate(view.turnA, view.definition.axis);
+    const Vec2 force = sign * view.joint.force;
     link.force = {static_cast<double>(force.x), static_cast<double>(force.y), 0.0};
 }
 

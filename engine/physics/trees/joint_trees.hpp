@@ -88,18 +88,12 @@ struct JointTree {
     double gain = 0.0;     ///< J: energy added by its joints in this substep
 };
 
-/// A body found while a tree is built, from the root outwards.
+/// A body found while a tree is built, from the root outwards; or the one behind a further joint to a static
+/// or kinematic body.
 struct ReachedBody {
     std::uint32_t body = 0;
     std::int32_t parent = -1;  ///< index among the bodies found, or -1
     std::uint32_t joint = 0;   ///< to the parent or the ground; kNone at the root of a floating tree
-    TreeJointKind kind = TreeJointKind::Point;
-};
-
-/// A further joint to a static or kinematic body.
-struct HeldJoint {
-    std::int32_t treeBody = 0;  ///< index among the bodies found
-    std::uint32_t joint = 0;
     TreeJointKind kind = TreeJointKind::Point;
 };
 
@@ -117,7 +111,34 @@ struct JointTrees {
     std::vector<std::uint32_t> candidates;
     std::vector<std::uint8_t> reached;  ///< by body
     std::vector<ReachedBody> reachedBodies;
-    std::vector<HeldJoint> heldJoints;
+    std::vector<ReachedBody> heldJoints;
 };
+
+constexpr int rowsOf(TreeJointKind kind) {
+    return kind == TreeJointKind::Rod ? 1 : kind == TreeJointKind::Weld ? 3 : 2;
+}
+
+/// True if a limb has a link: all but the root of a floating tree.
+inline bool hasLink(const JointTree& tree, std::int32_t treeBody) {
+    return tree.rooted || treeBody + 1 < tree.end;
+}
+
+/// Calls act(link) for all joints of a tree.
+template <class Act>
+void forLinks(JointTrees& trees, const JointTree& tree, Act&& act) {
+    for (std::int32_t i = tree.begin; i < tree.end; ++i) {
+        if (hasLink(tree, i)) act(trees.links[static_cast<std::size_t>(i)]);
+    }
+    for (std::int32_t n = tree.holdBegin; n < tree.holdEnd; ++n)
+        act(trees.holds[static_cast<std::size_t>(n)]);
+}
+
+/// A pose, rotated further by an angle (rad).
+TreePose turnedBy(const TreePose& pose, double angle);
+
+/// Computes the arms or rows of a link at two poses.
+/// @return gaps of its rows: m or rad
+Triple setRows(Link& link, const TreePose& treeBody, const TreePose& parent);
+Triple gapsOf(const Link& link, const TreePose& treeBody, const TreePose& parent);
 
 }  // namespace plumb::physics

@@ -70,29 +70,32 @@ inline void stiffen(const TreeBody& treeBody, Link& link, TreeBody* parent) {
 }
 
 /// Velocity of the rows of a link by a velocity of the limb, or of its parent.
+inline Triple seenBy(const Triple (&rows)[3], const Triple& v) {
+    return {dot(rows[0], v), dot(rows[1], v), dot(rows[2], v)};
+}
 inline Triple seenFromLimb(const Link& link, const Triple& v) {
     if (link.byArms) return {v.x - link.limbY * v.turn, v.y + link.limbX * v.turn, 0.0};
-    return {dot(link.onTreeBody[0], v), dot(link.onTreeBody[1], v), dot(link.onTreeBody[2], v)};
+    return seenBy(link.onTreeBody, v);
 }
 inline Triple seenFromParent(const Link& link, const Triple& v) {
     if (link.byArms) return {link.parentY * v.turn - v.x, -(v.y + link.parentX * v.turn), 0.0};
-    return {dot(link.onParent[0], v), dot(link.onParent[1], v), dot(link.onParent[2], v)};
+    return seenBy(link.onParent, v);
 }
 
-/// Impulse along x and y and torque on the parent, of the impulses of the rows.
+/// Impulse along x and y and torque on the parent or the limb, of the impulses of the rows.
+inline Triple sumOf(const Triple (&rows)[3], const Triple& impulse) {
+    Triple sum = impulse.x * rows[0];
+    sum += impulse.y * rows[1];
+    sum += impulse.turn * rows[2];
+    return sum;
+}
 inline Triple onParent(const Link& link, const Triple& impulse) {
     if (link.byArms) return {-impulse.x, -impulse.y, link.parentY * impulse.x - link.parentX * impulse.y};
-    Triple sum = impulse.x * link.onParent[0];
-    sum += impulse.y * link.onParent[1];
-    sum += impulse.turn * link.onParent[2];
-    return sum;
+    return sumOf(link.onParent, impulse);
 }
 inline Triple onTreeBody(const Link& link, const Triple& impulse) {
     if (link.byArms) return {impulse.x, impulse.y, link.limbX * impulse.y - link.limbY * impulse.x};
-    Triple sum = impulse.x * link.onTreeBody[0];
-    sum += impulse.y * link.onTreeBody[1];
-    sum += impulse.turn * link.onTreeBody[2];
-    return sum;
+    return sumOf(link.onTreeBody, impulse);
 }
 
 /// Impulse that removes Link::error with the parent fixed, and its reaction on the parent.

@@ -1,8 +1,7 @@
-#include "physics/trees/tree_rows.hpp"
-
 #include <cmath>
 
 #include "math/portable.hpp"
+#include "physics/trees/joint_trees.hpp"
 
 namespace plumb::physics {
 
