@@ -26,14 +26,6 @@ ShapeDefinition definitionOf(const ColliderSettings& settings) {
 
 }  // namespace
 
-Result<Done> RigidBody::setPosition(WorldPosition position) {
-    return setPosition(position, angleOf(rotation()));
-}
-
-Result<Done> RigidBody::setPosition(WorldPosition position, float angle) {
-    return physics::setPosition(world_, id_, position, angle);
-}
-
 Physics::Physics() { world_.settings.stayEvents = true; }
 Physics::~Physics() = default;
 
@@ -104,16 +96,6 @@ bool Physics::has(const Collider& collider) const {
     return !collider.destroyed_ && find(collider.shape_) == &collider;
 }
 
-void Physics::collectCalls() {
-    calls_.clear();
-    for (const ContactEvent& event : world_.events) {
-        Collider* const a = find(event.shapeA);
-        Collider* const b = find(event.shapeB);
-        if (a == nullptr || b == nullptr) continue;
-        calls_.push_back({a, b, event.phase});
-    }
-}
-
 void Physics::tell(Collider& to, Collider& other, ContactPhase phase) {
     if (to.destroyed_) return;
     switch (phase) {
@@ -144,7 +126,12 @@ void Physics::update(float dt, const StepOptions& options) {
     gone_.swap(leaving_);
     goneBodies_.clear();
     step(world_, dt, options);
-    collectCalls();
+    calls_.clear();
+    for (const ContactEvent& event : world_.events) {
+        Collider* const a = find(event.shapeA);
+        Collider* const b = find(event.shapeB);
+        if (a != nullptr && b != nullptr) calls_.push_back({a, b, event.phase});
+    }
     for (const Call& now : calls_) call(now);
     gone_.clear();
     isUpdating_ = false;

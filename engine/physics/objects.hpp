@@ -39,8 +39,11 @@ public:
     }
 
     // Setters refuse values that are not finite, and then change nothing.
-    Result<Done> setPosition(WorldPosition position);               ///< m; teleports, keeps the angle
-    Result<Done> setPosition(WorldPosition position, float angle);  ///< m, rad
+    /// m; teleports, keeps the angle
+    Result<Done> setPosition(WorldPosition position) { return setPosition(position, angleOf(rotation())); }
+    Result<Done> setPosition(WorldPosition position, float angle) {  ///< m, rad
+        return physics::setPosition(world_, id_, position, angle);
+    }
     Result<Done> setVelocity(Vec2 velocity) { return physics::setVelocity(world_, id_, velocity); }
     Result<Done> setAngularVelocity(float velocity) {
         return physics::setAngularVelocity(world_, id_, velocity);
@@ -184,7 +187,6 @@ private:
     Result<Done> add(std::unique_ptr<Collider> collider, RigidBody* body);
     [[nodiscard]] Collider* find(ShapeId shape) const;
     [[nodiscard]] bool has(const Collider& collider) const;
-    void collectCalls();
     void call(const Call& now);
     static void tell(Collider& to, Collider& other, ContactPhase phase);
 

@@ -182,11 +182,10 @@ private:
 
     /// Chunk for chunk; those of one tile all over are read once.
     void readChunks(const TileGrid& grid, physics::TileMask& mask) {
-        static_assert(TileGrid::kChunkSide == physics::TileMask::kChunkSide);
         CellReader cells{tileset(), collider_, mask.palette};
         physics::TileMask::Chunk read;
-        for (int row = 0; row < mask.chunkRows(); ++row) {
-            for (int column = 0; column < mask.chunkColumns(); ++column) {
+        for (int row = 0; row < mask.cells().chunkRows(); ++row) {
+            for (int column = 0; column < mask.cells().chunkColumns(); ++column) {
                 const TileGrid::Chunk* chunk = grid.chunk(column, row);
                 if (chunk == nullptr) continue;
                 const TileCell first = chunk->cells.front();

@@ -23,9 +23,9 @@ TerrainOutline outlineOf(const TileMask& mask) {
 /// The segment that begins at a place; a failure when there is none, or more.
 TerrainSegment from(const TerrainOutline& outline, GridPoint a) {
     const auto begins = [a](const TerrainSegment& segment) { return segment.a == a; };
-    EXPECT_EQ(std::count_if(outline.segments.begin(), outline.segments.end(), begins), 1);
-    const auto found = std::find_if(outline.segments.begin(), outline.segments.end(), begins);
-    return found != outline.segments.end() ? *found : TerrainSegment{};
+    EXPECT_EQ(std::count_if(outline.begin(), outline.end(), begins), 1);
+    const auto found = std::find_if(outline.begin(), outline.end(), begins);
+    return found != outline.end() ? *found : TerrainSegment{};
 }
 
 TEST(Outlines, ofNothingAreNothing) {
@@ -37,13 +37,13 @@ TEST(Outlines, ofNothingAreNothing) {
 TEST(Outlines, ofOneTileAreItsFourSidesClockwiseOnScreenWithNormalsOutward) {
     const TerrainOutline outline = outlineOf(drawn({"#"}));
 
-    ASSERT_EQ(outline.chains, (std::vector<TerrainChain>{{0, 4, true}}));
+    ASSERT_EQ(outline.size(), 4u);
     constexpr Vec2 kNormals[] = {{0, -1}, {1, 0}, {0, 1}, {-1, 0}};
     for (std::size_t i = 0; i < 4; ++i) {
-        const TerrainSegment& side = outline.segments[i];
-        EXPECT_EQ(side.b, outline.segments[(i + 1) % 4].a);
-        EXPECT_EQ(side.before, outline.segments[(i + 3) % 4].a);
-        EXPECT_EQ(side.after, outline.segments[(i + 1) % 4].b);
+        const TerrainSegment& side = outline[i];
+        EXPECT_EQ(side.b, outline[(i + 1) % 4].a);
+        EXPECT_EQ(side.before, outline[(i + 3) % 4].a);
+        EXPECT_EQ(side.after, outline[(i + 1) % 4].b);
         EXPECT_EQ(normalOfChain(geometryOf(side, {0.5f, 0.5f})), kNormals[i]);
     }
 }
@@ -54,16 +54,15 @@ TEST(Outlines, ofAFullMapAreItsFourBorders) {
         for (int x = 0; x < 32; ++x) mask.set(x, y, {TileForm::Full});
     }
     const TerrainOutline outline = outlineOf(mask);
-    EXPECT_EQ(outline.segments.size(), 4u);
+    EXPECT_EQ(outline.size(), 4u);
     EXPECT_EQ(from(outline, at(0, 0)).b, at(32, 0));
 }
 
 TEST(Outlines, ofAHoleRunTheOtherWayRound) {
     const TerrainOutline outline = outlineOf(drawn({"#####", "#...#", "#.#.#", "#...#", "#####"}));
-    ASSERT_EQ(outline.chains.size(), 3u);
+    ASSERT_EQ(outline.size(), 12u);
     EXPECT_EQ(from(outline, at(1, 1)).b, at(1, 4));  // down: the hole's left wall has its normal to the right
     EXPECT_EQ(from(outline, at(2, 2)).b, at(3, 2));  // the island in the hole runs as all islands
-    for (const TerrainChain& chain : outline.chains) EXPECT_TRUE(chain.closed);
 }
 
 TEST(Outlines, ofNarrowCorridorsHaveBothWalls) {
@@ -75,11 +74,11 @@ TEST(Outlines, ofNarrowCorridorsHaveBothWalls) {
 
 TEST(Outlines, turnWithinTheOpenSideWhereTwoSolidsTouchInAPoint) {
     const TerrainOutline outline = outlineOf(drawn({"#.", ".#"}));
-    ASSERT_EQ(outline.chains.size(), 1u);
-    EXPECT_EQ(outline.chains[0].count, 8u);
-    const auto wall = std::find_if(outline.segments.begin(), outline.segments.end(),
-                                   [](const TerrainSegment& s) { return s.a == at(1, 0); });
-    ASSERT_NE(wall, outline.segments.end());
+    ASSERT_EQ(outline.size(), 8u);
+    for (std::size_t i = 0; i < 8; ++i) EXPECT_EQ(outline[i].b, outline[(i + 1) % 8].a);  // one chain
+    const auto wall =
+        std::find_if(outline.begin(), outline.end(), [](const TerrainSegment& s) { return s.a == at(1, 0); });
+    ASSERT_NE(wall, outline.end());
     EXPECT_EQ(wall->b, at(1, 1));
     EXPECT_EQ(wall->after, at(2, 1));  // the floor of the pocket, not the underside of the wall's own tile
 }
@@ -90,8 +89,8 @@ TEST(Outlines, ofACheckerboardTurnWithinEachPocket) {
         for (int x = y % 2; x < 8; x += 2) mask.set(x, y, {TileForm::Full});
     }
     const TerrainOutline outline = outlineOf(mask);
-    EXPECT_EQ(outline.segments.size(), 4u * 32);
-    for (const TerrainSegment& s : outline.segments) {
+    EXPECT_EQ(outline.size(), 4u * 32);
+    for (const TerrainSegment& s : outline) {
         const bool inside = s.b.x > 0 && s.b.y > 0 && s.b.x < at(8, 8).x && s.b.y < at(8, 8).y;
         EXPECT_TRUE(!inside || cross(s.b - s.a, s.after - s.b) < 0);
     }
@@ -103,7 +102,8 @@ TEST(Outlines, ofTouchingSolidsOfDifferentLayersStaySeparate) {
     mask.set(0, 0, {TileForm::Full});
     mask.set(1, 1, {TileForm::Full, 0, other});
     const TerrainOutline outline = outlineOf(mask);
-    EXPECT_EQ(outline.chains, (std::vector<TerrainChain>{{0, 4, true}, {4, 4, true}}));
+    ASSERT_EQ(outline.size(), 8u);
+    for (std::size_t i = 0; i < 8; ++i) EXPECT_EQ(outline[i].b, outline[i / 4 * 4 + (i + 1) % 4].a);
 }
 
 TEST(Outlines, splitWhereTheMaterialChangesButGoOnAsGhosts) {
@@ -112,8 +112,7 @@ TEST(Outlines, splitWhereTheMaterialChangesButGoOnAsGhosts) {
     for (const int x : {2, 3}) mask.set(x, 0, {TileForm::Full, ice});
     const TerrainOutline outline = outlineOf(mask);
 
-    EXPECT_EQ(outline.segments.size(), 6u);  // no edge between the materials
-    EXPECT_EQ(outline.chains.size(), 2u);
+    EXPECT_EQ(outline.size(), 6u);  // no edge between the materials
     const TerrainSegment stone = from(outline, at(0, 0));
     const TerrainSegment icy = from(outline, at(2, 0));
     EXPECT_EQ(stone.b, at(2, 0));
@@ -128,19 +127,19 @@ TEST(Outlines, haveNoVertexBetweenASlopeAndTheFloorItStandsOn) {
     EXPECT_EQ(from(outline, at(0, 1)).b, at(1, 1));
     EXPECT_EQ(from(outline, at(1, 1)).b, at(2, 0));
     EXPECT_EQ(from(outline, at(1, 1)).after, at(3, 0));
-    EXPECT_EQ(outline.segments.size(), 6u);
+    EXPECT_EQ(outline.size(), 6u);
 }
 
 TEST(Outlines, mergeSlopesOverManyTiles) {
     const TerrainOutline outline = outlineOf(drawn({"../#", "./##", "/###"}));
     EXPECT_EQ(from(outline, at(0, 3)).b, at(3, 0));
-    EXPECT_EQ(outline.segments.size(), 4u);
+    EXPECT_EQ(outline.size(), 4u);
 }
 
 TEST(Outlines, goOnAcrossTheBordersOfChunks) {
     const TerrainOutlines terrain = built(drawn({"............", "############"}), 4);
-    const TerrainOutline& middle = terrain.chunks()[1].outline;
-    ASSERT_EQ(middle.segments.size(), 2u);  // floor and underside, no edge along the border
+    const TerrainOutline& middle = terrain.chunks()[1];
+    ASSERT_EQ(middle.size(), 2u);  // floor and underside, no edge along the border
     const TerrainSegment floor = from(middle, at(4, 1));
     EXPECT_EQ(floor.b, at(8, 1));
     EXPECT_EQ(floor.before, at(3, 1));
@@ -149,8 +148,8 @@ TEST(Outlines, goOnAcrossTheBordersOfChunks) {
 
 TEST(Outlines, ofOneWayTilesAreTheirTopsAlone) {
     const TerrainOutline outline = outlineOf(drawn({"...", "---", "---"}));
-    ASSERT_EQ(outline.chains, (std::vector<TerrainChain>{{0, 1, false}, {1, 1, false}}));
-    const TerrainSegment& top = outline.segments[0];
+    ASSERT_EQ(outline.size(), 2u);
+    const TerrainSegment& top = outline[0];
     EXPECT_EQ(top.a, at(0, 1));
     EXPECT_EQ(top.b, at(3, 1));
     EXPECT_EQ(top.kind.oneWay, OneWay::Up);
@@ -167,12 +166,10 @@ TEST(Outlines, ofOneWayTilesEndAtWallsAndGoOnAtFloors) {
     const auto begins = [](GridPoint a, GridPoint b) {
         return [a, b](const TerrainSegment& s) { return s.a == a && s.b == b; };
     };
-    const auto floor =
-        std::find_if(outline.segments.begin(), outline.segments.end(), begins(at(3, 1), at(4, 1)));
-    const auto side =
-        std::find_if(outline.segments.begin(), outline.segments.end(), begins(at(3, 3), at(3, 1)));
-    ASSERT_NE(floor, outline.segments.end());
-    ASSERT_NE(side, outline.segments.end());
+    const auto floor = std::find_if(outline.begin(), outline.end(), begins(at(3, 1), at(4, 1)));
+    const auto side = std::find_if(outline.begin(), outline.end(), begins(at(3, 3), at(3, 1)));
+    ASSERT_NE(floor, outline.end());
+    ASSERT_NE(side, outline.end());
     EXPECT_EQ(floor->before, at(1, 1));              // from the platform on to the floor nothing catches
     EXPECT_EQ(side->after, at(4, 1));                // from below, the block has its corner
     EXPECT_EQ(from(outline, at(1, 0)).b, at(1, 3));  // the wall is one piece
@@ -185,7 +182,7 @@ TEST(Outlines, ofFloorsAreNotTurnedAsideByOneWaySlopesThatStandOnThem) {
     mask.set(2, 0, {*mask.palette.withOneWay(TileForm::SlopeUp, OneWay::Up)});
     const TerrainOutline outline = outlineOf(mask);
     EXPECT_EQ(from(outline, at(0, 1)).after, at(4, 1));
-    for (const TerrainSegment& s : outline.segments) {
+    for (const TerrainSegment& s : outline) {
         EXPECT_TRUE(s.kind.oneWay == OneWay::No || s.before == at(0, 1));
     }
 }
@@ -200,7 +197,7 @@ TEST(Outlines, ofOneWayTilesLeaveTheCornerToTheSlopeThatBendsAway) {
 
 TEST(Outlines, ofAOneWayTileUnderASolidOneAreNothing) {
     const TerrainOutline outline = outlineOf(drawn({"#", "-"}));
-    EXPECT_EQ(outline.segments.size(), 4u);
+    EXPECT_EQ(outline.size(), 4u);
 }
 
 TEST(Outlines, ofOneWayTilesFaceTheirDirection) {
@@ -209,8 +206,8 @@ TEST(Outlines, ofOneWayTilesFaceTheirDirection) {
         TileMask mask{1, 1};
         mask.set(0, 0, {*mask.palette.withOneWay(TileForm::Full, side)});
         const TerrainOutline outline = outlineOf(mask);
-        ASSERT_EQ(outline.segments.size(), 1u);
-        EXPECT_EQ(normalOfChain(geometryOf(outline.segments[0], {1, 1})), kNormals[static_cast<int>(side)]);
+        ASSERT_EQ(outline.size(), 1u);
+        EXPECT_EQ(normalOfChain(geometryOf(outline[0], {1, 1})), kNormals[static_cast<int>(side)]);
     }
 }
 
@@ -222,10 +219,10 @@ TEST(Outlines, betweenLayersStopWhoDoesNotMeetTheOther) {
     const TerrainOutline outline = outlineOf(mask);
 
     const auto inner = [&](GridPoint a) {
-        return *std::find_if(outline.segments.begin(), outline.segments.end(),
+        return *std::find_if(outline.begin(), outline.end(),
                              [a](const TerrainSegment& s) { return s.a == a && s.kind.isInner(); });
     };
-    EXPECT_EQ(outline.segments.size(), 8u);
+    EXPECT_EQ(outline.size(), 8u);
     const TerrainSegment right = inner(at(1, 0));  // of the left tile
     EXPECT_EQ(right.b, at(1, 1));
     EXPECT_EQ(right.kind, (EdgeKind{0, 0, OneWay::No, static_cast<std::uint8_t>(two + 1)}));
@@ -235,7 +232,7 @@ TEST(Outlines, betweenLayersStopWhoDoesNotMeetTheOther) {
     EXPECT_EQ(left.kind, (EdgeKind{0, two, OneWay::No, 1}));
     EXPECT_EQ(left.after, at(2, 0));
     // The common floor is smooth for whoever meets both.
-    EXPECT_EQ(std::count_if(outline.segments.begin(), outline.segments.end(),
+    EXPECT_EQ(std::count_if(outline.begin(), outline.end(),
                             [](const TerrainSegment& s) { return s.a == at(0, 0) && s.after == at(2, 0); }),
               1);
 }
@@ -246,7 +243,7 @@ TEST(Outlines, betweenLayersAreNeededOnlyWhereTheOtherMeetsFewer) {
     mask.set(0, 0, {TileForm::Full});
     mask.set(1, 0, {TileForm::Full, 0, both});
     const TerrainOutline outline = outlineOf(mask);
-    EXPECT_EQ(outline.segments.size(), 7u);  // who meets the left tile meets the right one too
+    EXPECT_EQ(outline.size(), 7u);  // who meets the left tile meets the right one too
 }
 
 TEST(Outlines, inMetresAreExactNearTheirChunk) {

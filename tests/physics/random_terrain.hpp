@@ -34,7 +34,7 @@ public:
         }
         for (int i = 0; i < 6 && richness >= 3; ++i) addPolygon(palette);
         for (std::uint32_t i = random.below(3); i > 0; --i)
-            materials_.push_back(*palette.addMaterial({.user = i}));
+            materials_.push_back(*palette.addMaterial({.friction = static_cast<float>(i)}));
         constexpr TileLayers kLayers[] = {{2}, {3}, {1, 7}};
         for (std::uint32_t i = random.below(6); i >= 3; --i)
             layers_.push_back(*palette.addLayers(kLayers[i - 3]));
@@ -91,13 +91,20 @@ inline TileMask randomMask(int width, int height, Random& random) {
     return mask;
 }
 
+/// Twice the area of an outline (units^2).
+inline std::int64_t doubleAreaOf(const TileOutline& outline) {
+    std::int64_t sum = 0;
+    for (int i = 0; i < outline.count; ++i) sum += cross(outline.corner(i), outline.cornerAfter(i));
+    return sum;
+}
+
 /// Twice the area of the solid cells (units^2), by the tiles themselves.
 inline std::int64_t doubleAreaOf(const TileMask& mask) {
     std::int64_t sum = 0;
     for (int y = 0; y < mask.height(); ++y) {
         for (int x = 0; x < mask.width(); ++x) {
             const TileOutline& outline = mask.palette.outline(mask.at(x, y).form);
-            if (outline.isSolid()) sum += outline.doubleArea();
+            if (outline.isSolid()) sum += doubleAreaOf(outline);
         }
     }
     return sum;
@@ -127,9 +134,8 @@ inline TerrainOutlines built(TileMask mask, int chunkCells = TerrainOutlines::kC
 
 inline std::vector<TerrainSegment> allSegments(const TerrainOutlines& terrain) {
     std::vector<TerrainSegment> all;
-    for (const TerrainChunk& chunk : terrain.chunks()) {
-        all.insert(all.end(), chunk.outline.segments.begin(), chunk.outline.segments.end());
-    }
+    for (const TerrainOutline& outline : terrain.chunks())
+        all.insert(all.end(), outline.begin(), outline.end());
     return all;
 }
 

@@ -52,7 +52,7 @@ struct Ground {
 /// A flat floor, or one of steps that a cell form makes; its top cells begin at row `top(x)`.
 TileMask floorMask(int width, int height, TileForm form, int top) {
     TileMask mask{width, height};
-    const std::uint8_t other = *mask.palette.addMaterial({.friction = 0.0f, .user = 1});
+    const std::uint8_t other = *mask.palette.addMaterial({.friction = 0.0f});
     for (int x = 0; x < width; ++x) {
         const int row = form == TileForm::SlopeDown ? top + x : top;
         const auto material = static_cast<std::uint8_t>(x / 5 % 2 == 0 ? 0 : other);

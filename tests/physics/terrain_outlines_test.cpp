@@ -11,8 +11,8 @@ namespace {
 
 using namespace test;
 
-std::vector<std::uint32_t> chunksThatDiffer(const std::vector<TerrainChunk>& a,
-                                            const std::vector<TerrainChunk>& b) {
+std::vector<std::uint32_t> chunksThatDiffer(const std::vector<TerrainOutline>& a,
+                                            const std::vector<TerrainOutline>& b) {
     std::vector<std::uint32_t> differ;
     for (std::uint32_t i = 0; i < a.size(); ++i) {
         if (a[i] != b[i]) differ.push_back(i);
@@ -28,11 +28,10 @@ TEST(TerrainOutlines, editedAtRandomAreEqualToARebuildAndNameWhatChanged) {
         const int chunkCells = 4 + static_cast<int>(random.below(13));
         TileMask mask = randomMask(1 + static_cast<int>(random.below(32)),
                                    1 + static_cast<int>(random.below(32)), random);
-        if (random.below(4) == 0) mask.setOutside({TileForm::Full});
         TerrainOutlines terrain = built(mask, chunkCells);
         RandomCells cells{terrain.palette(), random};
         for (int round = 0; round < 6; ++round) {
-            const std::vector<TerrainChunk> old = terrain.chunks();
+            const std::vector<TerrainOutline> old = terrain.chunks();
             for (std::uint32_t edits = 1 + random.below(8) * random.below(4); edits > 0; --edits) {
                 terrain.set(static_cast<int>(random.below(34)) - 1, static_cast<int>(random.below(34)) - 1,
                             cells.next());
@@ -47,7 +46,7 @@ TEST(TerrainOutlines, editedAtRandomAreEqualToARebuildAndNameWhatChanged) {
 
 /// Whole chunks of one cell, empty ones, and random ones, as maps are made of.
 TileMask patchwork(int columns, int rows, Random& random, bool byChunks) {
-    constexpr int kSide = TileMask::kChunkSide;
+    constexpr int kSide = TileGrid::kChunkSide;
     TileMask mask{columns * kSide - 5, rows * kSide - 9};
     RandomCells cells{mask.palette, random};
     const MaskCell plains[] = {{}, {TileForm::Full}, {TileForm::Full}, {TileForm::SlopeUp}};
@@ -133,7 +132,7 @@ TEST(TerrainOutlines, tellOfTheNeighbourWhoseEdgesGoOnDifferently) {
     const auto changed = terrain.update();
     ASSERT_EQ((std::vector<std::uint32_t>{changed.begin(), changed.end()}),
               (std::vector<std::uint32_t>{0, 1}));
-    EXPECT_EQ(terrain.chunks()[0].outline.segments.back().after, (cornerOfCell(8, 6)));
+    EXPECT_EQ(terrain.chunks()[0].back().after, (cornerOfCell(8, 6)));
 }
 
 TEST(TerrainOutlines, ofNoCellsHaveNoChunks) {

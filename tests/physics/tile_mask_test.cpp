@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/random.hpp"
+#include "tests/physics/random_terrain.hpp"
 
 namespace plumb::physics {
 namespace {
@@ -17,7 +17,7 @@ TEST(TilePalette, hasTheAreasOfItsOwnForms) {
     for (int form = 0; form < static_cast<int>(TileForm::Count); ++form) {
         SCOPED_TRACE(form);
         const TileOutline& outline = palette.outline(static_cast<TileForm>(form));
-        EXPECT_EQ(outline.doubleArea(),
+        EXPECT_EQ(test::doubleAreaOf(outline),
                   static_cast<std::int64_t>(kAreas[form] * static_cast<double>(kWhole)));
         EXPECT_EQ(outline.isSolid(), form != 0 && form != static_cast<int>(TileForm::OneWay));
     }
@@ -116,7 +116,7 @@ TEST(TilePalette, numbersMaterialsAndLayersAndRefusesWhatMakesNoSense) {
     EXPECT_EQ(*palette.addMaterial({}), 0);
     EXPECT_EQ(*palette.addMaterial({.friction = 0.0f}), 1);
     EXPECT_EQ(*palette.addMaterial({.friction = 0.0f}), 1);
-    EXPECT_EQ(*palette.addMaterial({.friction = 0.0f, .user = 7}), 2);
+    EXPECT_EQ(*palette.addMaterial({.friction = 0.0f, .bounciness = 0.5f}), 2);
     constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
     constexpr float kInfinite = std::numeric_limits<float>::infinity();
     for (const float bad : {kNan, kInfinite, -kInfinite, -1.0f}) {
@@ -129,7 +129,7 @@ TEST(TilePalette, numbersMaterialsAndLayersAndRefusesWhatMakesNoSense) {
     EXPECT_FALSE(palette.addMaterial({.surfaceSpeed = 1.1e6f}).ok());
     EXPECT_EQ(*palette.addMaterial({.surfaceSpeed = -3.0f}), 3);
     for (std::uint32_t i = 0; i < 1000; ++i) {
-        EXPECT_EQ(palette.addMaterial({.user = 100 + i}).ok(), i < 252);
+        EXPECT_EQ(palette.addMaterial({.friction = static_cast<float>(1 + i) / 64.0f}).ok(), i < 252);
         EXPECT_EQ(palette.addLayers({i, 0}).ok(), i < 254);
     }
     EXPECT_EQ(*palette.addLayers({}), 0);
@@ -169,14 +169,7 @@ TEST(TileMask, ofAbsurdSizesIsCutToWhatMemoryHolds) {
     EXPECT_EQ(thin.height(), 3);
 }
 
-TEST(TileMask, isSurroundedByWhatIsOutside) {
-    TileMask mask{2, 2};
-    mask.setOutside({TileForm::Full});
-    EXPECT_EQ(mask.at(-1, 0).form, TileForm::Full);
-    EXPECT_EQ(mask.at(0, 0).form, TileForm::Empty);
-}
-
-TEST(TileMask, copiesRectanglesThatReachOverItsBorder) {
+TEST(CellWindow, readsRectanglesThatReachOverTheBorder) {
     for (std::uint64_t seed = 0; seed < 50; ++seed) {
         SCOPED_TRACE(seed);
         Random random = Random::seeded(seed);
@@ -185,17 +178,15 @@ TEST(TileMask, copiesRectanglesThatReachOverItsBorder) {
             mask.set(static_cast<int>(random.below(9)), static_cast<int>(random.below(9)),
                      {static_cast<TileForm>(random.below(12))});
         }
-        if (seed % 2 == 0) mask.setOutside({TileForm::Full});
         const int x = static_cast<int>(random.below(24)) - 12;
         const int y = static_cast<int>(random.below(24)) - 12;
         const CellRect rect{x, y, x + static_cast<int>(random.below(16)),
                             y + static_cast<int>(random.below(16))};
-        std::vector<MaskCell> cells;
-        mask.copyTo(cells, rect);
-        ASSERT_EQ(cells.size(), static_cast<std::size_t>(rect.width() * rect.height()));
-        for (std::size_t i = 0; i < cells.size(); ++i) {
-            const auto n = static_cast<int>(i);
-            EXPECT_EQ(cells[i], mask.at(rect.x0 + n % rect.width(), rect.y0 + n / rect.width()));
+        CellWindow window;
+        window.read(mask, rect);
+        for (int row = rect.y0; row < rect.y1; ++row) {
+            for (int column = rect.x0; column < rect.x1; ++column)
+                EXPECT_EQ(maskCellOf(*window.cell(column, row)), mask.at(column, row));
         }
     }
 }

@@ -1,9 +1,8 @@
 #include "physics/broadphase/box_rows.hpp"
 
 #include <algorithm>
-#include <limits>
-
-#include "physics/broadphase/overlap.hpp"
+#include <bit>
+#include <cmath>
 
 namespace plumb::physics {
 
@@ -11,34 +10,75 @@ namespace {
 
 constexpr std::uint32_t kBehind = 8;
 constexpr float kEmpty = std::numeric_limits<float>::infinity();
+constexpr std::uint64_t kTestsPerSort = 8;     // cost of sorting one box, in tests of eight boxes
+constexpr std::uint32_t kSortsPerChoice = 32;  // the distribution of boxes changes slowly
+
+float usualExtent(const Proxies& proxies, std::span<const std::uint32_t> ids) {
+    std::array<std::uint32_t, 512> counts{};  // by exponent and first bit of the mantissa
+    for (const std::uint32_t id : ids) {
+        const Vec2 size = usable(proxies.bounds[id]).size();
+        ++counts[std::bit_cast<std::uint32_t>(std::max({size.x, size.y, 0.0f})) >> 22 & 511];
+    }
+    std::uint32_t median = 0;
+    std::size_t passed = counts[0];
+    while (passed * 2 < ids.size()) passed += counts[++median];
+    std::uint32_t maximum = median;
+    while (passed * 4 < ids.size() * 3 && maximum < median + 2) passed += counts[++maximum];
+    constexpr std::uint32_t kLastFinite = 509;
+    return std::bit_cast<float>(std::min(maximum + 1, kLastFinite) << 22);
+}
+
+BoxStatistics statisticsOf(const Proxies& proxies, std::span<const std::uint32_t> ids) {
+    double sum[2] = {};
+    double squares[2] = {};
+    double count = 1.0;
+    for (const std::uint32_t id : ids) {
+        const AABB box = usable(proxies.bounds[id]);
+        if (box == kNowhere) continue;
+        const Vec2 middle = middleOf(box);
+        const double at[] = {double{middle.x}, double{middle.y}};
+        for (int axis = 0; axis < 2; ++axis) {
+            sum[axis] += at[axis];
+            squares[axis] += at[axis] * at[axis];
+        }
+        count += 1.0;
+    }
+    const auto deviation = [&](int axis) {
+        const double mean = sum[axis] / count;
+        return std::sqrt(std::max(squares[axis] / count - mean * mean, 1e-12));
+    };
+    const double spacing =
+        3.5 * std::sqrt(deviation(0) * deviation(1) / count);  // even spread: side = sqrt(12) deviations
+    return {usualExtent(proxies, ids), static_cast<float>(spacing),
+            static_cast<float>(deviation(0) / deviation(1))};
+}
 
 }  // namespace
 
-void BoxRows::reset(std::uint32_t places) {
-    for (auto& side : low) side.assign(places + kBehind, kEmpty);
+/// Appends free slots, or removes such.
+void BoxRows::resize(std::uint32_t places) {
+    for (auto& side : low) side.resize(places + kBehind, kEmpty);
     filters.resize(places);
     ids.resize(places);
-    states.assign(places, kFree);
-    count = free = places;
-    layers = masks = 0;
+    states.resize(places, kFree);
+    free_ = free_ + places - count_;
+    count_ = places;
+}
+
+void BoxRows::reset(std::uint32_t places, std::size_t boxes) {
+    for (auto& side : low) side.clear();
+    states.clear();
+    count_ = free_ = 0;
+    resize(places);
+    all = {};
+    sorted_ = places;
+    sortedSize_ = static_cast<std::uint32_t>(boxes);
+    lost_ = 0;
 }
 
 std::uint32_t BoxRows::addPlace() {
-    for (auto& side : low) side.push_back(kEmpty);
-    filters.emplace_back();
-    ids.emplace_back();
-    states.push_back(kFree);
-    ++free;
-    return count++;
-}
-
-void BoxRows::dropPlace() {
-    for (auto& side : low) side.pop_back();
-    filters.pop_back();
-    ids.pop_back();
-    states.pop_back();
-    --count;
-    --free;
+    resize(count_ + 1);
+    return count_ - 1;
 }
 
 void BoxRows::write(const Proxies& proxies, std::uint32_t place, std::uint32_t id, const AABB& box) {
@@ -48,16 +88,39 @@ void BoxRows::write(const Proxies& proxies, std::uint32_t place, std::uint32_t i
     low[3][place] = -box.max.y;
     filters[place] = proxies.filters[id];
     ids[place] = id;
-    free -= isFree(place) ? 1u : 0u;
+    free_ -= isFree(place) ? 1u : 0u;
     states[place] = proxies.motions[id] == ProxyMotion::Awake ? kAwake : kThere;
-    layers |= filters[place].layers | overruledBy(filters[place].group);
-    masks |= filters[place].mask | overruledBy(filters[place].group);
+    all.add(filters[place]);
 }
 
 void BoxRows::erase(std::uint32_t place) {
     for (auto& side : low) side[place] = kEmpty;
     states[place] = kFree;
-    ++free;
+    ++free_;
+}
+
+std::optional<BoxStatistics> BoxRows::newStatistics(const Proxies& proxies,
+                                                    std::span<const std::uint32_t> order) {
+    const std::size_t before = chosenFor_;
+    const std::size_t now = order.size();
+    const bool alike = now <= before + before / 8 && before <= now + now / 8;
+    if (alike && sortsSince_++ < kSortsPerChoice) return std::nullopt;
+    chosenFor_ = now;
+    sortsSince_ = 0;
+    return statisticsOf(proxies, order);
+}
+
+bool BoxRows::isDue(std::size_t arrivals, std::uint32_t moving) const {
+    const std::size_t behind = count_ - sorted_ + arrivals;
+    return mostMove(moving) || lost_ > kTestsPerSort * size() || behind > sorted_ / 2 + kFew ||
+           size() < sortedSize_ / 4;
+}
+
+void BoxRows::settle(std::size_t searches) {
+    std::uint32_t used = count_;
+    while (used > sorted_ && isFree(used - 1)) --used;
+    if (used < count_) resize(used);
+    if (used - sorted_ > kFew) lost_ += searches * ((used - sorted_) / 8);
 }
 
 }  // namespace plumb::physics

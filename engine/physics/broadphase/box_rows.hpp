@@ -2,19 +2,30 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
-#include "physics/broadphase/broad_phase.hpp"
-#include "physics/broadphase/line_sweep.hpp"
 #include "physics/broadphase/overlap.hpp"
 
 namespace plumb::physics {
 
-/// A list of boxes in structure-of-arrays layout, to be compared with eight consecutive boxes at a time. The
-/// right and bottom sides are negated, as in TreeBoxes. Free slots overlap nothing, nor do the eight slots of
-/// padding at the end.
-struct BoxRows {
+/// Statistics of the sizes and positions of boxes, roughly.
+struct BoxStatistics {
+    float extent = 0.0f;   ///< m: third quartile of the sizes, but at most twice their median
+    float spacing = 0.0f;  ///< m: distance between neighbours, if the boxes were spread evenly
+    float aspect = 1.0f;   ///< ratio of the width to the height of the area that they are spread over
+};
+
+/// A list of boxes in structure-of-arrays layout, to be compared with eight consecutive boxes at a time: the
+/// common part of HierarchicalGrid and SweepAndPruneAxis. The right and bottom sides are negated, as in
+/// TreeBoxes. Free slots overlap nothing, nor do the eight slots of padding at the end.
+///
+/// The boxes were sorted at some time. Those that were added since, or that moved too far from where they
+/// were sorted to, are stored after the sorted ones, where every search tests them all, until sorting again
+/// costs less than these tests.
+class BoxRows {
+public:
     static constexpr std::uint8_t kFree = 0;
     static constexpr std::uint8_t kThere = 1;
     static constexpr std::uint8_t kAwake = 3;  ///< ProxyMotion::Awake
@@ -23,68 +34,59 @@ struct BoxRows {
     std::vector<Filter> filters;
     std::vector<std::uint32_t> ids;
     std::vector<std::uint8_t> states;  ///< kFree, kThere or kAwake
-    std::uint32_t count = 0;           ///< number of slots, including free ones
-    std::uint32_t free = 0;
-    std::uint32_t layers = 0;  ///< union over all proxies that were stored since reset(); see overruledBy()
-    std::uint32_t masks = 0;
+    FilterUnion all;                   ///< of all proxies that were stored since reset()
 
-    BoxRows() { reset(0); }
-    /// Clears the list and creates free slots.
-    void reset(std::uint32_t places);
-    /// Appends a free slot.
-    std::uint32_t addPlace();
-    /// Removes the last slot, which must be free.
-    void dropPlace();
-    /// @param box  the bounds after usable()
-    void write(const Proxies& proxies, std::uint32_t place, std::uint32_t id, const AABB& box);
-    void erase(std::uint32_t place);
-    [[nodiscard]] std::uint32_t size() const { return count - free; }
-    [[nodiscard]] bool isFree(std::uint32_t place) const { return states[place] == kFree; }
-    /// False if no proxy in the list can pass this filter.
-    [[nodiscard]] bool mayCollide(const Filter& filter) const {
-        const std::uint32_t overruled = overruledBy(filter.group);
-        return ((filter.layers | overruled) & masks) != 0 && ((filter.mask | overruled) & layers) != 0;
-    }
     [[nodiscard]] AABB boxAt(std::uint32_t place) const {
         return {{low[0][place], low[1][place]}, {-low[2][place], -low[3][place]}};
     }
+
+    // Interface for PartitionedBroadPhase.
+    void erase(std::uint32_t place);
+    void settle(std::size_t searches);
+    [[nodiscard]] bool isDue(std::size_t arrivals, std::uint32_t moving) const;
+    [[nodiscard]] std::uint32_t places() const { return count_; }
+    [[nodiscard]] bool isFree(std::uint32_t place) const { return states[place] == kFree; }
+    [[nodiscard]] std::uint32_t idAt(std::uint32_t place) const { return ids[place]; }
+    [[nodiscard]] std::uint32_t size() const { return count_ - free_; }
+
+protected:
+    /// @param share  if more than one of so many boxes moves, all are sorted again
+    explicit BoxRows(std::uint32_t share) : share_{share} { reset(0, 0); }
+
+    /// Clears the list and creates free slots for boxes that are sorted.
+    void reset(std::uint32_t places, std::size_t boxes);
+    /// Appends a free slot.
+    std::uint32_t addPlace();
+    /// @param box  the bounds after usable()
+    void write(const Proxies& proxies, std::uint32_t place, std::uint32_t id, const AABB& box);
+    /// True if so many boxes move that they will be sorted in each step.
+    [[nodiscard]] bool mostMove(std::uint32_t moving) const {
+        return moving > size() / share_ && size() > kFew;
+    }
+    /// If the number of boxes differs much from that at the last choice, or the last choice is old, so that
+    /// the parameters of the order have to be chosen again: from these.
+    std::optional<BoxStatistics> newStatistics(const Proxies& proxies, std::span<const std::uint32_t> order);
+
+    std::uint32_t sorted_ = 0;  ///< slots that are sorted
+
+private:
+    static constexpr std::uint32_t kFew = 32;  ///< this many boxes need no order
+
+    void resize(std::uint32_t places);
+
+    std::uint32_t share_;
+    std::uint32_t count_ = 0;  ///< number of slots, including free ones
+    std::uint32_t free_ = 0;
+    std::uint32_t sortedSize_ = 0;  ///< number of boxes at the last sort
+    std::uint64_t lost_ = 0;        ///< tests that searches have made among the unsorted boxes since then
+    std::size_t chosenFor_ = 0;     ///< number of boxes at the last choice
+    std::uint32_t sortsSince_ = 0;
 };
 
 /// A range of slots.
 struct Stretch {
     std::uint32_t begin;
     std::uint32_t end;
-};
-
-/// Proxies near each other that search for partners together.
-struct RowSearch {
-    static constexpr std::uint32_t kMaxLookers = 8;
-
-    const BoxRows* own = nullptr;
-    const BoxRows* others = nullptr;  ///< may be equal to `own`
-    bool ownMayBeAwake = false;
-    bool allCanPair = false;  ///< one side is the moving and the other the sleeping partition; otherwise one
-                              ///< proxy of a pair must be awake
-    bool onlyLater = false;  ///< every proxy of the list searches, so each only tests the slots after its own
-    const std::uint8_t* isMoved = nullptr;    ///< by proxy: nonzero for all that search
-    std::uint32_t lookers[kMaxLookers] = {};  ///< slots in `own`, ascending
-    std::uint32_t count = 0;
-};
-
-/// The four sides of a box in cell coordinates of a grid.
-using BoxCells = std::array<std::int32_t, 4>;
-
-/// The searches through rows, compiled for one instruction set.
-struct RowSearches {
-    void (*findPairs)(const RowSearch& search, std::span<const Stretch> stretches,
-                      std::vector<PairKey>& pairs);
-    /// Appends the ids of the proxies in `part` that the box overlaps and, unless `sweep` is null, that the
-    /// sweep may hit.
-    void (*findInBox)(const BoxRows& rows, Stretch part, const AABB& box, const LineSweep* sweep,
-                      std::uint32_t mask, std::vector<std::uint32_t>& found);
-    /// For each box its left, top, right and bottom side in cells, rounded down and clamped to 2^30. The
-    /// number of boxes must be even.
-    void (*findCells)(std::span<const AABB> boxes, float perMetre, std::span<BoxCells> cells);
 };
 
 }  // namespace plumb::physics

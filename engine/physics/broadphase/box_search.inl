@@ -1,7 +1,6 @@
-// Helpers that all searches for boxes share. box_searches.cpp includes this file, tree_search.inl and
-// row_search.inl once per instruction set, each time into a namespace that has the functions of
-// box_lanes.hpp, with PLUMB_TARGET defined. No includes, no lambdas, no calls that are not inlined: all of
-// this code must be compiled for that instruction set.
+// What all searches for boxes share. box_searches.cpp includes this file once per instruction set, each time
+// into a namespace of its own, with PLUMB_TARGET and the operations on eight floats defined. No includes, no
+// lambdas, no calls that are not inlined: all of this code must be compiled for that instruction set.
 //
 // How many boxes overlap is unpredictable, and a mispredicted branch costs more than a few tests. So tests
 // produce bits, and bits become lists, nearly without branches.
@@ -29,3 +28,15 @@ PLUMB_TARGET inline std::uint32_t* appendBits(std::uint64_t bits, std::uint32_t 
     }
     return to + count;
 }
+
+/// The lanes whose boxes, of which each side has eight floats, overlap.
+PLUMB_TARGET inline Mask overlaps(const float* left, const float* top, const float* right,
+                                  const float* bottom, const Wide& wide) {
+    return (load(left) <= wide.high[0]) & (load(right) <= wide.high[2]) & (load(top) <= wide.high[1]) &
+           (load(bottom) <= wide.high[3]);
+}
+
+#include "physics/broadphase/row_search.inl"
+#include "physics/broadphase/tree_search.inl"
+
+constexpr BoxSearches kSearches{&findPairsOfLeaf, &findPairsInRows, &findInTree, &findInRows};

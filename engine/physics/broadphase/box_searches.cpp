@@ -1,72 +1,108 @@
 #include "physics/broadphase/box_searches.hpp"
 
 #include <bit>
-#include <span>
 
-#include "physics/broadphase/box_lanes.hpp"
+#if defined(__x86_64__)
+#include <immintrin.h>
+#elif defined(__aarch64__)
+#include <arm_neon.h>
+#endif
+
+// Eight floats, as vectors of the compiler, with the operations that the searches need, for each instruction
+// set. Each lane is computed exactly as a single float would be, so results do not depend on the instruction
+// set.
 
 namespace plumb::physics {
 
-namespace boxes_scalar {
+namespace boxes_of_four {
 namespace {
-#define PLUMB_TARGET
-#include "physics/broadphase/box_search.inl"
-#include "physics/broadphase/row_search.inl"
-#include "physics/broadphase/tree_search.inl"
-#undef PLUMB_TARGET
-constexpr BoxSearches kSearches{{&findPairsOfLeaf, &findInTree, &findOnSweep},
-                                {&findPairsInRows, &findInRows, &findCells}};
-}  // namespace
-}  // namespace boxes_scalar
 
-#if defined(PLUMB_HAS_SSE2)
-namespace boxes_sse2 {
-namespace {
+// Two vectors of four, which every 64-bit processor has.
+using FloatsAt [[gnu::vector_size(16), gnu::aligned(4), gnu::may_alias]] = const float;
+using WordsAt [[gnu::vector_size(16), gnu::aligned(4), gnu::may_alias]] = const std::uint32_t;
+using Four [[gnu::vector_size(16)]] = float;
+using FourInts [[gnu::vector_size(16)]] = std::int32_t;
+
+struct Floats {
+    Four low, high;
+};
+/// -1 in a lane for true.
+struct Mask {
+    FourInts low, high;
+};
+
+inline Floats spread(float x) { return {x - Four{}, x - Four{}}; }
+inline Floats load(const float* at) {
+    return {*reinterpret_cast<FloatsAt*>(at), *reinterpret_cast<FloatsAt*>(at + 4)};
+}
+inline Floats operator+(const Floats& a, const Floats& b) { return {a.low + b.low, a.high + b.high}; }
+inline Floats operator-(const Floats& a, const Floats& b) { return {a.low - b.low, a.high - b.high}; }
+inline Floats operator*(const Floats& a, const Floats& b) { return {a.low * b.low, a.high * b.high}; }
+inline Mask operator<=(const Floats& a, const Floats& b) { return {a.low <= b.low, a.high <= b.high}; }
+inline Mask operator>(const Floats& a, const Floats& b) { return {a.low > b.low, a.high > b.high}; }
+inline Mask operator&(const Mask& a, const Mask& b) { return {a.low & b.low, a.high & b.high}; }
+inline Four absolute(Four a) { return reinterpret_cast<Four>(reinterpret_cast<FourInts>(a) & 0x7fffffff); }
+inline Floats absolute(const Floats& a) { return {absolute(a.low), absolute(a.high)}; }
+/// The lanes that have a bit in common with a word.
+inline Mask haveCommon(const std::uint32_t* at, std::uint32_t word) {
+    return {(*reinterpret_cast<WordsAt*>(at) & word) != 0, (*reinterpret_cast<WordsAt*>(at + 4) & word) != 0};
+}
+inline int signsOf(FourInts lanes) {
+#if defined(__x86_64__)
+    return _mm_movemask_ps(reinterpret_cast<__m128>(lanes));
+#elif defined(__aarch64__)
+    return vaddvq_s32(lanes & FourInts{1, 2, 4, 8});
+#else
+    return (lanes[0] & 1) | (lanes[1] & 2) | (lanes[2] & 4) | (lanes[3] & 8);
+#endif
+}
+/// One bit for each lane.
+inline std::uint32_t bitsOf(const Mask& mask) {
+    return static_cast<std::uint32_t>(signsOf(mask.low) | signsOf(mask.high) << 4);
+}
+
 #define PLUMB_TARGET
 #include "physics/broadphase/box_search.inl"
-#include "physics/broadphase/row_search.inl"
-#include "physics/broadphase/tree_search.inl"
 #undef PLUMB_TARGET
-constexpr BoxSearches kSearches{{&findPairsOfLeaf, &findInTree, &findOnSweep},
-                                {&findPairsInRows, &findInRows, &findCells}};
+
 }  // namespace
-}  // namespace boxes_sse2
+}  // namespace boxes_of_four
+
+#if defined(__x86_64__)
 namespace boxes_avx2 {
 namespace {
-#define PLUMB_TARGET PLUMB_AVX2
+
+#define PLUMB_TARGET __attribute__((target("avx2,bmi,popcnt")))
+using FloatsAt [[gnu::vector_size(32), gnu::aligned(4), gnu::may_alias]] = const float;
+using WordsAt [[gnu::vector_size(32), gnu::aligned(4), gnu::may_alias]] = const std::uint32_t;
+using Floats [[gnu::vector_size(32)]] = float;
+using Mask [[gnu::vector_size(32)]] = std::int32_t;
+
+PLUMB_TARGET inline Floats spread(float x) { return x - Floats{}; }
+PLUMB_TARGET inline Floats load(const float* at) { return *reinterpret_cast<FloatsAt*>(at); }
+PLUMB_TARGET inline Floats absolute(const Floats& a) {
+    return reinterpret_cast<Floats>(reinterpret_cast<Mask>(a) & 0x7fffffff);
+}
+PLUMB_TARGET inline Mask haveCommon(const std::uint32_t* at, std::uint32_t word) {
+    return (*reinterpret_cast<WordsAt*>(at) & word) != 0;
+}
+PLUMB_TARGET inline std::uint32_t bitsOf(const Mask& mask) {
+    return static_cast<std::uint32_t>(_mm256_movemask_ps(reinterpret_cast<__m256>(mask)));
+}
+
 #include "physics/broadphase/box_search.inl"
-#include "physics/broadphase/row_search.inl"
-#include "physics/broadphase/tree_search.inl"
 #undef PLUMB_TARGET
-constexpr BoxSearches kSearches{{&findPairsOfLeaf, &findInTree, &findOnSweep},
-                                {&findPairsInRows, &findInRows, &findCells}};
+
 }  // namespace
 }  // namespace boxes_avx2
 #endif
 
-#if defined(PLUMB_HAS_NEON)
-namespace boxes_neon {
-namespace {
-#define PLUMB_TARGET
-#include "physics/broadphase/box_search.inl"
-#include "physics/broadphase/row_search.inl"
-#include "physics/broadphase/tree_search.inl"
-#undef PLUMB_TARGET
-constexpr BoxSearches kSearches{{&findPairsOfLeaf, &findInTree, &findOnSweep},
-                                {&findPairsInRows, &findInRows, &findCells}};
-}  // namespace
-}  // namespace boxes_neon
-#endif
-
 const BoxSearches& boxSearchesFor(SimdWidth width) {
-#if defined(PLUMB_HAS_SSE2)
+#if defined(__x86_64__)
     if (width == SimdWidth::Avx2) return boxes_avx2::kSearches;
-    if (width == SimdWidth::Sse2) return boxes_sse2::kSearches;
-#elif defined(PLUMB_HAS_NEON)
-    if (width == SimdWidth::Neon) return boxes_neon::kSearches;
 #endif
     static_cast<void>(width);
-    return boxes_scalar::kSearches;
+    return boxes_of_four::kSearches;
 }
 
 }  // namespace plumb::physics

@@ -2,15 +2,49 @@
 
 #include "core/cpu.hpp"
 #include "physics/broadphase/box_rows.hpp"
-#include "physics/broadphase/tree_search.hpp"
+#include "physics/broadphase/bvh8.hpp"
 
 namespace plumb::physics {
 
+/// Some proxies of one leaf that search for partners in a tree.
+struct TreeSearch {
+    const Bvh8* own = nullptr;
+    const Bvh8* others = nullptr;  ///< may be equal to `own`; not empty
+    std::uint32_t leaf = 0;        ///< leaf of `own`
+    std::uint32_t lanes = 0;       ///< bits: its lanes that search
+    bool ownMayBeAwake = false;
+    bool allCanPair = false;  ///< one side is the moving and the other the sleeping partition; otherwise one
+                              ///< proxy of a pair must be awake
+    const std::uint8_t* isMoved = nullptr;  ///< by proxy: nonzero for all that search
+};
+
+/// Proxies near each other that search for partners together.
+struct RowSearch {
+    static constexpr std::uint32_t kMaxLookers = 8;
+
+    const BoxRows* own = nullptr;
+    const BoxRows* others = nullptr;  ///< may be equal to `own`
+    bool ownMayBeAwake = false;
+    bool allCanPair = false;  ///< as in TreeSearch
+    bool onlyLater = false;  ///< every proxy of the list searches, so each only tests the slots after its own
+    const std::uint8_t* isMoved = nullptr;    ///< by proxy: nonzero for all that search
+    std::uint32_t lookers[kMaxLookers] = {};  ///< slots in `own`, ascending
+    std::uint32_t count = 0;
+};
+
 /// The functions of the broad phases that handle eight boxes at a time, compiled for one instruction set. The
-/// choice affects the time only.
+/// choice affects the time only. Trees must not be empty.
 struct BoxSearches {
-    TreeSearches trees;
-    RowSearches rows;
+    void (*findPairsOfLeaf)(const TreeSearch& search, std::vector<PairKey>& pairs);
+    void (*findPairsInRows)(const RowSearch& search, std::span<const Stretch> stretches,
+                            std::vector<PairKey>& pairs);
+    /// Appends the ids of the proxies that the box overlaps and, unless `sweep` is null, that the sweep may
+    /// hit.
+    /// @param box  the bounds of `sweep`, if there is one
+    void (*findInTree)(const Bvh8& tree, const AABB& box, const LineSweep* sweep, std::uint32_t mask,
+                       std::vector<std::uint32_t>& found);
+    void (*findInRows)(const BoxRows& rows, Stretch part, const AABB& box, const LineSweep* sweep,
+                       std::uint32_t mask, std::vector<std::uint32_t>& found);
 };
 
 const BoxSearches& boxSearchesFor(SimdWidth width);

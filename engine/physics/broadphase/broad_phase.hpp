@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <span>
 #include <string_view>
@@ -33,14 +34,6 @@ enum class ProxyMotion : std::uint8_t {
     Kinematic,  ///< moves, but not by forces
     Awake       ///< dynamic, may move
 };
-
-/// True if two proxies can form a pair: one of them must be dynamic and one must move. So a kinematic proxy
-/// pairs with sleeping ones as well, which it has to wake, but not with static or kinematic ones.
-constexpr bool canPair(ProxyMotion a, ProxyMotion b) {
-    if (a == ProxyMotion::Awake || b == ProxyMotion::Awake) return true;
-    return (a == ProxyMotion::Kinematic && b == ProxyMotion::Asleep) ||
-           (a == ProxyMotion::Asleep && b == ProxyMotion::Kinematic);
-}
 
 /// The shapes as a broad phase sees them: three arrays indexed by shape. A view that owns nothing. Bounds are
 /// already enlarged by a margin; they change only when a shape leaves them.
@@ -77,8 +70,9 @@ public:
     /// several times faster in this order; parts for threads should be contiguous ranges of it.
     virtual void arrange(std::span<std::uint32_t> moved) = 0;
     /// Appends each pair of a proxy in `moved` with any other proxy if their bounds overlap, their filters
-    /// match and canPair() holds for their motions. A pair of two moved proxies is reported once. The order
-    /// is arbitrary. Different parts of `moved` may be searched on several threads at once.
+    /// match, one of them is dynamic and one moves. So a kinematic proxy pairs with sleeping ones as well,
+    /// which it has to wake, but not with static or kinematic ones. A pair of two moved proxies is reported
+    /// once. The order is arbitrary. Different parts of `moved` may be searched on several threads at once.
     /// @param isMoved  by proxy: nonzero for all that are in `moved` of any thread
     virtual void findPairs(const Proxies& proxies, std::span<const std::uint32_t> moved,
                            std::span<const std::uint8_t> isMoved, std::vector<PairKey>& pairs) const = 0;
@@ -90,6 +84,9 @@ public:
     /// `from + way`. The order is arbitrary; the result may contain proxies that the line misses.
     virtual void cast(const Proxies& proxies, Vec2 from, Vec2 displacement, Vec2 half, std::uint32_t mask,
                       std::vector<std::uint32_t>& found, Among among) const = 0;
+    /// Visits the regions into which it sorts proxies: the nodes, cells or segments that are in use. For
+    /// debug drawing.
+    virtual void visitRegions(const std::function<void(const AABB&)>& visit) const = 0;
 };
 
 /// The broad phases. Each is the fastest for some kind of scene (docs/performance.md).

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "physics/contacts/chain_events.hpp"
+#include "physics/contacts/contacts.hpp"
 #include "physics/model/edits.hpp"
 
 namespace plumb::physics {

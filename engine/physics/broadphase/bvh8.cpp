@@ -1,11 +1,9 @@
 #include "physics/broadphase/bvh8.hpp"
 
 #include <algorithm>
-#include <bit>
 #include <limits>
 
-#include "physics/broadphase/overlap.hpp"
-#include "physics/broadphase/regions.hpp"
+#include "physics/broadphase/partitioned_broad_phase.hpp"
 
 namespace plumb::physics {
 
@@ -28,46 +26,29 @@ float minOf(const float (&side)[kBranch]) {
     return std::min(std::min(four[0], four[2]), std::min(four[1], four[3]));
 }
 
-void mergeBoxes(TreeNode& parent, std::size_t lane, const TreeBoxes& boxes) {
-    for (int side = 0; side < 4; ++side) parent.boxes.low[side][lane] = minOf(boxes.low[side]);
-}
-
-/// Writes the union of a node's children into a lane of its parent.
-void mergeInto(TreeNode& parent, std::size_t lane, const TreeNode& node) {
-    mergeBoxes(parent, lane, node.boxes);
-    std::uint32_t layers = 0;
-    std::uint32_t masks = 0;
+FilterUnion filtersOf(const TreeNode& node) {
+    FilterUnion all;
     for (std::uint32_t i = 0; i < kBranch; ++i) {
-        layers |= node.layers[i];
-        masks |= node.masks[i];
+        all.layers |= node.layers[i];
+        all.masks |= node.masks[i];
     }
-    parent.layers[lane] = layers;
-    parent.masks[lane] = masks;
+    return all;
 }
 
-void mergeInto(TreeNode& parent, std::size_t lane, const TreeLeaf& leaf) {
-    mergeBoxes(parent, lane, leaf.boxes);
-    std::uint32_t layers = 0;
-    std::uint32_t masks = 0;
-    for (const Filter& filter : leaf.filters) {
-        layers |= filter.layers | overruledBy(filter.group);
-        masks |= filter.mask | overruledBy(filter.group);
-    }
-    parent.layers[lane] = layers;
-    parent.masks[lane] = masks;
+FilterUnion filtersOf(const TreeLeaf& leaf) {
+    FilterUnion all;
+    for (const Filter& filter : leaf.filters) all.add(filter);
+    return all;
 }
 
-/// Calls `call` with the index of each set bit, and clears the bits.
-template <class Call>
-void takeBits(std::vector<std::uint64_t>& words, Call call) {
-    for (std::size_t i = 0; i < words.size(); ++i) {
-        for (std::uint64_t bits = words[i]; bits != 0; bits &= bits - 1)
-            call(i * 64 + static_cast<std::size_t>(std::countr_zero(bits)));
-        words[i] = 0;
-    }
+/// Writes the union of the children of a node or leaf into a lane of its parent.
+template <class Child>
+void mergeInto(TreeNode& parent, std::size_t lane, const Child& child) {
+    for (int side = 0; side < 4; ++side) parent.boxes.low[side][lane] = minOf(child.boxes.low[side]);
+    const FilterUnion filters = filtersOf(child);
+    parent.layers[lane] = filters.layers;
+    parent.masks[lane] = filters.masks;
 }
-
-void setBit(std::vector<std::uint64_t>& words, std::size_t i) { words[i / 64] |= std::uint64_t{1} << i % 64; }
 
 }  // namespace
 
@@ -85,27 +66,15 @@ void Bvh8::makeRoom(std::uint32_t lanes) {
     }
 }
 
-void Bvh8::visitRegions(RegionVisitor& visitor) const {
+void Bvh8::visitRegions(const std::function<void(const AABB&)>& visit) const {
     std::size_t lanes = (std::size_t{used_} + kBranch - 1) / kBranch;
     for (std::uint32_t level = 0; level < height_; ++level) {
         for (std::size_t i = 0; i < lanes; ++i) {
-            const auto& low = levels_[level][i / kBranch].boxes.low;
-            const std::size_t lane = i % kBranch;
-            const AABB box{{low[0][lane], low[1][lane]}, {-low[2][lane], -low[3][lane]}};
-            if (box.min.x <= box.max.x) visitor.region(box);
+            const AABB box = levels_[level][i / kBranch].boxes.at(i % kBranch);
+            if (box.min.x <= box.max.x) visit(box);
         }
         lanes = (lanes + kBranch - 1) / kBranch;
     }
-}
-
-void Bvh8::clear() {
-    for (auto& level : levels_) level.clear();
-    for (auto& bits : stale_) bits.clear();
-    leaves_.clear();
-    sortedSizes_.clear();
-    stretches_.clear();
-    stretch_ = lost_ = 0;
-    height_ = used_ = holes_ = sorted_ = 0;
 }
 
 void Bvh8::write(const Proxies& proxies, std::uint32_t lane, std::uint32_t id) {
@@ -142,42 +111,31 @@ void Bvh8::erase(std::uint32_t lane) {
     ++holes_;
 }
 
-void Bvh8::append(const Proxies& proxies, std::span<const std::uint32_t> arrivals,
-                  std::span<std::uint32_t> places, std::uint32_t first) {
-    makeRoom(used_ + static_cast<std::uint32_t>(arrivals.size()));
-    for (const std::uint32_t id : arrivals) {
+void Bvh8::add(const Proxies& proxies, std::span<std::uint32_t> ids, const PlaceList& list) {
+    curve_.sort(proxies.bounds, ids);
+    makeRoom(used_ + static_cast<std::uint32_t>(ids.size()));
+    for (const std::uint32_t id : ids) {
         write(proxies, used_, id);
         setBit(stale_[0], used_ / kBranch);
-        places[id] = first + used_++;
+        list.set(id, used_++);
     }
 }
 
-void Bvh8::sort(const Proxies& proxies, std::span<const std::uint32_t> arrivals,
-                std::span<std::uint32_t> places, std::uint32_t first) {
-    order_.clear();
-    for (const TreeLeaf& leaf : leaves_) {
-        for (std::uint32_t i = 0; i < kBranch; ++i) {
-            if ((leaf.live >> i & 1) != 0) order_.push_back(leaf.ids[i]);
-        }
-    }
-    order_.insert(order_.end(), arrivals.begin(), arrivals.end());
-    clear();
-    curve_.sort(proxies.bounds, order_);
-    append(proxies, order_, places, first);
+void Bvh8::sort(const Proxies& proxies, std::span<std::uint32_t> ids, std::uint32_t, const PlaceList& list) {
+    for (auto& level : levels_) level.clear();
+    for (auto& bits : stale_) bits.clear();
+    leaves_.clear();
+    sortedSizes_.clear();
+    stretches_.clear();
+    stretch_ = lost_ = 0;
+    height_ = used_ = holes_ = 0;
+    add(proxies, ids, list);
     sorted_ = used_;
 }
 
-bool Bvh8::take(const Proxies& proxies, std::span<std::uint32_t> arrivals, std::uint32_t,
-                std::span<std::uint32_t> places, std::uint32_t first) {
-    if (isDue(arrivals.size())) {
-        sort(proxies, arrivals, places, first);
-        return true;
-    }
-    if (!arrivals.empty()) {
-        curve_.sort(proxies.bounds, arrivals);
-        append(proxies, arrivals, places, first);
-    }
-    return false;
+void Bvh8::find(const BoxSearches& searches, const AABB& box, const LineSweep* sweep, std::uint32_t mask,
+                std::vector<std::uint32_t>& found) const {
+    searches.findInTree(*this, box, sweep, mask, found);
 }
 
 void Bvh8::noteSize(std::size_t leaf, const TreeNode& parent) {
@@ -217,7 +175,7 @@ void Bvh8::settle(std::size_t searches) {
     lost_ += searches * stretch_ / leaves_.size();
 }
 
-bool Bvh8::isDue(std::size_t arrivals) const {
+bool Bvh8::isDue(std::size_t arrivals, std::uint32_t) const {
     if (used_ + arrivals - sorted_ > sorted_ / 8 + (sorted_ > 0 ? 32 : 0)) return true;
     return holes_ > size() + 64 || lost_ > kStretchUnit * used_;
 }

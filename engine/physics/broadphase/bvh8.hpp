@@ -5,12 +5,13 @@
 #include <span>
 #include <vector>
 
-#include "physics/broadphase/broad_phase.hpp"
 #include "physics/broadphase/hilbert_order.hpp"
+#include "physics/broadphase/line_sweep.hpp"
 
 namespace plumb::physics {
 
-class RegionVisitor;
+struct BoxSearches;
+struct PlaceList;
 
 inline constexpr std::uint32_t kBranch = 8;  // children per node, and proxies per leaf
 
@@ -19,12 +20,16 @@ inline constexpr std::uint32_t kBranch = 8;  // children per node, and proxies p
 /// contain +infinity and overlap no finite box.
 struct alignas(32) TreeBoxes {
     float low[4][kBranch];  ///< m: left, top, -right, -bottom
+
+    [[nodiscard]] constexpr AABB at(std::size_t lane) const {
+        return {{low[0][lane], low[1][lane]}, {-low[2][lane], -low[3][lane]}};
+    }
 };
 
 /// Eight children.
 struct TreeNode {
     TreeBoxes boxes;
-    std::uint32_t layers[kBranch];  ///< union of the leaves below; see overruledBy()
+    std::uint32_t layers[kBranch];  ///< FilterUnion of the leaves below
     std::uint32_t masks[kBranch];
 };
 
@@ -43,20 +48,25 @@ struct TreeLeaf {
 /// sorting again costs less than the time that searches have lost.
 class Bvh8 {
 public:
-    // Interface for ProxyPartitions; places are lanes.
-    bool take(const Proxies& proxies, std::span<std::uint32_t> arrivals, std::uint32_t moving,
-              std::span<std::uint32_t> places, std::uint32_t first);
+    // Interface for PartitionedBroadPhase; places are lanes.
+    void sort(const Proxies& proxies, std::span<std::uint32_t> ids, std::uint32_t moving,
+              const PlaceList& list);
+    void add(const Proxies& proxies, std::span<std::uint32_t> ids, const PlaceList& list);
     void erase(std::uint32_t lane);
     std::uint32_t move(const Proxies& proxies, std::uint32_t lane);
     void settle(std::size_t searches);
-    [[nodiscard]] bool isDue(std::size_t arrivals) const;
+    [[nodiscard]] bool isDue(std::size_t arrivals, std::uint32_t moving) const;
     [[nodiscard]] std::uint32_t places() const { return used_; }
     [[nodiscard]] std::uint32_t size() const { return used_ - holes_; }
+    [[nodiscard]] bool isFree(std::uint32_t lane) const {
+        return (leaves_[lane / kBranch].live >> lane % kBranch & 1) == 0;
+    }
     [[nodiscard]] std::uint32_t idAt(std::uint32_t lane) const {
         return leaves_[lane / kBranch].ids[lane % kBranch];
     }
-    void clear();
-    void visitRegions(RegionVisitor& visitor) const;
+    void find(const BoxSearches& searches, const AABB& box, const LineSweep* sweep, std::uint32_t mask,
+              std::vector<std::uint32_t>& found) const;
+    void visitRegions(const std::function<void(const AABB&)>& visit) const;
 
     [[nodiscard]] std::uint32_t height() const { return height_; }  ///< levels of nodes; 0 for an empty tree
     /// @param i  less than height(); the children of level 0 are the leaves
@@ -66,10 +76,6 @@ public:
 private:
     static constexpr std::size_t kMaxLevels = 11;  // 8^12 lanes: more than there can be ids
 
-    void sort(const Proxies& proxies, std::span<const std::uint32_t> arrivals,
-              std::span<std::uint32_t> places, std::uint32_t first);
-    void append(const Proxies& proxies, std::span<const std::uint32_t> arrivals,
-                std::span<std::uint32_t> places, std::uint32_t first);
     void makeRoom(std::uint32_t lanes);
     void write(const Proxies& proxies, std::uint32_t lane, std::uint32_t id);
     void noteSize(std::size_t leaf, const TreeNode& parent);
@@ -90,7 +96,6 @@ private:
     std::uint64_t lost_ = 0;  ///< cost of searches in disordered leaves since the sort, in the same unit
 
     HilbertOrder curve_;
-    std::vector<std::uint32_t> order_;
 };
 
 }  // namespace plumb::physics

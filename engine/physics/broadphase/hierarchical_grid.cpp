@@ -1,11 +1,9 @@
 #include "physics/broadphase/hierarchical_grid.hpp"
 
+#include <array>
 #include <bit>
 #include <cmath>
-
-#include "physics/broadphase/box_statistics.hpp"
-#include "physics/broadphase/overlap.hpp"
-#include "physics/broadphase/regions.hpp"
+#include <cstring>
 
 namespace plumb::physics {
 
@@ -14,18 +12,30 @@ namespace {
 constexpr float kCoarser = 4.0f;  // ratio of the cell sizes of successive levels
 constexpr float kMinCell = 0.1f;  // ratio to the spacing: smaller cells would not separate boxes better
 
-bool fits(const BoxCells& sides) {
-    return cellsFrom(sides[0], sides[2]) <= 2 && cellsFrom(sides[1], sides[3]) <= 2;
+/// The left, top, right and bottom side of a box in cells, rounded down and clamped to 2^30. The compiler's
+/// vectors handle all four at once; cellAt() says the same of one.
+std::array<std::int32_t, 4> cellsOf(const AABB& box, float perMetre) {
+    using Four [[gnu::vector_size(16)]] = float;
+    using Cells = decltype(Four{} < Four{});
+    static_assert(sizeof(Four) == sizeof(AABB));
+    Four sides;
+    std::memcpy(&sides, &box, sizeof(box));
+    const Four most = 0x1p30f - Four{};
+    sides *= perMetre;
+    sides = sides < most ? sides : most;
+    sides = sides > -most ? sides : -most;
+    const Cells cells = __builtin_convertvector(sides, Cells);
+    return std::bit_cast<std::array<std::int32_t, 4>>(
+        cells + (sides < __builtin_convertvector(cells, Four)));  // true is -1
 }
 
 }  // namespace
 
-HierarchicalGrid::Cell HierarchicalGrid::cellOf(const AABB& box, std::uint32_t finest) const {
-    for (std::uint32_t level = finest; level + 1 < kLevels; ++level) {
-        const float perMetre = levels_[level].perMetre;
-        const BoxCells sides{cellAt(box.min.x, perMetre), cellAt(box.min.y, perMetre),
-                             cellAt(box.max.x, perMetre), cellAt(box.max.y, perMetre)};
-        if (fits(sides)) return {sides[0], sides[1], level};
+HierarchicalGrid::Cell HierarchicalGrid::cellOf(const AABB& box) const {
+    for (std::uint32_t level = 0; level + 1 < kLevels; ++level) {
+        const auto sides = cellsOf(box, levels_[level].perMetre);
+        if (cellsFrom(sides[0], sides[2]) <= 2 && cellsFrom(sides[1], sides[3]) <= 2)
+            return {sides[0], sides[1], level};
     }
     return {0, 0, kLevels - 1};
 }
@@ -54,30 +64,24 @@ Vec2 HierarchicalGrid::alongRow(const LineSweep& sweep, double top, double botto
             static_cast<float>(std::max(from, to)) + sweep.half.x};
 }
 
-void HierarchicalGrid::visitRegions(RegionVisitor& visitor) const {
+void HierarchicalGrid::visitRegions(const std::function<void(const AABB&)>& visit) const {
     const Cell* last = nullptr;  // boxes of one cell are adjacent
     for (std::uint32_t place = 0; place < sorted_; ++place) {
         const Cell& cell = cells_[place];
         const float perMetre = levels_[cell.level].perMetre;
-        if (rows_.isFree(place) || perMetre == 0.0f || (last != nullptr && *last == cell)) continue;
+        if (isFree(place) || perMetre == 0.0f || (last != nullptr && *last == cell)) continue;
         last = &cell;
         const Vec2 corner{static_cast<float>(cell.x) / perMetre, static_cast<float>(cell.y) / perMetre};
-        visitor.region({corner, corner + Vec2{1.0f, 1.0f} / perMetre});
+        visit({corner, corner + Vec2{1.0f, 1.0f} / perMetre});
     }
 }
 
-void HierarchicalGrid::clear() {
-    clearRows();
-    cells_.clear();
-    for (Level& level : levels_) level.count = 0;
-}
-
-/// Chooses cell sizes for the boxes in order_, if the boxes changed much or the last choice is old.
-void HierarchicalGrid::chooseSizes(const Proxies& proxies) {
-    if (!choiceIsDue()) return;
-    const BoxStatistics spread = statisticsOf(proxies, order_);
-    aspect_ = spread.aspect;
-    float extent = std::max(spread.extent, spread.spacing * kMinCell);
+/// Chooses cell sizes, if the boxes changed much or the last choice is old.
+void HierarchicalGrid::chooseSizes(const Proxies& proxies, std::span<const std::uint32_t> order) {
+    const auto spread = newStatistics(proxies, order);
+    if (!spread) return;
+    aspect_ = spread->aspect;
+    float extent = std::max(spread->extent, spread->spacing * kMinCell);
     for (Level& level : levels_) {
         level.perMetre = std::clamp(1.0f / extent, 1e-30f, 1e30f);
         extent *= kCoarser;
@@ -85,17 +89,14 @@ void HierarchicalGrid::chooseSizes(const Proxies& proxies) {
     levels_[kLevels - 1].perMetre = 0.0f;  // a single cell for boxes that are too large for all others
 }
 
-/// Assigns a cell to each box in order_, and gives each grid about as many cells as it has boxes.
-void HierarchicalGrid::chooseCells(const Proxies& proxies) {
+/// Assigns a cell to each box, and gives each grid about as many cells as it has boxes.
+void HierarchicalGrid::chooseCells(const Proxies& proxies, std::span<const std::uint32_t> order) {
     for (Level& level : levels_) level.count = 0;
-    orderBoxes_.resize(order_.size() + order_.size() % 2);
-    for (std::size_t i = 0; i < order_.size(); ++i) orderBoxes_[i] = usable(proxies.bounds[order_[i]]);
-    orderSides_.resize(orderBoxes_.size());
-    searches_.findCells(orderBoxes_, levels_[0].perMetre, orderSides_);
-    orderCells_.resize(order_.size());
-    for (std::size_t i = 0; i < order_.size(); ++i) {
-        const BoxCells& sides = orderSides_[i];
-        orderCells_[i] = fits(sides) ? Cell{sides[0], sides[1], 0} : cellOf(orderBoxes_[i], 1);
+    orderBoxes_.resize(order.size());
+    orderCells_.resize(order.size());
+    for (std::size_t i = 0; i < order.size(); ++i) {
+        orderBoxes_[i] = usable(proxies.bounds[order[i]]);
+        orderCells_[i] = cellOf(orderBoxes_[i]);
         ++levels_[orderCells_[i].level].count;
     }
     std::uint32_t cells = 0;
@@ -114,21 +115,22 @@ void HierarchicalGrid::chooseCells(const Proxies& proxies) {
     starts_.assign(cells + 1, 0);
 }
 
-void HierarchicalGrid::sort(const Proxies& proxies, std::uint32_t spare, std::span<std::uint32_t> places,
-                            std::uint32_t first) {
-    chooseSizes(proxies);
-    chooseCells(proxies);
+void HierarchicalGrid::sort(const Proxies& proxies, std::span<const std::uint32_t> order,
+                            std::uint32_t moving, const PlaceList& list) {
+    chooseSizes(proxies, order);
+    chooseCells(proxies, order);
+    // Where most boxes move, they are sorted in each step anyway: no free slots in each cell.
+    const std::uint32_t spare = mostMove(moving) ? 0 : 1;
     for (const Cell& cell : orderCells_) ++starts_[indexOf(cell) + 1];
     for (std::size_t i = 1; i < starts_.size(); ++i) starts_[i] += starts_[i - 1] + spare;
-    noteSorted(starts_.back());
-    rows_.reset(sorted_);
+    reset(starts_.back(), order.size());
     cells_.resize(sorted_);
     // While the cells are filled, starts_[c] is the next slot of cell c to write.
-    for (std::size_t i = 0; i < order_.size(); ++i) {
+    for (std::size_t i = 0; i < order.size(); ++i) {
         const std::uint32_t place = starts_[indexOf(orderCells_[i])]++;
-        rows_.write(proxies, place, order_[i], orderBoxes_[i]);
+        write(proxies, place, order[i], orderBoxes_[i]);
         cells_[place] = orderCells_[i];
-        places[order_[i]] = first + place;
+        list.set(order[i], place);
     }
     for (std::size_t i = starts_.size() - 1; i > 0; --i) starts_[i] = starts_[i - 1] + spare;
     starts_[0] = 0;
@@ -139,42 +141,41 @@ std::uint32_t HierarchicalGrid::placeIn(const Cell& cell) {
     const std::uint32_t index = indexOf(cell);
     if (levels_[cell.level].count > 0) {
         for (std::uint32_t place = starts_[index]; place < starts_[index + 1]; ++place) {
-            if (!rows_.isFree(place)) continue;
+            if (!isFree(place)) continue;
             cells_[place] = cell;
             return place;
         }
     }
-    return rows_.addPlace();
+    return addPlace();
 }
 
-bool HierarchicalGrid::take(const Proxies& proxies, std::span<std::uint32_t> arrivals, std::uint32_t moving,
-                            std::span<std::uint32_t> places, std::uint32_t first) {
-    const bool maxMove = moving > rows_.size() / 4 && rows_.size() > kFew;
-    if (!maxMove && !isDue(arrivals.size())) {
-        for (const std::uint32_t id : arrivals) {
-            const AABB box = usable(proxies.bounds[id]);
-            const std::uint32_t place = placeIn(cellOf(box));
-            rows_.write(proxies, place, id, box);
-            places[id] = first + place;
-        }
-        return false;
+void HierarchicalGrid::add(const Proxies& proxies, std::span<const std::uint32_t> order,
+                           const PlaceList& list) {
+    for (const std::uint32_t id : order) {
+        const AABB box = usable(proxies.bounds[id]);
+        const std::uint32_t place = placeIn(cellOf(box));
+        write(proxies, place, id, box);
+        list.set(id, place);
     }
-    collect(arrivals);
-    // Where most boxes move, they are sorted in each step anyway: no spare slots.
-    sort(proxies, maxMove ? 0 : 1, places, first);
-    return true;
 }
 
 std::uint32_t HierarchicalGrid::move(const Proxies& proxies, std::uint32_t place) {
-    const std::uint32_t id = rows_.ids[place];
+    const std::uint32_t id = idAt(place);
     const AABB box = usable(proxies.bounds[id]);
     const Cell cell = cellOf(box);
     if (place >= sorted_ || cell != cells_[place]) {
-        rows_.erase(place);
+        erase(place);
         place = placeIn(cell);
     }
-    rows_.write(proxies, place, id, box);
+    write(proxies, place, id, box);
     return place;
+}
+
+void HierarchicalGrid::find(const BoxSearches& searches, const AABB& box, const LineSweep* sweep,
+                            std::uint32_t mask, std::vector<std::uint32_t>& found) const {
+    visitNear(box, sweep, 0, [&](std::uint32_t begin, std::uint32_t end) {
+        searches.findInRows(*this, {begin, end}, box, sweep, mask, found);
+    });
 }
 
 }  // namespace plumb::physics

@@ -5,41 +5,38 @@
 #include <span>
 #include <vector>
 
-#include "physics/broadphase/box_searches.hpp"
-#include "physics/broadphase/ordered_rows.hpp"
+#include "physics/broadphase/partitioned_broad_phase.hpp"
 
 namespace plumb::physics {
 
-class RegionVisitor;
-
-/// A hierarchical grid: a few grids, each with cells four times as large as the one before. A box is stored
-/// in the finest grid in which it spans at most two cells along each axis, in the cell of its top-left
-/// corner. Each grid is wrapped to a torus with about as many cells as it has boxes, so the world may have
-/// any size; boxes of different places in one cell are told apart by their bounds. Cells may have a spare
-/// slot; a box that finds none in its new cell is stored after all cells.
-/// Source: C. Ericson, "Real-Time Collision Detection", 2005, 7.1.3 (hashed storage) and 7.2 (hierarchical
-/// grids)
-class HierarchicalGrid : public OrderedRows {
+/// A hierarchical grid: a few grids, each with cells four times as large as the one before. The best choice
+/// where boxes have similar sizes and all move fast. A box is stored in the finest grid in which it spans at
+/// most two cells along each axis, in the cell of its top-left corner. Each grid is wrapped to a torus with
+/// about as many cells as it has boxes, so the world may have any size; boxes of different places in one cell
+/// are told apart by their bounds. Cells may have a spare slot; a box that finds none in its new cell is
+/// stored after all cells. Source: C. Ericson, "Real-Time Collision Detection", 2005, 7.1.3 (hashed storage)
+/// and 7.2 (hierarchical grids)
+class HierarchicalGrid : public BoxRows {
 public:
-    // Interface for ProxyPartitions.
-    bool take(const Proxies& proxies, std::span<std::uint32_t> arrivals, std::uint32_t moving,
-              std::span<std::uint32_t> places, std::uint32_t first);
-    std::uint32_t move(const Proxies& proxies, std::uint32_t place);
-    void clear();
-    void visitRegions(RegionVisitor& visitor) const;
+    HierarchicalGrid() : BoxRows{4} {}
 
+    // Interface for PartitionedBroadPhase.
+    void sort(const Proxies& proxies, std::span<const std::uint32_t> order, std::uint32_t moving,
+              const PlaceList& list);
+    void add(const Proxies& proxies, std::span<const std::uint32_t> order, const PlaceList& list);
+    std::uint32_t move(const Proxies& proxies, std::uint32_t place);
+    void find(const BoxSearches& searches, const AABB& box, const LineSweep* sweep, std::uint32_t mask,
+              std::vector<std::uint32_t>& found) const;
+    void visitRegions(const std::function<void(const AABB&)>& visit) const;
+
+    // Interface for RowBroadPhase.
     [[nodiscard]] bool areNear(std::uint32_t a, std::uint32_t b) const {
         return b < sorted_ && cells_[a].level == cells_[b].level && cells_[a].y == cells_[b].y &&
                static_cast<std::uint32_t>(cells_[b].x) - static_cast<std::uint32_t>(cells_[a].x) <=
                    kNearCells;
     }
-    /// Calls visit(begin, end) with ranges of slots, none before `from`, that contain all boxes that may
-    /// overlap `box`.
     template <class Visit>
-    void visitNear(const AABB& box, std::uint32_t from, const Visit& visit) const;
-    /// The same for all boxes that the sweep may hit.
-    template <class Visit>
-    void visitAlong(const LineSweep& sweep, const Visit& visit) const;
+    void visitNear(const AABB& box, const LineSweep* sweep, std::uint32_t from, const Visit& visit) const;
 
 private:
     static constexpr std::uint32_t kNearCells = 12;
@@ -61,23 +58,19 @@ private:
     };
 
     static std::int32_t cellAt(float x, float perMetre);
-    [[nodiscard]] Cell cellOf(const AABB& box, std::uint32_t finest = 0) const;
+    [[nodiscard]] Cell cellOf(const AABB& box) const;
     [[nodiscard]] std::uint32_t indexOf(const Cell& cell) const;
     /// Calls visit with the slots of `wide` cells of a row, beginning at column `left`.
     template <class Visit>
     void visitRow(const Level& level, std::int32_t row, std::int32_t left, std::uint32_t wide,
                   const Visit& visit) const;
     template <class Visit>
-    void visitLevel(const Level& level, const AABB& box, std::uint32_t from, const Visit& visit) const;
-    template <class Visit>
-    void visitLevelAlong(const Level& level, const LineSweep& sweep, const Visit& visit) const;
+    void visitLevel(const Level& level, const AABB& box, const LineSweep* sweep, std::uint32_t from,
+                    const Visit& visit) const;
     /// The interval of x that the sweep covers while it may overlap boxes of a row.
     static Vec2 alongRow(const LineSweep& sweep, double top, double bottom);
-    void chooseSizes(const Proxies& proxies);
-    void chooseCells(const Proxies& proxies);
-    /// @param spare  free slots in each cell
-    void sort(const Proxies& proxies, std::uint32_t spare, std::span<std::uint32_t> places,
-              std::uint32_t first);
+    void chooseSizes(const Proxies& proxies, std::span<const std::uint32_t> order);
+    void chooseCells(const Proxies& proxies, std::span<const std::uint32_t> order);
     std::uint32_t placeIn(const Cell& cell);
 
     Level levels_[kLevels];
@@ -85,10 +78,8 @@ private:
     std::vector<Cell> cells_;            ///< by slot
     float aspect_ = 1.0f;  ///< ratio of the width to the height of the area that the boxes are spread over
 
-    std::vector<AABB> orderBoxes_;  ///< parallel to order_
-    std::vector<BoxCells> orderSides_;
+    std::vector<AABB> orderBoxes_;  ///< of the ids that are sorted
     std::vector<Cell> orderCells_;
-    const RowSearches& searches_ = boxSearchesFor(simdWidth()).rows;
 };
 
 inline std::int32_t HierarchicalGrid::cellAt(float x, float perMetre) {
@@ -123,55 +114,39 @@ void HierarchicalGrid::visitRow(const Level& level, std::int32_t row, std::int32
 }
 
 template <class Visit>
-void HierarchicalGrid::visitLevel(const Level& level, const AABB& box, std::uint32_t from,
-                                  const Visit& visit) const {
+void HierarchicalGrid::visitLevel(const Level& level, const AABB& box, const LineSweep* sweep,
+                                  std::uint32_t from, const Visit& visit) const {
     const std::uint32_t begin = starts_[level.firstCell];
     const std::uint32_t end = starts_[level.firstCell + level.columns * level.rows];
     if (end <= from) return;
     // A box spans at most two cells, so one that begins in the next cell to the left or above may reach in.
-    const std::int32_t left = cellAt(box.min.x, level.perMetre) - 1;
+    std::int32_t left = cellAt(box.min.x, level.perMetre) - 1;
     const std::int32_t top = cellAt(box.min.y, level.perMetre) - 1;
-    const std::uint32_t wide = cellsFrom(left, cellAt(box.max.x, level.perMetre));
+    std::uint32_t wide = cellsFrom(left, cellAt(box.max.x, level.perMetre));
     const std::uint32_t high = cellsFrom(top, cellAt(box.max.y, level.perMetre));
     if (high > level.rows || high > level.count / 8 + 2) return visit(std::max(begin, from), end);
-    for (std::uint32_t i = 0; i < high; ++i)
-        visitRow(level, top + static_cast<std::int32_t>(i), left, wide,
-                 [&](std::uint32_t a, std::uint32_t b) { visit(std::max(a, from), b); });
-}
-
-template <class Visit>
-void HierarchicalGrid::visitLevelAlong(const Level& level, const LineSweep& sweep, const Visit& visit) const {
-    const std::int32_t top = cellAt(sweep.bounds.min.y, level.perMetre) - 1;
-    const std::uint32_t high = cellsFrom(top, cellAt(sweep.bounds.max.y, level.perMetre));
-    if (high > level.rows || high > level.count / 8 + 2) {
-        const std::uint32_t begin = starts_[level.firstCell];
-        return visit(begin, starts_[level.firstCell + level.columns * level.rows]);
-    }
     for (std::uint32_t i = 0; i < high; ++i) {
         const std::int32_t row = top + static_cast<std::int32_t>(i);
-        const double size = 1.0 / double{level.perMetre};
-        // One more cell on each side to allow for rounding.
-        const Vec2 span = alongRow(sweep, (row - 1.0) * size, (row + 3.0) * size);
-        const std::int32_t left = cellAt(span.x, level.perMetre) - 2;
-        const std::uint32_t wide = cellsFrom(left, cellAt(span.y, level.perMetre) + 1);
-        if (span.x <= span.y) visitRow(level, row, left, wide, visit);
+        if (sweep != nullptr) {
+            const double size = 1.0 / double{level.perMetre};
+            const Vec2 span = alongRow(*sweep, (row - 1.0) * size, (row + 3.0) * size);
+            if (span.x > span.y) continue;
+            // One more cell on each side to allow for rounding.
+            left = cellAt(span.x, level.perMetre) - 2;
+            wide = cellsFrom(left, cellAt(span.y, level.perMetre) + 1);
+        }
+        visitRow(level, row, left, wide,
+                 [&](std::uint32_t a, std::uint32_t b) { visit(std::max(a, from), b); });
     }
 }
 
 template <class Visit>
-void HierarchicalGrid::visitNear(const AABB& box, std::uint32_t from, const Visit& visit) const {
+void HierarchicalGrid::visitNear(const AABB& box, const LineSweep* sweep, std::uint32_t from,
+                                 const Visit& visit) const {
     for (const Level& level : levels_) {
-        if (level.count > 0) visitLevel(level, box, from, visit);
+        if (level.count > 0) visitLevel(level, box, sweep, from, visit);
     }
-    if (rows_.count > sorted_) visit(std::max(sorted_, from), rows_.count);
-}
-
-template <class Visit>
-void HierarchicalGrid::visitAlong(const LineSweep& sweep, const Visit& visit) const {
-    for (const Level& level : levels_) {
-        if (level.count > 0) visitLevelAlong(level, sweep, visit);
-    }
-    if (rows_.count > sorted_) visit(sorted_, rows_.count);
+    if (places() > sorted_) visit(std::max(sorted_, from), places());
 }
 
 }  // namespace plumb::physics

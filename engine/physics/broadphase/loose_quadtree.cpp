@@ -4,8 +4,7 @@
 #include <bit>
 #include <cmath>
 
-#include "physics/broadphase/overlap.hpp"
-#include "physics/broadphase/regions.hpp"
+#include "physics/broadphase/partitioned_broad_phase.hpp"
 
 namespace plumb::physics {
 
@@ -23,21 +22,12 @@ float powerAbove(float x) {
 
 }  // namespace
 
-void LooseQuadtree::visitRegions(RegionVisitor& visitor) const {
+void LooseQuadtree::visitRegions(const std::function<void(const AABB&)>& visit) const {
     for (std::size_t i = kOutside + 1; i < nodes_.size(); ++i) {
         const Node& node = nodes_[i];
         const Vec2 half{node.half, node.half};
-        if (node.count > 0) visitor.region({node.middle - half, node.middle + half});
+        if (node.count > 0) visit({node.middle - half, node.middle + half});
     }
-}
-
-void LooseQuadtree::clear() {
-    nodes_.clear();
-    items_.clear();
-    free_.clear();
-    root_ = kNobody;
-    size_ = 0;
-    layers_ = masks_ = 0;
 }
 
 bool LooseQuadtree::isOutside(const AABB& box) {
@@ -171,13 +161,7 @@ void LooseQuadtree::read(const Proxies& proxies, std::uint32_t place, std::uint3
     item.filter = proxies.filters[id];
     item.id = id;
     item.awake = proxies.motions[id] == ProxyMotion::Awake;
-    layers_ |= item.filter.layers | overruledBy(item.filter.group);
-    masks_ |= item.filter.mask | overruledBy(item.filter.group);
-}
-
-bool LooseQuadtree::mayCollide(const Filter& filter) const {
-    const std::uint32_t overruled = overruledBy(filter.group);
-    return ((filter.layers | overruled) & masks_) != 0 && ((filter.mask | overruled) & layers_) != 0;
+    all_.add(item.filter);
 }
 
 void LooseQuadtree::erase(std::uint32_t place) {
@@ -187,51 +171,48 @@ void LooseQuadtree::erase(std::uint32_t place) {
         leave(node);
     items_[place].node = kNobody;
     free_.push_back(place);
-    --size_;
 }
 
-bool LooseQuadtree::isDue(std::size_t arrivals) const {
+bool LooseQuadtree::isDue(std::size_t arrivals, std::uint32_t) const {
     // Most boxes are new, or boxes that moved on have left too many empty squares behind.
-    return arrivals > size_ || nodes_.size() > 2 * items_.size() + 4096;
+    return arrivals > size() || nodes_.size() > 2 * items_.size() + 4096;
 }
 
-void LooseQuadtree::add(const Proxies& proxies, std::uint32_t id, std::span<std::uint32_t> places,
-                        std::uint32_t first) {
-    auto place = static_cast<std::uint32_t>(items_.size());
-    if (free_.empty()) {
-        items_.emplace_back();
-    } else {
-        place = free_.back();
-        free_.pop_back();
+void LooseQuadtree::add(const Proxies& proxies, std::span<const std::uint32_t> ids, const PlaceList& list) {
+    for (const std::uint32_t id : ids) {
+        std::uint32_t place = places();
+        if (free_.empty()) {
+            items_.emplace_back();
+        } else {
+            place = free_.back();
+            free_.pop_back();
+        }
+        read(proxies, place, id);
+        insert(place, kNobody);
+        list.set(id, place);
     }
-    read(proxies, place, id);
-    insert(place, kNobody);
-    ++size_;
-    places[id] = first + place;
 }
 
-/// Sorts all ids along a curve, so that neighbours in space are inserted one after the other and lie close
-/// together in memory.
-void LooseQuadtree::sortAll(const Proxies& proxies, std::span<const std::uint32_t> arrivals) {
-    order_.clear();
-    for (const Item& item : items_) {
-        if (item.node != kNobody) order_.push_back(item.id);
-    }
-    order_.insert(order_.end(), arrivals.begin(), arrivals.end());
-    curve_.sort(proxies.bounds, order_);
-    clear();
-    nodes_.push_back({});
+void LooseQuadtree::sort(const Proxies& proxies, std::span<std::uint32_t> ids, std::uint32_t,
+                         const PlaceList& list) {
+    nodes_.assign(1, {});
+    items_.clear();
+    free_.clear();
+    root_ = kNobody;
+    all_ = {};
+    curve_.sort(proxies.bounds, ids);
+    add(proxies, ids, list);
 }
 
-bool LooseQuadtree::take(const Proxies& proxies, std::span<std::uint32_t> arrivals, std::uint32_t,
-                         std::span<std::uint32_t> places, std::uint32_t first) {
-    if (!isDue(arrivals.size())) {
-        for (const std::uint32_t id : arrivals) add(proxies, id, places, first);
-        return false;
-    }
-    sortAll(proxies, arrivals);
-    for (const std::uint32_t id : order_) add(proxies, id, places, first);
-    return true;
+void LooseQuadtree::find(const BoxSearches&, const AABB& box, const LineSweep* sweep, std::uint32_t mask,
+                         std::vector<std::uint32_t>& found) const {
+    const auto take = [&](const Item& item) {
+        if ((item.filter.layers & mask) != 0) found.push_back(item.id);
+    };
+    if (sweep == nullptr) return visitNear(box, nullptr, [&](std::uint32_t place) { take(items_[place]); });
+    visitNear(box, sweep, [&](std::uint32_t place) {
+        if (mayCollide(*sweep, items_[place].box)) take(items_[place]);
+    });
 }
 
 std::uint32_t LooseQuadtree::move(const Proxies& proxies, std::uint32_t place) {
@@ -241,7 +222,6 @@ std::uint32_t LooseQuadtree::move(const Proxies& proxies, std::uint32_t place) {
     if (old == kOutside || isOutside(item.box)) {
         erase(place);
         free_.pop_back();
-        ++size_;
         insert(place, kNobody);
         return place;
     }

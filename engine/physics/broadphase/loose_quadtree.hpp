@@ -5,14 +5,13 @@
 #include <span>
 #include <vector>
 
-#include "physics/broadphase/broad_phase.hpp"
 #include "physics/broadphase/hilbert_order.hpp"
 #include "physics/broadphase/line_sweep.hpp"
-#include "physics/broadphase/overlap.hpp"
 
 namespace plumb::physics {
 
-class RegionVisitor;
+struct BoxSearches;
+struct PlaceList;
 
 /// A loose quadtree: nested squares, each level half as wide as the one above. A square with many boxes
 /// passes those that are small enough on to its quarters. A box belongs to a square that contains its centre
@@ -32,22 +31,27 @@ public:
         bool awake = false;
     };
 
-    // Interface for ProxyPartitions.
-    bool take(const Proxies& proxies, std::span<std::uint32_t> arrivals, std::uint32_t moving,
-              std::span<std::uint32_t> places, std::uint32_t first);
+    // Interface for PartitionedBroadPhase.
+    /// Along a curve, so that neighbours in space are inserted one after the other and lie close together in
+    /// memory.
+    void sort(const Proxies& proxies, std::span<std::uint32_t> ids, std::uint32_t moving,
+              const PlaceList& list);
+    void add(const Proxies& proxies, std::span<const std::uint32_t> ids, const PlaceList& list);
     void erase(std::uint32_t place);
     std::uint32_t move(const Proxies& proxies, std::uint32_t place);
     void settle(std::size_t) {}
-    [[nodiscard]] bool isDue(std::size_t arrivals) const;
+    [[nodiscard]] bool isDue(std::size_t arrivals, std::uint32_t moving) const;
     [[nodiscard]] std::uint32_t places() const { return static_cast<std::uint32_t>(items_.size()); }
-    [[nodiscard]] std::uint32_t size() const { return size_; }
+    [[nodiscard]] std::uint32_t size() const { return places() - static_cast<std::uint32_t>(free_.size()); }
+    [[nodiscard]] bool isFree(std::uint32_t place) const { return items_[place].node == kNobody; }
     [[nodiscard]] std::uint32_t idAt(std::uint32_t place) const { return items_[place].id; }
-    void clear();
-    void visitRegions(RegionVisitor& visitor) const;
+    void find(const BoxSearches& searches, const AABB& box, const LineSweep* sweep, std::uint32_t mask,
+              std::vector<std::uint32_t>& found) const;
+    void visitRegions(const std::function<void(const AABB&)>& visit) const;
 
     [[nodiscard]] const Item& itemAt(std::uint32_t place) const { return items_[place]; }
-    /// False if no proxy in the tree can pass this filter.
-    [[nodiscard]] bool mayCollide(const Filter& filter) const;
+    /// Of all proxies that were stored since sort().
+    [[nodiscard]] const FilterUnion& all() const { return all_; }
     /// Calls visit(place) for each box that overlaps `box`. With a sweep, skips squares that it misses.
     template <class Visit>
     void visitNear(const AABB& box, const LineSweep* sweep, const Visit& visit) const;
@@ -86,27 +90,20 @@ private:
     void link(std::uint32_t place, std::uint32_t node);
     void unlink(std::uint32_t place);
     void insert(std::uint32_t place, std::uint32_t from);
-    void sortAll(const Proxies& proxies, std::span<const std::uint32_t> arrivals);
-    void add(const Proxies& proxies, std::uint32_t id, std::span<std::uint32_t> places, std::uint32_t first);
     void read(const Proxies& proxies, std::uint32_t place, std::uint32_t id);
 
     std::vector<Node> nodes_;  ///< node 0 is kOutside
     std::vector<Item> items_;
     std::vector<std::uint32_t> free_;
     std::uint32_t root_ = kNobody;
-    std::uint32_t size_ = 0;
-    std::uint32_t layers_ = 0;  ///< union over all proxies that were stored since clear()
-    std::uint32_t masks_ = 0;
-
+    FilterUnion all_;
     HilbertOrder curve_;
-    std::vector<std::uint32_t> order_;
 };
 
 template <class Visit>
 void LooseQuadtree::visitNear(const AABB& box, const LineSweep* sweep, const Visit& visit) const {
     std::array<std::uint32_t, 3 * kMaxLevels + 2> stack;
     std::size_t depth = 0;
-    if (nodes_.empty()) return;
     stack[depth++] = kOutside;
     if (root_ != kNobody) stack[depth++] = root_;
     while (depth > 0) {
@@ -118,7 +115,7 @@ void LooseQuadtree::visitNear(const AABB& box, const LineSweep* sweep, const Vis
         for (std::uint32_t child = node.children; child < node.children + 4; ++child) {
             const AABB& reach = nodes_[child].reach;
             if (!touch(reach, box)) continue;
-            if (sweep == nullptr || physics::mayCollide(*sweep, reach)) stack[depth++] = child;
+            if (sweep == nullptr || mayCollide(*sweep, reach)) stack[depth++] = child;
         }
     }
 }

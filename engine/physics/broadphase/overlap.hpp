@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <limits>
 
-#include "math/rect.hpp"
+#include "physics/broadphase/broad_phase.hpp"
 
 namespace plumb::physics {
 
@@ -27,9 +27,24 @@ constexpr bool touch(const AABB& a, const AABB& b) {
     return a.min.x <= b.max.x && b.min.x <= a.max.x && a.min.y <= b.max.y && b.min.y <= a.max.y;
 }
 
-/// The layers and mask that a proxy of the group needs in addition to its own where the filters of several
-/// proxies are merged into one: proxies of a positive group collide whatever their layers.
-constexpr std::uint32_t overruledBy(std::int32_t group) { return group > 0 ? 0xffffffffu : 0u; }
+/// The merged filters of several proxies.
+struct FilterUnion {
+    std::uint32_t layers = 0;
+    std::uint32_t masks = 0;
+
+    constexpr void add(const Filter& filter) {
+        // Proxies of a positive group collide whatever their layers.
+        const std::uint32_t overruled = filter.group > 0 ? 0xffffffffu : 0u;
+        layers |= filter.layers | overruled;
+        masks |= filter.mask | overruled;
+    }
+    /// False if none of them can pass this filter.
+    [[nodiscard]] constexpr bool mayCollide(const Filter& filter) const {
+        FilterUnion other;
+        other.add(filter);
+        return (other.layers & masks) != 0 && (other.masks & layers) != 0;
+    }
+};
 
 /// The centre of a box; does not overflow even if its size does.
 constexpr Vec2 middleOf(const AABB& box) { return box.min * 0.5f + box.max * 0.5f; }

@@ -2,85 +2,48 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdint>
-#include <span>
-#include <vector>
 
-#include "physics/broadphase/box_searches.hpp"
-#include "physics/broadphase/overlap.hpp"
-#include "physics/broadphase/proxy_partitions.hpp"
+#include "physics/broadphase/partitioned_broad_phase.hpp"
 
 namespace plumb::physics {
 
 /// A broad phase that stores boxes in rows, such that boxes near each other lie in few ranges of slots, which
-/// are compared eight at a time. In addition to what ProxyPartitions needs, a Part has
+/// are compared eight at a time. In addition to what PartitionedBroadPhase needs, a Part is a BoxRows and has
 ///
-///   const BoxRows& rows()
-///   bool areNear(a, b)                true if the proxies in slots a < b should be searched for together
-///   void visitNear(box, from, visit)  calls visit(begin, end) with ranges, none before `from`, that contain
-///                                     all boxes that may overlap `box`, each slot once
-///   void visitAlong(sweep, visit)     the same for a sweep
+///   bool areNear(a, b)     true if the proxies in slots a < b should be searched for together
+///   void visitNear(box, sweep, from, visit)  calls visit(begin, end) with ranges, none before `from`, that
+///                          contain all boxes that may overlap `box`, each slot once; if `sweep` is not null,
+///                          those that it may hit suffice
 template <class Part>
-class RowBroadPhase final : public BroadPhase {
+class RowBroadPhase final : public PartitionedBroadPhase<Part> {
 public:
-    explicit RowBroadPhase(const BoxSearches& searches) : searches_{searches} {}
-
-    void rebuild(const Proxies& proxies) override { proxies_.rebuild(proxies); }
-    void update(const Proxies& proxies, std::span<const std::uint32_t> changed) override {
-        proxies_.update(proxies, changed);
-    }
-    void arrange(std::span<std::uint32_t> moved) override { proxies_.arrange(moved); }
-
     void findPairs(const Proxies&, std::span<const std::uint32_t> moved,
                    std::span<const std::uint8_t> isMoved, std::vector<PairKey>& pairs) const override {
         for (std::uint32_t own = 0; own < kParts; ++own) {
             // Resting proxies pair with moving ones only.
             for (std::uint32_t other = own == kMovingPart ? 0u : kMovingPart; other < kParts; ++other) {
                 RowSearch search;
-                search.own = &proxies_.parts[own].rows();
-                search.others = &proxies_.parts[other].rows();
+                search.own = &parts_[own];
+                search.others = &parts_[other];
                 search.ownMayBeAwake = own == kMovingPart;
                 search.allCanPair = allCanPair(own, other);
-                search.onlyLater = own == other && proxies_.areAllArranged(own);
+                search.onlyLater = own == other && this->areAllArranged(own);
                 search.isMoved = isMoved.data();
                 if (search.own->size() > 0 && search.others->size() > 0)
-                    findPairsAmong(search, proxies_.parts[own], proxies_.parts[other], moved, pairs);
+                    findPairsAmong(search, own, other, moved, pairs);
             }
         }
     }
 
-    void query(const Proxies&, const AABB& box, std::uint32_t mask,
-               std::vector<std::uint32_t>& found) const override {
-        const AABB asked = usable(box);
-        if (asked == kNowhere) return;
-        for (const Part& part : proxies_.parts) {
-            if (part.size() == 0) continue;
-            part.visitNear(asked, 0, [&](std::uint32_t begin, std::uint32_t end) {
-                searches_.rows.findInBox(part.rows(), {begin, end}, asked, nullptr, mask, found);
-            });
-        }
-    }
-
-    void cast(const Proxies&, Vec2 from, Vec2 displacement, Vec2 half, std::uint32_t mask,
-              std::vector<std::uint32_t>& found, Among among) const override {
-        const LineSweep sweep = lineSweep(from, displacement, half);
-        if (sweep.bounds == kNowhere) return;
-        for (const Part& part : proxies_.partsAmong(among)) {
-            if (part.size() == 0) continue;
-            part.visitAlong(sweep, [&](std::uint32_t begin, std::uint32_t end) {
-                searches_.rows.findInBox(part.rows(), {begin, end}, sweep.bounds, &sweep, mask, found);
-            });
-        }
-    }
-
-    void visitRegions(RegionVisitor& visitor) const { proxies_.visitRegions(visitor); }
-
 private:
+    using PartitionedBroadPhase<Part>::parts_;
+
     /// False if a moved proxy cannot have partners in `others`.
     static bool looks(const RowSearch& search, std::uint32_t place) {
         const bool amongStatic = search.ownMayBeAwake && search.own != search.others && !search.allCanPair;
         if (amongStatic && search.own->states[place] != BoxRows::kAwake) return false;
-        return search.others->mayCollide(search.own->filters[place]) && search.own->boxAt(place) != kNowhere;
+        return search.others->all.mayCollide(search.own->filters[place]) &&
+               search.own->boxAt(place) != kNowhere;
     }
 
     static bool mayJoin(const RowSearch& search, const Part& own, std::uint32_t looker) {
@@ -88,12 +51,13 @@ private:
                own.areNear(search.lookers[0], looker);
     }
 
-    void findPairsAmong(RowSearch& search, const Part& own, const Part& others,
+    void findPairsAmong(RowSearch& search, std::uint32_t part, std::uint32_t other,
                         std::span<const std::uint32_t> moved, std::vector<PairKey>& pairs) const {
-        const auto part = static_cast<std::uint32_t>(&own - proxies_.parts.data());
+        const Part& own = parts_[part];
+        const Part& others = parts_[other];
         AABB box = kNowhere;
         for (const std::uint32_t id : moved) {
-            const ProxyPlace place = proxies_.placeOf(id);
+            const ProxyPlace place = this->placeOf(id);
             if (place == kNoPlace || partOfPlace(place) != part || !looks(search, inPart(place))) continue;
             const std::uint32_t looker = inPart(place);
             if (search.count > 0 && !mayJoin(search, own, looker)) {
@@ -111,20 +75,17 @@ private:
                        std::vector<PairKey>& pairs) const {
         std::array<Stretch, 32> stretches;
         std::size_t count = 0;
-        others.visitNear(box, search.onlyLater ? search.lookers[0] + 1 : 0,
+        others.visitNear(box, nullptr, search.onlyLater ? search.lookers[0] + 1 : 0,
                          [&](std::uint32_t begin, std::uint32_t end) {
                              if (begin >= end) return;
                              if (count == stretches.size()) {
-                                 searches_.rows.findPairs(search, stretches, pairs);
+                                 this->searches_.findPairsInRows(search, stretches, pairs);
                                  count = 0;
                              }
                              stretches[count++] = {begin, end};
                          });
-        searches_.rows.findPairs(search, {stretches.data(), count}, pairs);
+        this->searches_.findPairsInRows(search, {stretches.data(), count}, pairs);
     }
-
-    const BoxSearches& searches_;
-    ProxyPartitions<Part> proxies_;
 };
 
 }  // namespace plumb::physics

@@ -1,11 +1,8 @@
 // The searches through BoxRows; box_search.inl explains how this is compiled.
 
 PLUMB_TARGET inline std::uint32_t overlapsAt(const BoxRows& rows, std::uint32_t place, const Wide& wide) {
-    const Mask x = both(atMost(loadAny(&rows.low[0][place]), wide.high[0]),
-                        atMost(loadAny(&rows.low[2][place]), wide.high[2]));
-    const Mask y = both(atMost(loadAny(&rows.low[1][place]), wide.high[1]),
-                        atMost(loadAny(&rows.low[3][place]), wide.high[3]));
-    return bitsOf(both(x, y));
+    const auto& low = rows.low;
+    return bitsOf(overlaps(&low[0][place], &low[1][place], &low[2][place], &low[3][place], wide));
 }
 
 constexpr std::uint32_t kMaxRowHits = 512;
@@ -82,13 +79,5 @@ PLUMB_TARGET void findInRows(const BoxRows& rows, Stretch part, const AABB& box,
             if ((rows.filters[i].layers & mask) == 0) continue;
             if (sweep == nullptr || mayCollide(*sweep, rows.boxAt(i))) found.push_back(rows.ids[i]);
         }
-    }
-}
-
-PLUMB_TARGET void findCells(std::span<const AABB> boxes, float perMetre, std::span<BoxCells> cells) {
-    const Floats scale = spread(perMetre);
-    for (std::size_t i = 0; i < boxes.size(); i += 2) {
-        const Floats sides = times(loadAny(&boxes[i].min.x), scale);
-        storeWhole(roundedDown(maximum(minimum(sides, spread(0x1p30f)), spread(-0x1p30f))), cells[i].data());
     }
 }

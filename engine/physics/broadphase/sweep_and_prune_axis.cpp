@@ -4,9 +4,6 @@
 #include <bit>
 #include <cmath>
 
-#include "physics/broadphase/box_statistics.hpp"
-#include "physics/broadphase/overlap.hpp"
-#include "physics/broadphase/regions.hpp"
 #include "physics/tuning.hpp"
 
 namespace plumb::physics {
@@ -52,29 +49,23 @@ void sortByByte(std::vector<std::uint64_t>& keys, std::vector<std::uint64_t>& sp
 
 }  // namespace
 
-void SweepAndPruneAxis::visitRegions(RegionVisitor& visitor) const {
+void SweepAndPruneAxis::visitRegions(const std::function<void(const AABB&)>& visit) const {
     for (const Segment& segment : segments_) {
-        AABB all = kNowhere;
+        AABB box = kNowhere;
         for (std::uint32_t place = segment.begin; place < segment.end; ++place) {
-            if (!rows_.isFree(place)) all = merged(all, rows_.boxAt(place));
+            if (!isFree(place)) box = merged(box, boxAt(place));
         }
-        if (all.min.x <= all.max.x) visitor.region(all);
+        if (box.min.x <= box.max.x) visit(box);
     }
 }
 
-void SweepAndPruneAxis::clear() {
-    clearRows();
-    starts_.clear();
-    for (Segment& segment : segments_) segment = {};
-}
-
-/// Chooses the axis for the boxes in order_, if the boxes changed much or the last choice is old.
-void SweepAndPruneAxis::chooseAxis(const Proxies& proxies) {
-    if (!choiceIsDue()) return;
-    const BoxStatistics spread = statisticsOf(proxies, order_);
-    axis_ = spread.aspect >= 1.0f ? 0 : 1;
-    usual_ = spread.extent;
-    stray_ = spread.extent * kStray;
+/// Chooses the axis, if the boxes changed much or the last choice is old.
+void SweepAndPruneAxis::chooseAxis(const Proxies& proxies, std::span<const std::uint32_t> order) {
+    const auto spread = newStatistics(proxies, order);
+    if (!spread) return;
+    axis_ = spread->aspect >= 1.0f ? 0 : 1;
+    usual_ = spread->extent;
+    stray_ = spread->extent * kStray;
 }
 
 std::uint32_t SweepAndPruneAxis::segmentOf(const AABB& box) const {
@@ -87,34 +78,34 @@ std::uint32_t SweepAndPruneAxis::segmentOf(const AABB& box) const {
     return kSegments - 1;
 }
 
-void SweepAndPruneAxis::sort(const Proxies& proxies, std::span<std::uint32_t> places, std::uint32_t first) {
-    chooseAxis(proxies);
+void SweepAndPruneAxis::sort(const Proxies& proxies, std::span<const std::uint32_t> order, std::uint32_t,
+                             const PlaceList& list) {
+    chooseAxis(proxies, order);
     for (Segment& segment : segments_) segment = {};
     for (auto& keys : keys_) keys.clear();
-    boxes_.resize(order_.size());
-    for (std::uint32_t k = 0; k < order_.size(); ++k) {
-        const AABB box = usable(proxies.bounds[order_[k]]);
+    boxes_.resize(order.size());
+    for (std::uint32_t k = 0; k < order.size(); ++k) {
+        const AABB box = usable(proxies.bounds[order[k]]);
         const std::uint32_t i = segmentOf(box);
         boxes_[k] = box;
         keys_[i].push_back(Key{sortable(startOf(box))} << 32 | k);
         segments_[i].longest = std::max(segments_[i].longest, endOf(box) - startOf(box));
     }
-    rows_.reset(static_cast<std::uint32_t>(order_.size()));
-    starts_.resize(order_.size());
+    reset(static_cast<std::uint32_t>(order.size()), order.size());
+    starts_.resize(order.size());
     std::uint32_t place = 0;
     for (std::uint32_t i = 0; i < kSegments; ++i) {
         if (!sortNearlySorted(keys_[i])) sortByByte(keys_[i], spare_);
         segments_[i].begin = place;
         for (const Key key : keys_[i]) {
-            const std::uint32_t id = order_[key & 0xffffffffu];
+            const std::uint32_t id = order[key & 0xffffffffu];
             const AABB& box = boxes_[key & 0xffffffffu];
-            rows_.write(proxies, place, id, box);
+            write(proxies, place, id, box);
             starts_[place] = startOf(box);
-            places[id] = first + place++;
+            list.set(id, place++);
         }
         segments_[i].end = place;
     }
-    noteSorted(place);
 }
 
 /// The first slot from `begin` on whose lower end is above x.
@@ -132,49 +123,49 @@ std::uint32_t SweepAndPruneAxis::firstAbove(float x, std::uint32_t begin, std::u
 
 Stretch SweepAndPruneAxis::findStarts(const Segment& segment, const AABB& box, std::uint32_t from) const {
     // Boxes may have moved from where they were sorted to; lengths and positions may have been rounded.
-    const float low = startOf(box) - segment.longest - stray_;
-    const float high = endOf(box) + stray_ + std::fabs(endOf(box)) * (2.0f * kRounding);
+    const float lower = startOf(box) - segment.longest - stray_;
+    const float upper = endOf(box) + stray_ + std::fabs(endOf(box)) * (2.0f * kRounding);
     if (from > segment.begin) {
         // The search is for boxes after one in this segment, so the last one is not far away.
         std::uint32_t step = 8;
-        while (from + step < segment.end && starts_[from + step] <= high) step *= 2;
-        return {from, firstAbove(high, from, std::min(from + step, segment.end))};
+        while (from + step < segment.end && starts_[from + step] <= upper) step *= 2;
+        return {from, firstAbove(upper, from, std::min(from + step, segment.end))};
     }
     const float lost = (std::fabs(startOf(box)) + segment.longest) * (2.0f * kRounding);
-    const std::uint32_t begin = firstAbove(low - lost, segment.begin, segment.end);
-    return {begin, firstAbove(high, begin, segment.end)};
+    const std::uint32_t begin = firstAbove(lower - lost, segment.begin, segment.end);
+    return {begin, firstAbove(upper, begin, segment.end)};
 }
 
-bool SweepAndPruneAxis::take(const Proxies& proxies, std::span<std::uint32_t> arrivals, std::uint32_t moving,
-                             std::span<std::uint32_t> places, std::uint32_t first) {
-    const bool maxMove = moving > rows_.size() / 2 && rows_.size() > kFew;
-    if (!maxMove && !isDue(arrivals.size())) {
-        for (const std::uint32_t id : arrivals) {
-            const std::uint32_t place = rows_.addPlace();
-            rows_.write(proxies, place, id, usable(proxies.bounds[id]));
-            places[id] = first + place;
-        }
-        return false;
+void SweepAndPruneAxis::add(const Proxies& proxies, std::span<const std::uint32_t> order,
+                            const PlaceList& list) {
+    for (const std::uint32_t id : order) {
+        const std::uint32_t place = addPlace();
+        write(proxies, place, id, usable(proxies.bounds[id]));
+        list.set(id, place);
     }
-    collect(arrivals);
-    sort(proxies, places, first);
-    return true;
 }
 
 std::uint32_t SweepAndPruneAxis::move(const Proxies& proxies, std::uint32_t place) {
-    const std::uint32_t id = rows_.ids[place];
+    const std::uint32_t id = idAt(place);
     const AABB box = usable(proxies.bounds[id]);
     if (place < sorted_) {
         const float strayed = std::fabs(startOf(box) - starts_[place]);
         std::uint32_t segment = 0;
         while (place >= segments_[segment].end) ++segment;
         if (!(strayed <= stray_) || endOf(box) - startOf(box) > segments_[segment].longest) {
-            rows_.erase(place);
-            place = rows_.addPlace();
+            erase(place);
+            place = addPlace();
         }
     }
-    rows_.write(proxies, place, id, box);
+    write(proxies, place, id, box);
     return place;
+}
+
+void SweepAndPruneAxis::find(const BoxSearches& searches, const AABB& box, const LineSweep* sweep,
+                             std::uint32_t mask, std::vector<std::uint32_t>& found) const {
+    visitNear(box, sweep, 0, [&](std::uint32_t begin, std::uint32_t end) {
+        searches.findInRows(*this, {begin, end}, box, sweep, mask, found);
+    });
 }
 
 }  // namespace plumb::physics

@@ -6,11 +6,10 @@ constexpr std::uint32_t kMany = 12;  // more children: the union of several lane
 constexpr std::uint32_t kMaxHits =
     kMost * kBranch > kMany* kBranch* kBranch ? kMost* kBranch : kMany* kBranch* kBranch;
 
-/// A box and a filter, broadcast for comparison with eight others.
+/// A box and filters for comparison with eight others.
 struct WideProbe {
     Wide box;
-    Words layers;
-    Words masks;
+    FilterUnion filters;
 };
 
 /// A sweep, broadcast for comparison with eight boxes.
@@ -21,36 +20,25 @@ struct WideSweep {
     Floats reach[2];
 };
 
-PLUMB_TARGET inline Wide widenLane(const TreeBoxes& boxes, std::uint32_t lane) {
-    return {{spread(-boxes.low[2][lane]), spread(-boxes.low[3][lane]), spread(-boxes.low[0][lane]),
-             spread(-boxes.low[1][lane])}};
-}
-
 /// The union of the boxes and filters of some lanes of a leaf.
 PLUMB_TARGET inline WideProbe widenLanes(const TreeLeaf& leaf, std::uint32_t lanes) {
     AABB box = kNowhere;
-    std::uint32_t layers = 0;
-    std::uint32_t masks = 0;
+    FilterUnion filters;
     for (; lanes != 0; lanes &= lanes - 1) {
-        const int i = std::countr_zero(lanes);
-        box = merged(box, {{leaf.boxes.low[0][i], leaf.boxes.low[1][i]},
-                           {-leaf.boxes.low[2][i], -leaf.boxes.low[3][i]}});
-        const std::uint32_t overruled = overruledBy(leaf.filters[i].group);
-        layers |= leaf.filters[i].layers | overruled;
-        masks |= leaf.filters[i].mask | overruled;
+        const auto i = static_cast<std::size_t>(std::countr_zero(lanes));
+        box = merged(box, leaf.boxes.at(i));
+        filters.add(leaf.filters[i]);
     }
-    return {widen(box), spread(layers), spread(masks)};
+    return {widen(box), filters};
 }
 
 PLUMB_TARGET inline Mask overlaps(const TreeBoxes& boxes, const Wide& wide) {
-    const Mask x = both(atMost(load(boxes.low[0]), wide.high[0]), atMost(load(boxes.low[2]), wide.high[2]));
-    const Mask y = both(atMost(load(boxes.low[1]), wide.high[1]), atMost(load(boxes.low[3]), wide.high[3]));
-    return both(x, y);
+    return overlaps(boxes.low[0], boxes.low[1], boxes.low[2], boxes.low[3], wide);
 }
 
 PLUMB_TARGET inline std::uint32_t mayCollide(const TreeNode& node, const WideProbe& probe) {
-    const Mask meet = both(haveCommon(node.layers, probe.masks), haveCommon(node.masks, probe.layers));
-    return bitsOf(both(meet, overlaps(node.boxes, probe.box)));
+    return bitsOf(haveCommon(node.layers, probe.filters.masks) &
+                  haveCommon(node.masks, probe.filters.layers) & overlaps(node.boxes, probe.box));
 }
 
 /// The lanes of a leaf that do not search themselves.
@@ -80,7 +68,7 @@ PLUMB_TARGET inline void collectLookers(const TreeSearch& search, std::uint32_t 
         lookers.all |= std::uint64_t{search.allCanPair | (own.awake >> i & 1u)} * 0xff << shift;
         lookers.later |= std::uint64_t{0xfeu << i & 0xff} << shift;
         lookers.others |= std::uint64_t{~(1u << i) & 0xff} << shift;
-        lookers.boxes[lookers.count] = widenLane(own.boxes, i);
+        lookers.boxes[lookers.count] = widen(own.boxes.at(i));
         lookers.lanes[lookers.count++] = i;
     }
 }
@@ -173,18 +161,16 @@ PLUMB_TARGET inline std::uint32_t hitsOf(const TreeBoxes& boxes, const WideSweep
     Floats off[2];
     Floats half[2];
     for (int axis = 0; axis < 2; ++axis) {
-        const Floats low = times(load(boxes.low[axis]), spread(0.5f));
-        const Floats high = times(load(boxes.low[axis + 2]), spread(-0.5f));
-        const Floats middle = plus(low, high);
-        off[axis] = minus(middle, sweep.from[axis]);
-        half[axis] = plus(plus(minus(high, low), sweep.reach[axis]),
-                          times(absolute(middle), spread(2.0f * kRounding)));
+        const Floats low = load(boxes.low[axis]) * spread(0.5f);
+        const Floats high = load(boxes.low[axis + 2]) * spread(-0.5f);
+        const Floats middle = low + high;
+        off[axis] = middle - sweep.from[axis];
+        half[axis] = high - low + sweep.reach[axis] + absolute(middle) * spread(2.0f * kRounding);
     }
-    const Floats distance =
-        absolute(minus(times(sweep.displacement[0], off[1]), times(sweep.displacement[1], off[0])));
-    const Floats reach = plus(times(absolute(sweep.displacement[0]), half[1]),
-                              times(absolute(sweep.displacement[1]), half[0]));
-    return near & ~bitsOf(above(distance, reach));
+    const Floats distance = absolute(sweep.displacement[0] * off[1] - sweep.displacement[1] * off[0]);
+    const Floats reach =
+        absolute(sweep.displacement[0]) * half[1] + absolute(sweep.displacement[1]) * half[0];
+    return near & ~bitsOf(distance > reach);
 }
 
 /// Appends the proxies below some nodes of a level that the view (a box or a sweep) may hit.
@@ -193,7 +179,7 @@ PLUMB_TARGET void findBelow(const Bvh8& tree, const View& view, std::uint32_t ma
                             std::span<const std::uint32_t> nodes, std::vector<std::uint32_t>& found) {
     const TreeNode* all = tree.level(level);
     for (const std::uint32_t node : nodes) {
-        const std::uint32_t layered = bitsOf(haveCommon(all[node].layers, spread(mask)));
+        const std::uint32_t layered = bitsOf(haveCommon(all[node].layers, mask));
         std::uint32_t children[kBranch + kSpare];
         const std::uint32_t* end =
             appendBits(hitsOf(all[node].boxes, view) & layered, node * kBranch, children);
@@ -211,18 +197,13 @@ PLUMB_TARGET void findBelow(const Bvh8& tree, const View& view, std::uint32_t ma
     }
 }
 
-PLUMB_TARGET void findInTree(const Bvh8& tree, const AABB& box, std::uint32_t mask,
+PLUMB_TARGET void findInTree(const Bvh8& tree, const AABB& box, const LineSweep* sweep, std::uint32_t mask,
                              std::vector<std::uint32_t>& found) {
     const std::uint32_t root = 0;
-    findBelow(tree, widen(box), mask, tree.height() - 1, {&root, 1}, found);
-}
-
-PLUMB_TARGET void findOnSweep(const Bvh8& tree, const LineSweep& sweep, std::uint32_t mask,
-                              std::vector<std::uint32_t>& found) {
-    const std::uint32_t root = 0;
-    const WideSweep wide{widen(sweep.bounds),
-                         {spread(sweep.from.x), spread(sweep.from.y)},
-                         {spread(sweep.displacement.x), spread(sweep.displacement.y)},
-                         {spread(sweep.half.x), spread(sweep.half.y)}};
+    if (sweep == nullptr) return findBelow(tree, widen(box), mask, tree.height() - 1, {&root, 1}, found);
+    const WideSweep wide{widen(box),
+                         {spread(sweep->from.x), spread(sweep->from.y)},
+                         {spread(sweep->displacement.x), spread(sweep->displacement.y)},
+                         {spread(sweep->half.x), spread(sweep->half.y)}};
     findBelow(tree, wide, mask, tree.height() - 1, {&root, 1}, found);
 }

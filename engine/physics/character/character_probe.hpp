@@ -5,7 +5,7 @@
 
 #include "core/fixed_list.hpp"
 #include "physics/character/character.hpp"
-#include "physics/queries/moving_outline.hpp"
+#include "physics/queries/shape_cast.hpp"
 
 namespace plumb::physics {
 

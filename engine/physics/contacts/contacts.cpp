@@ -250,38 +250,38 @@ bool slideUpright(Contact& contact, const AxisAlignedPair& pair, float speculati
     return true;
 }
 
+void noteRecycled(const World& world, Contact& contact, DetectionCounts& counts) {
+    ++counts.recycled;
+    ++counts.touching;
+    if ((contact.flags & kInitialOverlap) != 0) hideInitialOverlap(world, contact);
+}
+
+/// True if the bounds have parted, which ends the contact.
+bool endsByBounds(const World& world, Contact& contact, DetectionCounts& counts) {
+    if (touch(world.shapes.bounds[contact.shapeA], world.shapes.bounds[contact.shapeB])) return false;
+    ++counts.apartByBounds;
+    contact.flags |= kGone;
+    return true;
+}
+
 /// All of it, for boxes that stay along the axes.
 void touchUpright(const World& world, Contact& contact, DetectionCounts& counts) {
     const AxisAlignedPair pair = uprightPairOf(world, contact);
     if (slideUpright(contact, pair, world.settings.speculativeDistance)) {
-        ++counts.recycled;
-        ++counts.touching;
-        if ((contact.flags & kInitialOverlap) != 0) hideInitialOverlap(world, contact);
-        return;
+        return noteRecycled(world, contact, counts);
     }
     const Manifold manifold = manifoldOf(world, pair);
-    if (manifold.count == 0 &&
-        !touch(world.shapes.bounds[contact.shapeA], world.shapes.bounds[contact.shapeB])) {
-        ++counts.apartByBounds;
-        contact.flags |= kGone;
-        return;
-    }
+    if (manifold.count == 0 && endsByBounds(world, contact, counts)) return;
     take(world, contact, {{}, {}, pair.between}, manifold, counts);
 }
 
 /// What can be said without a look at the outlines: still the same, gone, or too far apart.
 bool isSettled(const World& world, Contact& contact, const Encounter& now, DetectionCounts& counts) {
     if (recycle(contact, now, world.settings)) {
-        ++counts.recycled;
-        ++counts.touching;
-        if ((contact.flags & kInitialOverlap) != 0) hideInitialOverlap(world, contact);
+        noteRecycled(world, contact, counts);
         return true;
     }
-    if (!touch(world.shapes.bounds[contact.shapeA], world.shapes.bounds[contact.shapeB])) {
-        ++counts.apartByBounds;
-        contact.flags |= kGone;
-        return true;
-    }
+    if (endsByBounds(world, contact, counts)) return true;
     if ((contact.flags & kFixedA) == 0 && !nearByCircles(world, contact, now)) {
         ++counts.apartByCircles;
         forgetPoints(contact);
@@ -296,47 +296,23 @@ public:
     BoxBatch(const World& world, DetectionCounts& counts) : world_{world}, counts_{counts} {}
 
     void add(Contact& contact, const Encounter& now, const Geometry& a, const Geometry& b) {
-        const Frame bInA = frameInA(world_, contact, now);
-        const Vec2 displacement = unrotate(a.turn, apply(bInA, b.a) - a.a);
-        const Rot turn = between(a.turn, bInA.rotation * b.turn);
         contacts_[count_] = &contact;
         encounters_[count_] = now;
-        pairs_.halfAx[count_] = a.b.x;
-        pairs_.halfAy[count_] = a.b.y;
-        pairs_.halfBx[count_] = b.b.x;
-        pairs_.halfBy[count_] = b.b.y;
-        pairs_.x[count_] = displacement.x;
-        pairs_.y[count_] = displacement.y;
-        pairs_.cosine[count_] = turn.cos;
-        pairs_.sine[count_] = turn.sin;
-        pairs_.radiusA[count_] = a.radius;
-        pairs_.radiusB[count_] = b.radius;
+        putPair(pairs_, count_, a, b, frameInA(world_, contact, now));
         if (++count_ == kLanes) finish();
     }
 
     void finish() {
         if (count_ == 0) return;
         kernels_.collideBoxes(pairs_, world_.settings.speculativeDistance, touches_);
-        for (int i = 0; i < count_; ++i) take(world_, *contacts_[i], encounters_[i], manifoldOf(i), counts_);
+        for (int i = 0; i < count_; ++i) {
+            const Geometry& a = world_.shapes.geometry[contacts_[i]->shapeA];
+            take(world_, *contacts_[i], encounters_[i], manifoldOf(touches_, i, a), counts_);
+        }
         count_ = 0;
     }
 
 private:
-    [[nodiscard]] Manifold manifoldOf(int i) const {
-        Manifold manifold;
-        if (!(touches_.count[i] > 0.0f)) return manifold;
-        const Geometry& a = world_.shapes.geometry[contacts_[i]->shapeA];
-        manifold.count = static_cast<int>(touches_.count[i]);
-        manifold.normal = rotate(a.turn, {touches_.normalX[i], touches_.normalY[i]});
-        manifold.roundA = touches_.roundA[i];
-        manifold.roundB = touches_.roundB[i];
-        for (int p = 0; p < manifold.count; ++p) {
-            manifold.points[p] = {a.a + rotate(a.turn, {touches_.pointX[p][i], touches_.pointY[p][i]}),
-                                  touches_.separation[p][i], static_cast<std::uint16_t>(touches_.id[p][i])};
-        }
-        return manifold;
-    }
-
     const World& world_;
     DetectionCounts& counts_;
     const SolverKernels& kernels_ = solverKernels();

@@ -2,9 +2,19 @@
 
 #include <span>
 
+#include "physics/model/edits.hpp"
 #include "physics/world.hpp"
 
 namespace plumb::physics {
+
+/// The same for those that touch: with a trigger, or without.
+template <class Act>
+void forTouching(const World& world, bool triggered, Act&& act) {
+    const int wanted = triggered ? kTouching | kTriggered : kTouching;
+    forContacts(world, [&](const Contact& contact) {
+        if ((contact.flags & (kTouching | kTriggered)) == wanted) act(contact);
+    });
+}
 
 /// A contact of two shapes that do not touch yet. The one of a body that cannot be pushed comes first.
 Contact makeContact(const World& world, std::uint32_t shapeA, std::uint32_t shapeB);

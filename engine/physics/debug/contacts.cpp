@@ -1,5 +1,3 @@
-#include "physics/contacts/contacts.hpp"
-
 #include <algorithm>
 #include <cmath>
 
@@ -13,17 +11,15 @@ namespace {
 
 constexpr float kNormalLength = 0.2f;  // m
 
-struct ContactPoint {
-    Vec2 place;
-    float impulse;  // N s
-};
-
+/// Calls draw(contact, place, impulse) for each point of the contacts that are shown; impulses in N s.
 template <class Draw>
-void forPoints(const Picture& picture, const Contact& contact, Draw&& draw) {
-    for (int i = 0; i < contact.count; ++i) {
-        draw(ContactPoint{picture.place(contact.bodyA, pointOf(picture.world, contact, i)),
-                          std::fabs(i == 0 ? contact.impulse0 : contact.impulse1)});
-    }
+void forPoints(const Picture& picture, Draw&& draw) {
+    picture.forContacts(false, [&](const Contact& contact) {
+        for (int i = 0; i < contact.count; ++i) {
+            draw(contact, picture.place(contact.bodyA, pointOf(picture.world, contact, i)),
+                 std::fabs(i == 0 ? contact.impulse0 : contact.impulse1));
+        }
+    });
 }
 
 /// Number of substeps whose impulses make up a step: contacts keep that of the last one. Sleeping bodies, and
@@ -52,29 +48,22 @@ float lengthOf(const Picture& picture, const Contact& contact, float impulse) {
 }  // namespace
 
 void drawContacts(const Picture& picture) {
-    picture.forContacts(false, [&](const Contact& contact) {
-        forPoints(picture, contact, [&](const ContactPoint& point) {
-            picture.canvas.circle(point.place, kPointRadius, DebugRole::Contact);
-        });
+    forPoints(picture, [&](const Contact&, Vec2 place, float) {
+        picture.canvas.circle(place, kPointRadius, DebugRole::Contact);
     });
 }
 
 void drawNormals(const Picture& picture) {
-    picture.forContacts(false, [&](const Contact& contact) {
-        forPoints(picture, contact, [&](const ContactPoint& point) {
-            picture.canvas.arrow(point.place, point.place + kNormalLength * contact.normal,
-                                 DebugRole::Normal);
-        });
+    forPoints(picture, [&](const Contact& contact, Vec2 place, float) {
+        picture.canvas.arrow(place, place + kNormalLength * contact.normal, DebugRole::Normal);
     });
 }
 
 void drawImpulses(const Picture& picture) {
-    picture.forContacts(false, [&](const Contact& contact) {
-        forPoints(picture, contact, [&](const ContactPoint& point) {
-            if (point.impulse == 0.0f) return;
-            const float length = lengthOf(picture, contact, point.impulse);
-            picture.canvas.arrow(point.place, point.place + length * contact.normal, DebugRole::Impulse);
-        });
+    forPoints(picture, [&](const Contact& contact, Vec2 place, float impulse) {
+        if (impulse == 0.0f) return;
+        const float length = lengthOf(picture, contact, impulse);
+        picture.canvas.arrow(place, place + length * contact.normal, DebugRole::Impulse);
     });
 }
 
@@ -82,7 +71,8 @@ void drawFriction(const Picture& picture) {
     picture.forContacts(false, [&](const Contact& contact) {
         if (contact.frictionImpulse == 0.0f || contact.count == 0) return;
         Vec2 from;  // one friction impulse acts for all points
-        forPoints(picture, contact, [&](const ContactPoint& point) { from += point.place; });
+        for (int i = 0; i < contact.count; ++i)
+            from += picture.place(contact.bodyA, pointOf(picture.world, contact, i));
         from = from / static_cast<float>(contact.count);
         const float length = lengthOf(picture, contact, contact.frictionImpulse);
         picture.canvas.arrow(from, from + length * perpendicular(contact.normal), DebugRole::Friction);

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "physics/contacts/contacts.hpp"
 #include "physics/debug_draw.hpp"
 #include "physics/model/edits.hpp"
 #include "physics/shapes/convex.hpp"
@@ -103,15 +104,11 @@ struct Picture {
             if (const AABB around = box(s); isInSight(around, body)) draw(s, body, around);
         }
     }
-    /// Calls draw(contact) for all touching contacts that are shown, awake ones first: those with a trigger,
-    /// or those without.
+    /// Calls draw(contact) for all touching contacts that are shown: those with a trigger, or those without.
     template <class Draw>
     void forContacts(bool triggered, Draw&& draw) const {
-        const std::uint16_t wanted = triggered ? kTouching | kTriggered : kTouching;
-        physics::forContacts(world, [&](const Contact& contact) {
-            if ((contact.flags & (kTouching | kTriggered)) == wanted &&
-                (shows(contact.bodyA) || shows(contact.bodyB)))
-                draw(contact);
+        forTouching(world, triggered, [&](const Contact& contact) {
+            if (shows(contact.bodyA) || shows(contact.bodyB)) draw(contact);
         });
     }
 };

@@ -1,7 +1,5 @@
 #include <algorithm>
-#include <array>
 
-#include "physics/broadphase/regions.hpp"
 #include "physics/debug/picture.hpp"
 #include "physics/shapes/shape_types.hpp"
 #include "physics/workspace.hpp"
@@ -44,43 +42,6 @@ std::uint32_t headOfIsland(const World& world, std::uint32_t body) {
     while (world.bodies.info[body].island != body) body = world.bodies.info[body].island;
     return body;
 }
-
-/// Draws on another canvas, scaled about a point.
-class Shrunk final : public DebugCanvas {
-public:
-    Shrunk(DebugCanvas& canvas, Vec2 about, float part) : canvas_{canvas}, about_{about}, part_{part} {}
-
-    void line(Vec2 from, Vec2 to, DebugInk ink) override { canvas_.line(at(from), at(to), ink); }
-    void arrow(Vec2 from, Vec2 to, DebugInk ink) override { canvas_.arrow(at(from), at(to), ink); }
-    void circle(Vec2 centre, float radius, DebugInk ink) override {
-        canvas_.circle(at(centre), part_ * radius, ink);
-    }
-    void polygon(std::span<const Vec2> corners, DebugInk ink) override {
-        std::array<Vec2, 16> some;  // of an outline with more corners only every n-th is drawn
-        const std::size_t stride = (corners.size() + some.size() - 1) / some.size();
-        std::size_t count = 0;
-        for (std::size_t i = 0; i < corners.size(); i += stride) some[count++] = at(corners[i]);
-        canvas_.polygon({some.data(), count}, ink);
-    }
-
-private:
-    [[nodiscard]] Vec2 at(Vec2 point) const { return about_ + part_ * (point - about_); }
-
-    DebugCanvas& canvas_;
-    Vec2 about_;
-    float part_;
-};
-
-class RegionDrawing final : public RegionVisitor {
-public:
-    explicit RegionDrawing(const Picture& picture) : picture_{picture} {}
-    void region(const AABB& bounds) override {
-        picture_.canvas.box({picture_.seen(bounds.min), picture_.seen(bounds.max)}, DebugRole::Region);
-    }
-
-private:
-    const Picture& picture_;
-};
 
 }  // namespace
 
@@ -127,8 +88,9 @@ void drawBounds(const Picture& picture) {
 void drawBroadPhase(const Picture& picture) {
     const Workspace* work = picture.choice.lastStep;
     if (work != nullptr && work->broadPhase != nullptr && !picture.choice.chosenOnly) {
-        RegionDrawing regions{picture};
-        visitRegions(*work->broadPhase, work->broadPhaseKind, regions);
+        work->broadPhase->visitRegions([&picture](const AABB& region) {
+            picture.canvas.box({picture.seen(region.min), picture.seen(region.max)}, DebugRole::Region);
+        });
     }
     picture.forShapes(
         [&](std::uint32_t s, std::uint32_t) { picture.canvas.box(picture.box(s), DebugRole::BroadPhase); });
@@ -150,8 +112,8 @@ void drawRest(const Picture& picture) {
         const float restTime = picture.world.bodies.motion[body].restTime;
         const float part = asleep ? 1.0f : std::min(restTime / std::max(settings.sleepTime, 1e-6f), 1.0f);
         if (part == 0.0f) return;
-        Shrunk canvas{picture.canvas, picture.centre(body), part};
-        drawOutline(canvas, picture.outline(s), picture.frame(body), DebugRole::Rest);
+        const ScaledConvex scaled{picture.outline(s), picture.pose(body).localCentre, part};
+        drawOutline(picture.canvas, scaled.outline(), picture.frame(body), DebugRole::Rest);
     });
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "physics/contacts/contacts.hpp"
 #include "physics/effects/field_types.hpp"
 #include "physics/measure/constraint_errors.hpp"
 #include "physics/model/bodies.hpp"

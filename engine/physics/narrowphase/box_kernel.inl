@@ -1,90 +1,83 @@
-// Two boxes, as a template over the number type: one float, or eight in lanes. It is written once, so that
-// both give the same bits, and without branches on values, so that it works on lanes. Included in a namespace
-// that has all(), abs(), min(), max(), sqrt(), select() and any() for the number type and its mask.
+// Eight pairs of boxes, in lanes; without branches on values. Included in a namespace that has the lanes of
+// solver/lanes.hpp.
 //
 // Source: separating axes of boxes after S. Gottschalk, M. Lin, D. Manocha, "OBBTree", 1996, 5; the incident
 // edge is clipped after E. Catto, "Contact Manifolds", GDC 2007.
 
 /// Two boxes in a frame with A's centre and axes.
-template <class F>
 struct BoxPair {
-    F halfAx, halfAy, halfBx, halfBy;  // m
-    F x, y;                            // m: B's centre
-    F cosine, sine;                    // B's rotation
-    F radiusA, radiusB;                // m
-    F speculative;                     // m
+    Float8 halfAx, halfAy, halfBx, halfBy;  // m
+    Float8 x, y;                            // m: B's centre
+    Float8 cosine, sine;                    // B's rotation
+    Float8 radiusA, radiusB;                // m
+    Float8 speculative;                     // m
 };
 
-template <class F>
 struct BoxTouch {
-    F normalX, normalY;  // from A to B
-    F pointX[2], pointY[2], separation[2];
-    F id[2];  // corner of A * 256 + corner of B; corners are 0 (-,-), 1 (+,-), 2 (-,+), 3 (+,+)
-    F count;
-    F roundA, roundB;
+    Float8 normalX, normalY;  // from A to B
+    Float8 pointX[2], pointY[2], separation[2];
+    Float8 id[2];  // corner of A * 256 + corner of B; corners are 0 (-,-), 1 (+,-), 2 (-,+), 3 (+,+)
+    Float8 count;
+    Float8 roundA, roundB;
 };
 
 /// The axis of maximum separation.
-template <class F>
 struct BoxAxis {
-    F gap;          // m: separation of the cores along it
-    F ofB, alongY;  // 1 or 0: an axis of B; the y axis of that box
+    Float8 gap;          // m: separation of the cores along it
+    Float8 ofB, alongY;  // 1 or 0: an axis of B; the y axis of that box
 };
 
-template <class F>
-BoxAxis<F> bestAxis(const BoxPair<F>& p, F qx, F qy) {
-    const F c = abs(p.cosine);
-    const F s = abs(p.sine);
-    const F aX = abs(p.x) - p.halfAx - (c * p.halfBx + s * p.halfBy);
-    const F aY = abs(p.y) - p.halfAy - (s * p.halfBx + c * p.halfBy);
-    const F bX = abs(qx) - p.halfBx - (c * p.halfAx + s * p.halfAy);
-    const F bY = abs(qy) - p.halfBy - (s * p.halfAx + c * p.halfAy);
+BoxAxis bestAxis(const BoxPair& p, Float8 qx, Float8 qy) {
+    const Float8 c = abs(p.cosine);
+    const Float8 s = abs(p.sine);
+    const Float8 aX = abs(p.x) - p.halfAx - (c * p.halfBx + s * p.halfBy);
+    const Float8 aY = abs(p.y) - p.halfAy - (s * p.halfBx + c * p.halfBy);
+    const Float8 bX = abs(qx) - p.halfBx - (c * p.halfAx + s * p.halfAy);
+    const Float8 bY = abs(qy) - p.halfBy - (s * p.halfAx + c * p.halfAy);
     // As faceTieOf() of the smallest half size.
-    const F tie =
-        min(all<F>(kMaxFaceTie), all<F>(kFaceTie) * min(min(p.halfAx, p.halfAy), min(p.halfBx, p.halfBy)));
-    const F zero = all<F>(0.0f);
-    const F one = all<F>(1.0f);
+    const Float8 tie =
+        min(all(kMaxFaceTie), all(kFaceTie) * min(min(p.halfAx, p.halfAy), min(p.halfBx, p.halfBy)));
+    const Float8 zero = all(0.0f);
+    const Float8 one = all(1.0f);
     const auto aIsY = aY > aX + tie;
     const auto bIsY = bY > bX + tie;
-    const F a = select(aIsY, aY, aX);
-    const F b = select(bIsY, bY, bX);
+    const Float8 a = select(aIsY, aY, aX);
+    const Float8 b = select(bIsY, bY, bX);
     const auto isB = b > a + tie;
-    const F yOfA = select(aIsY, one, zero);
-    const F yOfB = select(bIsY, one, zero);
+    const Float8 yOfA = select(aIsY, one, zero);
+    const Float8 yOfB = select(bIsY, one, zero);
     return {select(isB, b, a), select(isB, one, zero), select(isB, yOfB, yOfA)};
 }
 
 /// The boxes seen from the reference face: n is its outward normal, towards the other box, t the direction
 /// along it.
-template <class F>
 struct BoxView {
-    F n, t;             // centre of the other box
-    F half, halfAlong;  // of the reference box
-    F flip;             // -1 if n is a negative axis of the reference box, else 1
-    F lowN, lowT;       // ends of the incident edge; t increases from low to high
-    F highN, highT;
-    F slope, midN, midT;      // of the incident edge
-    F cornerLow, cornerHigh;  // of the reference box
-    F otherLow, otherHigh;    // of the other
+    Float8 n, t;             // centre of the other box
+    Float8 half, halfAlong;  // of the reference box
+    Float8 flip;             // -1 if n is a negative axis of the reference box, else 1
+    Float8 lowN, lowT;       // ends of the incident edge; t increases from low to high
+    Float8 highN, highT;
+    Float8 slope, midN, midT;      // of the incident edge
+    Float8 cornerLow, cornerHigh;  // of the reference box
+    Float8 otherLow, otherHigh;    // of the other
 };
 
-template <class F>
-BoxView<F> viewFrom(const BoxPair<F>& p, const BoxAxis<F>& axis, F qx, F qy) {
-    const F zero = all<F>(0.0f);
-    const F one = all<F>(1.0f);
-    const F two = all<F>(2.0f);
+BoxView viewFrom(const BoxPair& p, const BoxAxis& axis, Float8 qx, Float8 qy) {
+    const Float8 zero = all(0.0f);
+    const Float8 one = all(1.0f);
+    const Float8 two = all(2.0f);
     const auto ofB = axis.ofB > zero;
     const auto alongY = axis.alongY > zero;
-    const F sine = select(ofB, -p.sine, p.sine);
-    const F x = select(ofB, -qx, p.x);
-    const F y = select(ofB, -qy, p.y);
-    const F halfX = select(ofB, p.halfBx, p.halfAx);
-    const F halfY = select(ofB, p.halfBy, p.halfAy);
-    const F otherX = select(ofB, p.halfAx, p.halfBx);
-    const F otherY = select(ofB, p.halfAy, p.halfBy);
+    const Float8 sine = select(ofB, -p.sine, p.sine);
+    const Float8 x = select(ofB, -qx, p.x);
+    const Float8 y = select(ofB, -qy, p.y);
+    const Float8 halfX = select(ofB, p.halfBx, p.halfAx);
+    const Float8 halfY = select(ofB, p.halfBy, p.halfAy);
+    const Float8 otherX = select(ofB, p.halfAx, p.halfBx);
+    const Float8 otherY = select(ofB, p.halfAy, p.halfBy);
 
-    BoxView<F> v;
-    const F towards = select(alongY, y, x);
+    BoxView v;
+    const Float8 towards = select(alongY, y, x);
     v.flip = select(towards < zero, -one, one);
     v.n = abs(towards);
     v.t = select(alongY, x, y);
@@ -92,64 +85,62 @@ BoxView<F> viewFrom(const BoxPair<F>& p, const BoxAxis<F>& axis, F qx, F qy) {
     v.halfAlong = select(alongY, halfX, halfY);
 
     // The other box's axes x and y: their components along n and t.
-    const F xN = v.flip * select(alongY, sine, p.cosine);
-    const F xT = select(alongY, p.cosine, sine);
-    const F yN = v.flip * select(alongY, p.cosine, -sine);
-    const F yT = select(alongY, -sine, p.cosine);
+    const Float8 xN = v.flip * select(alongY, sine, p.cosine);
+    const Float8 xT = select(alongY, p.cosine, sine);
+    const Float8 yN = v.flip * select(alongY, p.cosine, -sine);
+    const Float8 yT = select(alongY, -sine, p.cosine);
     const auto byX = abs(xN) > abs(yN);  // the incident face is perpendicular to x, not to y
-    const F faceN = select(byX, xN, yN);
-    const F faceT = select(byX, xT, yT);
-    const F sideN = select(byX, yN, xN);
-    const F sideT = select(byX, yT, xT);
-    const F halfFace = select(byX, otherX, otherY);
-    const F halfSide = select(byX, otherY, otherX);
+    const Float8 faceN = select(byX, xN, yN);
+    const Float8 faceT = select(byX, xT, yT);
+    const Float8 sideN = select(byX, yN, xN);
+    const Float8 sideT = select(byX, yT, xT);
+    const Float8 halfFace = select(byX, otherX, otherY);
+    const Float8 halfSide = select(byX, otherY, otherX);
     const auto backwards = faceN > zero;  // the incident face is on the negative side of its axis
     const auto sideBackwards = sideT < zero;
     v.midN = v.n - abs(faceN) * halfFace;
     v.midT = v.t + select(backwards, -faceT, faceT) * halfFace;
-    const F alongN = select(sideBackwards, -sideN, sideN);
-    const F alongT = abs(sideT);  // at least the square root of 1/2
+    const Float8 alongN = select(sideBackwards, -sideN, sideN);
+    const Float8 alongT = abs(sideT);  // at least the square root of 1/2
     v.slope = alongN / alongT;
     v.lowN = v.midN - alongN * halfSide;
     v.lowT = v.midT - alongT * halfSide;
     v.highN = v.midN + alongN * halfSide;
     v.highT = v.midT + alongT * halfSide;
 
-    const F positive = select(v.flip > zero, one, zero);
+    const Float8 positive = select(v.flip > zero, one, zero);
     v.cornerLow = select(alongY, positive * two, positive);
     v.cornerHigh = v.cornerLow + select(alongY, one, two);
-    const F face = select(backwards, zero, one);
-    const F low = select(sideBackwards, one, zero);
+    const Float8 face = select(backwards, zero, one);
+    const Float8 low = select(sideBackwards, one, zero);
     v.otherLow = select(byX, face + low * two, face * two + low);
     v.otherHigh = select(byX, face + (one - low) * two, face * two + (one - low));
     return v;
 }
 
 /// A manifold in the coordinates of the reference face, before its transformation to A's frame.
-template <class F>
 struct BoxPlaces {
-    F normalN, normalT;
-    F n[2], t[2], separation[2];
-    F corner[2], other[2];
-    F keep[2];  // 1 for a point, 0 for none
-    F roundOther, roundReference;
+    Float8 normalN, normalT;
+    Float8 n[2], t[2], separation[2];
+    Float8 corner[2], other[2];
+    Float8 keep[2];  // 1 for a point, 0 for none
+    Float8 roundOther, roundReference;
 };
 
-template <class F>
-BoxPlaces<F> touchFaces(const BoxView<F>& v, F radius, F otherRadius, F speculative) {
-    const F zero = all<F>(0.0f);
-    const F one = all<F>(1.0f);
+BoxPlaces touchFaces(const BoxView& v, Float8 radius, Float8 otherRadius, Float8 speculative) {
+    const Float8 zero = all(0.0f);
+    const Float8 one = all(1.0f);
     const auto cutLow = v.lowT < -v.halfAlong;
     const auto cutHigh = v.highT > v.halfAlong;
-    BoxPlaces<F> w;
+    BoxPlaces w;
     w.normalN = one;
     w.normalT = zero;
     w.t[0] = select(cutLow, -v.halfAlong, v.lowT);
     w.t[1] = select(cutHigh, v.halfAlong, v.highT);
-    const F low = select(cutLow, v.midN + v.slope * (w.t[0] - v.midT), v.lowN);
-    const F high = select(cutHigh, v.midN + v.slope * (w.t[1] - v.midT), v.highN);
-    const F surface = v.half + radius;
-    const F half = all<F>(0.5f);
+    const Float8 low = select(cutLow, v.midN + v.slope * (w.t[0] - v.midT), v.lowN);
+    const Float8 high = select(cutHigh, v.midN + v.slope * (w.t[1] - v.midT), v.highN);
+    const Float8 surface = v.half + radius;
+    const Float8 half = all(0.5f);
     w.separation[0] = low - otherRadius - surface;
     w.separation[1] = high - otherRadius - surface;
     w.n[0] = surface + half * w.separation[0];
@@ -158,13 +149,13 @@ BoxPlaces<F> touchFaces(const BoxView<F>& v, F radius, F otherRadius, F speculat
     w.corner[1] = v.cornerHigh;
     w.other[0] = v.otherLow;
     w.other[1] = v.otherHigh;
-    const F beside = select(w.t[0] > w.t[1], zero, one);
+    const Float8 beside = select(w.t[0] > w.t[1], zero, one);
     w.keep[0] = select(w.separation[0] > speculative, zero, beside);
     w.keep[1] = select(w.separation[1] > speculative, zero, beside);
     // A single point is at a rounded corner, unless clipping moved it.
-    const F roundLow = select(cutLow, zero, otherRadius);
-    const F roundHigh = select(cutHigh, zero, otherRadius);
-    const F alone = select(w.keep[0] > zero, roundLow, roundHigh);
+    const Float8 roundLow = select(cutLow, zero, otherRadius);
+    const Float8 roundHigh = select(cutHigh, zero, otherRadius);
+    const Float8 alone = select(w.keep[0] > zero, roundLow, roundHigh);
     w.roundOther = select(w.keep[0] + w.keep[1] > one, zero, alone);
     w.roundReference = zero;
     return w;
@@ -172,43 +163,43 @@ BoxPlaces<F> touchFaces(const BoxView<F>& v, F radius, F otherRadius, F speculat
 
 /// Replaces the points by a single one between two corners where the cores are separated and a corner of each
 /// is nearest.
-template <class F>
-void touchCorners(BoxPlaces<F>& w, const BoxView<F>& v, F gap, F radius, F otherRadius, F speculative) {
-    const F zero = all<F>(0.0f);
-    const F one = all<F>(1.0f);
-    const F lowBeyond = max(abs(v.lowT) - v.halfAlong, zero);
-    const F highBeyond = max(abs(v.highT) - v.halfAlong, zero);
-    const F lowOver = v.lowN - v.half;
-    const F highOver = v.highN - v.half;
+void touchCorners(BoxPlaces& w, const BoxView& v, Float8 gap, Float8 radius, Float8 otherRadius,
+                  Float8 speculative) {
+    const Float8 zero = all(0.0f);
+    const Float8 one = all(1.0f);
+    const Float8 lowBeyond = max(abs(v.lowT) - v.halfAlong, zero);
+    const Float8 highBeyond = max(abs(v.highT) - v.halfAlong, zero);
+    const Float8 lowOver = v.lowN - v.half;
+    const Float8 highOver = v.highN - v.half;
     const auto isHigh =
         highBeyond * highBeyond + highOver * highOver < lowBeyond * lowBeyond + lowOver * lowOver;
-    const F nearT = select(isHigh, v.highT, v.lowT);
-    const F nearN = select(isHigh, highOver, lowOver);
-    const F farT = select(isHigh, v.lowT, v.highT);
-    const F farN = select(isHigh, lowOver, highOver);
+    const Float8 nearT = select(isHigh, v.highT, v.lowT);
+    const Float8 nearN = select(isHigh, highOver, lowOver);
+    const Float8 farT = select(isHigh, v.lowT, v.highT);
+    const Float8 farN = select(isHigh, lowOver, highOver);
     const auto atLow = nearT < zero;
-    const F cornerT = select(atLow, -v.halfAlong, v.halfAlong);
-    const F displacementT = nearT - cornerT;
+    const Float8 cornerT = select(atLow, -v.halfAlong, v.halfAlong);
+    const Float8 displacementT = nearT - cornerT;
     // The incident edge may pass in front of the corner: then the edge touches, unless it ends before.
-    const F passes = -(nearN * (farN - nearN) + displacementT * (farT - nearT));
+    const Float8 passes = -(nearN * (farN - nearN) + displacementT * (farT - nearT));
     const auto apart = (v.lowT > v.halfAlong) | (-v.halfAlong > v.highT);
-    const F square = nearN * nearN + displacementT * displacementT;
-    const F blur = all<F>(kBlur * kBlur) * (v.n * v.n + v.t * v.t);
-    const F beyond = select(isHigh, highBeyond, lowBeyond);
+    const Float8 square = nearN * nearN + displacementT * displacementT;
+    const Float8 blur = all(kBlur * kBlur) * (v.n * v.n + v.t * v.t);
+    const Float8 beyond = select(isHigh, highBeyond, lowBeyond);
     // A corner that extends only slightly beyond the end of a nearly parallel face stays with the face, so
     // that stacked boxes of equal size keep both points. This costs 0.01 % of the distance.
-    const F rise = (farN - nearN) * beyond;
-    const F minimum = all<F>(kParallel * kParallel) * nearN * abs(farT - nearT);
-    const auto past = (beyond > all<F>(kParallel) * nearN) | (rise > minimum);
+    const Float8 rise = (farN - nearN) * beyond;
+    const Float8 minimum = all(kParallel * kParallel) * nearN * abs(farT - nearT);
+    const auto past = (beyond > all(kParallel) * nearN) | (rise > minimum);
     const auto isCorner =
         (gap > zero) & (beyond > zero) & (((zero > passes) & past) | apart) & (square > blur);
 
-    const F distance = sqrt(square);
-    const F safe = select(isCorner, distance, one);
-    const F n = nearN / safe;
-    const F t = displacementT / safe;
-    const F separation = distance - otherRadius - radius;
-    const F middle = radius + all<F>(0.5f) * separation;
+    const Float8 distance = sqrt(square);
+    const Float8 safe = select(isCorner, distance, one);
+    const Float8 n = nearN / safe;
+    const Float8 t = displacementT / safe;
+    const Float8 separation = distance - otherRadius - radius;
+    const Float8 middle = radius + all(0.5f) * separation;
     w.normalN = select(isCorner, n, w.normalN);
     w.normalT = select(isCorner, t, w.normalT);
     w.n[0] = select(isCorner, v.half + n * middle, w.n[0]);
@@ -223,29 +214,28 @@ void touchCorners(BoxPlaces<F>& w, const BoxView<F>& v, F gap, F radius, F other
 }
 
 /// Transforms from the reference face's (n, t) to A's frame.
-template <class F>
-BoxTouch<F> placed(const BoxPlaces<F>& w, const BoxView<F>& v, const BoxPair<F>& p, const BoxAxis<F>& axis) {
-    const F zero = all<F>(0.0f);
-    const F one = all<F>(1.0f);
+BoxTouch placed(const BoxPlaces& w, const BoxView& v, const BoxPair& p, const BoxAxis& axis) {
+    const Float8 zero = all(0.0f);
+    const Float8 one = all(1.0f);
     const auto ofB = axis.ofB > zero;
     const auto alongY = axis.alongY > zero;
-    const F cosine = select(ofB, p.cosine, one);
-    const F sine = select(ofB, p.sine, zero);
-    const F originX = select(ofB, p.x, zero);
-    const F originY = select(ofB, p.y, zero);
-    BoxTouch<F> touch;
-    const F normalN = select(ofB, -v.flip, v.flip) * w.normalN;
-    const F normalT = select(ofB, -w.normalT, w.normalT);
-    const F normalX = select(alongY, normalT, normalN);
-    const F normalY = select(alongY, normalN, normalT);
+    const Float8 cosine = select(ofB, p.cosine, one);
+    const Float8 sine = select(ofB, p.sine, zero);
+    const Float8 originX = select(ofB, p.x, zero);
+    const Float8 originY = select(ofB, p.y, zero);
+    BoxTouch touch;
+    const Float8 normalN = select(ofB, -v.flip, v.flip) * w.normalN;
+    const Float8 normalT = select(ofB, -w.normalT, w.normalT);
+    const Float8 normalX = select(alongY, normalT, normalN);
+    const Float8 normalY = select(alongY, normalN, normalT);
     touch.normalX = cosine * normalX - sine * normalY;
     touch.normalY = sine * normalX + cosine * normalY;
-    F pointX[2], pointY[2], id[2];
-    const F shift = all<F>(256.0f);
+    Float8 pointX[2], pointY[2], id[2];
+    const Float8 shift = all(256.0f);
     for (int i = 0; i < 2; ++i) {
-        const F n = v.flip * w.n[i];
-        const F x = select(alongY, w.t[i], n);
-        const F y = select(alongY, n, w.t[i]);
+        const Float8 n = v.flip * w.n[i];
+        const Float8 x = select(alongY, w.t[i], n);
+        const Float8 y = select(alongY, n, w.t[i]);
         pointX[i] = originX + (cosine * x - sine * y);
         pointY[i] = originY + (sine * x + cosine * y);
         id[i] = select(ofB, w.other[i] * shift + w.corner[i], w.corner[i] * shift + w.other[i]);
@@ -266,22 +256,21 @@ BoxTouch<F> placed(const BoxPlaces<F>& w, const BoxView<F>& v, const BoxPair<F>&
 }
 
 /// @return  count 0 if the boxes are further apart than `speculative`
-template <class F>
-BoxTouch<F> touchBoxes(const BoxPair<F>& p) {
-    const F zero = all<F>(0.0f);
-    const F qx = p.cosine * p.x + p.sine * p.y;  // B's centre along B's axes
-    const F qy = p.cosine * p.y - p.sine * p.x;
-    const BoxAxis<F> axis = bestAxis(p, qx, qy);
+BoxTouch touchBoxes(const BoxPair& p) {
+    const Float8 zero = all(0.0f);
+    const Float8 qx = p.cosine * p.x + p.sine * p.y;  // B's centre along B's axes
+    const Float8 qy = p.cosine * p.y - p.sine * p.x;
+    const BoxAxis axis = bestAxis(p, qx, qy);
     const auto near = p.speculative + (p.radiusA + p.radiusB) > axis.gap;
-    BoxTouch<F> touch;
+    BoxTouch touch;
     touch.count = zero;
     if (!any(near)) return touch;
 
-    const BoxView<F> view = viewFrom(p, axis, qx, qy);
+    const BoxView view = viewFrom(p, axis, qx, qy);
     const auto ofB = axis.ofB > zero;
-    const F radius = select(ofB, p.radiusB, p.radiusA);
-    const F otherRadius = select(ofB, p.radiusA, p.radiusB);
-    BoxPlaces<F> places = touchFaces(view, radius, otherRadius, p.speculative);
+    const Float8 radius = select(ofB, p.radiusB, p.radiusA);
+    const Float8 otherRadius = select(ofB, p.radiusA, p.radiusB);
+    BoxPlaces places = touchFaces(view, radius, otherRadius, p.speculative);
     if (any((axis.gap > zero) & near))
         touchCorners(places, view, axis.gap, radius, otherRadius, p.speculative);
     touch = placed(places, view, p, axis);

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "physics/model/geometry.hpp"
+#include "physics/narrowphase/manifold.hpp"
 #include "physics/solver/lanes.hpp"
 #include "physics/tuning.hpp"
 
@@ -20,5 +22,9 @@ struct BoxTouches {
     float count[kLanes];
     float roundA[kLanes], roundB[kLanes];
 };
+
+void putPair(BoxPairs& pairs, int lane, const Geometry& a, const Geometry& b, const Frame& bInA);
+/// @param a  the first box of the pair
+[[nodiscard]] Manifold manifoldOf(const BoxTouches& touches, int lane, const Geometry& a);
 
 }  // namespace plumb::physics

@@ -1,45 +1,50 @@
-#include <cmath>
+#include <algorithm>
 
 #include "physics/narrowphase/collide.hpp"
+#include "physics/solver/kernels.hpp"
 #include "physics/tuning.hpp"
 
 namespace plumb::physics {
 
-namespace {
-
-template <class F>
-F all(float s) {
-    return s;
+void putPair(BoxPairs& pairs, int lane, const Geometry& a, const Geometry& b, const Frame& bInA) {
+    const Vec2 displacement = unrotate(a.turn, apply(bInA, b.a) - a.a);
+    const Rot turn = between(a.turn, bInA.rotation * b.turn);
+    pairs.halfAx[lane] = a.b.x;
+    pairs.halfAy[lane] = a.b.y;
+    pairs.halfBx[lane] = b.b.x;
+    pairs.halfBy[lane] = b.b.y;
+    pairs.x[lane] = displacement.x;
+    pairs.y[lane] = displacement.y;
+    pairs.cosine[lane] = turn.cos;
+    pairs.sine[lane] = turn.sin;
+    pairs.radiusA[lane] = a.radius;
+    pairs.radiusB[lane] = b.radius;
 }
-float abs(float a) { return a > -a ? a : -a; }
-float min(float a, float b) { return a < b ? a : b; }
-float max(float a, float b) { return a > b ? a : b; }
-float sqrt(float a) { return std::sqrt(a); }
-float select(bool condition, float a, float b) { return condition ? a : b; }
-bool any(bool condition) { return condition; }
 
-#include "physics/narrowphase/box_kernel.inl"
-
-}  // namespace
+Manifold manifoldOf(const BoxTouches& touches, int lane, const Geometry& a) {
+    Manifold manifold;
+    if (!(touches.count[lane] > 0.0f)) return manifold;
+    manifold.count = static_cast<int>(touches.count[lane]);
+    manifold.normal = rotate(a.turn, {touches.normalX[lane], touches.normalY[lane]});
+    manifold.roundA = touches.roundA[lane];
+    manifold.roundB = touches.roundB[lane];
+    for (int i = 0; i < manifold.count; ++i) {
+        manifold.points[i] = {a.a + rotate(a.turn, {touches.pointX[i][lane], touches.pointY[i][lane]}),
+                              touches.separation[i][lane], static_cast<std::uint16_t>(touches.id[i][lane])};
+    }
+    return manifold;
+}
 
 Manifold collideBoxes(const Geometry& a, const Geometry& b, std::span<const Corner>, const Frame& bInA,
                       float speculative) {
-    const Vec2 displacement = unrotate(a.turn, apply(bInA, b.a) - a.a);
-    const Rot turn = between(a.turn, bInA.rotation * b.turn);
-    const BoxTouch<float> touch =
-        touchBoxes<float>({a.b.x, a.b.y, b.b.x, b.b.y, displacement.x, displacement.y, turn.cos, turn.sin,
-                           a.radius, b.radius, speculative});
-    Manifold manifold;
-    if (!(touch.count > 0.0f)) return manifold;
-    manifold.count = static_cast<int>(touch.count);
-    manifold.normal = rotate(a.turn, {touch.normalX, touch.normalY});
-    manifold.roundA = touch.roundA;
-    manifold.roundB = touch.roundB;
-    for (int i = 0; i < manifold.count; ++i) {
-        manifold.points[i] = {a.a + rotate(a.turn, {touch.pointX[i], touch.pointY[i]}), touch.separation[i],
-                              static_cast<std::uint16_t>(touch.id[i])};
-    }
-    return manifold;
+    constexpr float kFar =
+        1.0e9f;  // m: lanes without a pair are apart, so the kernel may skip what others need
+    BoxPairs pairs{};
+    std::fill_n(pairs.x, kLanes, kFar);
+    BoxTouches touches;
+    putPair(pairs, 0, a, b, bInA);
+    solverKernels().collideBoxes(pairs, speculative, touches);
+    return manifoldOf(touches, 0, a);
 }
 
 }  // namespace plumb::physics

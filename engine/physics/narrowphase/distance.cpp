@@ -1,11 +1,53 @@
 #include "physics/narrowphase/distance.hpp"
 
-#include "physics/narrowphase/minkowski.hpp"
 #include "physics/tuning.hpp"
 
 namespace plumb::physics {
 
 namespace {
+
+/// A vertex of the Minkowski difference B - A, and the corners of A and B that it comes from.
+struct Way {
+    Vec2 displacement;
+    Vec2 a, b;
+    std::uint8_t indexA = 0;
+    std::uint8_t indexB = 0;
+
+    friend bool operator==(const Way& left, const Way& right) {
+        return left.indexA == right.indexA && left.indexB == right.indexB;
+    }
+};
+
+/// The Minkowski difference B - A: the outlines overlap if it contains the origin. In A's frame.
+struct Displacements {
+    const Convex& a;
+    const Convex& b;
+    const Frame& bInA;
+
+    [[nodiscard]] Way at(int indexA, int indexB) const {
+        Way displacement;
+        displacement.a = a.corners()[static_cast<std::size_t>(indexA)].point;
+        displacement.b = apply(bInA, b.corners()[static_cast<std::size_t>(indexB)].point);
+        displacement.displacement = displacement.b - displacement.a;
+        displacement.indexA = static_cast<std::uint8_t>(indexA);
+        displacement.indexB = static_cast<std::uint8_t>(indexB);
+        return displacement;
+    }
+    [[nodiscard]] Way farthestAlong(Vec2 direction) const {
+        return at(farthest(a.corners(), -direction),
+                  farthest(b.corners(), unrotate(bInA.rotation, direction)));
+    }
+};
+
+/// The point of the Minkowski difference nearest to the origin, on the edge between two vertices: `part` is 0
+/// at the first, 1 at the second.
+struct DisplacementBetween {
+    Way first, second;
+    float part = 0.0f;
+    Vec2 normal;            ///< unit length, from A to B
+    float distance = 0.0f;  ///< m along it; negative: overlap
+    int iterations = 0;
+};
 
 /// More than any pair of outlines with kMaxCorners needs; a safeguard against endless loops due to rounding.
 constexpr int kMaxIterations = 2 * kMaxCorners;
@@ -136,6 +178,95 @@ DisplacementBetween nearestWay(const Displacements& displacements, Simplex& simp
         }
         simplex.displacements[simplex.count++] = displacement;
     }
+}
+
+/// The Minkowski difference has at most as many vertices as both outlines together.
+constexpr int kMaxWays = 2 * kMaxCorners + 4;
+
+/// A polygon inside the Minkowski difference that is expanded towards its boundary. Its vertices are in the
+/// order in which normals rotate.
+struct Polytope {
+    Way displacements[kMaxWays];
+    int count = 0;
+    float size = 0.0f;  ///< m: maximum coordinate of its vertices
+
+    bool contains(const Way& displacement) const {
+        for (int i = 0; i < count; ++i) {
+            if (displacements[i] == displacement) return true;
+        }
+        return false;
+    }
+    void insert(int place, const Way& displacement) {
+        for (int i = count; i > place; --i) displacements[i] = displacements[i - 1];
+        displacements[place] = displacement;
+        ++count;
+        size = std::max(
+            size, std::max(std::fabs(displacement.displacement.x), std::fabs(displacement.displacement.y)));
+    }
+};
+
+/// The extreme vertices along both axes: a polygon, or two points if the difference is a segment. It need not
+/// contain the origin; if it does not, the origin is outside of the edge that is expanded first.
+Polytope polytopeOf(const Displacements& set) {
+    Polytope polytope;
+    for (const Vec2 direction : {Vec2{1, 0}, Vec2{0, 1}, Vec2{-1, 0}, Vec2{0, -1}}) {
+        const Way displacement = set.farthestAlong(direction);
+        bool known = false;
+        for (int i = 0; i < polytope.count; ++i) {
+            known = known || distance(polytope.displacements[i].displacement, displacement.displacement) <=
+                                 kSimplexPrecision * polytope.size;
+        }
+        if (!known) polytope.insert(polytope.count, displacement);
+    }
+    return polytope;
+}
+
+/// The edge nearest to the origin.
+struct NearestSide {
+    int index = 0;
+    Vec2 normal = kAnyNormal;
+    float distance = 1.0e30f;
+};
+
+NearestSide nearestSide(const Polytope& polytope) {
+    NearestSide nearest;
+    for (int i = 0; i < polytope.count; ++i) {
+        const Vec2 start = polytope.displacements[i].displacement;
+        const Vec2 side = polytope.displacements[i + 1 < polytope.count ? i + 1 : 0].displacement - start;
+        const Vec2 normal = normalized(Vec2{side.y, -side.x});
+        const float distance = dot(normal, start);
+        if (normal == Vec2{} || !(distance < nearest.distance)) continue;
+        nearest = {i, normal, distance};
+    }
+    return nearest;
+}
+
+/// The shortest displacement that separates two overlapping cores.
+DisplacementBetween deepestOverlap(const Displacements& displacements) {
+    Polytope polytope = polytopeOf(displacements);
+    DisplacementBetween result{
+        polytope.displacements[0], polytope.displacements[0], 0.0f, kAnyNormal, 0.0f, 0};
+    if (polytope.count < 2) return result;  // two discs with the same centre
+    NearestSide side = nearestSide(polytope);
+    while (polytope.count < kMaxWays) {
+        ++result.iterations;
+        const Way displacement = displacements.farthestAlong(side.normal);
+        const float out = dot(displacement.displacement, side.normal) - side.distance;
+        if (!(out > kSimplexPrecision * polytope.size) || polytope.contains(displacement)) break;
+        polytope.insert(side.index + 1, displacement);
+        side = nearestSide(polytope);
+    }
+    result.first = polytope.displacements[side.index];
+    result.second = polytope.displacements[side.index + 1 < polytope.count ? side.index + 1 : 0];
+    // The difference is B - A, and the origin lies this deep inside it, so B has to move in the opposite
+    // direction to separate.
+    result.normal = -side.normal;
+    result.distance = -side.distance;
+    const Vec2 edge = result.second.displacement - result.first.displacement;
+    const float square = lengthSquared(edge);
+    result.part = square > 0.0f ? -dot(result.first.displacement, edge) / square : 0.0f;
+    result.part = result.part < 0.0f ? 0.0f : result.part > 1.0f ? 1.0f : result.part;
+    return result;
 }
 
 }  // namespace

@@ -1,7 +1,6 @@
 #include "physics/narrowphase/path_hit.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 
@@ -14,27 +13,6 @@
 namespace plumb::physics {
 
 namespace {
-
-class Core {
-public:
-    Core(const Geometry& geometry, std::span<const Corner> pool, float part)
-        : convex_{convexOf(geometry, pool)} {
-        for (std::size_t i = 0; i < convex_.corners().size(); ++i) {
-            const Corner& corner = convex_.corners()[i];
-            corners_[i] = {convex_.centre + part * (corner.point - convex_.centre), corner.normal};
-        }
-        convex_.pool = corners_.data();
-        convex_.radius *= part;
-    }
-    Core(const Core&) = delete;
-    Core& operator=(const Core&) = delete;
-
-    [[nodiscard]] const Convex& outline() const { return convex_; }
-
-private:
-    Convex convex_;
-    std::array<Corner, kMaxCorners> corners_;
-};
 
 /// True for a target that lets the mover through because of where it comes from.
 bool opensFor(const World& world, const Mover& mover, const Mover& target) {
@@ -95,22 +73,21 @@ bool staysBeyondFace(const Convex& core, const Sweep& path, const Convex& theirs
 
 void meetOnPath(const World& world, const Mover& mover, const Mover& target, PathHit& next) {
     if (!mayCollide(world, mover.shape, target.shape) || opensFor(world, mover, target)) return;
-    const Geometry& geometry = world.shapes.geometry[mover.shape];
-    const std::span<const Corner> corners = world.shapes.corners;
-    const Convex theirs = convexOf(world.shapes.geometry[target.shape], corners);
-    const Core core{geometry, corners, kSweptCore};
+    const Convex own = convexOf(world.shapes.geometry[mover.shape], world.shapes.corners);
+    const Convex theirs = convexOf(world.shapes.geometry[target.shape], world.shapes.corners);
+    const ScaledConvex core{own, own.centre, kSweptCore};
     if (staysBeyondFace(core.outline(), mover.sweep, theirs, target.sweep, mover.goesOn ? 2.0f : 1.0f))
         return;
     const auto impactOf = [&](const Convex& outline, float gap, float latest) {
         return firstImpact({theirs, target.sweep}, {outline, mover.sweep}, gap, latest);
     };
     const float begin = std::max(mover.sweep.begin, target.sweep.begin), latest = std::min(next.part, 1.0f);
-    float part = impactOf(convexOf(geometry, corners), kSweptGap, latest);
+    float part = impactOf(own, kSweptGap, latest);
     const bool isPressed = part <= begin;
     if (isPressed) {
         // Where a core is that deep already, spinning or pressed, half of it counts.
         for (float size = kSweptCore; size > kLeastCore; size *= 0.5f) {
-            part = impactOf(Core{geometry, corners, size}.outline(), 0.0f, latest);
+            part = impactOf(ScaledConvex{own, own.centre, size}.outline(), 0.0f, latest);
             if (part > begin) break;
         }
     }

@@ -2,42 +2,31 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
+#include "physics/broadphase/overlap.hpp"
 #include "physics/contacts/contacts.hpp"
 #include "physics/model/edits.hpp"
+#include "physics/queries/candidates.hpp"
 
 namespace plumb::physics {
 
 namespace {
 
-template <class Act>
-void forTouching(const World& world, Act&& act) {
-    forContacts(world, [&](const Contact& contact) {
-        if ((contact.flags & kTouching) != 0) act(contact);
-    });
+/// The common bounding box of some shapes; both corners (0, 0) if there are none.
+/// @param forShapes  calls a function with each of them
+template <class ForShapes>
+AABB boundsOfAll(const World& world, ForShapes&& forShapes) {
+    AABB bounds = kNowhere;
+    forShapes([&](std::size_t shape) { bounds = merged(bounds, world.shapes.bounds[shape]); });
+    return bounds == kNowhere ? AABB{} : bounds;
 }
-
-template <class Is>
-void collect(const World& world, std::vector<const Contact*>& found, bool lives, Is&& is) {
-    found.clear();
-    if (!lives) return;
-    forTouching(world, [&](const Contact& contact) {
-        if ((contact.flags & kTriggered) == 0 && is(contact)) found.push_back(&contact);
-    });
-}
-
-constexpr float kFar = std::numeric_limits<float>::max();
-constexpr AABB kNothing{{kFar, kFar}, {-kFar, -kFar}};
 
 }  // namespace
 
 void shapesOf(const World& world, BodyId body, std::vector<ShapeId>& found) {
     found.clear();
     if (!alive(world, body)) return;
-    forShapesOf(world, body.index, [&](std::uint32_t s) {
-        found.push_back({s, world.shapes.info[s].generation});
-    });
+    forShapesOf(world, body.index, [&](std::uint32_t s) { found.push_back(idOf(world, s)); });
     std::reverse(found.begin(), found.end());  // the last one is the first of the list
 }
 
@@ -51,23 +40,28 @@ void jointsOf(const World& world, BodyId body, std::vector<JointId>& found) {
 }
 
 void contactsOf(const World& world, BodyId body, std::vector<const Contact*>& found) {
-    collect(world, found, alive(world, body),
-            [&](const Contact& c) { return c.bodyA == body.index || c.bodyB == body.index; });
+    found.clear();
+    if (!alive(world, body)) return;
+    forTouching(world, false, [&](const Contact& contact) {
+        if (contact.bodyA == body.index || contact.bodyB == body.index) found.push_back(&contact);
+    });
 }
 
 void contactsOf(const World& world, ShapeId shape, std::vector<const Contact*>& found) {
-    collect(world, found, alive(world, shape),
-            [&](const Contact& c) { return c.shapeA == shape.index || c.shapeB == shape.index; });
+    found.clear();
+    if (!alive(world, shape)) return;
+    forTouching(world, false, [&](const Contact& contact) {
+        if (contact.shapeA == shape.index || contact.shapeB == shape.index) found.push_back(&contact);
+    });
 }
 
 void overlapsOf(const World& world, ShapeId trigger, std::vector<ShapeId>& found) {
     found.clear();
     if (!alive(world, trigger)) return;
-    forTouching(world, [&](const Contact& contact) {
+    forTouching(world, true, [&](const Contact& contact) {
         const bool isA = contact.shapeA == trigger.index;
-        if ((contact.flags & kTriggered) == 0 || (!isA && contact.shapeB != trigger.index)) return;
-        const std::uint32_t other = isA ? contact.shapeB : contact.shapeA;
-        found.push_back({other, world.shapes.info[other].generation});
+        if (isA || contact.shapeB == trigger.index)
+            found.push_back(idOf(world, isA ? contact.shapeB : contact.shapeA));
     });
 }
 
@@ -94,20 +88,15 @@ FixedList<ContactPoint, 2> contactPoints(const World& world, const Contact& cont
 
 AABB boundsOf(const World& world, BodyId body) {
     if (!alive(world, body)) return {};
-    AABB bounds = kNothing;
-    forShapesOf(world, body.index, [&](std::uint32_t s) {
-        bounds = {min(bounds.min, world.shapes.bounds[s].min), max(bounds.max, world.shapes.bounds[s].max)};
-    });
-    return bounds.min.x <= bounds.max.x ? bounds : AABB{};
+    return boundsOfAll(world, [&](auto&& add) { forShapesOf(world, body.index, add); });
 }
 
 AABB boundsOf(const World& world) {
-    AABB bounds = kNothing;
-    for (std::size_t s = 0; s < world.shapes.size(); ++s) {
-        if (world.shapes.motion[s] == ProxyMotion::Gone) continue;
-        bounds = {min(bounds.min, world.shapes.bounds[s].min), max(bounds.max, world.shapes.bounds[s].max)};
-    }
-    return bounds.min.x <= bounds.max.x ? bounds : AABB{};
+    return boundsOfAll(world, [&](auto&& add) {
+        for (std::size_t s = 0; s < world.shapes.size(); ++s) {
+            if (world.shapes.motion[s] != ProxyMotion::Gone) add(s);
+        }
+    });
 }
 
 }  // namespace plumb::physics

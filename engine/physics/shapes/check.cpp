@@ -1,7 +1,6 @@
-#include "physics/shapes/check.hpp"
-
 #include "core/text.hpp"
 #include "physics/ranges.hpp"
+#include "physics/shapes/shape_types.hpp"
 
 namespace plumb::physics {
 
@@ -45,20 +44,18 @@ bool isConvex(Corners corners) {
     return size >= kSmallest;
 }
 
-}  // namespace
-
-Result<Done> checkCircle(const Geometry& geometry, Corners) {
+Result<Done> checkCircle(const Geometry& geometry) {
     if (!isPlace(geometry.a)) return badPlace("circle.a", geometry.a);
     return checkSize("circle.radius", geometry.radius, 0.5f * kSmallest);
 }
 
-Result<Done> checkCapsule(const Geometry& geometry, Corners) {
+Result<Done> checkCapsule(const Geometry& geometry) {
     if (!isPlace(geometry.a)) return badPlace("capsule.a", geometry.a);
     if (!isPlace(geometry.b)) return badPlace("capsule.b", geometry.b);
     return checkSize("capsule.radius", geometry.radius, 0.5f * kSmallest);
 }
 
-Result<Done> checkBox(const Geometry& geometry, Corners) {
+Result<Done> checkBox(const Geometry& geometry) {
     if (!isPlace(geometry.a)) return badPlace("box.a", geometry.a);
     const Rot turn = geometry.turn;
     if (!(std::fabs(turn.cos * turn.cos + turn.sin * turn.sin - 1.0f) < 1.0e-3f)) {
@@ -92,7 +89,7 @@ Result<Done> checkPolygon(const Geometry& geometry, Corners pool) {
     return checkSize("polygon.radius", geometry.radius, 0.0f);
 }
 
-Result<Done> checkSegment(const Geometry& geometry, Corners) {
+Result<Done> checkSegment(const Geometry& geometry) {
     if (!isPlace(geometry.a)) return badPlace("segment.a", geometry.a);
     if (!isPlace(geometry.b)) return badPlace("segment.b", geometry.b);
     const bool isOfChain = geometry.kind == ShapeKind::ChainSegment;
@@ -103,6 +100,21 @@ Result<Done> checkSegment(const Geometry& geometry, Corners) {
                      "use capsule() for a segment with a radius"};
     }
     return checkSize("segment length", distance(geometry.a, geometry.b), kSmallest);
+}
+
+}  // namespace
+
+Result<Done> checkGeometry(const Geometry& geometry, Corners corners) {
+    switch (geometry.kind) {
+        case ShapeKind::Circle: return checkCircle(geometry);
+        case ShapeKind::Capsule: return checkCapsule(geometry);
+        case ShapeKind::Box: return checkBox(geometry);
+        case ShapeKind::Polygon: return checkPolygon(geometry, corners);
+        case ShapeKind::Segment:
+        case ShapeKind::ChainSegment: return checkSegment(geometry);
+        case ShapeKind::Count: break;
+    }
+    return Error{"shape.kind", "expected a kind of shape, found another number", "use a ShapeKind"};
 }
 
 }  // namespace plumb::physics

@@ -1,5 +1,7 @@
 #include "physics/shapes/convex.hpp"
 
+#include <algorithm>
+
 #include "physics/tuning.hpp"
 
 namespace plumb::physics {
@@ -29,6 +31,17 @@ int farthest(std::span<const Corner> corners, Vec2 direction) {
         }
     }
     return best;
+}
+
+ScaledConvex::ScaledConvex(const Convex& outline, Vec2 about, float part) : convex_{outline} {
+    const auto scaled = [&](Vec2 point) { return about + part * (point - about); };
+    std::transform(outline.corners().begin(), outline.corners().end(), corners_.begin(),
+                   [&](const Corner& corner) {
+                       return Corner{scaled(corner.point), corner.normal};
+                   });
+    convex_.pool = corners_.data();
+    convex_.centre = scaled(outline.centre);
+    convex_.radius *= part;
 }
 
 Convex convexOf(const Geometry& geometry, std::span<const Corner> pool) {

@@ -22,6 +22,20 @@ struct Convex {
     }
 };
 
+/// An outline that is scaled about a point.
+class ScaledConvex {
+public:
+    ScaledConvex(const Convex& outline, Vec2 about, float part);
+    ScaledConvex(const ScaledConvex&) = delete;
+    ScaledConvex& operator=(const ScaledConvex&) = delete;
+
+    [[nodiscard]] const Convex& outline() const { return convex_; }
+
+private:
+    Convex convex_;
+    std::array<Corner, kMaxCorners> corners_;
+};
+
 /// The normal that is used where geometry defines none, as for two discs with the same centre.
 inline constexpr Vec2 kAnyNormal{1.0f, 0.0f};
 

@@ -99,11 +99,8 @@ Result<Hull> makeHull(std::span<const Vec2> points) {
                      "pass at least 3 that are not on one line");
     }
     constexpr std::size_t kAbsurd = 4096;
-    const AABB box = [&] {
-        AABB around{loop[0], loop[0]};
-        for (const Vec2 point : loop) around = {min(around.min, point), max(around.max, point)};
-        return around;
-    }();
+    AABB box{loop[0], loop[0]};
+    for (const Vec2 point : loop) box = merged(box, {point, point});
     const float size = std::max(box.size().x, box.size().y);
     if (!(size >= kSmallest)) {
         return error(format("it is only {} m large", size), "make it at least 0.1 mm large");

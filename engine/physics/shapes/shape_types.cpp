@@ -1,17 +1,14 @@
 #include "physics/shapes/shape_types.hpp"
 
-#include "physics/shapes/check.hpp"
-
 namespace plumb::physics {
 
 namespace {
 
 using Corners = std::span<const Corner>;
 
-AABB aroundDisc(Vec2 centre, float radius) { return grown({centre, centre}, radius); }
-
 AABB aroundCircle(const Geometry& geometry, Corners, const Frame& frame) {
-    return aroundDisc(apply(frame, geometry.a), geometry.radius);
+    const Vec2 centre = apply(frame, geometry.a);
+    return grown({centre, centre}, geometry.radius);
 }
 
 AABB aroundTwoPoints(const Geometry& geometry, Corners, const Frame& frame) {
@@ -40,34 +37,19 @@ AABB aroundPolygon(const Geometry& geometry, Corners pool, const Frame& frame) {
     return grown({frame.position + box.min, frame.position + box.max}, geometry.radius);
 }
 
-std::optional<RayHit> castAtConvex(const Geometry& geometry, Corners corners, const Ray& ray) {
-    return castRayAt(convexOf(geometry, corners), ray);
-}
-
-std::optional<RayHit> castAtChain(const Geometry& geometry, Corners corners, const Ray& ray) {
-    if (!(dot(ray.displacement, normalOfChain(geometry)) < 0.0f)) return std::nullopt;
-    return castAtConvex(geometry, corners, ray);
-}
-
 constexpr ShapeType kShapeTypes[] = {
-    {"circle", true, aroundCircle, castAtConvex, checkCircle},
-    {"capsule", true, aroundTwoPoints, castAtConvex, checkCapsule},
-    {"box", true, aroundBox, castAtConvex, checkBox},
-    {"polygon", true, aroundPolygon, castAtConvex, checkPolygon},
-    {"segment", false, aroundTwoPoints, castAtConvex, checkSegment},
-    {"chain segment", false, aroundTwoPoints, castAtChain, checkSegment},
+    {"circle", true, aroundCircle},
+    {"capsule", true, aroundTwoPoints},
+    {"box", true, aroundBox},
+    {"polygon", true, aroundPolygon},
+    {"segment", false, aroundTwoPoints},
+    {"chain segment", false, aroundTwoPoints},
 };
 static_assert(std::size(kShapeTypes) == static_cast<std::size_t>(ShapeKind::Count));
 
 }  // namespace
 
 const ShapeType& shapeTypeOf(ShapeKind kind) { return kShapeTypes[static_cast<std::size_t>(kind)]; }
-
-Result<Done> checkGeometry(const Geometry& geometry, Corners corners) {
-    if (geometry.kind >= ShapeKind::Count)
-        return Error{"shape.kind", "expected a kind of shape, found another number", "use a ShapeKind"};
-    return shapeTypeOf(geometry.kind).check(geometry, corners);
-}
 
 MassProperties massProperties(const Geometry& geometry, Corners corners, float density) {
     return massOf(convexOf(geometry, corners), density);
@@ -101,7 +83,9 @@ ClosestPoint closestPoint(const Geometry& geometry, Corners corners, Vec2 place)
 }
 
 std::optional<RayHit> castRay(const Geometry& geometry, Corners corners, const Ray& ray) {
-    return shapeTypeOf(geometry.kind).castRay(geometry, corners, ray);
+    const bool isChain = geometry.kind == ShapeKind::ChainSegment;
+    if (isChain && !(dot(ray.displacement, normalOfChain(geometry)) < 0.0f)) return std::nullopt;
+    return castRayAt(convexOf(geometry, corners), ray);
 }
 
 }  // namespace plumb::physics

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <optional>
 #include <string_view>
 
 #include "core/result.hpp"
@@ -14,9 +13,6 @@ struct ShapeType {
     std::string_view name;
     bool solid = true;  ///< it has an inside, and so a mass
     AABB (*bounds)(const Geometry& geometry, std::span<const Corner> corners, const Frame& frame) = nullptr;
-    std::optional<RayHit> (*castRay)(const Geometry& geometry, std::span<const Corner> corners,
-                                     const Ray& ray) = nullptr;
-    Result<Done> (*check)(const Geometry& geometry, std::span<const Corner> corners) = nullptr;
 };
 
 const ShapeType& shapeTypeOf(ShapeKind kind);

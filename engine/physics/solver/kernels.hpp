@@ -54,7 +54,6 @@ struct SolverKernels {
     void (*acceleratePlain)(const BodiesWithoutRotation& bodies, float h, bool first, int begin, int end);
     void (*movePlain)(const BodiesWithoutRotation& bodies, int begin, int end);
 
-    /// Gives the same bits as collideBoxes() for a single pair.
     void (*collideBoxes)(const BoxPairs& pairs, float speculative, BoxTouches& touches);
 };
 

@@ -99,8 +99,8 @@ void move(const SolverBodies& bodies, float h, int begin, int end) {
 #include "physics/narrowphase/box_kernel.inl"
 
 void collideBoxes(const BoxPairs& pairs, float speculative, BoxTouches& touches) {
-    const BoxTouch<Float8> touch =
-        touchBoxes<Float8>({load(pairs.halfAx), load(pairs.halfAy), load(pairs.halfBx), load(pairs.halfBy),
+    const BoxTouch touch =
+        touchBoxes({load(pairs.halfAx), load(pairs.halfAy), load(pairs.halfBx), load(pairs.halfBy),
                             load(pairs.x), load(pairs.y), load(pairs.cosine), load(pairs.sine),
                             load(pairs.radiusA), load(pairs.radiusB), all(speculative)});
     store(touches.count, touch.count);

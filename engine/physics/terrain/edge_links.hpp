@@ -30,23 +30,25 @@ public:
     /// @param edges  start and end within `cells`; must outlive the use of this object, unchanged
     void connect(const std::vector<TileEdge>& edges, CellRect cells);
 
-    [[nodiscard]] EdgeLink after(std::uint32_t edge) const { return find(edge, true); }
-    [[nodiscard]] EdgeLink before(std::uint32_t edge) const { return find(edge, false); }
+    [[nodiscard]] EdgeLink after(std::uint32_t edge) const { return find(edge, 1); }
+    [[nodiscard]] EdgeLink before(std::uint32_t edge) const { return find(edge, 0); }
 
 private:
-    [[nodiscard]] EdgeLink find(std::uint32_t edge, bool after) const;
+    /// @param end  0 for what is before the edge, 1 for what is after it
+    [[nodiscard]] EdgeLink find(std::uint32_t edge, std::size_t end) const;
     [[nodiscard]] bool hasOneLayer(GridPoint place) const;
     [[nodiscard]] std::size_t bucketOf(GridPoint point) const;
+    /// Calls visit(number, edge) for the edges that start (0) or end (1) at a place.
+    template <class Visit>
+    void forEdgesAt(GridPoint place, std::size_t end, const Visit& visit) const;
 
     const std::vector<TileEdge>* edges_ = nullptr;
     CellRect cells_;
     std::size_t rowLength_ = 0;  // number of buckets per row
-    // Linked lists of the edges by the cell in which they start, and by that in which they end: the first of
-    // each cell, the others by `next`.
-    std::vector<std::uint32_t> firstStart_;
-    std::vector<std::uint32_t> nextStart_;
-    std::vector<std::uint32_t> firstEnd_;
-    std::vector<std::uint32_t> nextEnd_;
+    // Linked lists of the edges by the cell in which they start (0), and by that in which they end (1): the
+    // first of each cell, the others by `next`.
+    std::vector<std::uint32_t> first_[2];
+    std::vector<std::uint32_t> next_[2];
 };
 
 }  // namespace plumb::physics

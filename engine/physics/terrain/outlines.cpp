@@ -6,17 +6,6 @@ namespace plumb::physics {
 
 namespace {
 
-/// The cells whose edges belong to the chunk. At the border of a map with solid surroundings these include
-/// the cells outside the map, whose edges belong to no other chunk.
-CellRect ownCells(const TileMask& mask, CellRect rect) {
-    if (mask.outside().form == TileForm::Empty) return rect;
-    if (rect.x0 == 0) rect.x0 = -1;
-    if (rect.y0 == 0) rect.y0 = -1;
-    if (rect.x1 == mask.width()) ++rect.x1;
-    if (rect.y1 == mask.height()) ++rect.y1;
-    return rect;
-}
-
 bool touches(CellRect rect, GridPoint point) {
     const GridPoint low = cornerOfCell(rect.x0, rect.y0);
     const GridPoint high = cornerOfCell(rect.x1, rect.y1);
@@ -49,66 +38,53 @@ Geometry geometryOf(const TerrainSegment& segment, Vec2 cellSize, GridPoint orig
 
 void OutlineBuilder::findPlaces() {
     places_.resize(own_);
-    for (std::uint32_t i = 0; i < own_; ++i) {
-        const EdgeLink after = links_.after(i);
-        const EdgeLink before = links_.before(i);
-        places_[i] = {before.ghost, after.ghost, before.outline, after.outline, kNone};
-    }
+    for (std::uint32_t i = 0; i < own_; ++i) places_[i] = {links_.before(i), links_.after(i)};
 }
 
 /// True if the next edge belongs to the same chain.
 bool OutlineBuilder::joinsNext(std::uint32_t edge) const {
-    const std::uint32_t next = places_[edge].outlineAfter;
-    return next < own_ && edges_[next].kind == edges_[edge].kind && places_[next].outlineBefore == edge;
+    const std::uint32_t next = places_[edge].after.outline;
+    return next < own_ && edges_[next].kind == edges_[edge].kind && places_[next].before.outline == edge;
 }
 
 /// True if the next edge belongs to the same segment.
 bool OutlineBuilder::isStraightAfter(std::uint32_t edge) const {
     if (!joinsNext(edge)) return false;
-    const TileEdge& next = edges_[places_[edge].outlineAfter];
+    const TileEdge& next = edges_[places_[edge].after.outline];
     return cross(edges_[edge].b - edges_[edge].a, next.b - next.a) == 0;  // an outline never reverses
 }
 
-/// Appends the chain that begins with an edge.
+/// Appends the chain of segments that begins with an edge.
 void OutlineBuilder::walk(std::uint32_t start, TerrainOutline& outline) {
-    TerrainChain chain{static_cast<std::uint32_t>(outline.segments.size()), 0, false};
     std::uint32_t first = start;
-    for (std::uint32_t edge = start;; edge = places_[edge].outlineAfter) {
-        places_[edge].segment = static_cast<std::uint32_t>(outline.segments.size());
+    for (std::uint32_t edge = start;; edge = places_[edge].after.outline) {
+        places_[edge].segment = static_cast<std::uint32_t>(outline.size());
         if (isStraightAfter(edge)) continue;
-        outline.segments.push_back({edges_[first].a, edges_[edge].b, {}, {}, edges_[edge].kind});
+        outline.push_back({edges_[first].a, edges_[edge].b, {}, {}, edges_[edge].kind});
         firstEdge_.push_back(first);
         lastEdge_.push_back(edge);
-        first = places_[edge].outlineAfter;
-        chain.closed = joinsNext(edge) && first == start;
-        if (!joinsNext(edge) || chain.closed) break;
+        first = places_[edge].after.outline;
+        if (!joinsNext(edge) || first == start) return;
     }
-    chain.count = static_cast<std::uint32_t>(outline.segments.size()) - chain.first;
-    outline.chains.push_back(chain);
 }
 
 void OutlineBuilder::setGhosts(TerrainOutline& outline) const {
-    for (std::size_t i = 0; i < outline.segments.size(); ++i) {
-        TerrainSegment& segment = outline.segments[i];
-        const std::uint32_t before = places_[firstEdge_[i]].before;
-        const std::uint32_t after = places_[lastEdge_[i]].after;
-        if (before == kNone) {
-            segment.before = segment.a - (segment.b - segment.a);
-        } else {
-            segment.before = before < own_ ? outline.segments[places_[before].segment].a : edges_[before].a;
-        }
-        if (after == kNone) {
-            segment.after = segment.b + (segment.b - segment.a);
-        } else {
-            segment.after = after < own_ ? outline.segments[places_[after].segment].b : edges_[after].b;
-        }
+    for (std::size_t i = 0; i < outline.size(); ++i) {
+        TerrainSegment& segment = outline[i];
+        const GridPoint along = segment.b - segment.a;
+        const std::uint32_t before = places_[firstEdge_[i]].before.ghost;
+        const std::uint32_t after = places_[lastEdge_[i]].after.ghost;
+        segment.before = before == kNone ? segment.a - along
+                         : before < own_ ? outline[places_[before].segment].a
+                                         : edges_[before].a;
+        segment.after = after == kNone ? segment.b + along
+                        : after < own_ ? outline[places_[after].segment].b
+                                       : edges_[after].b;
     }
 }
 
 void OutlineBuilder::build(const TileMask& mask, CellRect rect, TerrainOutline& outline) {
-    outline.segments.clear();
-    outline.chains.clear();
-    rect = ownCells(mask, rect);
+    outline.clear();
     window_.read(mask, rect.grown(2));
     if (window_.isUniform()) return;
     edges_.clear();
@@ -121,11 +97,11 @@ void OutlineBuilder::build(const TileMask& mask, CellRect rect, TerrainOutline& 
     firstEdge_.clear();
     lastEdge_.clear();
     for (std::uint32_t i = 0; i < own_; ++i) {
-        const std::uint32_t before = places_[i].outlineBefore;
-        if (before >= own_ || !joinsNext(before) || places_[before].outlineAfter != i) walk(i, outline);
+        const std::uint32_t before = places_[i].before.outline;
+        if (before >= own_ || !joinsNext(before) || places_[before].after.outline != i) walk(i, outline);
     }
     for (std::uint32_t i = 0; i < own_; ++i) {
-        if (places_[i].segment == kNone && !isStraightAfter(places_[i].outlineBefore)) walk(i, outline);
+        if (places_[i].segment == kNone && !isStraightAfter(places_[i].before.outline)) walk(i, outline);
     }
     setGhosts(outline);
 }

@@ -22,22 +22,9 @@ struct TerrainSegment {
     friend bool operator==(const TerrainSegment&, const TerrainSegment&) = default;
 };
 
-/// Connected segments of one kind.
-struct TerrainChain {
-    std::uint32_t first = 0;  ///< index in TerrainOutline::segments
-    std::uint32_t count = 0;
-    bool closed = false;  ///< the last segment ends where the first begins
-
-    friend bool operator==(const TerrainChain&, const TerrainChain&) = default;
-};
-
-/// The merged edges of a chunk. It depends on the cells only, not on the order of edits.
-struct TerrainOutline {
-    std::vector<TerrainSegment> segments;  ///< in the order of their chains
-    std::vector<TerrainChain> chains;
-
-    friend bool operator==(const TerrainOutline&, const TerrainOutline&) = default;
-};
+/// The merged edges of a chunk; connected ones of one kind follow each other. It depends on the cells only,
+/// not on the order of edits.
+using TerrainOutline = std::vector<TerrainSegment>;
 
 /// @param cellSize  m
 /// @param origin    of the body's frame
@@ -52,10 +39,8 @@ public:
 
 private:
     struct EdgePlace {
-        std::uint32_t before = kNone;  ///< edges that provide the ghost vertices
-        std::uint32_t after = kNone;
-        std::uint32_t outlineBefore = kNone;
-        std::uint32_t outlineAfter = kNone;
+        EdgeLink before;
+        EdgeLink after;
         std::uint32_t segment = kNone;
     };
 

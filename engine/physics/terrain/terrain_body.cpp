@@ -1,7 +1,5 @@
 #include "physics/terrain/terrain_body.hpp"
 
-#include <algorithm>
-
 #include "physics/model/bodies.hpp"
 #include "physics/model/checks.hpp"
 #include "physics/model/shapes.hpp"
@@ -80,7 +78,7 @@ Result<Done> TerrainBody::makeChunk(World& world, const TerrainOutlines& terrain
     const GridPoint origin = cornerOf(terrain, chunk);
     geometries_.clear();
     definitions_.clear();
-    for (const TerrainSegment& segment : terrain.chunks()[chunk].outline.segments) {
+    for (const TerrainSegment& segment : terrain.chunks()[chunk]) {
         geometries_.push_back(geometryOf(segment, definition_.cellSize, origin));
         definitions_.push_back(definitionOf(terrain.mask().palette, segment.kind, definition_));
         definitions_.back().surface = surface_;
@@ -101,10 +99,6 @@ Result<Done> TerrainBody::update(World& world, const TerrainOutlines& terrain,
 void TerrainBody::destroy(World& world) {
     for (const BodyId body : bodies_) destroyBody(world, body);
     bodies_.clear();
-}
-
-bool TerrainBody::has(const World& world, BodyId body) const {
-    return alive(world, body) && std::find(bodies_.begin(), bodies_.end(), body) != bodies_.end();
 }
 
 }  // namespace plumb::physics

@@ -37,15 +37,11 @@ public:
     /// Destroys all bodies.
     void destroy(World& world);
 
-    /// By chunk.
-    [[nodiscard]] const std::vector<BodyId>& bodies() const { return bodies_; }
-    [[nodiscard]] bool has(const World& world, BodyId body) const;
-
 private:
     Result<Done> makeChunk(World& world, const TerrainOutlines& terrain, std::uint32_t chunk);
 
     TerrainDefinition definition_;
-    std::vector<BodyId> bodies_;
+    std::vector<BodyId> bodies_;  // by chunk
     std::uint32_t surface_ = 0;
     std::vector<Geometry> geometries_;
     std::vector<ShapeDefinition> definitions_;

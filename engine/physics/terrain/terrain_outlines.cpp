@@ -32,7 +32,7 @@ CellRect TerrainOutlines::cellsOf(std::uint32_t chunk) const {
 }
 
 void TerrainOutlines::markDirty(int x, int y) {
-    if (!mask_.has(x, y)) return;
+    if (!mask_.cells().has(x, y)) return;
     const auto chunk = static_cast<std::uint32_t>(y / chunkCells_ * columns_ + x / chunkCells_);
     if (std::exchange(isDirty_[chunk], std::uint8_t{1}) == 0) dirty_.push_back(chunk);
 }
@@ -44,26 +44,12 @@ void TerrainOutlines::set(int x, int y, MaskCell cell) {
     }
 }
 
-bool TerrainOutlines::makePlain(std::uint32_t chunk, TerrainChunk& fresh) const {
-    if (chunkCells_ != TileMask::kChunkSide || mask_.outside().form != TileForm::Empty) return false;
-    const int column = static_cast<int>(chunk) % columns_;
-    const int row = static_cast<int>(chunk) / columns_;
-    const bool empty = mask_.isEmptyChunk(column, row);
-    const MaskCell full = empty ? MaskCell{} : mask_.fullAround(column, row);
-    if (!empty && full.form == TileForm::Empty) return false;
-    fresh.outline.segments.clear();
-    fresh.outline.chains.clear();
-    fresh.pieces.clear();
-    if (empty) return true;
-    const CellRect cells = cellsOf(chunk);
-    fresh.pieces.push_back({cornerOfCell(cells.x0, cells.y0), cornerOfCell(cells.x1, cells.y1), full});
-    return true;
-}
-
 bool TerrainOutlines::makeChunk(std::uint32_t chunk, Maker& maker) {
-    if (!makePlain(chunk, maker.fresh)) {
-        maker.outlines.build(mask_, cellsOf(chunk), maker.fresh.outline);
-        maker.pieces.build(mask_, cellsOf(chunk), maker.fresh.pieces);
+    const int column = static_cast<int>(chunk) % columns_, row = static_cast<int>(chunk) / columns_;
+    if (chunkCells_ == kChunkCells && mask_.isPlain(column, row)) {
+        maker.fresh.clear();
+    } else {
+        maker.builder.build(mask_, cellsOf(chunk), maker.fresh);
     }
     if (maker.fresh == chunks_[chunk]) return false;
     chunks_[chunk] = maker.fresh;  // a copy has no spare capacity, and both vectors keep their memory
@@ -73,9 +59,8 @@ bool TerrainOutlines::makeChunk(std::uint32_t chunk, Maker& maker) {
 std::span<const std::uint32_t> TerrainOutlines::update(TaskPool* pool) {
     changed_.clear();
     std::sort(dirty_.begin(), dirty_.end());
-    isChanged_.assign(dirty_.size(), 0);
     const auto make = [this](std::size_t first, std::size_t last, Maker& maker) {
-        for (std::size_t i = first; i < last; ++i) isChanged_[i] = makeChunk(dirty_[i], maker) ? 1 : 0;
+        for (std::size_t i = first; i < last; ++i) isDirty_[dirty_[i]] = makeChunk(dirty_[i], maker) ? 1 : 0;
     };
     if (pool == nullptr || dirty_.size() < kWorthSharing) {
         make(0, dirty_.size(), makers_.front());
@@ -88,9 +73,8 @@ std::span<const std::uint32_t> TerrainOutlines::update(TaskPool* pool) {
         });
         makers_.resize(1);
     }
-    for (std::size_t i = 0; i < dirty_.size(); ++i) {
-        isDirty_[dirty_[i]] = 0;
-        if (isChanged_[i] != 0) changed_.push_back(dirty_[i]);
+    for (const std::uint32_t chunk : dirty_) {
+        if (std::exchange(isDirty_[chunk], std::uint8_t{0}) != 0) changed_.push_back(chunk);
     }
     dirty_.clear();
     return changed_;

@@ -23,10 +23,11 @@ public:
     EdgesOfCell(const TilePalette& palette, const CellWindow& window, std::vector<TileEdge>& edges)
         : palette_{palette}, edges_{edges}, toNeighbour_{-window.width(), 1, window.width(), -1} {}
 
-    void append(const MaskCell* cell, GridPoint corner) {
-        if (cell->form == TileForm::Full && isInside(cell)) return;
-        const TileOutline& outline = palette_.outline(cell->form);
-        const EdgeKind kind{cell->material, cell->layers, outline.oneWay, 0};
+    void append(const TileCell* number, GridPoint corner) {
+        const MaskCell cell = maskCellOf(*number);
+        if (cell.form == TileForm::Full && isInside(number)) return;
+        const TileOutline& outline = palette_.outline(cell.form);
+        const EdgeKind kind{cell.material, cell.layers, outline.oneWay, 0};
         for (int i = 0; i < outline.count; ++i) {
             if ((outline.stops >> i & 1) == 0) continue;
             const Side side = outline.sides[static_cast<std::size_t>(i)];
@@ -38,7 +39,7 @@ public:
                 const bool level = side == kTop || side == kBottom;
                 const FaceSpan own =
                     level ? spanOf(a.x - corner.x, b.x - corner.x) : spanOf(a.y - corner.y, b.y - corner.y);
-                appendSide(corner, side, own, kind, cell[toNeighbour_[side]]);
+                appendSide(corner, side, own, kind, maskCellOf(number[toNeighbour_[side]]));
             }
         }
     }
@@ -47,11 +48,12 @@ private:
     static FaceSpan spanOf(std::int32_t a, std::int32_t b) { return {std::min(a, b), std::max(a, b)}; }
 
     /// Fast path for the common case: a full cell among full cells with the same layers.
-    [[nodiscard]] bool isInside(const MaskCell* cell) const {
-        for (const std::ptrdiff_t step : toNeighbour_) {
-            if (cell[step].form != TileForm::Full || cell[step].layers != cell->layers) return false;
-        }
-        return true;
+    [[nodiscard]] bool isInside(const TileCell* number) const {
+        const std::uint8_t layers = maskCellOf(*number).layers;
+        return std::all_of(std::begin(toNeighbour_), std::end(toNeighbour_), [&](std::ptrdiff_t step) {
+            const MaskCell cell = maskCellOf(number[step]);
+            return cell.form == TileForm::Full && cell.layers == layers;
+        });
     }
 
     void appendSide(GridPoint corner, Side side, FaceSpan own, EdgeKind kind, MaskCell neighbour) {
@@ -82,20 +84,28 @@ private:
 
 }  // namespace
 
+void CellWindow::read(const TileMask& mask, CellRect rect) {
+    rect_ = rect;
+    const auto width = static_cast<std::size_t>(rect.width());
+    cells_.resize(width * static_cast<std::size_t>(rect.height()));
+    TileCell* row = cells_.data();
+    for (int y = rect.y0; y < rect.y1; ++y, row += width) mask.cells().copyRow(rect.x0, y, width, row);
+}
+
 bool CellWindow::isUniform() const {
     if (cells_.empty()) return true;
-    const MaskCell first = cells_.front();
-    if (first.form != TileForm::Empty && first.form != TileForm::Full) return false;
-    return std::all_of(cells_.begin(), cells_.end(), [first](MaskCell cell) { return cell == first; });
+    const TileForm form = maskCellOf(cells_.front()).form;
+    if (form != TileForm::Empty && form != TileForm::Full) return false;
+    return std::all_of(cells_.begin(), cells_.end(), [&](TileCell cell) { return cell == cells_.front(); });
 }
 
 void appendEdges(const TilePalette& palette, const CellWindow& window, CellRect rect,
                  std::vector<TileEdge>& edges) {
     EdgesOfCell cells{palette, window, edges};
     for (int y = rect.y0; y < rect.y1; ++y) {
-        const MaskCell* cell = window.cell(rect.x0, y);
-        for (int x = rect.x0; x < rect.x1; ++x, ++cell) {
-            if (cell->form != TileForm::Empty) cells.append(cell, cornerOfCell(x, y));
+        const TileCell* number = window.cell(rect.x0, y);
+        for (int x = rect.x0; x < rect.x1; ++x, ++number) {
+            if (maskCellOf(*number).form != TileForm::Empty) cells.append(number, cornerOfCell(x, y));
         }
     }
 }

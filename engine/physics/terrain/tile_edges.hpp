@@ -28,18 +28,17 @@ struct TileEdge {
     GridPoint a;
     GridPoint b;
     EdgeKind kind;
+
+    /// Its start (0) or its end (1).
+    [[nodiscard]] constexpr GridPoint end(std::size_t i) const { return i == 0 ? a : b; }
 };
 
 /// A copy of the cells that the outlines of one chunk depend on.
 class CellWindow {
 public:
-    void read(const TileMask& mask, CellRect rect) {
-        rect_ = rect;
-        mask.copyTo(cells_, rect);
-    }
-    [[nodiscard]] MaskCell at(int x, int y) const { return *cell(x, y); }
-    /// The cell below is `width()` further.
-    [[nodiscard]] const MaskCell* cell(int x, int y) const {
+    void read(const TileMask& mask, CellRect rect);
+    /// The number of a cell, see MaskCell; that of the cell below is `width()` further.
+    [[nodiscard]] const TileCell* cell(int x, int y) const {
         return cells_.data() + std::ptrdiff_t{y - rect_.y0} * rect_.width() + (x - rect_.x0);
     }
     [[nodiscard]] int width() const { return rect_.width(); }
@@ -48,7 +47,7 @@ public:
 
 private:
     CellRect rect_;
-    std::vector<MaskCell> cells_;
+    std::vector<TileCell> cells_;
 };
 
 /// Appends the edges of the cells of `rect`, row by row, clockwise for each cell. A side is an edge where it

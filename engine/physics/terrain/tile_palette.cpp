@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/assert.hpp"
+#include "core/text.hpp"
 #include "physics/model/checks.hpp"
 
 namespace plumb::physics {
@@ -114,6 +115,18 @@ std::int32_t toUnits(float part) {
     return units >= kCellUnits - kSnap ? kCellUnits : units;
 }
 
+/// The index of a value in a list, to which it is added if it is new and there are fewer than `maximum`.
+template <class Index, class T>
+Result<Index> indexIn(std::vector<T>& list, const T& value, std::size_t maximum, const char* what) {
+    const auto known = std::find(list.begin(), list.end(), value);
+    const auto index = static_cast<Index>(known - list.begin());
+    if (known != list.end()) return index;
+    if (list.size() >= maximum)
+        return Error{"TilePalette", format("too many different {}", what), format("use at most {}", maximum)};
+    list.push_back(value);
+    return index;
+}
+
 GridPoint flippedPoint(GridPoint point, TileCell flips) {
     if ((flips & kTileFlipDiagonal) != 0) std::swap(point.x, point.y);
     if ((flips & kTileFlipX) != 0) point.x = kCellUnits - point.x;
@@ -122,8 +135,6 @@ GridPoint flippedPoint(GridPoint point, TileCell flips) {
 }
 
 }  // namespace
-
-std::int64_t TileOutline::doubleArea() const { return doubleAreaOf({corners.data(), count}); }
 
 TilePalette::TilePalette() : forms_(1), materials_(1), layers_(1) {
     constexpr std::int32_t kOne = kCellUnits;
@@ -147,13 +158,7 @@ TilePalette::TilePalette() : forms_(1), materials_(1), layers_(1) {
 }
 
 Result<TileForm> TilePalette::add(const TileOutline& outline) {
-    const auto known = std::find(forms_.begin(), forms_.end(), outline);
-    if (known == forms_.end() && forms_.size() >= kMaxForms) {
-        return Error{"TilePalette", "too many different outlines of tiles", "use at most 16384"};
-    }
-    const auto number = static_cast<TileForm>(known - forms_.begin());
-    if (known == forms_.end()) forms_.push_back(outline);
-    return number;
+    return indexIn<TileForm>(forms_, outline, kMaxForms, "outlines of tiles");
 }
 
 Result<TileForm> TilePalette::addPolygon(std::span<const Vec2> points, OneWay oneWay) {
@@ -199,25 +204,11 @@ Result<std::uint8_t> TilePalette::addMaterial(const TileMaterial& material) {
                 checkNumber("TileMaterial.bounciness", material.bounciness, 0.0, 1.0),
                 checkNumber("TileMaterial.surfaceSpeed", material.surfaceSpeed, -kFastest, kFastest));
     if (!checked) return checked.error();
-    const auto known = std::find(materials_.begin(), materials_.end(), material);
-    const auto number = static_cast<std::uint8_t>(known - materials_.begin());
-    if (known != materials_.end()) return number;
-    if (materials_.size() >= kMaxMaterials) {
-        return Error{"TilePalette::addMaterial", "too many different materials", "use at most 256"};
-    }
-    materials_.push_back(material);
-    return number;
+    return indexIn<std::uint8_t>(materials_, material, kMaxMaterials, "materials");
 }
 
 Result<std::uint8_t> TilePalette::addLayers(const TileLayers& layers) {
-    const auto known = std::find(layers_.begin(), layers_.end(), layers);
-    const auto number = static_cast<std::uint8_t>(known - layers_.begin());
-    if (known != layers_.end()) return number;
-    if (layers_.size() >= kMaxLayers) {
-        return Error{"TilePalette::addLayers", "too many different layers", "use at most 255"};
-    }
-    layers_.push_back(layers);
-    return number;
+    return indexIn<std::uint8_t>(layers_, layers, kMaxLayers, "layers");
 }
 
 bool TilePalette::covers(std::uint8_t cover, std::uint8_t covered) const {

@@ -44,7 +44,6 @@ struct TileMaterial {
     float friction = 0.6f;      ///< Coulomb coefficient, 0..100
     float bounciness = 0.0f;    ///< coefficient of restitution, 0..1
     float surfaceSpeed = 0.0f;  ///< m/s along the surface, in the direction of its segments
-    std::uint32_t user = 0;     ///< the owner's own number, for example of a sound
 
     friend constexpr bool operator==(const TileMaterial&, const TileMaterial&) = default;
 };
@@ -85,8 +84,6 @@ struct TileOutline {
     [[nodiscard]] bool isSolid() const { return count > 0 && oneWay == OneWay::No; }
     [[nodiscard]] GridPoint corner(int i) const { return corners[static_cast<std::size_t>(i)]; }
     [[nodiscard]] GridPoint cornerAfter(int i) const { return corner(i + 1 < count ? i + 1 : 0); }
-    /// Twice its area (units^2).
-    [[nodiscard]] std::int64_t doubleArea() const;
 
     friend bool operator==(const TileOutline&, const TileOutline&) = default;
 };
