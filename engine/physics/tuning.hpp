@@ -77,8 +77,8 @@ PLUMB_TUNING(kMemory, 2.0f, "s", "energy that went into joints or a blow may com
              "island is what rounding is measured by: a taut bridge takes 0.25 s to throw");
 PLUMB_TUNING(kIslandGain, 0.005f, "ratio to that largest", "that joints may add in all");
 PLUMB_TUNING(kContactGain, 1.0e-3f, "ratio to the energy", "that contacts may seem to add in a step");
-PLUMB_TUNING(kParting, 0.1f, "ratio to Settings::pushSpeed", "overlaps part at such speeds, which are left to islands without joints");
-PLUMB_TUNING(kCreeping, 0.006f, "ratio to Settings::pushSpeed", "and to those with joints: what hangs too low is lifted");
+PLUMB_TUNING(kCreeping, 0.006f, "ratio to Settings::pushSpeed", "what is no faster is left alone: what hangs too low in joints "
+             "is lifted; a card house that may go on at more is thrown by its own weight");
 PLUMB_TUNING(kWhipped, 0.5f, "ratio to the speed", "what keeps less of it is not where it should be either, nor what went "
              "further than 1 / this explains");
 PLUMB_TUNING(kWild, 100.0f, "ratio to the energy", "and to that of joints that close ten times as fast as they may: with more, a "

@@ -81,6 +81,14 @@ TEST(Stages, leaveOutWhatIsDropped) {
     EXPECT_NEAR(alone.ends[1].y, 1.5 * std::cos(0.35) - 5.0, 0.01) << "it falls freely";
 }
 
+/// One that falls slips off cards of 2 cm, which its contacts are too soft for. With quality 2 all stand.
+TEST(CardHouses, standAtQuality1) {
+    int standing = 0;
+    for (std::uint64_t seed = 1; seed <= 100; ++seed)
+        standing += play(memberOf(*findFamily("card-house"), seed), {.quality = 1}).reached ? 1 : 0;
+    EXPECT_GE(standing, 98);
+}
+
 TEST(Verdicts, callSharesDifferentThatChanceDoesNotExplain) {
     Verdict verdict;
     verdict.relation = findRelation("sleep");

@@ -84,7 +84,7 @@ void findGainers(StepContext& step) {
     work.gainers.clear();
     if (!step.runs(Effect::Contacts)) return;
     makeRoom(world, work);
-    const float slow = kParting * world.settings.pushSpeed;
+    const float slow = kCreeping * world.settings.pushSpeed;
     const bool bounces = step.runs(Effect::Restitution);
     const Float4* const velocities = work.velocity.data();
     const auto gains = [&](std::size_t slot) {
@@ -269,7 +269,7 @@ void bookOwn(const World& world, const Workspace& work, std::uint32_t body, Ener
     const Float4& velocity = work.velocity[static_cast<std::size_t>(work.slots[body])];
     const BodyMass& mass = world.bodies.mass[body];
     const float own = energyOf(mass, Vec2{velocity.x, velocity.y} - account.middle, velocity.z);
-    const float creeping = (account.isJointed ? kCreeping : kParting) * world.settings.pushSpeed;
+    const float creeping = kCreeping * world.settings.pushSpeed;
     account.own += own;
     account.minimum += std::min(own, 0.5f * mass.mass * creeping * creeping);
 }
