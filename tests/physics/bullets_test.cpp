@@ -59,4 +59,39 @@ TEST(Bullets, areTestedEquallyOftenWithAnyNumberOfThreads) {
     }
 }
 
+TEST(Bullets, flyThroughWhatTheyDoNotCollideWithAndThroughNothingElse) {
+    enum class Wall { Plain, Trigger, OtherLayer, OtherMask, SameGroup, Joined, Filtered, Count };
+    for (int kind = 0; kind < static_cast<int>(Wall::Count); ++kind) {
+        for (const bool moves : {false, true}) {
+            const auto wall = static_cast<Wall>(kind);
+            SCOPED_TRACE(testing::Message() << kind << ' ' << moves);
+            World world;
+            world.settings.gravity = {};
+            const BodyId shot = *createBody(world, {.velocity = {600.0f, 0.0f}, .bullet = true});
+            ShapeDefinition own{.group = wall == Wall::SameGroup ? -3 : 0}, theirs = own;
+            theirs.isTrigger = wall == Wall::Trigger;
+            if (wall == Wall::OtherLayer) own.mask = 2;
+            if (wall == Wall::OtherMask) theirs.mask = 2;
+            static_cast<void>(createShape(world, shot, circle(0.1f), own));
+            const BodyId target = *createBody(
+                world, {.kind = moves ? BodyKind::Dynamic : BodyKind::Static, .position = {5.0, 0.0}});
+            static_cast<void>(createShape(world, target, box({0.05f, 3.0f}), theirs));
+            if (moves) static_cast<void>(setMass(world, target, 1.0e6f));
+            if (wall == Wall::Joined) {
+                ASSERT_TRUE(createJoint(world, {.kind = JointKind::Filter, .a = target, .b = shot}).ok());
+            }
+            StepOptions options;
+            if (wall == Wall::Filtered)
+                options.hooks.filter = [](void*, const World&, ShapeId, ShapeId) { return false; };
+            for (int i = 0; i < 2; ++i) step(world, kTick, options);
+            if (wall == Wall::Plain) {
+                EXPECT_LT(centreOf(world, shot).x, 5.0);
+            } else {
+                EXPECT_NEAR(centreOf(world, shot).x, 20.0, 1.0e-3);
+                EXPECT_EQ(velocityOf(world, target), Vec2{});
+            }
+        }
+    }
+}
+
 }  // namespace plumb::physics

@@ -64,6 +64,31 @@ TEST(CharacterLimits, aHeadPassesCornersThatItHardlyMisses) {
     }
 }
 
+TEST(CharacterLimits, aHeadThatFliesAsidePassesCornersForwardsOnly) {
+    for (const float side : {-1.0f, 1.0f}) {
+        for (const bool forwards : {true, false}) {
+            SCOPED_TRACE(testing::Message() << side << (forwards ? " forwards" : " back"));
+            Course course;
+            course.wall({0.0, 1.0}, {50.0f, 1.0f});
+            // A block behind its head, or before it, which that reaches by 0.1 m when it is there.
+            const float speed = 0.3f * side, miss = 0.1f + (forwards ? 0.055f : -0.055f);
+            const float block = forwards ? -side : side;
+            course.wall({static_cast<double>(block * (0.4f + 2.0f - miss)), -4.0}, {2.0f, 0.5f});
+            CharacterDefinition definition;
+            definition.cornerCorrection = 0.2f;
+            CharacterController one = course.character(definition, {0.0, -1.0});
+            course.run(one, 30);
+            ASSERT_TRUE(one.jump(10.0f).ok());
+            bool hit = false;
+            for (int i = 0; i < 30; ++i) {
+                ASSERT_TRUE(one.setVelocity({speed, one.velocity().y}).ok());
+                hit = course.tick(one).ceiling || hit;
+            }
+            EXPECT_EQ(hit, !forwards);
+        }
+    }
+}
+
 TEST(CharacterLimits, badNumbersAreRefusedWithAnError) {
     const float nan = std::numeric_limits<float>::quiet_NaN(), inf = std::numeric_limits<float>::infinity();
     const auto refuses = [](const CharacterDefinition& definition) {

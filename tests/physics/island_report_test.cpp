@@ -56,6 +56,18 @@ TEST(IslandReport, tellsTheQualityOfTheLastStep) {
     }
 }
 
+TEST(IslandReport, tellsTheQualityThatWasChosenForTheFirstBodyToo) {
+    Playground scene;
+    scene.world.settings.automaticQuality = true;
+    scene.floor();
+    scene.crate({0.0, 0.5});
+    scene.crate({0.0, 1.5}, {0.5f, 0.5f}, {.density = 20.0f});
+    EXPECT_EQ(reportIslands(scene.world).at(0).quality, 2) << "before it is known";
+    scene.run(2);
+    ASSERT_EQ(reportIslands(scene.world).size(), 1u);
+    EXPECT_EQ(reportIslands(scene.world)[0].quality, 3);
+}
+
 TEST(IslandReport, leavesOutWhatSleepsAndChangesNothing) {
     Playground scene;
     const BodyId sleeper = scene.sleeper();
