@@ -16,10 +16,10 @@ inline bool sameBytes(const std::vector<T>& a, const std::vector<T>& b) {
 }
 
 /// All that moves, but for rounding, and who uses which effects.
-inline void expectNear(const World& a, const World& b) {
+inline void expectNear(const World& a, const World& b, double tolerance = 1.0e-6) {
     for (std::size_t i = 0; i < a.bodies.size(); ++i) {
-        EXPECT_NEAR(a.bodies.pose[i].centre.x, b.bodies.pose[i].centre.x, 1.0e-6) << i;
-        EXPECT_NEAR(a.bodies.pose[i].centre.y, b.bodies.pose[i].centre.y, 1.0e-6) << i;
+        EXPECT_NEAR(a.bodies.pose[i].centre.x, b.bodies.pose[i].centre.x, tolerance) << i;
+        EXPECT_NEAR(a.bodies.pose[i].centre.y, b.bodies.pose[i].centre.y, tolerance) << i;
     }
     EXPECT_EQ(a.manifest.callers, b.manifest.callers);
     EXPECT_EQ(a.qualityCallers, b.qualityCallers);

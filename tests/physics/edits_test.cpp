@@ -64,10 +64,11 @@ TEST(Edits, bodiesBecomeOfAnyKindAsIfTheyHadBeenCreatedSo) {
             const BodyId body = bodyAt(changed, i + 1);
             ASSERT_TRUE(setKind(changed, body, after[i]).ok());
         }
-        // They are in another order in World::awake, so sums over islands are rounded in another way.
+        // They are in another order in World::awake, so sums over islands are rounded in another way, and
+        // what is taken back of an island's energy with them.
         run(changed, 25);
         run(created, 25);
-        expectNear(changed, created);
+        expectNear(changed, created, 1.0e-4);
     }
 }
 

@@ -6,7 +6,7 @@
 
 #include "physics/model/fields.hpp"
 #include "physics/ranges.hpp"
-#include "physics/shapes/check.hpp"
+#include "physics/shapes/shape_types.hpp"
 #include "random_shapes.hpp"
 #include "world_of_bodies.hpp"
 
@@ -52,7 +52,7 @@ bool isGood(const std::vector<Corner>& corners, float radius = 0.0f) {
     geometry.count = static_cast<std::uint8_t>(corners.size());
     geometry.radius = radius;
     geometry.a = corners.empty() ? Vec2{} : corners[0].point;
-    return checkPolygon(geometry, corners).ok();
+    return checkGeometry(geometry, corners).ok();
 }
 
 }  // namespace
@@ -265,17 +265,17 @@ TEST(RangeLimits, polygonsAreTakenIfTheyAreHulls) {
     polygon.kind = ShapeKind::Polygon;
     polygon.count = 4;
     const std::vector<Corner> pool = square(1.0f);
-    EXPECT_TRUE(checkPolygon(polygon, pool).ok());
+    EXPECT_TRUE(checkGeometry(polygon, pool).ok());
     polygon.first = 1;
-    EXPECT_FALSE(checkPolygon(polygon, pool).ok()) << "its last corner is not there";
+    EXPECT_FALSE(checkGeometry(polygon, pool).ok()) << "its last corner is not there";
     polygon.first = 5;
-    EXPECT_FALSE(checkPolygon(polygon, pool).ok());
+    EXPECT_FALSE(checkGeometry(polygon, pool).ok());
     // Nor if what follows the pool would do.
     std::vector<Corner> twice = pool;
     twice.insert(twice.end(), pool.begin(), pool.end());
     for (std::uint32_t first = 0; first <= 4; ++first) {
         polygon.first = first;
-        EXPECT_EQ(checkPolygon(polygon, std::span{twice}.first(6)).ok(), first <= 2) << first;
+        EXPECT_EQ(checkGeometry(polygon, std::span{twice}.first(6)).ok(), first <= 2) << first;
     }
     std::vector<Corner> doubled = pool;  // a side of no length
     doubled.insert(doubled.begin() + 1, doubled[1]);

@@ -4,7 +4,8 @@
 
 #include <gtest/gtest.h>
 
-#include "physics/broadphase/box_statistics.hpp"
+#include "physics/broadphase/box_rows.hpp"
+#include "physics/tuning.hpp"
 #include "physics/contacts/pair_set.hpp"
 #include "physics/islands/substep_controller.hpp"
 #include "physics/islands/substep_estimate.hpp"
@@ -221,8 +222,8 @@ TEST(Convex, ofBoxesAndSegmentsHasCornersInTheOrderOfTheirNormals) {
         EXPECT_EQ(convexOf(segment(centre, end), {}).radius, 0.0f);
     }
     EXPECT_EQ(convexOf(capsule({1.0f, 1.0f}, {1.0f, 1.0f}, 1.0f), {}).count, 1);
-    EXPECT_EQ(convexOf(capsule({}, {1.1f * kShortestCapsule, 0.0f}, 1.0f), {}).count, 2);
-    EXPECT_EQ(convexOf(capsule({}, {kShortestCapsule, 0.0f}, 1.0f), {}).count, 1);
+    EXPECT_EQ(convexOf(capsule({}, {1.1f * kBlur, 0.0f}, 1.0f), {}).count, 2);
+    EXPECT_EQ(convexOf(capsule({}, {kBlur, 0.0f}, 1.0f), {}).count, 1);
 }
 
 TEST(Lists, areWhatLookingAtEveryContactFinds) {

@@ -28,6 +28,8 @@ float usualExtent(const Proxies& proxies, std::span<const std::uint32_t> ids) {
     return std::bit_cast<float>(std::min(maximum + 1, kLastFinite) << 22);
 }
 
+}  // namespace
+
 BoxStatistics statisticsOf(const Proxies& proxies, std::span<const std::uint32_t> ids) {
     double sum[2] = {};
     double squares[2] = {};
@@ -52,8 +54,6 @@ BoxStatistics statisticsOf(const Proxies& proxies, std::span<const std::uint32_t
     return {usualExtent(proxies, ids), static_cast<float>(spacing),
             static_cast<float>(deviation(0) / deviation(1))};
 }
-
-}  // namespace
 
 /// Appends free slots, or removes such.
 void BoxRows::resize(std::uint32_t places) {

@@ -17,6 +17,8 @@ struct BoxStatistics {
     float aspect = 1.0f;   ///< ratio of the width to the height of the area that they are spread over
 };
 
+[[nodiscard]] BoxStatistics statisticsOf(const Proxies& proxies, std::span<const std::uint32_t> ids);
+
 /// A list of boxes in structure-of-arrays layout, to be compared with eight consecutive boxes at a time: the
 /// common part of HierarchicalGrid and SweepAndPruneAxis. The right and bottom sides are negated, as in
 /// TreeBoxes. Free slots overlap nothing, nor do the eight slots of padding at the end.
