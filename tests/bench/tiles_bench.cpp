@@ -126,8 +126,7 @@ void stroke(editor::Workspace& workspace, CellPlace from, CellPlace to) {
 std::size_t segmentsOf(World& world) {
     std::size_t count = 0;
     for (const TileTerrain& terrain : world.resource<PhysicsState>().terrains) {
-        for (const physics::TerrainChunk& chunk : terrain.outlines->chunks())
-            count += chunk.outline.segments.size();
+        for (const physics::TerrainOutline& chunk : terrain.outlines->chunks()) count += chunk.size();
     }
     return count;
 }

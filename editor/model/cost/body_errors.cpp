@@ -10,16 +10,6 @@
 namespace plumb::editor {
 namespace {
 
-template <class Visit>
-void forContacts(const physics::World& world, Visit&& visit) {
-    const physics::Sleepers& sleepers = world.sleepers;
-    for (const physics::Contact& contact : world.contacts) visit(contact);
-    for (const physics::SleepingIsland& island : sleepers.islands) {
-        for (std::uint32_t c = island.firstContact; c != physics::kNone; c = sleepers.nextContact[c])
-            visit(sleepers.contacts[c]);
-    }
-}
-
 bool isPushed(const physics::World& world, std::uint32_t body) {
     return world.bodies.info[body].kind == physics::BodyKind::Dynamic;
 }

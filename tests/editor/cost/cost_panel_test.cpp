@@ -170,7 +170,7 @@ TEST_F(CostPanelTest, theGameIsTheSameWithThePanelOpen) {
 }
 
 TEST_F(CostPanelTest, errorsAndForcesAreDrawnInClassesWithALegend) {
-    open(CostScene{R"("quality": 0, "sleeping": false)"}.stack(12));
+    open(CostScene{R"("quality": 1, "sleeping": false)"}.stack(28));
     playFor(150);
     const World& world = workspace.play.world();
     workspace.setReach("bodyErrors", PhysicsReach::All);
@@ -189,7 +189,7 @@ TEST_F(CostPanelTest, errorsAndForcesAreDrawnInClassesWithALegend) {
     };
     for (const CostShade& shade : kErrorShades) {
         EXPECT_TRUE(says(errors, shade.label)) << shade.label;
-        EXPECT_GE(strokes(errors, shade.color), 5) << "a box, and a line in the legend";
+        EXPECT_GE(strokes(errors, shade.color), 5) << shade.label << ": a box, and a line in the legend";
     }
     EXPECT_TRUE(says(errors, " px")) << "the worst have their number";
     const std::size_t all = errors.shapes().size();
