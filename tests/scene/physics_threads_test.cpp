@@ -21,14 +21,14 @@ physics::World ballsOf(int count) {
 TEST(PhysicsThreads, areStartedForWorldsThatAreWorthThemOnly) {
     PhysicsThreads threads{3};
     EXPECT_EQ(threads.of(ballsOf(10)), nullptr);
-    TaskPool* pool = threads.of(ballsOf(1200));
+    TaskPool* pool = threads.of(ballsOf(4200));
     ASSERT_NE(pool, nullptr);
     EXPECT_EQ(pool->threads(), 3);
     EXPECT_EQ(threads.of(ballsOf(10)), nullptr);
-    EXPECT_EQ(threads.of(ballsOf(1200)), pool) << "the same ones again";
+    EXPECT_EQ(threads.of(ballsOf(4200)), pool) << "the same ones again";
 }
 
-TEST(PhysicsThreads, oneThreadIsTheCallers) { EXPECT_EQ(PhysicsThreads{1}.of(ballsOf(1200)), nullptr); }
+TEST(PhysicsThreads, oneThreadIsTheCallers) { EXPECT_EQ(PhysicsThreads{1}.of(ballsOf(4200)), nullptr); }
 
 TEST(PhysicsThreads, areAsManyAsTheMachineHasUnlessSaidOtherwise) {
     PhysicsThreads threads;
