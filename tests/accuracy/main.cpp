@@ -6,8 +6,9 @@
 #include <unistd.h>
 
 #include "core/clock.hpp"
-#include "core/file.hpp"
 #include "core/text.hpp"
+#include "tests/accuracy/command/pages.hpp"
+#include "tests/accuracy/command/progress_line.hpp"
 #include "tests/accuracy/families/families.hpp"
 #include "tests/accuracy/report/chart.hpp"
 #include "tests/accuracy/report/guide.hpp"
@@ -33,14 +34,9 @@ public:
 
     void tell(const Progress& progress) {
         if (!loud_) return;
-        const double now = wallSeconds(), spent = now - start_;
-        std::string rest;
-        if (spent > 2.0 && progress.part > 0.01) {
-            const double left = spent * (1.0 - progress.part) / progress.part;
-            rest = left < 90.0 ? format(", about {} s left", static_cast<int>(left) + 1)
-                               : format(", about {} min left", static_cast<int>(left / 60.0 + 0.5));
-        }
-        const std::string what = format("{} of {}{}: {}, {}", progress.number, progress.all, rest,
+        const double now = wallSeconds();
+        const std::string left = timeLeft(now - start_, progress.part);
+        const std::string what = format("{} of {}{}: {}, {}", progress.number, progress.all, left,
                                         progress.experiment->name, progress.method);
         if (isatty(STDERR_FILENO) != 0) {
             std::fprintf(stderr, "\r\033[K%s", what.c_str());
@@ -100,12 +96,6 @@ void printOrders(const std::vector<Row>& rows) {
                     powerText(row.order).c_str(), row.expected ? figureText(*row.expected).c_str() : "-",
                     rangeText(row.order).c_str(), floorText(row).c_str());
     }
-}
-
-bool write(const Path& path, std::string_view text) {
-    const auto written = writeFile(path, text);
-    if (!written) std::fprintf(stderr, "%s\n", written.error().text().c_str());
-    return written.ok();
 }
 
 bool writeAll(const Options& options, const std::vector<Row>& rows, double seconds) {

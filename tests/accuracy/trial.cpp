@@ -1,23 +1,17 @@
 #include "tests/accuracy/trial.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <limits>
 #include <numeric>
 
 #include "core/assert.hpp"
+#include "core/clock.hpp"
 #include "tests/bench/physics/scene_error.hpp"
 
 namespace plumb::accuracy {
 
-namespace {
-
-double now() {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
-
-}  // namespace
+namespace {}  // namespace
 
 Trial::Trial(const Method& method, Vec2 gravity, CountAllocations count) : method_{method}, count_{count} {
     const scenes::WorldSetup setup{.gravity = gravity, .sleeping = false};
@@ -79,9 +73,9 @@ void Trial::run(double seconds, const std::function<void(double)>& look) {
     for (int i = 0; i < steps; ++i) {
         if (push_) push_(time_);
         const std::size_t before = count_ != nullptr ? count_() : 0;
-        const double start = now();
+        const double start = wallSeconds();
         scene_->step(kTick);
-        spent_.push_back(now() - start);
+        spent_.push_back(wallSeconds() - start);
         if (2 * i >= steps && count_ != nullptr) allocated_ += count_() - before, ++countedSteps_;
         time_ = ++steps_ / 60.0;
         // Some engines never end a step of a world that has come apart.

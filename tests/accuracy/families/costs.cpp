@@ -7,10 +7,10 @@
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <cmath>
 #include <iterator>
 
+#include "core/clock.hpp"
 #include "core/random.hpp"
 #include "core/text.hpp"
 #include "math/rot.hpp"
@@ -297,20 +297,16 @@ constexpr auto kKinds = std::to_array<CostKind>({
     {"spawns a step", 50, spawns, respawn},
 });
 
-double seconds() {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
-
 /// us: the median step.
 double microsOf(const CostKind& kind, int count) {
     CostScene scene{count};
     kind.build(scene);
     std::vector<double> spent;
     for (int step = 0; step < kWarmSteps + kTimedSteps; ++step) {
-        const double start = seconds();
+        const double start = wallSeconds();
         kind.drive(scene, step);
         physics::step(scene.world, kStepSeconds);
-        if (step >= kWarmSteps) spent.push_back(1e6 * (seconds() - start));
+        if (step >= kWarmSteps) spent.push_back(1e6 * (wallSeconds() - start));
     }
     std::nth_element(spent.begin(), spent.begin() + std::ssize(spent) / 2, spent.end());
     return spent[spent.size() / 2];

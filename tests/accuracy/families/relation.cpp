@@ -64,7 +64,7 @@ constexpr std::string_view kSameShare =
 
 constexpr auto kRelations = std::to_array<Relation>({
     {"numbers", "every number stays finite", "all", Rule::Bound, nullptr, nullptr, badNumbersOf, 0.0},
-    {"jump", "no body moves further in a step than its speed explains",
+    {"jump", "no body moves further in a step than its speed, and the hits within it, explain",
      "0.5 m: ten times the push-out speed for a step, at which torn joints close", Rule::Bound, nullptr,
      nullptr, jumpOf, kMaxJump},
     {"energy", "scenes without motors and kinematic bodies gain no energy",

@@ -3,10 +3,13 @@
 #include <algorithm>
 
 #include "core/text.hpp"
+#include "tests/accuracy/command/pages.hpp"
 
 namespace plumb::families {
 
 namespace {
+
+using accuracy::escaped;
 
 std::string percent(int part, int all) {
     return all == 0 ? "-" : format("{} %", fixedText(100.0 * part / all, part == all || part == 0 ? 0 : 1));
@@ -38,19 +41,6 @@ std::string engineText(const EngineShare& share) {
     return format("{}: {} of {}, {} us a step, overlap {} m, joints {} m", share.engine,
                   percent(share.reached, share.members), share.members, numberText(share.micros),
                   numberText(share.maxOverlap), numberText(share.maxJointError));
-}
-
-std::string escaped(std::string_view text) {
-    std::string safe;
-    for (const char c : text) {
-        switch (c) {
-            case '<': safe += "&lt;"; break;
-            case '>': safe += "&gt;"; break;
-            case '&': safe += "&amp;"; break;
-            default: safe += c;
-        }
-    }
-    return safe;
 }
 
 }  // namespace
@@ -92,16 +82,7 @@ std::string csvOf(const std::vector<FamilyResult>& results) {
 }
 
 std::string htmlOf(const std::vector<FamilyResult>& results, const std::string& how) {
-    std::string text =
-        "<!doctype html><html lang=\"en\"><meta charset=\"utf-8\"><title>Families and "
-        "relations</title><style>"
-        "body{font:15px system-ui,sans-serif;margin:2rem;max-width:90rem;color:#1d2433;background:#fff}"
-        "table{border-collapse:collapse;margin:1rem 0}td,th{border:1px solid #cbd2dd;padding:.3rem .5rem;"
-        "text-align:left;font-size:13px}td.bad{background:#f9d3cc}td.good{background:#dff2df}"
-        "@media(prefers-color-scheme:dark){body{color:#e6e9ef;background:#161a22}td,th{border-color:#3a4353}"
-        "td.bad{background:#6b2a22}td.good{background:#234a2a}}</style><h1>Families and relations</h1>";
-    text += format("<p>{}</p>", escaped(how));
-    text += "<table><tr><th>family</th><th>engines</th></tr>";
+    std::string text = format("<p>{}</p><table><tr><th>family</th><th>engines</th></tr>", escaped(how));
     for (const FamilyResult& result : results) {
         text += format("<tr><td><b>{}</b><br>{}</td><td>", result.family->name, escaped(result.family->what));
         for (const EngineShare& share : result.engines) text += format("{}<br>", escaped(engineText(share)));
@@ -121,7 +102,7 @@ std::string htmlOf(const std::vector<FamilyResult>& results, const std::string& 
         }
         text += "</tr>";
     }
-    return text + "</table></html>\n";
+    return accuracy::tablePage("Families and relations", text + "</table>");
 }
 
 std::string markdownOf(const std::vector<FamilyResult>& results, const std::string& how) {

@@ -1,9 +1,6 @@
 #include "tests/accuracy/families/run.hpp"
 
 #include <algorithm>
-#include <atomic>
-#include <mutex>
-#include <thread>
 
 namespace plumb::families {
 
@@ -101,28 +98,17 @@ bool FamilyResult::holds() const {
                        [](const Verdict& verdict) { return verdict.holds(); });
 }
 
-std::vector<FamilyResult> runFamilies(const RunOptions& chosen,
-                                      const std::function<void(std::size_t, std::size_t)>& progress) {
+std::vector<FamilyResult> runFamilies(const RunOptions& chosen, const accuracy::ShowDone& show) {
     RunOptions options = chosen;
     options.families = allOf(allFamilies(), chosen.families);
     options.relations = allOf(allRelations(), chosen.relations);
     const auto members = static_cast<std::size_t>(options.members);
     const std::size_t all = members * options.families.size();
     std::vector<MemberResult> results(all);
-    std::atomic<std::size_t> next{0};
-    std::mutex telling;
-    std::size_t done = 0;
-    const auto work = [&] {
-        for (std::size_t i = next.fetch_add(1); i < all; i = next.fetch_add(1)) {
-            results[i] = playMember(options, *options.families[i / members], options.firstSeed + i % members);
-            const std::lock_guard lock{telling};
-            if (progress) progress(++done, all);
-        }
+    const auto playOne = [&](std::size_t i) {
+        results[i] = playMember(options, *options.families[i / members], options.firstSeed + i % members);
     };
-    std::vector<std::thread> others;
-    for (int i = 1; i < options.threads; ++i) others.emplace_back(work);
-    work();
-    for (std::thread& other : others) other.join();
+    accuracy::onThreads(options.threads, all, playOne, show);
 
     std::vector<FamilyResult> families;
     for (std::size_t i = 0; i < all; ++i) {

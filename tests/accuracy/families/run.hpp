@@ -1,9 +1,9 @@
 #pragma once
 
-#include <functional>
 #include <string>
 #include <vector>
 
+#include "tests/accuracy/command/threads.hpp"
 #include "tests/accuracy/families/relation.hpp"
 
 namespace plumb::families {
@@ -38,9 +38,8 @@ struct FamilyResult {
     [[nodiscard]] bool holds() const;
 };
 
-/// Plays all of them. @param progress  called now and then with what is done, and of how many members
-std::vector<FamilyResult> runFamilies(const RunOptions& options,
-                                      const std::function<void(std::size_t, std::size_t)>& progress = {});
+/// Plays all of them. @param show  of members
+std::vector<FamilyResult> runFamilies(const RunOptions& options, const accuracy::ShowDone& show = {});
 
 /// The fewest bodies with which a relation still fails in a member: one body after the other is left out.
 /// @return by body, whether it is left out; empty if the relation holds in the whole member

@@ -6,6 +6,8 @@
 #include <numeric>
 
 #include "core/random.hpp"
+#include "physics/debug_draw.hpp"
+#include "physics/workspace.hpp"
 
 namespace plumb::families {
 
@@ -169,6 +171,20 @@ Vec2 Stage::pointOf(physics::WorldPosition place) const {
 bool Stage::isAsleep(std::uint32_t body) const {
     return plumb_ != nullptr &&
            !physics::isAwake(std::as_const(*plumb_).world(), plumb_->idOf(handles_[body]));
+}
+
+double Stage::hitSpeedOf(std::uint32_t body) const {
+    if (plumb_ == nullptr) return 0.0;
+    const physics::World& world = std::as_const(*plumb_).world();
+    const physics::Workspace* work = physics::lastStepOf(world);
+    if (work == nullptr || work->swept.empty()) return 0.0;
+    const std::uint32_t index = plumb_->idOf(handles_[body]).index;
+    double impulse = 0.0;  // N s
+    for (const physics::Contact& hit : work->madeHits) {
+        if (hit.bodyA == index || hit.bodyB == index)
+            impulse += static_cast<double>(std::fabs(hit.impulse0) + std::fabs(hit.impulse1));
+    }
+    return impulse * static_cast<double>(world.bodies.mass[index].inverseMass / scale_);
 }
 
 bool Stage::has(std::uint32_t body) const {

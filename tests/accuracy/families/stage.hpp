@@ -55,6 +55,9 @@ public:
     [[nodiscard]] const physics::World* world() const {
         return plumb_ == nullptr ? nullptr : &std::as_const(*plumb_).world();
     }
+    /// m/s: by which the hits of a fast body within the last step changed its velocity, all together and
+    /// along their normals. 0 in other engines. @pre has(body)
+    [[nodiscard]] double hitSpeedOf(std::uint32_t body) const;
     /// False in other engines. @pre has(body)
     [[nodiscard]] bool isAsleep(std::uint32_t body) const;
 

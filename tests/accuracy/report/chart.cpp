@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/text.hpp"
+#include "tests/accuracy/command/pages.hpp"
 #include "tests/accuracy/report/chart_scale.hpp"
 #include "tests/accuracy/report/order.hpp"
 
@@ -302,21 +303,6 @@ std::string legend(const Chart& chart, bool hasFront) {
 }
 
 }  // namespace
-
-std::string escaped(std::string_view content) {
-    std::string result;
-    for (const char c : content) {
-        switch (c) {
-            case '&': result += "&amp;"; break;
-            case '<': result += "&lt;"; break;
-            case '>': result += "&gt;"; break;
-            case '"': result += "&quot;"; break;
-            case '\'': result += "&#39;"; break;
-            default: result += c;
-        }
-    }
-    return result;
-}
 
 std::string peerTitle(std::string_view engine) {
     if (engine == "box2d-2.4") return "Box2D 2.4.1";

@@ -9,9 +9,6 @@
 
 namespace plumb::accuracy {
 
-/// Text with what means something to XML and HTML made harmless.
-std::string escaped(std::string_view text);
-
 /// One way to simulate a scene, at several qualities.
 struct ChartLine {
     std::string name;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/text.hpp"
+#include "tests/accuracy/command/pages.hpp"
 #include "tests/accuracy/report/chart.hpp"
 #include "tests/accuracy/report/guide.hpp"
 #include "tests/accuracy/report/orders.hpp"

@@ -336,11 +336,9 @@ constexpr auto kExact = std::to_array<SceneText>({
      .title = "Bullets at a thin wall",
      .answer = "10 to 1000 m/s at a wall of 1 cm: none passes; when each hit, from where it is "
                "later.",
-     .shows = "No bullet passes, whatever its speed. But one loses the rest of the step in "
-              "which it hits, and one step more in which it turns round: up to 33 ms, 27 here, "
-              "far from the mark of 0.1 ms.",
-     .choose = "Any quality stops bullets. Where the moment of a bounce counts, slow the bullet "
-               "down or shorten the step: substeps do not help.",
+     .shows = "No bullet passes, whatever its speed, and each leaves the wall as after a bounce at the exact "
+              "moment: it goes on for the rest of the step in which it hits.",
+     .choose = "Any quality stops bullets, at the right moment.",
      .why = "Sweeps are made once a step, so substeps change nothing."},
 });
 

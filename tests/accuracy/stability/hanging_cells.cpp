@@ -82,18 +82,23 @@ Figures loadedBridge(double quality, double ratio) {
     Lab lab{{.quality = quality}, {.size = 1.0, .extent = kPlanks, .rests = false}};
     lab.countHeightFrom(-kPlanks);
     const double half = 0.5 * kPlanks;
+    std::vector<BodyHandle> planks;
     BodyHandle last = lab.addFixed(scenes::circle(0.05f), at(-half, 0.0), kGhost);
     Vec2 hold;
     for (int i = 0; i < kPlanks; ++i) {
         const BodyHandle plank = lab.add(scenes::box({0.5f, 0.1f}), at(i + 0.5 - half, 0.0));
         lab.hinge(last, plank, hold, {-0.5f, 0.0f});
         last = plank;
+        planks.push_back(plank);
         hold = {0.5f, 0.0f};
     }
     lab.hinge(last, lab.addFixed(scenes::circle(0.05f), at(half, 0.0), kGhost), hold, {});
     const BodyHandle crate = lab.add(scenes::box({0.5f, 0.5f}), at(0.0, 0.65));
     lab.setMass(crate, ratio * 0.2);
     lab.run(kSeconds);
+    const auto isLower = [&](BodyHandle a, BodyHandle b) { return lab.y(a) < lab.y(b); };
+    const BodyHandle lowest = *std::min_element(planks.begin(), planks.end(), isLower);
+    lab.setOff(isLower(crate, lowest) ? 1.0 : 0.0);  // it fell through
     return lab.figures();
 }
 

@@ -124,9 +124,9 @@ constexpr Map kMaps[] = {
      kByLinks, 0, swingingChain, kUsualRows},
     {"bridge",
      "Loaded bridge",
-     "Twenty planks between two posts and a crate that falls on their middle, 10 s. Exact: joints are closed "
-     "and "
-     "nothing overlaps.",
+     "Twenty planks between two posts and a crate that falls on their middle, 10 s. Exact: joints are "
+     "closed, "
+     "nothing overlaps and the crate did not fall through.",
      kByQuality,
      {"mass of the crate to a plank", Label::Plain, kLoads},
      0,

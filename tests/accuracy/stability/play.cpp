@@ -1,10 +1,5 @@
 #include "tests/accuracy/stability/play.hpp"
 
-#include <algorithm>
-#include <atomic>
-#include <mutex>
-#include <thread>
-
 #include "core/text.hpp"
 
 namespace plumb::stability {
@@ -62,26 +57,14 @@ std::string PlayedMap::holds(std::size_t row, Score floor) const {
     return format("{} to {}", columnLabel(reach.first), last);
 }
 
-std::vector<PlayedMap> play(const Choice& choice, const Progress& progress) {
+std::vector<PlayedMap> play(const Choice& choice, const accuracy::ShowDone& show) {
     std::vector<PlayedMap> maps = chosen(choice);
     std::vector<Place> places;
     for (std::size_t map = 0; map < maps.size(); ++map) {
         for (std::size_t cell = 0; cell < maps[map].cells.size(); ++cell) places.push_back({map, cell});
     }
-    std::atomic<std::size_t> next{0}, done{0};
-    std::mutex telling;
-    const auto work = [&] {
-        for (std::size_t i = next++; i < places.size(); i = next++) {
-            playCell(maps[places[i].map], places[i].cell);
-            const std::lock_guard lock{telling};
-            ++done;
-            if (progress) progress(done, places.size());
-        }
-    };
-    std::vector<std::thread> others;
-    for (int i = 1; i < choice.threads; ++i) others.emplace_back(work);
-    work();
-    for (std::thread& other : others) other.join();
+    const auto playOne = [&](std::size_t i) { playCell(maps[places[i].map], places[i].cell); };
+    accuracy::onThreads(choice.threads, places.size(), playOne, show);
     return maps;
 }
 

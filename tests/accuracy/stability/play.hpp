@@ -1,10 +1,10 @@
 #pragma once
 
-#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "tests/accuracy/command/threads.hpp"
 #include "tests/accuracy/stability/maps.hpp"
 
 namespace plumb::stability {
@@ -32,10 +32,7 @@ struct Choice {
     int threads = 1;
 };
 
-/// Called now and then, by one thread at a time, with the cells that are done, of how many.
-using Progress = std::function<void(std::size_t done, std::size_t all)>;
-
 /// Plays all cells that are chosen, on some threads. What comes out does not depend on how many.
-std::vector<PlayedMap> play(const Choice& choice, const Progress& progress = {});
+std::vector<PlayedMap> play(const Choice& choice, const accuracy::ShowDone& show = {});
 
 }  // namespace plumb::stability

@@ -1,10 +1,7 @@
 #include "tests/accuracy/stability/random_run.hpp"
 
 #include <algorithm>
-#include <atomic>
 #include <mutex>
-#include <thread>
-#include <vector>
 
 #include "core/text.hpp"
 #include "tests/accuracy/stability/fair_scene.hpp"
@@ -14,7 +11,7 @@ namespace plumb::stability {
 
 namespace {
 
-constexpr std::size_t kAtOnce = 256;  // scenes that a thread takes at a time
+constexpr std::size_t kAtOnce = 256;  // scenes that a thread plays at a time
 
 void playWild(std::uint64_t seed, RandomFindings& found) {
     physics::RandomScene scene{seed};
@@ -66,26 +63,20 @@ std::string textOf(std::string_view kind, const FairFindings& found) {
 
 }  // namespace
 
-RandomFindings playRandomScenes(std::size_t count, int threads, const Progress& progress) {
+RandomFindings playRandomScenes(std::size_t count, int threads, const accuracy::ShowDone& show) {
     RandomFindings sum;
-    std::atomic<std::size_t> next{0};
     std::mutex adding;
-    const auto work = [&] {
-        for (std::size_t first = next.fetch_add(kAtOnce); first < count; first = next.fetch_add(kAtOnce)) {
-            RandomFindings found;
-            for (std::size_t seed = first; seed < std::min(first + kAtOnce, count); ++seed) {
-                playWild(seed, found);
-                playFair(seed, found);
-            }
-            const std::lock_guard lock{adding};
-            add(sum, found);
-            if (progress) progress(sum.wild, count);
+    const auto playSome = [&](std::size_t part) {
+        RandomFindings found;
+        const std::size_t first = part * kAtOnce;
+        for (std::size_t seed = first; seed < std::min(first + kAtOnce, count); ++seed) {
+            playWild(seed, found);
+            playFair(seed, found);
         }
+        const std::lock_guard lock{adding};
+        add(sum, found);
     };
-    std::vector<std::thread> others;
-    for (int i = 1; i < threads; ++i) others.emplace_back(work);
-    work();
-    for (std::thread& other : others) other.join();
+    accuracy::onThreads(threads, (count + kAtOnce - 1) / kAtOnce, playSome, show);
     return sum;
 }
 

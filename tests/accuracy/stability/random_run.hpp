@@ -30,7 +30,7 @@ struct RandomFindings {
 };
 
 /// Plays `count` wild and as many fair scenes, on some threads.
-RandomFindings playRandomScenes(std::size_t count, int threads, const Progress& progress = {});
+RandomFindings playRandomScenes(std::size_t count, int threads, const accuracy::ShowDone& show = {});
 std::string textOf(const RandomFindings& findings);
 
 }  // namespace plumb::stability

@@ -2,11 +2,12 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <limits>
 #include <string>
-#include <thread>
-#include <unistd.h>
 
 #include "core/text.hpp"
+#include "tests/accuracy/command/progress_line.hpp"
+#include "tests/accuracy/command/words.hpp"
 #include "tests/accuracy/stability/random_run.hpp"
 #include "tests/accuracy/stability/report.hpp"
 
@@ -27,9 +28,9 @@ constexpr std::string_view kUsage =
 
 struct Options {
     Choice choice;
-    std::string out = ".";
-    std::string docs;
-    std::size_t random = 0;
+    Path out{"."};
+    Path docs;
+    int random = 0;
     bool help = false;
 };
 
@@ -45,54 +46,25 @@ bool isMap(std::string_view name) {
     return std::any_of(maps.begin(), maps.end(), [name](const Map& map) { return map.name == name; });
 }
 
-bool take(std::string_view word, std::string_view value, Options& options) {
-    if (word == "--map" && isMap(value)) {
+std::string take(Options& options, std::string_view word, std::string_view value) {
+    if (word == "--map") {
         options.choice.map = value;
-    } else if (word == "--out" && !value.empty()) {
-        options.out = value;
-    } else if (word == "--docs" && !value.empty()) {
-        options.docs = value;
-    } else {
-        const auto number = parseInt(value);
-        if (!number || *number < 1) return false;
-        if (word == "--random") {
-            options.random = static_cast<std::size_t>(*number);
-        } else if (word == "--threads" && *number <= 256) {
-            options.choice.threads = static_cast<int>(*number);
-        } else {
-            return false;
-        }
+        return isMap(value) ? "" : "there is no such map";
     }
-    return true;
+    if (word == "--random")
+        return accuracy::readCount(value, std::numeric_limits<int>::max(), options.random);
+    if (word == "--threads") return accuracy::readCount(value, accuracy::kMaxThreads, options.choice.threads);
+    if (word != "--out" && word != "--docs") return accuracy::kUnknownWord;
+    (word == "--out" ? options.out : options.docs) = Path{value};
+    return value.empty() ? "expected a folder" : "";
 }
 
-bool read(std::span<const std::string_view> words, Options& options) {
-    for (std::size_t i = 0; i < words.size(); ++i) {
-        if (words[i] == "--help") {
-            options.help = true;
-        } else if (words[i] == "--quick") {
-            options.choice.quick = true;
-        } else if (i + 1 == words.size() || !take(words[i], words[i + 1], options)) {
-            std::fprintf(stderr, "'%s' is not understood here\n", std::string(words[i]).c_str());
-            return false;
-        } else {
-            ++i;
-        }
-    }
-    return true;
-}
-
-/// How much is done: in one line of a terminal, which each percent writes anew; where a file listens, a line
-/// for each tenth.
-Progress percentages(std::string_view what) {
-    const bool inPlace = isatty(STDERR_FILENO) != 0;
-    return [what, inPlace, told = std::size_t{0}](std::size_t done, std::size_t all) mutable {
-        const std::size_t percent = 100 * done / std::max<std::size_t>(all, 1);
-        if (percent == told || (!inPlace && percent < told + 10 && done != all)) return;
-        told = percent;
-        std::fprintf(stderr, "%s%s: %zu of %zu (%zu %%)%s", inPlace ? "\r\033[K" : "",
-                     std::string(what).c_str(), done, all, percent, !inPlace || done == all ? "\n" : "");
-    };
+/// @return what is wrong; empty if nothing
+std::string read(std::span<const std::string_view> words, Options& options) {
+    const accuracy::Flag flags[] = {{"--help", &options.help}, {"--quick", &options.choice.quick}};
+    return accuracy::readWords(words, flags, [&](std::string_view word, std::string_view value) {
+        return take(options, word, value);
+    });
 }
 
 void print(const PlayedMap& map) {
@@ -111,8 +83,10 @@ bool written(const Result<Done>& result) {
 }
 
 int playRandom(const Options& options) {
+    accuracy::ProgressLine line{"times 256 random scenes"};
     const RandomFindings found =
-        playRandomScenes(options.random, options.choice.threads, percentages("random scenes"));
+        playRandomScenes(static_cast<std::size_t>(options.random), options.choice.threads,
+                         [&](std::size_t done, std::size_t all) { line.show(done, all); });
     std::printf("%s", textOf(found).c_str());
     return found.isSound() ? 0 : 1;
 }
@@ -121,11 +95,16 @@ int playRandom(const Options& options) {
 
 int runStability(std::span<const std::string_view> words) {
     Options options;
-    options.choice.threads = static_cast<int>(std::clamp(std::thread::hardware_concurrency(), 1u, 256u));
-    if (!read(words, options)) return usage(2);
+    options.choice.threads = accuracy::processors();
+    if (const std::string wrong = read(words, options); !wrong.empty()) {
+        std::fprintf(stderr, "plumb accuracy --stability: %s\n", wrong.c_str());
+        return usage(2);
+    }
     if (options.help) return usage(0);
     if (options.random > 0) return playRandom(options);
-    const std::vector<PlayedMap> maps = play(options.choice, percentages("cells"));
+    accuracy::ProgressLine line{"cells"};
+    const std::vector<PlayedMap> maps =
+        play(options.choice, [&](std::size_t done, std::size_t all) { line.show(done, all); });
     for (const PlayedMap& map : maps) print(map);
     const Counts counts = countsOf(maps);
     for (std::size_t i = counts.size(); i-- > 0;)

@@ -3,10 +3,13 @@
 #include <algorithm>
 
 #include "core/text.hpp"
+#include "tests/accuracy/command/pages.hpp"
 
 namespace plumb::tuning {
 
 namespace {
+
+using accuracy::escaped;
 
 std::string percent(int part, int all) { return fixedText(100.0 * part / std::max(all, 1), 0); }
 
@@ -50,19 +53,6 @@ std::vector<std::string> cellsOf(const std::vector<Trial>& trials, const Constan
 constexpr std::string_view kTitles[] = {"constant", "value",     "unit", "what it is, and what it comes from",
                                         "at half",  "at double", "why"};
 
-std::string escaped(std::string_view text) {
-    std::string safe;
-    for (const char c : text) {
-        switch (c) {
-            case '<': safe += "&lt;"; break;
-            case '>': safe += "&gt;"; break;
-            case '&': safe += "&amp;"; break;
-            default: safe += c;
-        }
-    }
-    return safe;
-}
-
 constexpr std::string_view kWhat =
     "Every constant of the physics that was chosen (engine/physics/tuning.hpp), and what moves when it is "
     "half "
@@ -101,14 +91,7 @@ std::string csvOf(const std::vector<Trial>& trials) {
 }
 
 std::string htmlOf(const std::vector<Trial>& trials, const std::string& how) {
-    std::string text =
-        "<!doctype html><html lang=\"en\"><meta charset=\"utf-8\"><title>Constants</title><style>"
-        "body{font:15px system-ui,sans-serif;margin:2rem;color:#1d2433;background:#fff}"
-        "table{border-collapse:collapse;margin:1rem 0}td,th{border:1px solid #cbd2dd;padding:.3rem .5rem;"
-        "text-align:left;font-size:13px;vertical-align:top}"
-        "@media(prefers-color-scheme:dark){body{color:#e6e9ef;background:#161a22}td,th{border-color:#3a4353}}"
-        "</style><h1>Constants</h1>";
-    text += format("<p>{}</p><p>{}</p><table><tr>", escaped(kWhat), escaped(how));
+    std::string text = format("<p>{}</p><p>{}</p><table><tr>", escaped(kWhat), escaped(how));
     for (const std::string_view title : kTitles) text += format("<th>{}</th>", title);
     text += "</tr>";
     for (const Constant* constant : allConstants()) {
@@ -117,7 +100,7 @@ std::string htmlOf(const std::vector<Trial>& trials, const std::string& how) {
             text += format("<td>{}</td>", escaped(cell));
         text += "</tr>";
     }
-    return text + "</table></html>\n";
+    return accuracy::tablePage("Constants", text + "</table>");
 }
 
 std::string markdownOf(const std::vector<Trial>& trials, const std::string& how) {

@@ -1,13 +1,11 @@
 #include "tests/accuracy/tuning/sweep.hpp"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
-#include <functional>
-#include <thread>
 
 #include "core/hash.hpp"
 #include "physics/tuning.hpp"
+#include "tests/accuracy/command/threads.hpp"
 #include "tests/accuracy/families/family.hpp"
 #include "tests/accuracy/families/outcome.hpp"
 #include "tests/accuracy/stability/play.hpp"
@@ -28,18 +26,6 @@ struct End {
 
 using Ends = std::vector<std::vector<End>>;  // by family and member
 
-/// Runs `act(i)` for each i below `count`.
-void onThreads(int threads, std::size_t count, const std::function<void(std::size_t)>& act) {
-    std::atomic<std::size_t> next{0};
-    const auto work = [&] {
-        for (std::size_t i = next++; i < count; i = next++) act(i);
-    };
-    std::vector<std::thread> others;
-    for (int i = 1; i < threads; ++i) others.emplace_back(work);
-    work();
-    for (std::thread& other : others) other.join();
-}
-
 /// Adds the ends of further members of some families.
 void playMembers(Ends& ends, const std::vector<std::size_t>& chosen, int upTo, int threads) {
     struct Member {
@@ -51,7 +37,7 @@ void playMembers(Ends& ends, const std::vector<std::size_t>& chosen, int upTo, i
             members.push_back({family, m});
         ends[family].resize(static_cast<std::size_t>(upTo));
     }
-    onThreads(threads, members.size(), [&](std::size_t i) {
+    accuracy::onThreads(threads, members.size(), [&](std::size_t i) {
         const auto [family, member] = members[i];
         const families::Outcome outcome =
             families::play(families::memberOf(families::allFamilies()[family], member + 1));

@@ -1,20 +1,21 @@
 #include "tests/accuracy/tuning/tuning.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <cstdio>
 #include <string>
-#include <thread>
-#include <unistd.h>
 
 #include "core/text.hpp"
+#include "tests/accuracy/command/pages.hpp"
+#include "tests/accuracy/command/progress_line.hpp"
+#include "tests/accuracy/command/threads.hpp"
+#include "tests/accuracy/command/words.hpp"
 #include "tests/accuracy/tuning/report.hpp"
 
 namespace plumb::tuning {
 
 namespace {
 
-constexpr std::string_view kUsage =
+constexpr const char* kUsage =
     "usage: ./plumb accuracy --tuning [options]\n"
     "Plays the families and the quick part of the stability map with each constant of the physics at half "
     "and at\n"
@@ -31,6 +32,7 @@ constexpr std::string_view kUsage =
 
 struct Options {
     SweepOptions sweep;
+    bool noMaps = false;
     std::vector<const Constant*> constants;
     std::vector<double> factors;
     Path out;
@@ -38,9 +40,7 @@ struct Options {
     bool help = false;
 };
 
-/// @return what is wrong; empty if nothing
 std::string take(Options& options, std::string_view word, std::string_view value) {
-    const auto number = parseInt(value);
     if (word == "--constant") {
         for (const Constant* constant : allConstants())
             if (constant->name == value) return options.constants.push_back(constant), std::string{};
@@ -50,54 +50,35 @@ std::string take(Options& options, std::string_view word, std::string_view value
         const auto factor = parseFloat(value);
         if (!factor || *factor < 0.0f) return "a factor is a number from 0";
         options.factors.push_back(static_cast<double>(*factor));
-    } else if (word == "--families" || word == "--threads") {
-        if (!number || *number < 1 || *number > 1000000) return "expected a whole number from 1";
-        (word == "--families" ? options.sweep.members : options.sweep.threads) = static_cast<int>(*number);
+    } else if (word == "--families") {
+        return accuracy::readCount(value, 1000000, options.sweep.members);
+    } else if (word == "--threads") {
+        return accuracy::readCount(value, accuracy::kMaxThreads, options.sweep.threads);
     } else if (word == "--out" || word == "--docs") {
         (word == "--out" ? options.out : options.docs) = Path{value};
     } else {
-        return format("unknown option\n{}", kUsage);
+        return accuracy::kUnknownWord;
     }
     return {};
 }
 
+/// @return what is wrong; empty if nothing
 std::string read(std::span<const std::string_view> words, Options& options) {
-    for (std::size_t i = 0; i < words.size(); ++i) {
-        if (words[i] == "--help") {
-            options.help = true;
-        } else if (words[i] == "--quick") {
-            options.sweep.quick = true;
-        } else if (words[i] == "--no-maps") {
-            options.sweep.maps = false;
-        } else {
-            if (i + 1 == words.size())
-                return format("'{}' is unknown or lacks its value\n{}", words[i], kUsage);
-            const std::string wrong = take(options, words[i], words[i + 1]);
-            if (!wrong.empty()) return format("{} {}: {}", words[i], words[i + 1], wrong);
-            ++i;
-        }
-    }
+    const accuracy::Flag flags[] = {
+        {"--help", &options.help}, {"--quick", &options.sweep.quick}, {"--no-maps", &options.noMaps}};
+    const std::string wrong = accuracy::readWords(
+        words, flags,
+        [&](std::string_view word, std::string_view value) { return take(options, word, value); });
+    options.sweep.maps = !options.noMaps;
     if (options.constants.empty()) options.constants = allConstants();
     if (options.factors.empty()) options.factors = {0.5, 2.0};
-    return {};
+    return wrong;
 }
 
-double seconds() {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
-
-void showProgress(const Trial& trial, std::size_t done, std::size_t all, double start) {
-    const double spent = seconds() - start;
-    const double left =
-        spent * static_cast<double>(all - done) / static_cast<double>(std::max<std::size_t>(done, 1));
-    std::fprintf(stderr, "%s%zu of %zu, about %d s left: %s", isatty(STDERR_FILENO) != 0 ? "\r\033[K" : "",
-                 done, all, static_cast<int>(left) + 1, textOf(trial).c_str());
-}
-
-bool write(const Path& path, std::string_view text) {
-    const auto written = writeFile(path, text);
-    if (!written) std::fprintf(stderr, "%s\n", written.error().text().c_str());
-    return written.ok();
+void showTrial(const Trial& trial, std::size_t done, std::size_t all, double start) {
+    const double part = static_cast<double>(done) / static_cast<double>(all);
+    std::fprintf(stderr, "%zu of %zu%s: %s", done, all,
+                 accuracy::timeLeft(wallSeconds() - start, part).c_str(), textOf(trial).c_str());
 }
 
 const Constant* findConstant(std::string_view name) {
@@ -138,21 +119,21 @@ int sweepAll(const Options& options) {
     std::vector<Trial> trials = readTrials(csv, first);
     const std::size_t all = options.constants.size() * options.factors.size();
     std::size_t done = 0;
-    const double start = seconds();
+    const double start = wallSeconds();
     bool written = true;
     for (const Constant* constant : options.constants) {
         for (const double factor : options.factors) {
             ++done;
             if (isPlayed(trials, constant, factor)) continue;
             trials.push_back(sweep.trial(*constant, factor));
-            showProgress(trials.back(), done, all, start);
-            written = write(csv, first + csvOf(trials));
+            showTrial(trials.back(), done, all, start);
+            written = accuracy::write(csv, first + csvOf(trials));
         }
     }
     const std::string how = format("./plumb accuracy --tuning --families {}", options.sweep.members);
-    written = write(options.out / "tuning.html", htmlOf(trials, how)) && written;
+    written = accuracy::write(options.out / "tuning.html", htmlOf(trials, how)) && written;
     if (!options.docs.empty())
-        written = write(options.docs / "tuning.md", markdownOf(trials, how)) && written;
+        written = accuracy::write(options.docs / "tuning.md", markdownOf(trials, how)) && written;
     bool explained = true;
     for (const Constant* constant : options.constants) {
         if (!needsReason(trials, *constant) || !reasonOf(constant->name).empty()) continue;
@@ -175,13 +156,13 @@ int runTuningCommand(std::span<const std::string_view> words, const Path& out) {
     }
     Options options;
     options.out = out;
-    options.sweep.threads = static_cast<int>(std::clamp(std::thread::hardware_concurrency(), 1u, 256u));
+    options.sweep.threads = accuracy::processors();
     if (const std::string wrong = read(words, options); !wrong.empty()) {
-        std::fprintf(stderr, "plumb accuracy --tuning: %s\n", wrong.c_str());
+        std::fprintf(stderr, "plumb accuracy --tuning: %s\n%s", wrong.c_str(), kUsage);
         return 2;
     }
     if (options.help) {
-        std::printf("%s", std::string(kUsage).c_str());
+        std::printf("%s", kUsage);
         return 0;
     }
     return sweepAll(options);

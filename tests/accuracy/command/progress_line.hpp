@@ -1,0 +1,27 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+#include "core/clock.hpp"
+
+namespace plumb::accuracy {
+
+/// ", about 7 s left": what the rest takes when `part` of all took `spent` seconds; empty while nobody knows.
+std::string timeLeft(double spent, double part);
+
+/// How much of a run is done: one line of a terminal, written anew with each percent; where a file listens, a
+/// line for each tenth.
+class ProgressLine {
+public:
+    explicit ProgressLine(std::string_view what) : what_{what} {}
+    void show(std::size_t done, std::size_t all);
+
+private:
+    std::string what_;
+    std::size_t told_ = 0;  // percent
+    double start_ = wallSeconds();
+};
+
+}  // namespace plumb::accuracy

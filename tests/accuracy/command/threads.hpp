@@ -1,0 +1,20 @@
+#pragma once
+
+#include <cstddef>
+#include <functional>
+
+namespace plumb::accuracy {
+
+inline constexpr int kMaxThreads = 256;
+
+/// Threads that this machine runs at a time.
+int processors();
+
+/// Called now and then, by one thread at a time, with how many of all are done.
+using ShowDone = std::function<void(std::size_t done, std::size_t all)>;
+
+/// Runs `act(i)` for each i below `count`, in any order.
+void onThreads(int threads, std::size_t count, const std::function<void(std::size_t)>& act,
+               const ShowDone& show = {});
+
+}  // namespace plumb::accuracy
