@@ -8,7 +8,7 @@
 namespace plumb {
 namespace {
 
-constexpr std::string_view kPlainFont = "engine:fonts/b612_mono.otf";
+constexpr std::string_view kPlainFont = "engine:fonts/b612.otf";
 constexpr std::string_view kDefaultFont = "engine:fonts/press_start_2p.ttf";
 
 TextShape shapeOf(const Label& label, float scale) {

@@ -100,7 +100,7 @@ constexpr std::array kColors{
     row("stopped", DebugRole::Impact, physics::kDrawSweeps),
     row("bounds", DebugRole::Bounds, physics::kDrawBounds),
     row("broad phase", DebugRole::BroadPhase, physics::kDrawBroadPhase),
-    row("its regions", DebugRole::Region, physics::kDrawBroadPhase),
+    row("nodes, cells", DebugRole::Region, physics::kDrawBroadPhase),
 };
 
 /// Neighbouring numbers get colours that are easy to tell apart.

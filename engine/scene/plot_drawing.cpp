@@ -20,6 +20,8 @@ constexpr float kTextSize = 14.0f;   // px
 constexpr float kLine = 18.0f;       // px from one line of text to the next
 constexpr float kGap = 10.0f;        // px around everything
 constexpr float kScaleRoom = 64.0f;  // px left of the curves, for the numbers of the scale
+constexpr float kMostLegend =
+    150.0f;  // px right of the curves: "velocity Verlet" with room; the rest is theirs
 constexpr float kTicksPerSecond = 60.0f;
 
 /// From the smallest to the largest number that is shown; exponents where each line is ten times the last.
@@ -84,7 +86,7 @@ public:
     }
 
 private:
-    [[nodiscard]] float legendWidth() const { return plot_.width * 0.34f; }
+    [[nodiscard]] float legendWidth() const { return std::min(plot_.width * 0.34f, kMostLegend); }
 
     void write(std::string_view text, Vec2 at, Color color, TextAlign align) {
         TextStyle style;

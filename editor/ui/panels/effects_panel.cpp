@@ -48,7 +48,7 @@ public:
         ImGui::TableSetupScrollFreeze(0, 1);
         ImGui::TableSetupColumn("Effect", ImGuiTableColumnFlags_WidthFixed, ui.px(170.0f));
         ImGui::TableSetupColumn("In this scene", ImGuiTableColumnFlags_WidthFixed, ui.px(3.0f * kPinWidth));
-        ImGui::TableSetupColumn("us a tick", ImGuiTableColumnFlags_WidthFixed, ui.px(kTimeWidth));
+        ImGui::TableSetupColumn("µs a tick", ImGuiTableColumnFlags_WidthFixed, ui.px(kTimeWidth));
         ImGui::TableSetupColumn("of the tick", ImGuiTableColumnFlags_WidthFixed, ui.px(kShareWidth));
         ImGui::TableSetupColumn("Called for by", ImGuiTableColumnFlags_WidthStretch);
         ImGui::TableHeadersRow();
@@ -73,7 +73,7 @@ private:
         std::string text = "Costs appear while the game plays.";
         if (view_.tickMilliseconds() > 0.0f)
             text =
-                format("A tick takes {} us, the mean of the last second.", micro(view_.tickMilliseconds()));
+                format("A tick takes {} µs, the mean of the last second.", micro(view_.tickMilliseconds()));
         ImGui::SameLine();
         ImGui::AlignTextToFramePadding();
         ImGui::TextDisabled("%s", text.c_str());
