@@ -80,9 +80,11 @@ bool nothingToDo(const World& world) {
            !world.manifest.runs(Effect::Explosion) && !world.manifest.runs(Effect::SoftBodies);
 }
 
-/// Wakes everything if gravity changed, since a body at rest may not stay at rest under the new gravity.
-void wakeForGravity(World& world) {
-    if (world.steps > 1 && world.gravityOfLastStep != world.settings.gravity) wakeAll(world);
+/// Wakes everything if gravity changed, since a body at rest may not stay at rest under the new gravity, or
+/// if nothing is to sleep any more.
+void wakeForSettings(World& world) {
+    const bool gravityChanged = world.steps > 1 && world.gravityOfLastStep != world.settings.gravity;
+    if (gravityChanged || !world.settings.sleeping) wakeAll(world);
     world.gravityOfLastStep = world.settings.gravity;
 }
 
@@ -175,10 +177,11 @@ void step(World& world, float dt, const StepOptions& options) {
     world.strainedJoints.clear();
     world.fellAsleep.clear();
     world.quarantined.clear();
+    world.quarantinedSoft.clear();
     if (!(dt > 0.0f) || !std::isfinite(dt)) return;
     bringIntoRange(world.settings);
     ++world.steps;
-    wakeForGravity(world);
+    wakeForSettings(world);
     if (nothingToDo(world)) return;
     world.stepLength = dt;
     StepOptions own = options;

@@ -132,6 +132,8 @@ void solve(StepContext& step);
 void springSoft(StepContext& step, const SoftGroup& group, float h, int substep);
 /// Takes velocities from displacements.
 void closeSoft(const StepContext& step, const SoftGroup& group, float h);
+/// After the substeps.
+void finishSoft(StepContext& step, const SoftGroup& group, float h);
 /// Reads: fields, work.smooth. Writes: work.velocity, work.shift of bodies on which only fields act.
 void integrateFlyers(StepContext& step);
 /// Reads: joints, contacts, islands, work.shift. Writes: work.velocity, energy shares.

@@ -2,8 +2,9 @@
 
 #include <cstdint>
 
-// Every constant of the physics that was chosen: its unit, and what it comes from. docs/tuning.md says what breaks at
-// half and at double: ./plumb accuracy --tuning, whose build defines the macro so that it can change them.
+// Every constant of the physics that was chosen: its unit, and what it comes from. docs/tuning.md says what
+// breaks at half and at double: ./plumb accuracy --tuning, whose build defines the macro so that it can
+// change them.
 #ifndef PLUMB_TUNING
 #define PLUMB_TUNING(name, value, unit, derivation) inline constexpr auto name = value
 #endif
@@ -39,7 +40,6 @@ PLUMB_TUNING(kOnePointPart, 0.05f, "ratio to that", "where one point of two touc
 PLUMB_TUNING(kMinCosine, 0.95f, "cosine", "18 degrees: what is round and turns by more in half a step touches elsewhere");
 PLUMB_TUNING(kFadeRate, 4.74f, "1/s", "by which the root of an initial overlap falls, in slops: a deceleration of 0.22 m/s2 at a "
              "slop of 5 mm, gentle beside gravity; 0.25 m open within 1.5 s, at 0.34 m/s");
-PLUMB_TUNING(kGroundStiffness, 2.0f, "ratio to Settings::contactStiffness", "the ground does not give way: half a spring");
 
 // Impacts.
 PLUMB_TUNING(kSweptGap, 5.0e-5f, "m", "left between what meets: 5 us at 10 m/s; coordinates of 100 m are exact to a tenth of it");
@@ -60,6 +60,8 @@ PLUMB_TUNING(kLivelyPart, 0.25f, "ratio to Settings::bounceSpeed", "what bounced
 PLUMB_TUNING(kJointPushing, 10.0f, "ratio to Settings::pushSpeed", "at which joint errors close: without it a joint that a sweep "
              "tore open hurls its bodies together; below 6 a cloth of 10,000 joints comes apart under its weight");
 PLUMB_TUNING(kDefaultHertz, 5.0f, "1/s", "critically damped, where a mouse or motor joint names none: settles in 0.1 s");
+PLUMB_TUNING(kMousePull, 1000.0f, "m/s2", "of a mouse joint, at most: 100 times the weight, so it drags what is so heavy; contacts of a "
+             "quality of 2 give way by 1.4 cm to it, those of any hold it");
 PLUMB_TUNING(kSteering, 1.0e-3f, "1/s", "rate at which an error that stands for a velocity closes: the displacement of a step "
              "then changes it by less than 2e-5 of itself");
 PLUMB_TUNING(kTreeSoftness, 1.0e-6, "ratio to what the bodies yield", "joints that cannot all be satisfied share the load");

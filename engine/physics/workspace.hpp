@@ -210,7 +210,7 @@ struct Workspace {
     std::vector<Float4> keep;
     std::vector<Float4> ballisticDrift;
     std::vector<Float4> velocityBeforeImpulses;
-    std::vector<Float4> statesWithoutRotation;  ///< as in BodiesWithoutRotation, in steps without rotation
+    std::vector<Float4> statesWithoutRotation;  ///< BodiesWithoutRotation::velocity
     std::vector<SolveGroup> groups;
     Strips strips;
     std::vector<std::int32_t> cursors;  ///< by group and key, see prepareConstraints()

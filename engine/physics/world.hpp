@@ -206,8 +206,8 @@ struct Joint {
     std::uint32_t generation = 0;
     Vec2 force;           ///< N on B, of the last substep
     float torque = 0.0f;  ///< N m on B
-    float rows[6] = {};   ///< N or N m: force of each constraint row, for warm starting; Gear and Pulley keep
-                          ///< their error in rows[1]
+    float rows[6] = {};   ///< N or N m: force of each constraint row, for warm starting; Gear keeps its error
+                          ///< (rad or m) in rows[1]
     std::uint32_t nextA = kNone;  ///< the next joint of body A
     std::uint32_t nextB = kNone;
     std::uint32_t place = kNone;  ///< index in Joints::awake, or kNone
@@ -287,11 +287,12 @@ struct World {
     std::vector<JointId> strainedJoints;  ///< above JointDefinition::reportForce or reportTorque in it
     std::vector<BodyId> fellAsleep;       ///< since it began
     std::vector<BodyId> quarantined;      ///< stopped in the last step, because their state became non-finite
-    std::uint32_t qualityCallers = 0;     ///< number of bodies and joints with a quality of their own
-    bool newJoints = false;               ///< some joint has no colour yet
-    bool filtersStale = false;            ///< a filter or joint changed: contacts may have become invalid
-    bool islandsStale = false;            ///< a contact or joint ended: islands may be larger than necessary
-    float islandsAge = 0.0f;              ///< s: time for which they have been stale
+    std::vector<SoftBodyId> quarantinedSoft;  ///< the same, of some of their particles
+    std::uint32_t qualityCallers = 0;         ///< number of bodies and joints with a quality of their own
+    bool newJoints = false;                   ///< some joint has no colour yet
+    bool filtersStale = false;                ///< a filter or joint changed: contacts may have become invalid
+    bool islandsStale = false;  ///< a contact or joint ended: islands may be larger than necessary
+    float islandsAge = 0.0f;    ///< s: time for which they have been stale
     Manifest manifest;
     Vec2 gravityOfLastStep;  ///< m/s2: a change of Settings::gravity wakes all bodies
     std::uint64_t steps = 0;

@@ -46,7 +46,7 @@ struct Runner {
         const double start = wallSeconds();
         phase->update(crowd.proxies(), crowd.changed());
         phase->arrange(moved);
-        phase->findPairs(crowd.proxies(), moved, crowd.isMoved(), pairs);
+        phase->findPairs(moved, crowd.isMoved(), pairs);
         const double seconds = wallSeconds() - start;
         best[step] = std::min(best[step], seconds);
     }

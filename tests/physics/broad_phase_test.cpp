@@ -26,7 +26,7 @@ std::vector<PairKey> pairsOf(BroadPhase& phase, const ProxyWorld& world, bool ar
     std::vector<std::uint32_t> moved = world.changed;
     if (arranged) phase.arrange(moved);
     std::vector<PairKey> pairs;
-    phase.findPairs(world.proxies(), moved, world.isChanged, pairs);
+    phase.findPairs(moved, world.isChanged, pairs);
     std::sort(pairs.begin(), pairs.end());
     return pairs;
 }
@@ -181,7 +181,7 @@ TEST_P(BroadPhases, answerQueriesAsLookingAtAllDoes) {
             if (round % 3 == 0) box = {box.min - Vec2{3.0f, 3.0f}, box.max + Vec2{3.0f, 3.0f}};
             const std::uint32_t mask = random.below(2) == 0 ? 0xffffffffu : 1u << random.below(4);
             std::vector<std::uint32_t> found;
-            phase->query(world.proxies(), box, mask, found);
+            phase->query(box, mask, found);
             std::sort(found.begin(), found.end());
             ASSERT_EQ(found, world.inBox(box, mask));
             changeSome(world, random, spread, 10);
@@ -226,7 +226,7 @@ TEST_P(BroadPhases, castsMissNothing) {
             const Vec2 half = round % 2 == 0 ? Vec2{} : Vec2{0.3f, 0.2f};
             std::vector<std::uint32_t> found;
             const Among among = round % 3 == 0 ? Among::Static : Among::All;
-            phase->cast(world.proxies(), from, way, half, 5u, found, among);
+            phase->cast(from, way, half, 5u, found, among);
             std::sort(found.begin(), found.end());
             ASSERT_EQ(std::adjacent_find(found.begin(), found.end()), found.end());
             for (std::uint32_t id = 0; id < world.size(); ++id) {
@@ -247,7 +247,7 @@ TEST_P(BroadPhases, castsAcrossAWorldLookAtLittleOfIt) {
     const auto phase = make();
     phase->update(world.proxies(), world.changed);
     std::vector<std::uint32_t> found;
-    phase->cast(world.proxies(), {-1.0f, -1.0f}, {102.0f, 102.0f}, {}, 1, found, Among::All);
+    phase->cast({-1.0f, -1.0f}, {102.0f, 102.0f}, {}, 1, found, Among::All);
     EXPECT_GE(found.size(), 100u);
     EXPECT_LE(found.size(), 1000u);
 }
@@ -270,15 +270,15 @@ TEST_P(BroadPhases, boundsThatAreNoneMeetNobody) {
 
     EXPECT_EQ(pairsOf(*phase, world), expected);
     std::vector<std::uint32_t> found;
-    phase->query(world.proxies(), world.bounds[everything], 1, found);
+    phase->query(world.bounds[everything], 1, found);
     EXPECT_EQ(found.size(), 4u);
     found.clear();
-    phase->query(world.proxies(), {{1.0f, 1.0f}, {0.0f, 0.0f}}, 1, found);
-    phase->query(world.proxies(), {{kNan, 0.0f}, {1.0f, 1.0f}}, 1, found);
-    phase->cast(world.proxies(), {kNan, 0.0f}, {1.0f, 1.0f}, {}, 1, found, Among::All);
-    phase->cast(world.proxies(), {0.0f, 0.0f}, {kInfinity, 1.0f}, {}, 1, found, Among::All);
+    phase->query({{1.0f, 1.0f}, {0.0f, 0.0f}}, 1, found);
+    phase->query({{kNan, 0.0f}, {1.0f, 1.0f}}, 1, found);
+    phase->cast({kNan, 0.0f}, {1.0f, 1.0f}, {}, 1, found, Among::All);
+    phase->cast({0.0f, 0.0f}, {kInfinity, 1.0f}, {}, 1, found, Among::All);
     EXPECT_TRUE(found.empty());
-    phase->cast(world.proxies(), {-3e38f, 0.5f}, {3e38f, 0.0f}, {-1.0f, -1.0f}, 1, found, Among::All);
+    phase->cast({-3e38f, 0.5f}, {3e38f, 0.0f}, {-1.0f, -1.0f}, 1, found, Among::All);
     EXPECT_EQ(std::set<std::uint32_t>(found.begin(), found.end()).count(line), 1u);
     // All again, now that they are known.
     EXPECT_EQ(pairsOf(*phase, world), expected);
@@ -295,7 +295,7 @@ TEST_P(BroadPhases, crowdsAtOneSpotThatMeetNobodyCostLittle) {
     for (int step = 0; step < 4; ++step)
         ASSERT_EQ(pairsOf(*phase, world), std::vector<PairKey>{pairKey(a, b)});
     std::vector<std::uint32_t> found;
-    phase->query(world.proxies(), {{5.0f, 5.0f}, {6.0f, 6.0f}}, 1, found);
+    phase->query({{5.0f, 5.0f}, {6.0f, 6.0f}}, 1, found);
     EXPECT_TRUE(found.empty());
 }
 
@@ -315,8 +315,7 @@ TEST_P(BroadPhases, pairsComeFromAnyNumberOfThreads) {
             const std::size_t first = moved.size() * t / kThreads;
             const std::size_t last = moved.size() * (t + 1) / kThreads;
             threads.emplace_back([&, t, first, last] {
-                phase->findPairs(world.proxies(), std::span{moved}.subspan(first, last - first),
-                                 world.isChanged, parts[t]);
+                phase->findPairs(std::span{moved}.subspan(first, last - first), world.isChanged, parts[t]);
             });
         }
         std::vector<PairKey> pairs;
@@ -343,7 +342,7 @@ TEST_P(BroadPhases, everyWidthOfInstructionsFindsTheSame) {
             EXPECT_EQ(pairsOf(*phase, world), world.pairsOfChanged());
             const AABB box = randomBox(random, spread);
             std::vector<std::uint32_t> found;
-            phase->query(world.proxies(), box, 3, found);
+            phase->query(box, 3, found);
             std::sort(found.begin(), found.end());
             EXPECT_EQ(found, world.inBox(box, 3));
         }
@@ -364,7 +363,7 @@ TEST_P(BroadPhases, boxesMayBeAsWideAsNumbersGo) {
     const auto phase = make();
     EXPECT_EQ(pairsOf(*phase, world), world.pairsOfChanged());
     std::vector<std::uint32_t> found;
-    phase->query(world.proxies(), boxAt({2.0e5f, 0.0f}, {1.0f, 1.0f}), 3, found);
+    phase->query(boxAt({2.0e5f, 0.0f}, {1.0f, 1.0f}), 3, found);
     EXPECT_EQ(found.size(), 4u);
 }
 
@@ -392,7 +391,7 @@ TEST_P(BroadPhases, aSteadyStepAllocatesNothing) {
         moved = world.changed;
         phase->arrange(moved);
         pairs.clear();
-        phase->findPairs(world.proxies(), moved, world.isChanged, pairs);
+        phase->findPairs(moved, world.isChanged, pairs);
         world.noted();
     }
     EXPECT_EQ(plumb::test::allocations().made, before);
@@ -406,6 +405,7 @@ TEST(BroadPhaseKinds, eachHasANameOfItsOwn) {
         names.insert(nameOf(static_cast<BroadPhaseKind>(kind)));
     EXPECT_EQ(names.size(), kKinds);
     EXPECT_EQ(names.count(""), 0u);
+    EXPECT_EQ(nameOf(BroadPhaseKind::Count), nameOf(BroadPhaseKind{})) << "an unknown one is the default";
 }
 
 }  // namespace

@@ -36,29 +36,33 @@ TEST(CharacterLimits, findsRoomWhenItIsPutIntoSomething) {
     }
 }
 
+/// A character that passes corners up to 0.2 m, and has just jumped from a floor under a block that its head
+/// reaches by this much (m) on this side.
+CharacterController jumpUnderABlock(Course& course, float side, float reach) {
+    course.wall({0.0, 1.0}, {50.0f, 1.0f});
+    course.wall({static_cast<double>(side * (0.4f + 2.0f - reach)), -4.0}, {2.0f, 0.5f});
+    CharacterController one = course.character({.cornerCorrection = 0.2f}, {0.0, -1.0});
+    course.run(one, 30);
+    EXPECT_TRUE(one.jump(10.0f).ok());
+    return one;
+}
+
 TEST(CharacterLimits, aHeadPassesCornersThatItHardlyMisses) {
-    for (const float miss : {0.1f, 0.19f, 0.3f}) {
+    for (const float reach : {0.1f, 0.19f, 0.3f}) {
         for (const float side : {-1.0f, 1.0f}) {
-            SCOPED_TRACE(side * miss);
+            SCOPED_TRACE(side * reach);
             Course course;
-            course.wall({0.0, 1.0}, {50.0f, 1.0f});
-            // Its head reaches by `miss` under a block on one side.
-            course.wall({static_cast<double>(side * (0.4f + 2.0f - miss)), -4.0}, {2.0f, 0.5f});
-            CharacterDefinition definition;
-            definition.cornerCorrection = 0.2f;
-            CharacterController one = course.character(definition, {0.0, -1.0});
-            course.run(one, 30);
-            ASSERT_TRUE(one.jump(10.0f).ok());
+            CharacterController one = jumpUnderABlock(course, side, reach);
             bool hit = false;
             double highest = 0.0;
             for (int i = 0; i < 60; ++i) {
                 hit = course.tick(one).ceiling || hit;
                 highest = std::min(highest, one.position().y);
             }
-            EXPECT_EQ(hit, miss > 0.2f);
+            EXPECT_EQ(hit, reach > 0.2f);
             if (!hit) {
                 EXPECT_NEAR(highest, -0.901 - 5.0, 0.02);
-                EXPECT_NEAR(std::fabs(one.position().x), static_cast<double>(miss), 0.02);
+                EXPECT_NEAR(std::fabs(one.position().x), static_cast<double>(reach), 0.02);
             }
         }
     }
@@ -69,19 +73,12 @@ TEST(CharacterLimits, aHeadThatFliesAsidePassesCornersForwardsOnly) {
         for (const bool forwards : {true, false}) {
             SCOPED_TRACE(testing::Message() << side << (forwards ? " forwards" : " back"));
             Course course;
-            course.wall({0.0, 1.0}, {50.0f, 1.0f});
-            // A block behind its head, or before it, which that reaches by 0.1 m when it is there.
-            const float speed = 0.3f * side, miss = 0.1f + (forwards ? 0.055f : -0.055f);
-            const float block = forwards ? -side : side;
-            course.wall({static_cast<double>(block * (0.4f + 2.0f - miss)), -4.0}, {2.0f, 0.5f});
-            CharacterDefinition definition;
-            definition.cornerCorrection = 0.2f;
-            CharacterController one = course.character(definition, {0.0, -1.0});
-            course.run(one, 30);
-            ASSERT_TRUE(one.jump(10.0f).ok());
+            // The block is behind its head or before it, and reached by 0.1 m when the head is there.
+            CharacterController one =
+                jumpUnderABlock(course, forwards ? -side : side, 0.1f + (forwards ? 0.055f : -0.055f));
             bool hit = false;
             for (int i = 0; i < 30; ++i) {
-                ASSERT_TRUE(one.setVelocity({speed, one.velocity().y}).ok());
+                ASSERT_TRUE(one.setVelocity({0.3f * side, one.velocity().y}).ok());
                 hit = course.tick(one).ceiling || hit;
             }
             EXPECT_EQ(hit, !forwards);

@@ -27,7 +27,7 @@ TEST(DebugGeometry, ofAHingeWithLimitsTheSectorOfBsCentreIsDrawn) {
     for (std::uint64_t seed = 0; seed < 2 * kPairs; ++seed) {
         SCOPED_TRACE(seed);
         Random random = Random::seeded(seed);
-        const float lower = random.between(-3.0f, 0.0f), upper = random.between(0.0f, 9.0f);
+        const float lower = random.between(-3.0f, 0.0f), upper = random.between(0.0f, 3.0f);
         const float reference = random.between(-3.0f, 3.0f);
         Pair pair{random,
                   {.anchorA = test::randomPoint(random, 2.0f),

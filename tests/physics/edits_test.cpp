@@ -237,6 +237,7 @@ TEST(Edits, callbacksCannotChangeTheWorld) {
         destroyBody(own, body);
         destroyJoint(own, joint);
         setAwake(own, body, false);
+        setUser(own, body, 99);
         setFilter(own, shape, 0, 0, 0);
         step(own, kTick);
         return true;

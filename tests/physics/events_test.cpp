@@ -34,6 +34,27 @@ BodyId addZone(Playground& scene, BodyKind kind, WorldPosition place = {0.0, 0.0
     return zone;
 }
 
+TEST(Events, whatIsPutToSleepAtTheMomentOfAHitHasBegunOnce) {
+    Playground scene;
+    scene.world.settings.sleeping = true;
+    scene.floor();
+    const BodyId lower = scene.crate({0.0, 1.0});
+    scene.crate({0.0, 6.0});
+    Counted events;
+    const auto runWhile = [&](bool awake) {
+        int ticks = 0;
+        do scene.run(1), events.add(scene.world);
+        while (isAwake(scene.world, lower) == awake && scene.world.events.empty() && ++ticks < 120);
+        return ticks;
+    };
+    EXPECT_GT(runWhile(true), 10);  // until it is on the floor
+    setAwake(scene.world, lower, false);
+    EXPECT_GT(runWhile(false), 10);  // until the other one falls on it
+    EXPECT_TRUE(isAwake(scene.world, lower));
+    EXPECT_EQ(events.began, 2);
+    EXPECT_EQ(events.ended, 0);
+}
+
 TEST(Events, aCrateThatFallsTouchesOnceAndStays) {
     Playground scene;
     scene.world.settings.stayEvents = true;
@@ -198,6 +219,26 @@ TEST(Events, aMovingTriggerLeavesWhatSleeps) {
     EXPECT_EQ(events.began, 1);
     EXPECT_EQ(events.ended, 1);
     EXPECT_EQ(scene.world.awake.size(), 1u) << "nobody was woken";
+}
+
+TEST(Events, aTriggerLeavesWhatFellAsleepInItWhicheverCameFirst) {
+    for (const bool zoneFirst : {true, false}) {
+        SCOPED_TRACE(zoneFirst);
+        Playground scene;
+        BodyId zone{};
+        const auto add = [&] { zone = addZone(scene, BodyKind::Kinematic, {0.0, 0.5}, 0.5f); };
+        if (zoneFirst) add();
+        scene.world.settings.sleeping = true;
+        scene.floor();
+        const BodyId crate = scene.crate({0.0, 0.5});
+        if (!zoneFirst) add();
+        scene.run(60);
+        ASSERT_FALSE(isAwake(scene.world, crate)) << "to be in a trigger is no reason to stay awake";
+        ASSERT_TRUE(setVelocity(scene.world, zone, {4.0f, 0.0f}).ok());
+        const Counted events = countEvents(scene);
+        EXPECT_EQ(events.ended, 1);
+        EXPECT_FALSE(isAwake(scene.world, crate));
+    }
 }
 
 TEST(Events, destroyingABodyEndsItsContacts) {

@@ -43,6 +43,22 @@ TEST(InitialOverlaps, keepTheirBodiesAwake) {
     EXPECT_NEAR(scene.y(crate), 0.5, 0.01);
 }
 
+TEST(InitialOverlaps, areNoneWithATrigger) {
+    const auto ticksAwake = [](bool inTrigger) {
+        Playground scene;
+        scene.world.settings.sleeping = true;
+        scene.floor();
+        if (inTrigger)
+            scene.shape(scene.body(BodyKind::Static, {0.0, 0.0}), box({100.0f, 100.0f}), {.isTrigger = true});
+        const BodyId crate = scene.crate({0.0, 0.5});
+        int ticks = 0;
+        for (; ticks < 1000 && isAwake(scene.world, crate); ++ticks) scene.run(1);
+        return ticks;
+    };
+    EXPECT_LT(ticksAwake(false), 100);
+    EXPECT_EQ(ticksAwake(true), ticksAwake(false));
+}
+
 TEST(InitialOverlaps, areNoneWhereMotionExplainsTheDepth) {
     Playground scene;
     scene.world.settings.continuous = false;

@@ -56,6 +56,21 @@ TEST(IslandReport, tellsTheQualityOfTheLastStep) {
     }
 }
 
+TEST(IslandReport, tellsTheQualityOfTheWorldOfWhatWasNotInTheLastStep) {
+    Playground scene;
+    const BodyId sleeper = scene.sleeper();
+    const BodyId fine = *createBody(scene.world, {.position = {20.0, 0.5}, .canSleep = false, .quality = 5});
+    scene.shape(fine, box({0.5f, 0.5f}));
+    scene.run(1);
+    setAwake(scene.world, sleeper, true);
+    scene.crate({40.0, 0.5});
+    const std::vector<IslandReport> islands = reportIslands(scene.world);
+    ASSERT_EQ(islands.size(), 3u);
+    EXPECT_EQ(islands[0].quality, 2) << "it was asleep";
+    EXPECT_EQ(islands[1].quality, 5);
+    EXPECT_EQ(islands[2].quality, 2) << "it was not there";
+}
+
 TEST(IslandReport, tellsTheQualityThatWasChosenForTheFirstBodyToo) {
     Playground scene;
     scene.world.settings.automaticQuality = true;

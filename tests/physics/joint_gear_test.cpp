@@ -52,6 +52,27 @@ TEST(GearJoint, passesTorqueOnByItsRatio) {
     EXPECT_NEAR(angularVelocityOf(scene.world, scene.first), 1.0f / (0.125f * 1.25f), 0.05f);
 }
 
+TEST(GearJoint, takesBackHowFarItWasForcedApartWhateverIsSwitchedOnMeanwhile) {
+    for (const bool switches : {false, true}) {
+        SCOPED_TRACE(switches);
+        Gears scene{1.0f};
+        const auto drive = [&](bool on) {  // both wheels the same way, which the gear forbids
+            for (const JointId axle : {scene.axleA, scene.axleB})
+                ASSERT_TRUE(change(scene.world, axle, [on](auto& d) { d.motor = {on, 2.0f, 1.0e6f}; }).ok());
+        };
+        const auto sum = [&] { return scene.angle(scene.first) + scene.angle(scene.second); };
+        drive(true);
+        scene.run(0.2f);
+        EXPECT_GT(sum(), 0.1f);
+        drive(false);
+        if (switches) {
+            ASSERT_TRUE(change(scene.world, scene.gear, [](auto& d) { d.breakTorque = 1.0e9f; }).ok());
+        }
+        scene.run(5.0f);
+        EXPECT_NEAR(sum(), 0.0f, 1.0e-3f);
+    }
+}
+
 TEST(GearJoint, goesWithEitherOfItsJoints) {
     for (const bool first : {true, false}) {
         Gears scene{1.0f};

@@ -126,5 +126,25 @@ TEST(EachLimit, letsAMotorGoAtOnceThatTurnsRound) {
     });
 }
 
+TEST(Limits, ofAHingeAreWithinATurnForItsAngleIs) {
+    JointWorld scene;
+    JointDefinition definition = defineHinge(scene);
+    definition.limit = {true, -kPi, kPi};
+    definition.spring = {true, 1.0f, 1.0f, kPi};
+    const Result<JointId> joint = createJoint(scene.world, definition);
+    ASSERT_TRUE(joint.ok());
+    const auto refuses = [&](auto&& act) {
+        const Result<Done> changed = change(scene.world, *joint, act);
+        return !changed.ok() && changed.error().text().find("-pi to pi") != std::string::npos;
+    };
+    EXPECT_TRUE(refuses([](JointDefinition& d) { d.limit.lower = -3.2f; }));
+    EXPECT_TRUE(refuses([](JointDefinition& d) { d.limit.upper = 3.2f; }));
+    EXPECT_TRUE(refuses([](JointDefinition& d) { d.spring.rest = -3.2f; }));
+    EXPECT_TRUE(change(scene.world, *joint, [](JointDefinition& d) { d.limit = {false, -9.0f, 9.0f}; }).ok());
+    definition = defineSlider(scene);
+    definition.limit = {true, -9.0f, 9.0f};
+    EXPECT_TRUE(createJoint(scene.world, definition).ok());
+}
+
 }  // namespace
 }  // namespace plumb::physics

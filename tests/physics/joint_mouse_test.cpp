@@ -54,5 +54,30 @@ TEST(MouseJoint, leavesItsFirstBodyAlone) {
     EXPECT_NEAR(scene.place(box).x, -1.0f, 0.001f);
 }
 
+// With a force without limit a crate passed through 2 m of floor at 212 m/s.
+TEST(MouseJoint, ofAnyForcePullsNothingThroughAFloor) {
+    for (const Quality quality : {Quality{0}, Quality{2}, Quality{4}}) {
+        SCOPED_TRACE(int{quality});
+        JointWorld scene;
+        scene.world.settings.quality = quality;
+        (void)*createShape(scene.world, scene.ground, box({50.0f, 1.0f}, {0.0f, -1.0f}));
+        BodyDefinition definition;
+        definition.position = {0.0, 0.5};
+        const BodyId crate = *createBody(scene.world, definition);
+        (void)*createShape(scene.world, crate, box({0.5f, 0.5f}));
+        JointDefinition mouse = scene.define(JointKind::Mouse, scene.ground, crate, {0.0, 0.5});
+        mouse.target = {0.0, -20.0};
+        const JointId joint = scene.join(mouse);
+
+        scene.run(5.0f);
+        EXPECT_GT(scene.place(crate).y, 0.0f);
+        EXPECT_LT(length(velocityOf(scene.world, crate)), 0.1f);
+
+        (void)*setTarget(scene.world, joint, {0.0, 5.0});
+        scene.run(5.0f);
+        EXPECT_NEAR(scene.place(crate).y, 5.0f, 0.02f);
+    }
+}
+
 }  // namespace
 }  // namespace plumb::physics

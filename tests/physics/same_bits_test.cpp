@@ -196,6 +196,29 @@ TEST(SameBits, blocksThatAreKeptWhileContactsRestPushAsThoseLaidOutAnew) {
     EXPECT_EQ(touching(kept.world), 11);
 }
 
+TEST(SameBits, anIslandThatChangesItsGroupIsSolvedInTheBlocksOfThatGroup) {
+    Playground kept, anew;
+    std::vector<BodyId> crates;
+    for (Playground* scene : {&kept, &anew}) {
+        scene->floor();
+        crates = {scene->crate({0.0, 0.5}), scene->crate({5.0, 0.5}), scene->crate({10.0, 0.5})};
+        ASSERT_TRUE(setQuality(scene->world, crates[2], 4).ok());
+    }
+    for (int tick = 0; tick < 100; ++tick) {
+        for (World* world : {&kept.world, &anew.world}) {
+            // The bodies of both groups stay in one order: only the boundary between them moves.
+            if (tick == 50) {
+                ASSERT_TRUE(setQuality(*world, crates[1], 4).ok());
+            }
+        }
+        anew.world = World{anew.world};  // its workspace is a new one
+        kept.run(1);
+        anew.run(1);
+        ASSERT_EQ(bitsOf(kept.world), bitsOf(anew.world)) << tick;
+    }
+    EXPECT_EQ(touching(kept.world), 3);
+}
+
 TEST(SameBits, islandsOfAnotherQualityKeepTheirs) {
     const auto leftHeap = [](Quality right) {
         Playground scene;

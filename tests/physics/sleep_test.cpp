@@ -23,6 +23,17 @@ TEST(Sleep, aStackFallsAsleepAndItsWorldRestsWithIt) {
     EXPECT_EQ(bitsOf(scene.world), before);
 }
 
+TEST(Sleep, endsWhereItIsSwitchedOff) {
+    Sleepy scene;
+    scene.floor();
+    const BodyId crate = scene.crate({0.0, 0.5});
+    scene.run(120);
+    ASSERT_FALSE(isAwake(scene.world, crate));
+    scene.world.settings.sleeping = false;
+    scene.run(1);
+    EXPECT_TRUE(isAwake(scene.world, crate));
+}
+
 TEST(Sleep, whatHitsASleeperWakesItsIslandAndNoOther) {
     Sleepy scene;
     scene.floor();

@@ -7,7 +7,6 @@
 #include "physics/broadphase/box_rows.hpp"
 #include "physics/tuning.hpp"
 #include "physics/contacts/pair_set.hpp"
-#include "physics/islands/substep_controller.hpp"
 #include "physics/islands/substep_estimate.hpp"
 #include "physics/queries/lists.hpp"
 #include "physics/shapes/convex.hpp"
@@ -129,48 +128,6 @@ TEST(SubstepEstimate, asksForALevelMoreAboveEachLimit) {
                                                  {32.5f, 2}, {128.0f, 2}, {129.0f, 3}};
     for (const auto& [joints, wanted] : kJoints)
         EXPECT_EQ(levels([j = joints](SubstepEstimate& i) { i.joints = j; }), wanted) << joints;
-}
-
-TEST(SubstepController, ofTwoIslandsThatMeetIsThatOfTheHarder) {
-    Random random = Random::seeded(1);
-    const auto any = [&] {
-        SubstepController one;
-        one.quality = static_cast<Quality>(random.below(2));
-        one.before = static_cast<Quality>(random.below(5));
-        one.phase = static_cast<SubstepPhase>(random.below(5));
-        one.patience = static_cast<std::uint8_t>(random.below(5));
-        one.wait = random.below(9);
-        one.error = random.unit();
-        one.first = random.unit();
-        return one;
-    };
-    const auto expectSame = [](const SubstepController& a, const SubstepController& b) {
-        EXPECT_EQ(a.quality, b.quality);
-        EXPECT_EQ(a.before, b.before);
-        EXPECT_EQ(a.phase, b.phase);
-        EXPECT_EQ(a.patience, b.patience);
-        EXPECT_EQ(a.wait, b.wait);
-        EXPECT_EQ(a.error, b.error);
-        EXPECT_EQ(a.first, b.first);
-    };
-    for (int i = 0; i < 200; ++i) {
-        const SubstepController a = any(), b = any(), c = any();
-        const SubstepController both = merged(a, b);
-        expectSame(both, merged(b, a));
-        expectSame(merged(both, c), merged(a, merged(b, c)));
-        expectSame(merged(a, a), a);
-        EXPECT_EQ(both.quality, std::max(a.quality, b.quality));
-        if (a.quality != b.quality) {
-            expectSame(both, a.quality > b.quality ? a : b);
-            continue;
-        }
-        EXPECT_EQ(both.phase, std::max(a.phase, b.phase));
-        EXPECT_EQ(both.wait, std::max(a.wait, b.wait));
-        EXPECT_EQ(both.error, std::max(a.error, b.error));
-        EXPECT_EQ(both.first, std::max(a.first, b.first));
-        EXPECT_EQ(both.patience, std::max(a.patience, b.patience));
-        EXPECT_EQ(both.before, std::max(a.before, b.before));
-    }
 }
 
 TEST(Convex, theFarthestCornerIsTheFirstOfEqualOnes) {

@@ -5,7 +5,7 @@
 #include "tests/physics/world_of_bodies.hpp"
 #include "tests/support/allocations.hpp"
 
-// Settings::tolerance in whole worlds; the rule itself is in effort_test.cpp.
+// Settings::tolerance in whole worlds; the rule itself is in substep_controller_test.cpp.
 
 namespace plumb::physics {
 namespace {

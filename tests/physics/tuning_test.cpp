@@ -30,22 +30,22 @@ std::uint64_t hashOfScene(const char* name) {
 TEST(Tuning, changesResultsWhereConstantsAreVariables) {
     if (tuning::constants == nullptr) GTEST_SKIP() << "the constants of this build are fixed";
     std::set<std::string> names;
-    const tuning::Constant* stiffness = nullptr;
+    const tuning::Constant* turn = nullptr;
     for (const tuning::Constant* constant = tuning::constants; constant != nullptr;
          constant = constant->next) {
         EXPECT_TRUE(names.insert(constant->name).second) << constant->name;
         EXPECT_NE(constant->value, 0.0) << constant->name << ": half and double of it are the same";
         EXPECT_STRNE(constant->unit, "") << constant->name;
         EXPECT_STRNE(constant->derivation, "") << constant->name;
-        if (std::string{constant->name} == "kGroundStiffness") stiffness = constant;
+        if (std::string{constant->name} == "kMaxTurn") turn = constant;
     }
-    ASSERT_NE(stiffness, nullptr);
-    const std::uint64_t usual = hashOfScene("pyramid");
-    stiffness->set(0.5 * stiffness->value);
-    const std::uint64_t softer = hashOfScene("pyramid");
-    stiffness->set(stiffness->value);
-    EXPECT_NE(softer, usual);
-    EXPECT_EQ(hashOfScene("pyramid"), usual) << "the value of the table again";
+    ASSERT_NE(turn, nullptr);
+    const std::uint64_t usual = hashOfScene("tumbler");
+    turn->set(0.5 * turn->value);
+    const std::uint64_t other = hashOfScene("tumbler");
+    turn->set(turn->value);
+    EXPECT_NE(other, usual);
+    EXPECT_EQ(hashOfScene("tumbler"), usual) << "the value of the table again";
 }
 
 }  // namespace

@@ -28,7 +28,7 @@ TEST(Crowd, everyBroadPhaseFindsTheSamePairsInEach) {
                 std::vector<std::uint32_t> moved{crowd.moved().begin(), crowd.moved().end()};
                 phase->arrange(moved);
                 std::vector<PairKey> pairs;
-                phase->findPairs(crowd.proxies(), moved, crowd.isMoved(), pairs);
+                phase->findPairs(moved, crowd.isMoved(), pairs);
                 std::sort(pairs.begin(), pairs.end());
                 all.insert(all.end(), pairs.begin(), pairs.end());
             }

@@ -8,7 +8,7 @@ cmake_minimum_required(VERSION 3.22)
 
 set(physics ${ROOT}/engine/physics)
 set(left_out "broadphase/|debug/|terrain/|ranges.hpp|tuning.hpp")
-set(sizes kMaxCorners kMaxWays kMaxIterations kMaxPushes kLanes kColours kFirstFixedColour kLast)
+set(sizes kMaxCorners kMaxWays kMaxIterations kMaxPushes kLanes kLanesOfPart kPoints kColours kFirstFixedColour kLast)
 set(pieces_of_work kSequential kAtOnce kAhead)  # and all that end in Grain
 set(no_value kFarAway kEndless kFar kNever kNoAnswer kNoLimit kNoChain)
 set(smallest_divisors kNoDistance kMinInertia)

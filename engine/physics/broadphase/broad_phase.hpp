@@ -74,15 +74,14 @@ public:
     /// which it has to wake, but not with static or kinematic ones. A pair of two moved proxies is reported
     /// once. The order is arbitrary. Different parts of `moved` may be searched on several threads at once.
     /// @param isMoved  by proxy: nonzero for all that are in `moved` of any thread
-    virtual void findPairs(const Proxies& proxies, std::span<const std::uint32_t> moved,
-                           std::span<const std::uint8_t> isMoved, std::vector<PairKey>& pairs) const = 0;
+    virtual void findPairs(std::span<const std::uint32_t> moved, std::span<const std::uint8_t> isMoved,
+                           std::vector<PairKey>& pairs) const = 0;
     /// Appends all proxies whose bounds overlap the box and that are on a layer in `mask`. The order is
     /// arbitrary.
-    virtual void query(const Proxies& proxies, const AABB& box, std::uint32_t mask,
-                       std::vector<std::uint32_t>& found) const = 0;
+    virtual void query(const AABB& box, std::uint32_t mask, std::vector<std::uint32_t>& found) const = 0;
     /// Appends all proxies whose bounds, enlarged by `half` on each side, intersect the line from `from` to
     /// `from + way`. The order is arbitrary; the result may contain proxies that the line misses.
-    virtual void cast(const Proxies& proxies, Vec2 from, Vec2 displacement, Vec2 half, std::uint32_t mask,
+    virtual void cast(Vec2 from, Vec2 displacement, Vec2 half, std::uint32_t mask,
                       std::vector<std::uint32_t>& found, Among among) const = 0;
     /// Visits the regions into which it sorts proxies: the nodes, cells or segments that are in use. For
     /// debug drawing.

@@ -18,11 +18,12 @@ void refill(World& world, Workspace& work) {
                 [&](const Contact& contact) { work.pairs.add(pairKey(contact.shapeA, contact.shapeB)); });
 }
 
-}  // namespace
-
+/// The shapes of a world as the broad phase reads them.
 Proxies proxiesOf(const World& world) {
     return {world.shapes.bounds, world.shapes.filter, world.shapes.motion};
 }
+
+}  // namespace
 
 void updateBroadPhase(World& world, Workspace& work) {
     refreshColours(world, work);  // before the flag is reset

@@ -5,9 +5,6 @@
 
 namespace plumb::physics {
 
-/// The shapes of a world as the broad phase reads them.
-[[nodiscard]] Proxies proxiesOf(const World& world);
-
 /// Updates the broad phase with all changes since the last update; refills the workspace after the world was
 /// overwritten. Steps and queries begin with it. The result of a step does not depend on it.
 void updateBroadPhase(World& world, Workspace& work);

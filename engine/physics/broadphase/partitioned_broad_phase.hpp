@@ -122,13 +122,12 @@ public:
             takeBits(marks_[i], [&](std::uint32_t place) { moved[count++] = parts_[i].idAt(place); });
     }
 
-    void query(const Proxies&, const AABB& box, std::uint32_t mask,
-               std::vector<std::uint32_t>& found) const final {
+    void query(const AABB& box, std::uint32_t mask, std::vector<std::uint32_t>& found) const final {
         find(usable(box), nullptr, mask, Among::All, found);
     }
 
-    void cast(const Proxies&, Vec2 from, Vec2 displacement, Vec2 half, std::uint32_t mask,
-              std::vector<std::uint32_t>& found, Among among) const final {
+    void cast(Vec2 from, Vec2 displacement, Vec2 half, std::uint32_t mask, std::vector<std::uint32_t>& found,
+              Among among) const final {
         const LineSweep sweep = lineSweep(from, displacement, half);
         find(sweep.bounds, &sweep, mask, among, found);
     }

@@ -2,7 +2,7 @@
 
 namespace plumb::physics {
 
-void QuadtreeBroadPhase::findPairs(const Proxies&, std::span<const std::uint32_t> moved,
+void QuadtreeBroadPhase::findPairs(std::span<const std::uint32_t> moved,
                                    std::span<const std::uint8_t> isMoved, std::vector<PairKey>& pairs) const {
     for (const std::uint32_t id : moved) {
         const ProxyPlace place = placeOf(id);

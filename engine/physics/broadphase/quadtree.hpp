@@ -9,8 +9,8 @@ namespace plumb::physics {
 /// proxies come and go and no single step may be slow.
 class QuadtreeBroadPhase final : public PartitionedBroadPhase<LooseQuadtree> {
 public:
-    void findPairs(const Proxies& proxies, std::span<const std::uint32_t> moved,
-                   std::span<const std::uint8_t> isMoved, std::vector<PairKey>& pairs) const override;
+    void findPairs(std::span<const std::uint32_t> moved, std::span<const std::uint8_t> isMoved,
+                   std::vector<PairKey>& pairs) const override;
 };
 
 }  // namespace plumb::physics

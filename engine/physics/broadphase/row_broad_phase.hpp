@@ -17,8 +17,8 @@ namespace plumb::physics {
 template <class Part>
 class RowBroadPhase final : public PartitionedBroadPhase<Part> {
 public:
-    void findPairs(const Proxies&, std::span<const std::uint32_t> moved,
-                   std::span<const std::uint8_t> isMoved, std::vector<PairKey>& pairs) const override {
+    void findPairs(std::span<const std::uint32_t> moved, std::span<const std::uint8_t> isMoved,
+                   std::vector<PairKey>& pairs) const override {
         for (std::uint32_t own = 0; own < kParts; ++own) {
             // Resting proxies pair with moving ones only.
             for (std::uint32_t other = own == kMovingPart ? 0u : kMovingPart; other < kParts; ++other) {

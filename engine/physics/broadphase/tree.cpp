@@ -2,8 +2,8 @@
 
 namespace plumb::physics {
 
-void TreeBroadPhase::findPairs(const Proxies&, std::span<const std::uint32_t> moved,
-                               std::span<const std::uint8_t> isMoved, std::vector<PairKey>& pairs) const {
+void TreeBroadPhase::findPairs(std::span<const std::uint32_t> moved, std::span<const std::uint8_t> isMoved,
+                               std::vector<PairKey>& pairs) const {
     TreeSearch search;
     search.isMoved = isMoved.data();
     for (std::size_t i = 0; i < moved.size();) {

@@ -8,8 +8,8 @@ namespace plumb::physics {
 /// degrades it.
 class TreeBroadPhase final : public PartitionedBroadPhase<Bvh8> {
 public:
-    void findPairs(const Proxies& proxies, std::span<const std::uint32_t> moved,
-                   std::span<const std::uint8_t> isMoved, std::vector<PairKey>& pairs) const override;
+    void findPairs(std::span<const std::uint32_t> moved, std::span<const std::uint8_t> isMoved,
+                   std::vector<PairKey>& pairs) const override;
 };
 
 }  // namespace plumb::physics

@@ -43,7 +43,7 @@ Vec2 CharacterMover::onGround(float dx, Vec2 normal) const {
 std::optional<Vec2> CharacterMover::groundNormalOf(const CastHit& hit) const {
     const Vec2 normal = hit.normal;
     if (isGround(normal)) return normal;
-    if (definition_.outline.radius <= 0.0f || rise(normal) < kRoundCorner) return std::nullopt;
+    if (definition_.outline.radius == 0.0f || rise(normal) < kRoundCorner) return std::nullopt;
     const float gap = definition_.gap;
     const float inward = along(normal) > 0.0f ? -3.0f * gap : 3.0f * gap;
     const WorldPosition over = hit.point + (right_ * inward + definition_.up * (5.0f * gap));

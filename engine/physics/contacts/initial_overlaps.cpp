@@ -36,7 +36,8 @@ void hide(Contact& contact, float hidden) {
 
 void markInitialOverlap(const World& world, Contact& contact) {
     contact.flags &= static_cast<std::uint16_t>(~kInitialOverlap);
-    if ((contact.flags & (kOneWayA | kOneWayB)) != 0) return;  // what is inside falls through
+    // What is inside a one-way shape falls through, and nothing comes out of a trigger.
+    if ((contact.flags & (kOneWayA | kOneWayB | kTriggered)) != 0) return;
     const float depth = depthOf(contact);
     if (depth > 2.0f * world.settings.slop && depth > depthByMotion(world, contact))
         contact.flags |= kInitialOverlap;

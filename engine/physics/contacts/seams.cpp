@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <limits>
 
-#include "physics/broadphase/broadphase_update.hpp"
 #include "physics/broadphase/overlap.hpp"
 #include "physics/contacts/contacts.hpp"
 #include "physics/narrowphase/free_sector.hpp"
@@ -205,7 +204,7 @@ const std::vector<std::uint32_t>& fixedNear(StepContext& step, const Contact& co
     std::vector<std::uint32_t>& found = step.work.candidates;
     found.clear();
     const Vec2 place = toVec2(world.bodies.pose[contact.bodyB].centre), half{distance, distance};
-    step.work.broadPhase->query(proxiesOf(world), {place - half, place + half}, 0xffffffffu, found);
+    step.work.broadPhase->query({place - half, place + half}, 0xffffffffu, found);
     std::erase_if(found, [&](std::uint32_t shape) {
         const ShapeInfo& info = shapes.info[shape];
         return world.bodies.info[info.body].kind == BodyKind::Dynamic ||

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <limits>
 
-#include "physics/broadphase/broadphase_update.hpp"
 #include "physics/tuning.hpp"
 
 namespace plumb::physics {
@@ -104,8 +103,8 @@ void findNextHit(const StepContext& step, std::size_t place, std::vector<std::ui
     const float reach = reachOf(step, swept);
     const bool all = isBullet(world, swept.body);
     found.clear();
-    work.broadPhase->cast(proxiesOf(world), beginOf(sweep), displacementLeft(sweep), {reach, reach},
-                          0xffffffffu, found, all || work.kinematicsAtRest ? Among::All : Among::Static);
+    work.broadPhase->cast(beginOf(sweep), displacementLeft(sweep), {reach, reach}, 0xffffffffu, found,
+                          all || work.kinematicsAtRest ? Among::All : Among::Static);
     std::sort(found.begin(), found.end());
     for (const std::uint32_t shape : found) {
         const std::uint32_t body = world.shapes.info[shape].body;
@@ -116,8 +115,8 @@ void findNextHit(const StepContext& step, std::size_t place, std::vector<std::ui
     const std::uint32_t layers =
         kKinematicLayer | (all || swept.hits > 0 ? kBulletLayer : 0) | (all ? kFastLayer : 0);
     found.clear();
-    work.sweptProxies.search->cast(work.sweptProxies.view(), beginOf(sweep), displacementLeft(sweep),
-                                   {reach, reach}, layers, found, Among::All);
+    work.sweptProxies.search->cast(beginOf(sweep), displacementLeft(sweep), {reach, reach}, layers, found,
+                                   Among::All);
     std::sort(found.begin(), found.end());
     for (const std::uint32_t other : found) {
         const SweptBody& met = work.swept[other];

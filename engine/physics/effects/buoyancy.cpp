@@ -46,7 +46,7 @@ Acceleration buoyancy(const FieldView& view, const FieldDefinition& field, std::
     for (std::uint32_t s = world.bodies.info[body].firstShape; s != kNone; s = world.shapes.info[s].next) {
         const Submerged part =
             submergedPart(world.shapes.geometry[s], world.shapes.corners, toFluid, fluid.box);
-        if (part.area <= 0.0f || (world.shapes.info[s].flags & kTrigger) != 0) continue;
+        if (part.area == 0.0f || (world.shapes.info[s].flags & kTrigger) != 0) continue;
         const float weight = field.density * part.area;
         const Vec2 arm = rotate(fluid.turn, part.centre) - (state.centre - fluid.surface);
         const Vec2 felt = field.velocity - (state.velocity + cross(state.angularVelocity, arm));

@@ -43,7 +43,7 @@ Acceleration wind(const FieldView& view, const FieldDefinition& field, std::uint
                   const BodyState& state) {
     const Vec2 felt = airOf(field, view.world.steps) - state.velocity;
     const float speed = length(felt);
-    if (speed <= 0.0f) return {};
+    if (speed == 0.0f) return {};
     const float width = widthAcross(view.world, body, state.rotation, felt / speed);
     const float rate = field.density * width * speed * view.world.bodies.mass[body].inverseMass;  // 1/s
     return {std::min(rate, 1.0f / view.h) * felt, 0.0f};
@@ -94,10 +94,10 @@ Acceleration spring(const FieldView& view, const FieldDefinition& field, std::ui
     }
     const Vec2 displacement = there.place - here.place;
     const float size = length(displacement);
-    if (size <= 0.0f) return {};
+    if (size == 0.0f) return {};
     const Vec2 along = displacement / size;
     const float ease = easeOf(here, along) + easeOf(there, along);
-    if (ease <= 0.0f) return {};
+    if (ease == 0.0f) return {};
     const float damping = std::min(field.damping, 1.0f / (ease * view.h));
     const float stiffest = kStiffest * (4.0f / view.h - 2.0f * damping * ease) / (ease * view.h);
     const float pull = std::min(field.strength, stiffest) * (size - field.length) +

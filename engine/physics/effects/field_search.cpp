@@ -65,8 +65,7 @@ std::span<const std::uint32_t> fieldsNear(const World& world, Workspace& work, s
     const float reach = world.bodies.info[body].reach;
     std::vector<std::uint32_t>& found = work.candidates;
     found.clear();
-    work.fieldBoxes.search->query(work.fieldBoxes.view(),
-                                  boxAround(world.bodies.pose[body].centre, {reach, reach}), kinds, found);
+    work.fieldBoxes.search->query(boxAround(world.bodies.pose[body].centre, {reach, reach}), kinds, found);
     std::sort(found.begin(), found.end());
     for (std::uint32_t& field : found) field = work.searchedFields[field];
     return found;

@@ -145,7 +145,7 @@ Sums alongEdge(const Convex& convex, const Frame& toFluid, const FluidBox& fluid
         const Corner next = apply(toFluid, convex.corners()[(i + 1) % count]);
         const Vec2 out = convex.radius * here.normal;
         addStraight(sums, here.point + out, next.point + out, fluid);
-        if (convex.radius <= 0.0f) continue;
+        if (convex.radius == 0.0f) continue;
         const float turn = arcTangent(cross(here.normal, next.normal), dot(here.normal, next.normal));
         // The ends of a capsule are half circles, for which the sign of the angle is undefined.
         const float sweep = count == 2 ? kPi : turn;

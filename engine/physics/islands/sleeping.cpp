@@ -15,15 +15,11 @@ namespace {
 
 constexpr int kGrain = 512;
 
-/// Room for all to be free again, so that waking up allocates nothing.
-template <class T>
-void growFree(std::vector<std::uint32_t>& free, const std::vector<T>& all) {
-    if (free.capacity() < all.size()) free.reserve(all.capacity());
-}
+// The lists of free places have room for all, so that waking up allocates nothing.
 
 std::uint32_t takeIsland(Sleepers& sleepers) {
     const std::uint32_t island = takeIndex(sleepers.freeIslands, sleepers.islands);
-    growFree(sleepers.freeIslands, sleepers.islands);
+    sleepers.freeIslands.reserve(sleepers.islands.capacity());
     sleepers.islands[island] = {};
     return island;
 }
@@ -43,7 +39,7 @@ void putInIsland(World& world, std::uint32_t island, std::uint32_t body) {
 
 void putInIsland(Sleepers& sleepers, std::uint32_t island, const Contact& contact) {
     const std::uint32_t place = takeIndex(sleepers.freeContacts, sleepers.contacts, sleepers.nextContact);
-    growFree(sleepers.freeContacts, sleepers.contacts);
+    sleepers.freeContacts.reserve(sleepers.contacts.capacity());
     sleepers.contacts[place] = contact;
     sleepers.nextContact[place] = std::exchange(sleepers.islands[island].firstContact, place);
 }
@@ -60,13 +56,14 @@ bool staysInStep(const World& world, const Contact& contact) {
 void takeContactsAlong(World& world) {
     std::vector<Contact>& contacts = world.contacts;
     for (std::size_t i = contacts.size(); i-- > 0;) {
-        const Contact& contact = contacts[i];
+        Contact& contact = contacts[i];
         if (isUp(world, contact.bodyA) || isUp(world, contact.bodyB)) continue;
         if (staysInStep(world, contact)) continue;
         const std::uint32_t islandB = world.sleepers.islandOf[contact.bodyB];
         const std::uint32_t island = islandB != kNone ? islandB : world.sleepers.islandOf[contact.bodyA];
         if (island == kNone) continue;
         if ((contact.flags & kTouching) != 0) {
+            contact.flags &= static_cast<std::uint16_t>(~kBegan);  // not again when it wakes
             putInIsland(world.sleepers, island, contact);
         } else if (!world.work.stale()) {
             world.work.get().pairs.remove(pairKey(contact.shapeA, contact.shapeB));

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <array>
 
 #include "physics/joints/joint_types.hpp"
@@ -56,6 +57,7 @@ JointParts weld(const JointView& view) {
     parts.value.springs = parts.springs;
     parts.value.grip = parts.grip;
     const JointSpring& spring = view.definition.spring;
+    parts.holdsAngle = !spring.on && !parts.springs;
     if (!spring.on) return parts;
     parts.value.springs = spring.hertz < view.timing.stiffest;
     parts.value.grip = parts.value.springs ? springGrip(spring.hertz, spring.dampingRatio, view.timing.h)
@@ -84,7 +86,7 @@ JointParts mouse(const JointView& view) {
     parts.grip = springGrip(spring.on ? spring.hertz : kDefaultHertz, spring.on ? spring.dampingRatio : 1.0f,
                             view.timing.h);
     parts.springs = true;
-    parts.maximum = impulseOf(view.definition.maxForce, view);
+    parts.maximum = impulseOf(std::min(view.definition.maxForce, kMousePull * view.massB), view);
     return parts;
 }
 

@@ -20,7 +20,8 @@ JointView viewOf(const World& world, std::uint32_t index, const JointTiming& tim
     const Joint& joint = world.joints.hot[index];
     const JointDefinition& definition = world.joints.definition[index];
     const BodyPose &a = world.bodies.pose[joint.bodyA], &b = world.bodies.pose[joint.bodyB];
-    JointView view{joint, definition, timing, a.rotation, b.rotation, b.centre - a.centre, {}};
+    JointView view{joint,      definition,          timing, a.rotation,
+                   b.rotation, b.centre - a.centre, {},     world.bodies.mass[joint.bodyB].mass};
     if (joint.kind == JointKind::Mouse) view.toTarget = b.centre - definition.target;
     return view;
 }

@@ -21,6 +21,7 @@ struct JointView {
     Rot turnB;
     Vec2 between;   ///< m: from A's center of mass to B's
     Vec2 toTarget;  ///< m: from JointDefinition::target to B's center of mass
+    float massB;    ///< kg
 };
 
 /// Larger than any impulse: stands for "unlimited".
@@ -54,7 +55,7 @@ struct JointParts {
     float angle = 0.0f;        ///< rad: rotation of B relative to A, minus the reference angle
     ValueParts value;          ///< on the angle (hinges) or the length (rods, sliders)
     Vec2 axis;                 ///< world: sliding axis
-    bool holdsAngle = false;
+    bool holdsAngle = false;   ///< rigidly
     float spin = 0.0f;     ///< rad/s: target speed of a slider's rotational motor (wheel)
     float maxSpin = 0.0f;  ///< N m s: maximum impulse of that motor per substep
 };

@@ -19,9 +19,9 @@ using Parts = std::vector<std::vector<std::uint8_t>>;
 template <class Archive, class AnyWorld>
 void visit(Archive& archive, AnyWorld& world) {
     auto& [settings, bodies, shapes, joints, fields, softBodies, awake, moved, altered, contacts, sleepers,
-           initialOverlaps, events, brokenJoints, strainedJoints, fellAsleep, quarantined, qualityCallers,
-           newJoints, filtersStale, islandsStale, islandsAge, manifest, gravityOfLastStep, steps, stepLength,
-           isAsking, work] = world;
+           initialOverlaps, events, brokenJoints, strainedJoints, fellAsleep, quarantined, quarantinedSoft,
+           qualityCallers, newJoints, filtersStale, islandsStale, islandsAge, manifest, gravityOfLastStep,
+           steps, stepLength, isAsking, work] = world;
     archive.values(settings);
     auto& [pose, motion, mass, info, controllers, energies, drives, freeBodies, dyingBodies] = bodies;
     archive.lists(pose, motion, mass, info, drives.rows, drives.free, freeBodies, dyingBodies);

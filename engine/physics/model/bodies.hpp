@@ -80,7 +80,7 @@ struct FreeMotion {
 
 // Setters. They return an error for values that are not finite or out of range, and then change nothing; so
 // they do when a callback of StepOptions::hooks calls them. A setter that moves or accelerates a body wakes
-// it.
+// it. Those without a result do nothing where the others return an error.
 
 /// Makes a body static, kinematic or dynamic. It loses a mass that was set. What it touches gets Ended, and
 /// Began if it still touches that, in the next step.
@@ -110,14 +110,15 @@ Result<Done> applyImpulse(World& world, BodyId body, Vec2 impulse);  ///< N s
 Result<Done> applyImpulseAt(World& world, BodyId body, Vec2 impulse, WorldPosition point);
 Result<Done> applyAngularImpulse(World& world, BodyId body, float impulse);  ///< N m s
 void clearForces(World& world, BodyId body);  ///< forces and torques that were applied for the next step
-/// Gives a kinematic body the velocity that reaches the target within dt (s); it stops after that step.
+/// Gives a kinematic body the velocity that reaches the target within dt (s), as far as Settings::maxSpeed
+/// allows; it stops after that step, and then reads 0.
 Result<Done> moveTo(World& world, BodyId body, WorldPosition position, float angle, float dt);
 void setAwake(World& world, BodyId body, bool awake);
 void setFixedRotation(World& world, BodyId body, bool fixed);
 void setBullet(World& world, BodyId body, bool bullet);
 Result<Done> setSleepSpeed(World& world, BodyId body, float speed);  ///< m/s
 inline void setUser(World& world, BodyId body, std::uint64_t user) {
-    if (alive(world, body)) world.bodies.info[body.index].user = user;
+    if (!world.isAsking && alive(world, body)) world.bodies.info[body.index].user = user;
 }
 void setCanSleep(World& world, BodyId body, bool canSleep);
 void setLocks(World& world, BodyId body, bool lockX, bool lockY);  ///< its velocity along an axis stays 0

@@ -25,7 +25,7 @@ enum class JointKind : std::uint8_t {
 
 struct JointLimit {
     bool on = false;
-    float lower = 0.0f;  ///< rad or m
+    float lower = 0.0f;  ///< m or rad; angles from -pi to pi
     float upper = 0.0f;
 };
 
@@ -39,7 +39,7 @@ struct JointSpring {
     bool on = false;
     float hertz = 0.0f;         ///< Hz: frequency of the spring with the effective mass of the two bodies
     float dampingRatio = 0.0f;  ///< 1: critically damped
-    float rest = 0.0f;          ///< rad or m: rest position
+    float rest = 0.0f;          ///< rad or m: rest position; of Distance it is `length`
 };
 
 /// Everything that a new joint needs. Members that a kind does not use are ignored.
@@ -65,7 +65,8 @@ struct JointDefinition {
     JointLimit limit{};
     JointMotor motor{};
     JointSpring spring{};  ///< of Weld: its angle, if that is not as stiff as the rest of it
-    float maxForce = std::numeric_limits<float>::infinity();      ///< N: of Mouse and Motor
+    /// N: of Mouse and Motor. No mouse pulls B at more than 1000 m/s2: contacts win.
+    float maxForce = std::numeric_limits<float>::infinity();
     float maxTorque = std::numeric_limits<float>::infinity();     ///< N m: of Motor
     float breakForce = std::numeric_limits<float>::infinity();    ///< N: a larger force breaks the joint
     float breakTorque = std::numeric_limits<float>::infinity();   ///< N m: a larger torque breaks the joint

@@ -1,6 +1,7 @@
 #include "physics/model/joints.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "physics/islands/sleeping.hpp"
 #include "physics/joints/joint_types.hpp"
@@ -49,6 +50,16 @@ Result<Done> checkNumbers(const JointDefinition& d) {
                    checkQuality("JointDefinition.quality", d.quality));
 }
 
+Result<Done> checkAngles(const JointDefinition& d) {
+    if (d.kind != JointKind::Revolute) return Done{};
+    const float limit = d.limit.on ? std::max(-d.limit.lower, d.limit.upper) : 0.0f;
+    if (std::max(limit, d.spring.on ? std::fabs(d.spring.rest) : 0.0f) <= kPi) return Done{};
+    return wrong("JointDefinition",
+                 "expected limits and a rest angle from -pi to pi, since a hinge knows its "
+                 "angle within a turn only",
+                 "to stop after several turns, add up angularVelocityOf() and stop the motor");
+}
+
 Result<Done> check(const World& world, const JointDefinition& d) {
     if (d.kind >= JointKind::Count)
         return wrong("JointDefinition.kind", "expected a kind of joint, found another number",
@@ -76,7 +87,7 @@ Result<Done> check(const World& world, const JointDefinition& d) {
                      "expected two different living revolute or prismatic joints to gear together",
                      "create both first, and pass their ids as jointA and jointB");
     }
-    return checkNumbers(d);
+    return firstOf(checkNumbers(d), checkAngles(d));
 }
 
 void callFor(World& world, const JointDefinition& definition, int times) {
@@ -104,7 +115,7 @@ std::uint8_t flagsOf(const JointDefinition& d) {
     const bool breaks = std::min({d.breakForce, d.breakTorque, d.reportForce, d.reportTorque}) < kEndless;
     return static_cast<std::uint8_t>((d.limit.on ? kLimited : 0) | (d.motor.on ? kDriven : 0) |
                                      (d.spring.on ? kSprung : 0) | (d.hertz > 0.0f ? kSoft : 0) |
-                                     (breaks ? kBreakable : 0) | (d.collideConnected ? 0 : kKeepsApart));
+                                     (breaks ? kBreakable : 0) | (d.collideConnected || d.kind == JointKind::Mouse ? 0 : kKeepsApart));
 }
 
 /// Takes what a new definition says, except the bodies.
@@ -213,8 +224,8 @@ Result<Done> setDefinition(World& world, JointId id, const JointDefinition& defi
     callFor(world, before, -1);
     take(world, id.index, definition, axis);
     if (joint.colour != kNoColour) joint.flags |= kDefinitionChanged;  // it was in a step
-    // What was switched on starts without an impulse of old. Gear and Pulley keep their error there.
-    if (rearms && joint.kind != JointKind::Gear && joint.kind != JointKind::Pulley)
+    // What was switched on starts without an impulse of old. A gear keeps its error there.
+    if (rearms && joint.kind != JointKind::Gear)
         std::fill(std::begin(joint.rows), std::end(joint.rows), 0.0f);
     return Done{};
 }

@@ -23,14 +23,14 @@ Sum sumOfShapes(const World& world, std::uint32_t body) {
     Vec2 moment;
     float aboutOrigin = 0.0f;
     for (std::uint32_t s = world.bodies.info[body].firstShape; s != kNone; s = shapes.info[s].next) {
-        if (shapes.info[s].density <= 0.0f) continue;
+        if (shapes.info[s].density == 0.0f) continue;
         const MassProperties part =
             massProperties(shapes.geometry[s], shapes.corners, shapes.info[s].density);
         sum.mass += part.mass;
         moment += part.mass * part.centre;
         aboutOrigin += part.inertia + part.mass * lengthSquared(part.centre);
     }
-    if (sum.mass <= 0.0f) return {};
+    if (sum.mass == 0.0f) return {};
     sum.centre = moment / sum.mass;
     sum.inertia = std::max(aboutOrigin - sum.mass * lengthSquared(sum.centre), 0.0f);
     return sum;

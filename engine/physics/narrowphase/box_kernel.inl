@@ -4,22 +4,8 @@
 // Source: separating axes of boxes after S. Gottschalk, M. Lin, D. Manocha, "OBBTree", 1996, 5; the incident
 // edge is clipped after E. Catto, "Contact Manifolds", GDC 2007.
 
-/// Two boxes in a frame with A's centre and axes.
-struct BoxPair {
-    Float8 halfAx, halfAy, halfBx, halfBy;  // m
-    Float8 x, y;                            // m: B's centre
-    Float8 cosine, sine;                    // B's rotation
-    Float8 radiusA, radiusB;                // m
-    Float8 speculative;                     // m
-};
-
-struct BoxTouch {
-    Float8 normalX, normalY;  // from A to B
-    Float8 pointX[2], pointY[2], separation[2];
-    Float8 id[2];  // corner of A * 256 + corner of B; corners are 0 (-,-), 1 (+,-), 2 (-,+), 3 (+,+)
-    Float8 count;
-    Float8 roundA, roundB;
-};
+using BoxPair = BoxPairOf<Float8>;
+using BoxTouch = BoxTouchOf<Float8>;
 
 /// The axis of maximum separation.
 struct BoxAxis {
@@ -256,12 +242,12 @@ BoxTouch placed(const BoxPlaces& w, const BoxView& v, const BoxPair& p, const Bo
 }
 
 /// @return  count 0 if the boxes are further apart than `speculative`
-BoxTouch touchBoxes(const BoxPair& p) {
+BoxTouch touchBoxes(const BoxPair& p, Float8 speculative) {
     const Float8 zero = all(0.0f);
     const Float8 qx = p.cosine * p.x + p.sine * p.y;  // B's centre along B's axes
     const Float8 qy = p.cosine * p.y - p.sine * p.x;
     const BoxAxis axis = bestAxis(p, qx, qy);
-    const auto near = p.speculative + (p.radiusA + p.radiusB) > axis.gap;
+    const auto near = speculative + (p.radiusA + p.radiusB) > axis.gap;
     BoxTouch touch;
     touch.count = zero;
     if (!any(near)) return touch;
@@ -270,9 +256,9 @@ BoxTouch touchBoxes(const BoxPair& p) {
     const auto ofB = axis.ofB > zero;
     const Float8 radius = select(ofB, p.radiusB, p.radiusA);
     const Float8 otherRadius = select(ofB, p.radiusA, p.radiusB);
-    BoxPlaces places = touchFaces(view, radius, otherRadius, p.speculative);
+    BoxPlaces places = touchFaces(view, radius, otherRadius, speculative);
     if (any((axis.gap > zero) & near))
-        touchCorners(places, view, axis.gap, radius, otherRadius, p.speculative);
+        touchCorners(places, view, axis.gap, radius, otherRadius, speculative);
     touch = placed(places, view, p, axis);
     touch.count = select(near, touch.count, zero);
     return touch;

@@ -7,21 +7,28 @@
 
 namespace plumb::physics {
 
-/// Eight pairs of boxes, each in the frame of its box A: the members of BoxPair (box_kernel.inl), in lanes.
-struct BoxPairs {
-    float halfAx[kLanes], halfAy[kLanes], halfBx[kLanes], halfBy[kLanes];
-    float x[kLanes], y[kLanes];
-    float cosine[kLanes], sine[kLanes];
-    float radiusA[kLanes], radiusB[kLanes];
+/// Eight pairs of boxes, each in a frame with the centre and the axes of its box A.
+/// @tparam Row  eight numbers: in memory, or in a register of the kernel
+template <class Row>
+struct BoxPairOf {
+    Row halfAx, halfAy, halfBx, halfBy;  // m
+    Row x, y;                            // m: B's centre
+    Row cosine, sine;                    // B's rotation
+    Row radiusA, radiusB;                // m
 };
 
-/// Their manifolds: the members of BoxTouch, in lanes.
-struct BoxTouches {
-    float normalX[kLanes], normalY[kLanes];
-    float pointX[2][kLanes], pointY[2][kLanes], separation[2][kLanes], id[2][kLanes];
-    float count[kLanes];
-    float roundA[kLanes], roundB[kLanes];
+/// Their manifolds.
+template <class Row>
+struct BoxTouchOf {
+    Row normalX, normalY;  // from A to B
+    Row pointX[2], pointY[2], separation[2];
+    Row id[2];  // corner of A * 256 + corner of B; corners are 0 (-,-), 1 (+,-), 2 (-,+), 3 (+,+)
+    Row count;
+    Row roundA, roundB;
 };
+
+using BoxPairs = BoxPairOf<float[kLanes]>;
+using BoxTouches = BoxTouchOf<float[kLanes]>;
 
 void putPair(BoxPairs& pairs, int lane, const Geometry& a, const Geometry& b, const Frame& bInA);
 /// @param a  the first box of the pair

@@ -20,12 +20,12 @@ inline Side sideOf(const Convex& convex) { return {convex.corners(), convex.radi
 
 /// The corners of a convex outline, transformed to another frame.
 struct MovedCorners {
-    Corner corners[kMaxCorners];
+    CornerRoom room;
 
     Side moved(const Convex& convex, const Frame& frame) {
         std::size_t count = 0;
-        for (const Corner& corner : convex.corners()) corners[count++] = apply(frame, corner);
-        return {{corners, count}, convex.radius, apply(frame, convex.centre)};
+        for (const Corner& corner : convex.corners()) room.corners[count++] = apply(frame, corner);
+        return {{room.corners, count}, convex.radius, apply(frame, convex.centre)};
     }
 };
 

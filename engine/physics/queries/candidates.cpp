@@ -49,7 +49,7 @@ std::span<const std::uint32_t> candidatesIn(World& world, WorldPosition low, Wor
     work.candidates.clear();
     const AABB box{toVec2(low), toVec2(high)};
     const float margin = std::max(roundingAt(box.min), roundingAt(box.max));
-    work.broadPhase->query(proxiesOf(world), grown(box, margin), filter.mask, work.candidates);
+    work.broadPhase->query(grown(box, margin), filter.mask, work.candidates);
     return choose(world, filter);
 }
 
@@ -60,8 +60,8 @@ std::span<const std::uint32_t> candidatesAlong(World& world, WorldPosition from,
     work.candidates.clear();
     const Vec2 start = toVec2(from);
     const float margin = std::max(roundingAt(start), roundingAt(start + displacement));
-    work.broadPhase->cast(proxiesOf(world), start, displacement, half + Vec2{margin, margin}, filter.mask,
-                          work.candidates, Among::All);
+    work.broadPhase->cast(start, displacement, half + Vec2{margin, margin}, filter.mask, work.candidates,
+                          Among::All);
     return choose(world, filter);
 }
 

@@ -35,11 +35,11 @@ int farthest(std::span<const Corner> corners, Vec2 direction) {
 
 ScaledConvex::ScaledConvex(const Convex& outline, Vec2 about, float part) : convex_{outline} {
     const auto scaled = [&](Vec2 point) { return about + part * (point - about); };
-    std::transform(outline.corners().begin(), outline.corners().end(), corners_.begin(),
+    std::transform(outline.corners().begin(), outline.corners().end(), room_.corners,
                    [&](const Corner& corner) {
                        return Corner{scaled(corner.point), corner.normal};
                    });
-    convex_.pool = corners_.data();
+    convex_.pool = room_.corners;
     convex_.centre = scaled(outline.centre);
     convex_.radius *= part;
 }

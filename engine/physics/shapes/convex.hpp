@@ -22,6 +22,12 @@ struct Convex {
     }
 };
 
+/// Room for the corners of any outline. Not initialized: few have so many.
+union CornerRoom {
+    CornerRoom() {}
+    Corner corners[kMaxCorners];
+};
+
 /// An outline that is scaled about a point.
 class ScaledConvex {
 public:
@@ -33,7 +39,7 @@ public:
 
 private:
     Convex convex_;
-    std::array<Corner, kMaxCorners> corners_;
+    CornerRoom room_;
 };
 
 /// The normal that is used where geometry defines none, as for two discs with the same centre.

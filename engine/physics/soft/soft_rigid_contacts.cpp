@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "math/portable.hpp"
-#include "physics/broadphase/broadphase_update.hpp"
 #include "physics/islands/sleeping.hpp"
 #include "physics/shapes/shape_types.hpp"
 #include "physics/soft/soft_soft_contacts.hpp"
@@ -24,8 +23,7 @@ void findShapes(StepContext& step, const SoftBody& body) {
     std::vector<std::uint32_t>& found = step.work.softSurroundings.shapes;
     const auto first = static_cast<std::ptrdiff_t>(found.size());
     if (step.work.broadPhase != nullptr) {
-        step.work.broadPhase->query(proxiesOf(step.world),
-                                    grown(rounded(boxOf(body, step.dt)), body.radius + reachOf(body)),
+        step.work.broadPhase->query(grown(rounded(boxOf(body, step.dt)), body.radius + reachOf(body)),
                                     body.mask, found);
     }
     const auto end = std::remove_if(found.begin() + first, found.end(), [&](std::uint32_t shape) {
@@ -270,22 +268,19 @@ void warmStartSoft(StepContext& step, const SoftGroup& group, float h, bool firs
 void solveSoft(StepContext& step, const SoftGroup& group, const ContactPass& pass, bool relax) {
     SoftSurroundings& around = step.work.softSurroundings;
     const float rate = pass.substepRate;
-    const Softness ground = contactPass(step.world.settings, 1.0f / rate, kGroundStiffness).softness;
     for (SoftContact& contact : group.contacts.of(around.contacts)) {
         SoftObstacle& obstacle = around.obstacles[contact.obstacle];
         SoftParticle& p = *contact.particle;
         Float4& motion = motionOf(step, obstacle);
-        // What is heavier than a particle is as ground for it. Between it and true ground, what is lighter
-        // must be able to give way.
-        const Softness& soft = obstacle.inverseMass.x < p.inverseMass ? ground : pass.softness;
         const float gap = contact.gap;
         const bool hard = relax || gap > 0.0f;
         float bias = relax && contact.impulse != Vec2{} ? 0.0f : std::max(gap, 0.0f) * rate;
-        if (!hard) bias = std::max(gap * soft.biasRate, gap * pass.deepPushRate - pass.pushSpeed);
+        if (!hard) bias = std::max(gap * pass.softness.biasRate, gap * pass.deepPushRate - pass.pushSpeed);
         const Vec2 velocity = relax ? p.velocity : rate * (p.place - p.before);
         const Vec2 impulse = answer(contact, obstacle, velocity - velocityAt(motion, contact.arm), bias,
-                                    hard ? Softness{} : soft);
-        if (impulse == Vec2{}) continue;
+                                    hard ? Softness{} : pass.softness);
+        if (!isFinite(impulse)) contact.impulse = {};  // what went wrong on one side stays there
+        if (impulse == Vec2{} || !isFinite(impulse)) continue;
         pushBody(contact, obstacle, motion, impulse);
         if (relax) {
             p.velocity += p.inverseMass * impulse;

@@ -2,6 +2,7 @@
 
 #include <bit>
 
+#include "physics/model/edits.hpp"
 #include "physics/workspace.hpp"
 
 namespace plumb::physics {
@@ -44,12 +45,7 @@ void refreshColours(World& world, Workspace& work) {
     work.colourMasks.resize(world.bodies.size());
     if (!world.work.stale()) return;
     work.colourMasks.assign(world.bodies.size(), 0);
-    for (const Contact& contact : world.contacts) note(world, work, contact);
-    for (const SleepingIsland& island : world.sleepers.islands) {
-        for (std::uint32_t c = island.firstContact; c != kNone; c = world.sleepers.nextContact[c]) {
-            note(world, work, world.sleepers.contacts[c]);
-        }
-    }
+    forContacts(world, [&](const Contact& contact) { note(world, work, contact); });
     for (const Joint& joint : world.joints.hot) {
         if (joint.bodyA == kNone) continue;
         if (joint.kind != JointKind::Mouse) note(world, work, joint.bodyA, joint.colour);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 
 #include "physics/solver/lanes.hpp"
@@ -9,6 +10,8 @@ namespace plumb::physics {
 /// State of the bodies of a step, by solver slot, in flat arrays so that a pass reads nothing else. Eight
 /// idle slots at the end serve SIMD lanes without a body.
 struct SolverBodies {
+    static constexpr bool kRotate = true;
+
     Float4* velocity;       ///< m/s, m/s, rad/s, 1/kg: x, y, angular, inverse mass
     Float4* deltaPosition;  ///< m, m: displacement since the start of the step; sine and (cosine - 1) of the
                             ///< rotation since then
@@ -19,102 +22,71 @@ struct SolverBodies {
     Float4* velocityBeforeImpulses;  ///< the velocity without the impulses of this substep
 };
 
-/// One of the two points of eight contacts.
+/// A body of eight contacts that can rotate. A lever is the cross product of the arm and a direction.
+struct RotatingSide {
+    static constexpr bool kFixed = false;
+    std::int32_t slot[kLanes];
+    float inverseInertia[kLanes];
+    float lever[2][kLanes];  ///< m: by point, along the normal
+    float turn[kLanes];      ///< m: dot(arm, normal) of the part of the arm that rotates with the body
+    float slide[kLanes];     ///< m: dot(arm, normal), the lever of friction
+};
+
+/// A body in a step without rotation: no lever matters.
+struct SideWithoutRotation {
+    static constexpr bool kFixed = false;
+    std::uint32_t offset[kLanes];  ///< bytes: of its state
+    float inverseMass[kLanes];
+};
+
+/// A static or kinematic body.
+template <std::size_t kPoints>
+struct FixedSide {
+    static constexpr bool kFixed = true;
+    float approach[kPoints][kLanes];  ///< m/s along the normal: velocity of its surface at each point
+};
+
+/// A point of eight contacts.
 struct ContactBlockPoint {
-    float leverA[kLanes];  ///< m: cross(arm, normal)
-    float leverB[kLanes];
     float separation[kLanes];  ///< m, at the start of the step
     float gap[kLanes];         ///< m, now
     float mass[kLanes];        ///< kg: effective mass along the normal
     float impulse[kLanes];     ///< N s
 };
 
-/// Eight contacts of one color between dynamic bodies, one per SIMD lane: no body appears twice. Friction of
-/// both points acts along one line, so it is a single constraint at their midpoint. Source: E. Catto,
-/// "Iterative Dynamics with Temporal Coherence", GDC 2005.
-struct ContactBlock {
-    std::int32_t a[kLanes];  ///< slots
-    std::int32_t b[kLanes];
+/// Eight contacts of one color, one per SIMD lane: no body that moves appears twice. Friction of two points
+/// acts along one line, so it is a single constraint at their midpoint. Source: E. Catto, "Iterative Dynamics
+/// with Temporal Coherence", GDC 2005.
+template <class SideA, class SideB, std::size_t kPointCount>
+struct ContactBlockOf {
+    static constexpr int kPoints = int{kPointCount};
+
+    SideA a;
+    SideB b;
     float normalX[kLanes];
     float normalY[kLanes];
-    float inverseInertiaA[kLanes];
-    float inverseInertiaB[kLanes];
-    float turnA[kLanes];  ///< m: dot(arm, normal) of the part of the arm that rotates with the body
-    float turnB[kLanes];
-    float slideA[kLanes];  ///< m: dot(arm, normal), the lever arm of friction
-    float slideB[kLanes];
-    float slideSpeed[kLanes];  ///< m/s: of the surfaces themselves (conveyors)
+    ContactBlockPoint points[kPointCount];
+    float friction[kLanes];    ///< this and the following only with friction
+    float slideSpeed[kLanes];  ///< m/s: of the surfaces themselves (conveyors, kinematic bodies)
     float slideMass[kLanes];
     float slideImpulse[kLanes];
-    float friction[kLanes];
-    ContactBlockPoint points[2];
 };
 
-struct FixedContactBlockPoint {
-    float lever[kLanes];
-    float separation[kLanes];
-    float gap[kLanes];
-    float approach[kLanes];  ///< m/s along the normal: velocity of A's surface at this point
-    float mass[kLanes];
-    float impulse[kLanes];
-};
-
-/// Eight contacts of one color, each of a dynamic body B with a static or kinematic body A.
-struct FixedContactBlock {
-    std::int32_t b[kLanes];
-    float normalX[kLanes];
-    float normalY[kLanes];
-    float inverseInertia[kLanes];
-    float turn[kLanes];
-    float slide[kLanes];
-    float slideSpeed[kLanes];
-    float slideMass[kLanes];
-    float slideImpulse[kLanes];
-    float friction[kLanes];
-    FixedContactBlockPoint points[2];
-};
+using ContactBlock = ContactBlockOf<RotatingSide, RotatingSide, 2>;
+using FixedContactBlock = ContactBlockOf<FixedSide<2>, RotatingSide, 2>;
+using BlockWithoutRotation = ContactBlockOf<SideWithoutRotation, SideWithoutRotation, 1>;
+using FixedBlockWithoutRotation = ContactBlockOf<FixedSide<1>, SideWithoutRotation, 1>;
 
 /// State of bodies in a step without rotation, by solver slot: all that a contact needs in one row.
 struct BodiesWithoutRotation {
-    Float4* state;  ///< m/s, m/s, m, m: velocity; displacement since the start of the step
+    static constexpr bool kRotate = false;
+
+    Float4* velocity;  ///< m/s, m/s, m, m: velocity; displacement since the start of the step
     // As in SolverBodies.
     const Float4* drive;
     const Float4* keep;
     const Float4* ballisticDrift;
     Float4* velocityBeforeImpulses;
-};
-
-/// Eight contacts of one color in a step without rotation: one point each, without a lever arm.
-struct BlockWithoutRotation {
-    std::uint32_t a[kLanes];  ///< byte offset of a body's state
-    std::uint32_t b[kLanes];
-    float inverseMassA[kLanes];
-    float inverseMassB[kLanes];
-    float normalX[kLanes];
-    float normalY[kLanes];
-    float separation[kLanes];
-    float gap[kLanes];
-    float mass[kLanes];  ///< kg: effective mass along any direction
-    float impulse[kLanes];
-    float friction[kLanes];  ///< this and the following only with friction
-    float slideSpeed[kLanes];
-    float slideImpulse[kLanes];
-};
-
-/// The same for a dynamic body B and a static or kinematic body A.
-struct FixedBlockWithoutRotation {
-    std::uint32_t b[kLanes];
-    float inverseMass[kLanes];
-    float normalX[kLanes];
-    float normalY[kLanes];
-    float separation[kLanes];
-    float gap[kLanes];
-    float approach[kLanes];
-    float mass[kLanes];
-    float impulse[kLanes];
-    float friction[kLanes];
-    float slideSpeed[kLanes];
-    float slideImpulse[kLanes];
 };
 
 /// Restitution data of a block, in a parallel array that exists only if something in the scene bounces.

@@ -1,194 +1,5 @@
-// Part of kernels.inl: contacts with two points between bodies that can rotate.
-
-// Preparation: transposes rows of contacts and bodies into SIMD lanes.
-
-/// Row indices of eight contacts and their bodies. Idle lanes repeat those of the first contact and are
-/// masked out.
-struct Rows8 {
-    std::int32_t contact[kLanes];
-    std::int32_t a[kLanes];
-    std::int32_t b[kLanes];
-    Float8 used;  // 1 in lanes with a contact, else 0
-};
-
-inline Rows8 rowsOf(const ContactSource& source, const BlockLanes& lanes) {
-    Rows8 rows;
-    float used[kLanes];
-    for (int i = 0; i < kLanes; ++i) {
-        const std::int32_t contact = lanes.contact[i < lanes.count ? i : 0];
-        std::int32_t ids[4];
-        __builtin_memcpy(ids, source.contacts + contact * kContactRows, sizeof ids);
-        rows.contact[i] = contact * kContactRows;
-        rows.a[i] = ids[2];
-        rows.b[i] = ids[3];
-        used[i] = i < lanes.count ? 1.0f : 0.0f;
-    }
-    rows.used = load(used);
-    return rows;
-}
-
-constexpr int kAhead = 2;  // blocks: prefetch distance
-
-/// Prefetches rows of the contacts of a later block: they are scattered in memory.
-inline void fetch(const Float4* contacts, const BlockLanes& lanes, int line) {
-    for (int i = 0; i < kLanes; ++i)
-        __builtin_prefetch(contacts + lanes.contact[i < lanes.count ? i : 0] * kContactRows + line);
-}
-
-inline void slotsOf(const ContactSource& source, const BlockLanes& lanes, const std::int32_t* body,
-                    std::int32_t* slot) {
-    for (int i = 0; i < kLanes; ++i) slot[i] = i < lanes.count ? source.slots[body[i]] : source.idleSlot + i;
-}
-
-/// Inverse mass and inertia of one body of eight contacts.
-struct Side8 {
-    Float8 inverseMass, inverseInertia;
-};
-
-inline Side8 sideOf(const ContactSource& source, const std::int32_t* body) {
-    Float8 mass[4];
-    gather(source.masses, body, mass);
-    return {mass[0], source.turning ? mass[1] : all(0.0f)};
-}
-
-/// Geometry of eight contacts, at the orientations that the bodies had when the points were found.
-struct Places8 {
-    Two8 normal;
-    Two8 turnA, turnB;  // cosine and sine
-    Float8 friction, slideImpulse;
-    Float8 anchors[2][4];
-    Float8 impulses[4];
-    Float8 rounds[4];
-};
-
-inline Places8 placesOf(const ContactSource& source, const Rows8& rows) {
-    Places8 places;
-    Float8 first[4], turn[4];
-    gather(source.contacts + kNormalRow, rows.contact, first);
-    gather(source.contacts + kTurnRow, rows.contact, turn);
-    gather(source.contacts + kAnchorsRow, rows.contact, places.anchors[0]);
-    gather(source.contacts + kAnchorsRow + 1, rows.contact, places.anchors[1]);
-    gather(source.contacts + kImpulseRow, rows.contact, places.impulses);
-    gather(source.contacts + kRoundRow, rows.contact, places.rounds);
-    places.normal = {first[0], first[1]};
-    const Two8 normalInA{places.rounds[2], places.rounds[3]};
-    places.turnA = {dot8(normalInA, places.normal), cross8(normalInA, places.normal)};
-    places.turnB = turned(places.turnA.x, places.turnA.y, turn[0], turn[1]);
-    places.friction = first[2];
-    places.slideImpulse = first[3] * rows.used;
-    return places;
-}
-
-inline Float8 surfaceSpeeds(const ContactSource& source, const Rows8& rows) {
-    if (!source.surfaces) return all(0.0f);
-    Float8 surface[4];
-    gather(source.contacts + kSurfaceRow, rows.contact, surface);
-    return surface[3] * rows.used;
-}
-
-void prepare(const ContactSource& source, const BlockLanes* lanes, ContactBlock* blocks, int begin, int end) {
-    for (int n = begin; n < end; ++n) {
-        ContactBlock& block = blocks[n];
-        const Rows8 rows = rowsOf(source, lanes[n]);
-        slotsOf(source, lanes[n], rows.a, block.a);
-        slotsOf(source, lanes[n], rows.b, block.b);
-        const Side8 a = sideOf(source, rows.a);
-        const Side8 b = sideOf(source, rows.b);
-        const Places8 places = placesOf(source, rows);
-        const Two8 normal = places.normal;
-        const Float8 masses = a.inverseMass + b.inverseMass;
-        Float8 slideA = all(0.0f), slideB = all(0.0f);
-        for (int p = 0; p < 2; ++p) {
-            const Float8(&anchors)[4] = places.anchors[p];
-            const Two8 armA = turned(places.turnA.x, places.turnA.y, anchors[0], anchors[1]);
-            const Two8 armB = turned(places.turnB.x, places.turnB.y, anchors[2], anchors[3]);
-            const Float8 leverA = cross8(armA, normal);
-            const Float8 leverB = cross8(armB, normal);
-            slideA += all(0.5f) * dot8(armA, normal);
-            slideB += all(0.5f) * dot8(armB, normal);
-            ContactBlockPoint& point = block.points[p];
-            store(point.leverA, leverA);
-            store(point.leverB, leverB);
-            store(point.separation, places.impulses[2 * p]);
-            store(point.gap, places.impulses[2 * p]);
-            const Float8 impulse = max(places.impulses[2 * p + 1], all(0.0f)) * rows.used;
-            store(point.impulse, impulse);
-            store(point.mass, rows.used * inverseOrZero(masses + a.inverseInertia * leverA * leverA +
-                                                        b.inverseInertia * leverB * leverB));
-        }
-        store(block.normalX, normal.x);
-        store(block.normalY, normal.y);
-        store(block.inverseInertiaA, a.inverseInertia);
-        store(block.inverseInertiaB, b.inverseInertia);
-        store(block.turnA, slideA - places.rounds[0]);
-        store(block.turnB, slideB + places.rounds[1]);
-        store(block.slideA, slideA);
-        store(block.slideB, slideB);
-        store(block.friction, places.friction);
-        store(block.slideImpulse, places.slideImpulse);
-        store(block.slideSpeed, surfaceSpeeds(source, rows));
-        store(block.slideMass, rows.used * inverseOrZero(masses + a.inverseInertia * slideA * slideA +
-                                                         b.inverseInertia * slideB * slideB));
-    }
-}
-
-/// Velocity of the surface of a static or kinematic body.
-struct Surface8 {
-    Two8 velocity;
-    Float8 spin;
-};
-
-inline Surface8 surfaceOf(const ContactSource& source, const std::int32_t* body) {
-    const Float8 zero = all(0.0f);
-    if (!source.kinematics) return {{zero, zero}, zero};
-    Float8 motion[4];
-    gather(source.motions, body, motion);
-    return {{motion[0], motion[1]}, motion[2]};
-}
-
-void prepareFixed(const ContactSource& source, const BlockLanes* lanes, FixedContactBlock* blocks, int begin,
-                  int end) {
-    for (int n = begin; n < end; ++n) {
-        FixedContactBlock& block = blocks[n];
-        const Rows8 rows = rowsOf(source, lanes[n]);
-        slotsOf(source, lanes[n], rows.b, block.b);
-        const Side8 b = sideOf(source, rows.b);
-        const Surface8 surface = surfaceOf(source, rows.a);
-        const Places8 places = placesOf(source, rows);
-        const Two8 normal = places.normal;
-        const Float8 surfaceAlong = dot8(surface.velocity, normal);
-        Float8 slide = all(0.0f), slideA = all(0.0f);
-        for (int p = 0; p < 2; ++p) {
-            const Float8(&anchors)[4] = places.anchors[p];
-            const Two8 armA = turned(places.turnA.x, places.turnA.y, anchors[0], anchors[1]);
-            const Two8 armB = turned(places.turnB.x, places.turnB.y, anchors[2], anchors[3]);
-            const Float8 lever = cross8(armB, normal);
-            slide += all(0.5f) * dot8(armB, normal);
-            slideA += all(0.5f) * dot8(armA, normal);
-            FixedContactBlockPoint& point = block.points[p];
-            store(point.lever, lever);
-            store(point.approach, rows.used * (surfaceAlong + surface.spin * cross8(armA, normal)));
-            store(point.separation, places.impulses[2 * p]);
-            store(point.gap, places.impulses[2 * p]);
-            const Float8 impulse = max(places.impulses[2 * p + 1], all(0.0f)) * rows.used;
-            store(point.impulse, impulse);
-            store(point.mass, rows.used * inverseOrZero(b.inverseMass + b.inverseInertia * lever * lever));
-        }
-        const Float8 surfaceAcross = normal.x * surface.velocity.y - normal.y * surface.velocity.x;
-        store(block.normalX, normal.x);
-        store(block.normalY, normal.y);
-        store(block.inverseInertia, b.inverseInertia);
-        store(block.turn, slide + places.rounds[1]);
-        store(block.slide, slide);
-        store(block.friction, places.friction);
-        store(block.slideImpulse, places.slideImpulse);
-        store(block.slideSpeed,
-              surfaceSpeeds(source, rows) + rows.used * (surfaceAcross + surface.spin * slideA));
-        store(block.slideMass, rows.used * inverseOrZero(b.inverseMass + b.inverseInertia * slide * slide));
-    }
-}
-
-// Solving.
+// Part of kernels.inl: contacts. The kernels of steps without rotation are the same source with other sides:
+// the omitted terms are zero, so both give the same bits.
 
 /// One body of eight contacts while a block is solved.
 struct Body8 {
@@ -214,46 +25,131 @@ inline Float8 speedAlong(const Body8& body, Two8 direction, Float8 lever) {
     return body.lane[0] * direction.x + body.lane[1] * direction.y + body.lane[2] * lever;
 }
 
-/// Displacement of a body's point along the normal since the start of the step.
-inline Float8 movedAlong(const Float8 (&deltaPosition)[4], Two8 normal, Float8 lever, Float8 turn) {
-    return deltaPosition[0] * normal.x + deltaPosition[1] * normal.y +
-           (deltaPosition[2] * lever + deltaPosition[3] * turn);
-}
+// Each side of eight contacts while a block is solved: its velocity, and in a biased pass (kPush) its motion
+// since the start of the step. An "arm" is what it takes to know or change the velocity of a point: a lever,
+// nothing for a body that does not rotate, or the velocity itself for a surface that nothing changes.
 
-template <bool kHasFriction>
-void warmStart(const SolverBodies& bodies, const BlockLanes* lanes, ContactBlock* blocks, int begin,
-               int end) {
-    for (int n = begin; n < end; ++n) {
-        const ContactBlock& block = blocks[n];
-        Body8 a = bodyAt(bodies.velocity, block.a, block.inverseInertiaA);
-        Body8 b = bodyAt(bodies.velocity, block.b, block.inverseInertiaB);
-        const Float8 push0 = load(block.points[0].impulse), push1 = load(block.points[1].impulse);
-        const Float8 slide = kHasFriction ? load(block.slideImpulse) : all(0.0f), push = push0 + push1;
-        const Float8 nx = load(block.normalX), ny = load(block.normalY);
-        const Two8 impulse{push * nx - slide * ny, push * ny + slide * nx};
-        a.push({-impulse.x, -impulse.y},
-               -(push0 * load(block.points[0].leverA) + push1 * load(block.points[1].leverA) +
-                 slide * load(block.slideA)));
-        b.push(impulse, push0 * load(block.points[0].leverB) + push1 * load(block.points[1].leverB) +
-                            slide * load(block.slideB));
-        scatter(bodies.velocity, block.a, a.lane, lanes[n].count);
-        scatter(bodies.velocity, block.b, b.lane, lanes[n].count);
+template <class Lanes, bool kPush>
+struct Mover8;
+
+template <bool kPush>
+struct Mover8<RotatingSide, kPush> {
+    const RotatingSide& side;
+    Body8 body;
+    Float8 shift[4], turns;
+
+    [[gnu::always_inline]] Mover8(const SolverBodies& bodies, const RotatingSide& lanes, Float8)
+        : side{lanes}, body{bodyAt(bodies.velocity, lanes.slot, lanes.inverseInertia)} {
+        if constexpr (!kPush) return;
+        gather(bodies.deltaPosition, lanes.slot, shift);
+        turns = load(lanes.turn);
     }
+    [[nodiscard]] Float8 arm(int p) const { return load(side.lever[p]); }
+    [[nodiscard]] Float8 slideArm() const { return load(side.slide); }
+    [[nodiscard]] Float8 speed(Two8 direction, Float8 lever) const {
+        return speedAlong(body, direction, lever);
+    }
+    /// Displacement of a point along the normal since the start of the step.
+    [[nodiscard]] Float8 moved(Two8 normal, Float8 lever) const {
+        return shift[0] * normal.x + shift[1] * normal.y + (shift[2] * lever + shift[3] * turns);
+    }
+    void push(Two8 impulse, Float8 torque) { body.push(impulse, torque); }
+    void pull(Two8 impulse, Float8 torque) { body.push({-impulse.x, -impulse.y}, -torque); }
+    [[gnu::always_inline]] void write(const SolverBodies& bodies, int count) const {
+        scatter(bodies.velocity, side.slot, body.lane, count);
+    }
+};
+
+struct NoArm8 {};
+inline NoArm8 operator*(Float8, NoArm8) { return {}; }
+inline NoArm8 operator+(NoArm8, NoArm8) { return {}; }
+
+template <bool kPush>
+struct Mover8<SideWithoutRotation, kPush> {
+    const SideWithoutRotation& side;
+    Two8 velocity, shift;
+    Float8 inverseMass;
+
+    [[gnu::always_inline]] Mover8(const BodiesWithoutRotation& bodies, const SideWithoutRotation& lanes,
+                                  Float8)
+        : side{lanes}, inverseMass{load(lanes.inverseMass)} {
+        if constexpr (kPush) {
+            Float8 lane[4];
+            gather(bodies.velocity, lanes.offset, lane);
+            velocity = {lane[0], lane[1]};
+            shift = {lane[2], lane[3]};
+        } else {
+            gatherTwo(bodies.velocity, lanes.offset, velocity.x, velocity.y);
+        }
+    }
+    [[nodiscard]] NoArm8 arm(int) const { return {}; }
+    [[nodiscard]] NoArm8 slideArm() const { return {}; }
+    [[nodiscard]] Float8 speed(Two8 direction, NoArm8) const { return dot8(velocity, direction); }
+    [[nodiscard]] Float8 moved(Two8 normal, NoArm8) const { return dot8(shift, normal); }
+    void push(Two8 impulse, NoArm8) { velocity = velocity + inverseMass * impulse; }
+    void pull(Two8 impulse, NoArm8) { velocity = velocity - inverseMass * impulse; }
+    [[gnu::always_inline]] void write(const BodiesWithoutRotation& bodies, int count) const {
+        scatterTwo(bodies.velocity, side.offset, velocity.x, velocity.y, count);
+    }
+};
+
+template <std::size_t kPoints, bool kPush>
+struct Mover8<FixedSide<kPoints>, kPush> {
+    const FixedSide<kPoints>& side;
+    Float8 elapsed;
+
+    template <class Bodies>
+    [[gnu::always_inline]] Mover8(const Bodies&, const FixedSide<kPoints>& lanes, Float8 since)
+        : side{lanes}, elapsed{since} {}
+    [[nodiscard]] Float8 arm(int p) const { return load(side.approach[p]); }
+    [[nodiscard]] Float8 slideArm() const { return all(0.0f); }  // its motion is in slideSpeed
+    [[nodiscard]] Float8 speed(Two8, Float8 approach) const { return approach; }
+    [[nodiscard]] Float8 moved(Two8, Float8 approach) const { return approach * elapsed; }
+    void pull(Two8, Float8) const {}
+    template <class Bodies>
+    void write(const Bodies&, int) const {}
+};
+
+template <bool kPush, class Lanes, class Bodies>
+[[gnu::always_inline]] inline Mover8<Lanes, kPush> moverOf(const Bodies& bodies, const Lanes& side,
+                                                           Float8 elapsed) {
+    return {bodies, side, elapsed};
 }
 
-template <bool kHasFriction>
-void warmStartFixed(const SolverBodies& bodies, const BlockLanes* lanes, FixedContactBlock* blocks, int begin,
-                    int end) {
+template <class MoverA, class MoverB, class ArmA, class ArmB>
+inline void exchange(MoverA& a, MoverB& b, Float8 impulse, Two8 direction, ArmA armA, ArmB armB) {
+    a.pull(impulse * direction, impulse * armA);
+    b.push(impulse * direction, impulse * armB);
+}
+
+/// Torque of all impulses of a block on one side.
+template <bool kHasFriction, class Block, class Mover>
+auto torqueOn(const Mover& mover, const Block& block) {
+    auto torque = load(block.points[0].impulse) * mover.arm(0);
+    for (int p = 1; p < Block::kPoints; ++p)
+        torque = torque + load(block.points[p].impulse) * mover.arm(p);
+    if constexpr (kHasFriction) torque = torque + load(block.slideImpulse) * mover.slideArm();
+    return torque;
+}
+
+template <bool kHasFriction, class Block, class Bodies>
+void warmStart(const Bodies& bodies, const BlockLanes* lanes, Block* blocks, int begin, int end) {
     for (int n = begin; n < end; ++n) {
-        const FixedContactBlock& block = blocks[n];
-        Body8 b = bodyAt(bodies.velocity, block.b, block.inverseInertia);
-        const Float8 push0 = load(block.points[0].impulse), push1 = load(block.points[1].impulse);
-        const Float8 slide = kHasFriction ? load(block.slideImpulse) : all(0.0f), push = push0 + push1;
-        const Float8 nx = load(block.normalX), ny = load(block.normalY);
-        b.push({push * nx - slide * ny, push * ny + slide * nx}, push0 * load(block.points[0].lever) +
-                                                                     push1 * load(block.points[1].lever) +
-                                                                     slide * load(block.slide));
-        scatter(bodies.velocity, block.b, b.lane, lanes[n].count);
+        const Block& block = blocks[n];
+        auto a = moverOf<false>(bodies, block.a, all(0.0f));
+        auto b = moverOf<false>(bodies, block.b, all(0.0f));
+        Float8 push = load(block.points[0].impulse);
+        for (int p = 1; p < Block::kPoints; ++p) push += load(block.points[p].impulse);
+        const Two8 normal{load(block.normalX), load(block.normalY)};
+        Two8 impulse = push * normal;
+        if constexpr (kHasFriction) {
+            const Float8 slide = load(block.slideImpulse);
+            impulse = {impulse.x - slide * normal.y, impulse.y + slide * normal.x};
+        }
+        a.pull(impulse, torqueOn<kHasFriction>(a, block));
+        b.push(impulse, torqueOn<kHasFriction>(b, block));
+        a.write(bodies, lanes[n].count);
+        b.write(bodies, lanes[n].count);
     }
 }
 
@@ -300,135 +196,70 @@ inline Float8 rubbed(Float8 speed, Float8 mass, Float8 maximum, float* total) {
 }
 
 /// Friction of a whole contact, whose points together have the normal impulse `pressed`.
-inline void rub(ContactBlock& block, Two8 normal, Float8 pressed, Body8& a, Body8& b) {
+template <class Block, class MoverA, class MoverB>
+inline void rub(Block& block, Two8 normal, Float8 pressed, MoverA& a, MoverB& b) {
     const Two8 along{-normal.y, normal.x};
-    const Float8 slideA = load(block.slideA), slideB = load(block.slideB);
-    const Float8 sliding =
-        speedAlong(b, along, slideB) - speedAlong(a, along, slideA) - load(block.slideSpeed);
+    const auto armA = a.slideArm();
+    const auto armB = b.slideArm();
+    const Float8 sliding = b.speed(along, armB) - a.speed(along, armA) - load(block.slideSpeed);
     const Float8 change =
         rubbed(sliding, load(block.slideMass), load(block.friction) * pressed, block.slideImpulse);
-    const Two8 impulse{change * along.x, change * along.y};
-    a.push({-impulse.x, -impulse.y}, -(change * slideA));
-    b.push(impulse, change * slideB);
+    exchange(a, b, change, along, armA, armB);
 }
 
-inline void rub(FixedContactBlock& block, Two8 normal, Float8 pressed, Body8& b) {
-    const Two8 along{-normal.y, normal.x};
-    const Float8 slide = load(block.slide);
-    const Float8 sliding = speedAlong(b, along, slide) - load(block.slideSpeed);
-    const Float8 change =
-        rubbed(sliding, load(block.slideMass), load(block.friction) * pressed, block.slideImpulse);
-    b.push({change * along.x, change * along.y}, change * slide);
-}
-
-template <bool kHasFriction>
-void push(const SolverBodies& bodies, const ContactPass& pass, const BlockLanes* lanes, ContactBlock* blocks,
-          int begin, int end) {
-    const SoftPush8 soft{pass};
+/// One pass over the points of the contacts, and over their friction.
+/// @param answer  the change of the impulse of a point: answer(point, speed, gap, impulse)
+template <bool kHasFriction, bool kPush, class Block, class Bodies, class Answer>
+[[gnu::always_inline]] inline void solve(const Bodies& bodies, Float8 elapsed, const BlockLanes* lanes,
+                                         Block* blocks, int begin, int end, Answer answer) {
     for (int n = begin; n < end; ++n) {
-        ContactBlock& block = blocks[n];
-        Body8 a = bodyAt(bodies.velocity, block.a, block.inverseInertiaA);
-        Body8 b = bodyAt(bodies.velocity, block.b, block.inverseInertiaB);
-        Float8 shiftA[4], shiftB[4];
-        gather(bodies.deltaPosition, block.a, shiftA);
-        gather(bodies.deltaPosition, block.b, shiftB);
+        Block& block = blocks[n];
+        auto a = moverOf<kPush>(bodies, block.a, elapsed);
+        auto b = moverOf<kPush>(bodies, block.b, elapsed);
         const Two8 normal{load(block.normalX), load(block.normalY)};
-        const Float8 turnA = load(block.turnA), turnB = load(block.turnB);
-        for (ContactBlockPoint& point : block.points) {
-            const Float8 leverA = load(point.leverA), leverB = load(point.leverB);
-            const Float8 gap = load(point.separation) + (movedAlong(shiftB, normal, leverB, turnB) -
-                                                         movedAlong(shiftA, normal, leverA, turnA));
-            const Float8 speed = speedAlong(b, normal, leverB) - speedAlong(a, normal, leverA);
-            Float8 impulse = load(point.impulse);
-            const Float8 change = soft.answer(speed, gap, load(point.mass), impulse);
-            store(point.gap, gap);
-            store(point.impulse, impulse);
-            const Two8 pushed{change * normal.x, change * normal.y};
-            a.push({-pushed.x, -pushed.y}, -(change * leverA));
-            b.push(pushed, change * leverB);
-        }
-        if constexpr (kHasFriction)
-            rub(block, normal, load(block.points[0].impulse) + load(block.points[1].impulse), a, b);
-        scatter(bodies.velocity, block.a, a.lane, lanes[n].count);
-        scatter(bodies.velocity, block.b, b.lane, lanes[n].count);
-    }
-}
-
-template <bool kHasFriction>
-void pushFixed(const SolverBodies& bodies, const ContactPass& pass, const BlockLanes* lanes,
-               FixedContactBlock* blocks, int begin, int end) {
-    const SoftPush8 soft{pass};
-    const Float8 elapsed = all(pass.elapsed);
-    for (int n = begin; n < end; ++n) {
-        FixedContactBlock& block = blocks[n];
-        Body8 b = bodyAt(bodies.velocity, block.b, block.inverseInertia);
-        Float8 deltaPosition[4];
-        gather(bodies.deltaPosition, block.b, deltaPosition);
-        const Two8 normal{load(block.normalX), load(block.normalY)};
-        const Float8 turn = load(block.turn);
-        for (FixedContactBlockPoint& point : block.points) {
-            const Float8 lever = load(point.lever), approach = load(point.approach);
-            const Float8 gap = load(point.separation) +
-                               (movedAlong(deltaPosition, normal, lever, turn) - approach * elapsed);
-            const Float8 speed = speedAlong(b, normal, lever) - approach;
-            Float8 impulse = load(point.impulse);
-            const Float8 change = soft.answer(speed, gap, load(point.mass), impulse);
-            store(point.gap, gap);
-            store(point.impulse, impulse);
-            b.push({change * normal.x, change * normal.y}, change * lever);
-        }
-        if constexpr (kHasFriction)
-            rub(block, normal, load(block.points[0].impulse) + load(block.points[1].impulse), b);
-        scatter(bodies.velocity, block.b, b.lane, lanes[n].count);
-    }
-}
-
-template <bool kHasFriction>
-void relax(const SolverBodies& bodies, const ContactPass& pass, const BlockLanes* lanes, ContactBlock* blocks,
-           int begin, int end) {
-    const Float8 substepRate = all(pass.substepRate);
-    for (int n = begin; n < end; ++n) {
-        ContactBlock& block = blocks[n];
-        Body8 a = bodyAt(bodies.velocity, block.a, block.inverseInertiaA);
-        Body8 b = bodyAt(bodies.velocity, block.b, block.inverseInertiaB);
-        const Two8 normal{load(block.normalX), load(block.normalY)};
-        Float8 impulses[2] = {load(block.points[0].impulse), load(block.points[1].impulse)};
-        for (int p = 0; p < 2; ++p) {
+        Float8 pressed;
+        for (int p = 0; p < Block::kPoints; ++p) {
             ContactBlockPoint& point = block.points[p];
-            const Float8 leverA = load(point.leverA), leverB = load(point.leverB);
-            const Float8 speed = speedAlong(b, normal, leverB) - speedAlong(a, normal, leverA);
-            const Float8 change = relaxed(speed, load(point.gap), substepRate, load(point.mass), impulses[p]);
-            store(point.impulse, impulses[p]);
-            const Two8 pushed{change * normal.x, change * normal.y};
-            a.push({-pushed.x, -pushed.y}, -(change * leverA));
-            b.push(pushed, change * leverB);
+            const auto armA = a.arm(p);
+            const auto armB = b.arm(p);
+            Float8 gap;
+            if constexpr (kPush) {
+                gap = load(point.separation) + (b.moved(normal, armB) - a.moved(normal, armA));
+                store(point.gap, gap);
+            } else {
+                gap = load(point.gap);
+            }
+            const Float8 speed = b.speed(normal, armB) - a.speed(normal, armA);
+            Float8 impulse = load(point.impulse);
+            const Float8 change = answer(speed, gap, load(point.mass), impulse);
+            store(point.impulse, impulse);
+            pressed = p == 0 ? impulse : pressed + impulse;
+            exchange(a, b, change, normal, armA, armB);
         }
-        if constexpr (kHasFriction) rub(block, normal, impulses[0] + impulses[1], a, b);
-        scatter(bodies.velocity, block.a, a.lane, lanes[n].count);
-        scatter(bodies.velocity, block.b, b.lane, lanes[n].count);
+        if constexpr (kHasFriction) rub(block, normal, pressed, a, b);
+        a.write(bodies, lanes[n].count);
+        b.write(bodies, lanes[n].count);
     }
 }
 
-template <bool kHasFriction>
-void relaxFixed(const SolverBodies& bodies, const ContactPass& pass, const BlockLanes* lanes,
-                FixedContactBlock* blocks, int begin, int end) {
+template <bool kHasFriction, class Block, class Bodies>
+void push(const Bodies& bodies, const ContactPass& pass, const BlockLanes* lanes, Block* blocks, int begin,
+          int end) {
+    const SoftPush8 soft{pass};
+    solve<kHasFriction, true>(bodies, all(pass.elapsed), lanes, blocks, begin, end,
+                              [&](Float8 speed, Float8 gap, Float8 mass, Float8& impulse) {
+                                  return soft.answer(speed, gap, mass, impulse);
+                              });
+}
+
+template <bool kHasFriction, class Block, class Bodies>
+void relax(const Bodies& bodies, const ContactPass& pass, const BlockLanes* lanes, Block* blocks, int begin,
+           int end) {
     const Float8 substepRate = all(pass.substepRate);
-    for (int n = begin; n < end; ++n) {
-        FixedContactBlock& block = blocks[n];
-        Body8 b = bodyAt(bodies.velocity, block.b, block.inverseInertia);
-        const Two8 normal{load(block.normalX), load(block.normalY)};
-        Float8 impulses[2] = {load(block.points[0].impulse), load(block.points[1].impulse)};
-        for (int p = 0; p < 2; ++p) {
-            FixedContactBlockPoint& point = block.points[p];
-            const Float8 lever = load(point.lever);
-            const Float8 speed = speedAlong(b, normal, lever) - load(point.approach);
-            const Float8 change = relaxed(speed, load(point.gap), substepRate, load(point.mass), impulses[p]);
-            store(point.impulse, impulses[p]);
-            b.push({change * normal.x, change * normal.y}, change * lever);
-        }
-        if constexpr (kHasFriction) rub(block, normal, impulses[0] + impulses[1], b);
-        scatter(bodies.velocity, block.b, b.lane, lanes[n].count);
-    }
+    solve<kHasFriction, false>(bodies, substepRate, lanes, blocks, begin, end,
+                               [&](Float8 speed, Float8 gap, Float8 mass, Float8& impulse) {
+                                   return relaxed(speed, gap, substepRate, mass, impulse);
+                               });
 }
 
 /// Stores the impulses for warm starting of the next step.
@@ -440,7 +271,7 @@ void storeImpulses(Float4* contacts, const BlockLanes* lanes, const Block* block
             Float4* rows = contacts + lanes[n].contact[i] * kContactRows;
             if constexpr (kHasFriction) rows[kNormalRow].w = block.slideImpulse[i];
             rows[kImpulseRow].y = block.points[0].impulse[i];
-            rows[kImpulseRow].w = block.points[1].impulse[i];
+            if constexpr (Block::kPoints == 2) rows[kImpulseRow].w = block.points[1].impulse[i];
         }
     }
 }

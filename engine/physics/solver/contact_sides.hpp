@@ -9,56 +9,56 @@ namespace plumb::physics {
 
 // Scalar access to single contacts of a block, for what is too rare to be vectorized.
 
-/// One body at one point of a contact.
-struct ContactSide {
-    Float4* velocity;
-    float inverseInertia;
-    float lever;
+/// m/s: velocity of a point of one side along the normal.
+inline float speedAlong(const Workspace& work, const RotatingSide& side, int p, int i, Vec2 normal) {
+    const Float4& velocity = work.velocity[static_cast<std::size_t>(side.slot[i])];
+    return velocity.x * normal.x + velocity.y * normal.y + velocity.z * side.lever[p][i];
+}
+inline float speedAlong(const Workspace&, const FixedSide<2>& side, int p, int i, Vec2) {
+    return side.approach[p][i];
+}
+
+inline void pushAlong(Workspace& work, const RotatingSide& side, int p, int i, Vec2 normal, float impulse) {
+    Float4& velocity = work.velocity[static_cast<std::size_t>(side.slot[i])];
+    velocity.x += velocity.w * (impulse * normal.x);
+    velocity.y += velocity.w * (impulse * normal.y);
+    velocity.z += side.inverseInertia[i] * (impulse * side.lever[p][i]);
+}
+inline void pushAlong(Workspace&, const FixedSide<2>&, int, int, Vec2, float) {}
+
+template <class Block>
+Vec2 normalOf(const Block& block, int i) {
+    return {block.normalX[i], block.normalY[i]};
+}
+
+/// m/s: velocity of B relative to A along the normal.
+template <class Block>
+float approachOf(const Workspace& work, const Block& block, int p, int i) {
+    const Vec2 normal = normalOf(block, i);
+    return speedAlong(work, block.b, p, i, normal) - speedAlong(work, block.a, p, i, normal);
+}
+
+template <class Block>
+void pushApart(Workspace& work, const Block& block, int p, int i, float impulse) {
+    pushAlong(work, block.a, p, i, normalOf(block, i), -impulse);
+    pushAlong(work, block.b, p, i, normalOf(block, i), impulse);
+}
+
+/// Motion of a point during the step.
+struct PointMotion {
+    float displacement;  // m, along the normal
+    Vec2 acceleration;   // m/s2
 };
 
-inline float speedAlong(const ContactSide& side, float nx, float ny) {
-    return side.velocity->x * nx + side.velocity->y * ny + side.velocity->z * side.lever;
+inline PointMotion motionOf(const Workspace& work, const RotatingSide& side, int p, int i, Vec2 normal,
+                            float) {
+    const auto slot = static_cast<std::size_t>(side.slot[i]);
+    const Float4 &moved = work.deltaPosition[slot], &drive = work.drive[slot];
+    return {moved.x * normal.x + moved.y * normal.y + (moved.z * side.lever[p][i] + moved.w * side.turn[i]),
+            {drive.x, drive.y}};
 }
-
-inline void pushAlong(const ContactSide& side, float impulse, float nx, float ny) {
-    side.velocity->x += side.velocity->w * (impulse * nx);
-    side.velocity->y += side.velocity->w * (impulse * ny);
-    side.velocity->z += side.inverseInertia * (impulse * side.lever);
-}
-
-inline ContactSide sideA(Workspace& work, const ContactBlock& block, int p, int i) {
-    return {&work.velocity[static_cast<std::size_t>(block.a[i])], block.inverseInertiaA[i],
-            block.points[p].leverA[i]};
-}
-inline ContactSide sideB(Workspace& work, const ContactBlock& block, int p, int i) {
-    return {&work.velocity[static_cast<std::size_t>(block.b[i])], block.inverseInertiaB[i],
-            block.points[p].leverB[i]};
-}
-inline ContactSide sideB(Workspace& work, const FixedContactBlock& block, int p, int i) {
-    return {&work.velocity[static_cast<std::size_t>(block.b[i])], block.inverseInertia[i],
-            block.points[p].lever[i]};
-}
-
-inline float approachOf(Workspace& work, const ContactBlock& block, int p, int i) {
-    return speedAlong(sideB(work, block, p, i), block.normalX[i], block.normalY[i]) -
-           speedAlong(sideA(work, block, p, i), block.normalX[i], block.normalY[i]);
-}
-inline float approachOf(Workspace& work, const FixedContactBlock& block, int p, int i) {
-    return speedAlong(sideB(work, block, p, i), block.normalX[i], block.normalY[i]) -
-           block.points[p].approach[i];
-}
-
-inline void pushApart(Workspace& work, const ContactBlock& block, int p, int i, float impulse) {
-    pushAlong(sideA(work, block, p, i), -impulse, block.normalX[i], block.normalY[i]);
-    pushAlong(sideB(work, block, p, i), impulse, block.normalX[i], block.normalY[i]);
-}
-inline void pushApart(Workspace& work, const FixedContactBlock& block, int p, int i, float impulse) {
-    pushAlong(sideB(work, block, p, i), impulse, block.normalX[i], block.normalY[i]);
-}
-
-/// m: displacement of a body's point along the normal in this step.
-inline float movedAlong(const Float4& deltaPosition, float nx, float ny, float lever, float turn) {
-    return deltaPosition.x * nx + deltaPosition.y * ny + (deltaPosition.z * lever + deltaPosition.w * turn);
+inline PointMotion motionOf(const Workspace&, const FixedSide<2>& side, int p, int i, Vec2, float dt) {
+    return {side.approach[p][i] * dt, {}};
 }
 
 /// Relative motion of two bodies along the normal during the step.
@@ -67,19 +67,12 @@ struct Approach {
     float acceleration;  // m/s2 of B relative to A
 };
 
-inline Approach approachIn(const Workspace& work, const ContactBlock& block, int p, int i, float /*dt*/) {
-    const auto a = static_cast<std::size_t>(block.a[i]), b = static_cast<std::size_t>(block.b[i]);
-    const float nx = block.normalX[i], ny = block.normalY[i];
-    return {movedAlong(work.deltaPosition[b], nx, ny, block.points[p].leverB[i], block.turnB[i]) -
-                movedAlong(work.deltaPosition[a], nx, ny, block.points[p].leverA[i], block.turnA[i]),
-            (work.drive[b].x - work.drive[a].x) * nx + (work.drive[b].y - work.drive[a].y) * ny};
-}
-inline Approach approachIn(const Workspace& work, const FixedContactBlock& block, int p, int i, float dt) {
-    const auto b = static_cast<std::size_t>(block.b[i]);
-    const float nx = block.normalX[i], ny = block.normalY[i];
-    return {movedAlong(work.deltaPosition[b], nx, ny, block.points[p].lever[i], block.turn[i]) -
-                block.points[p].approach[i] * dt,
-            work.drive[b].x * nx + work.drive[b].y * ny};
+template <class Block>
+Approach approachIn(const Workspace& work, const Block& block, int p, int i, float dt) {
+    const Vec2 normal = normalOf(block, i);
+    const PointMotion a = motionOf(work, block.a, p, i, normal, dt),
+                      b = motionOf(work, block.b, p, i, normal, dt);
+    return {b.displacement - a.displacement, dot(b.acceleration - a.acceleration, normal)};
 }
 
 /// m2/s2: square of a speed after a displacement: v^2 = v0^2 + 2 a s.

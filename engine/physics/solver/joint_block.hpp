@@ -66,6 +66,8 @@ enum RowUse : std::int32_t { kHolds = 1, kDrives = 2, kLimits = 4 };
 
 /// Eight hinges without limit, motor and spring.
 struct PointBlock {
+    static constexpr bool kHasAngle = false;
+
     JointBodies bodies;
     AnchorLanes anchors;
     float impulseX[kLanes];  ///< N s, on B
@@ -77,6 +79,8 @@ struct PointBlock {
 
 /// Eight joints that constrain a point, possibly softly or with limited force, and the angle.
 struct HingeBlock {
+    static constexpr bool kHasAngle = true;
+
     PointBlock point;
     GripLanes grip;
     float apartX[kLanes];  ///< m: from A's anchor to B's, as of the last biased pass

@@ -1,18 +1,9 @@
-// Joints in SIMD lanes: the second part of kernels.inl, whose functions it uses.
+// Part of kernels.inl: joints.
 //
 // Arms rotate with the bodies in every substep, so that chains stay accurate however fast they swing. Warm
 // starting repeats the velocity change of the previous substep (accelerate), along the arms of then; the
 // difference to the current arms is added in the biased pass.
 
-#include "physics/solver/joint_kernels.hpp"
-
-namespace plumb::physics::PLUMB_LANES {
-
-namespace {
-
-inline Two8 operator+(Two8 a, Two8 b) { return {a.x + b.x, a.y + b.y}; }
-inline Two8 operator-(Two8 a, Two8 b) { return {a.x - b.x, a.y - b.y}; }
-inline Two8 operator*(Float8 s, Two8 a) { return {s * a.x, s * a.y}; }
 inline Two8 load2(const float* x, const float* y) { return {load(x), load(y)}; }
 inline void store2(float* x, float* y, Two8 a) { store(x, a.x), store(y, a.y); }
 
@@ -38,10 +29,12 @@ struct Couple8 {
 
 inline Couple8 coupleOf(const SolverBodies& bodies, const JointBodies& block) {
     Couple8 couple;
-    couple.a = bodyAt(bodies.velocity, block.a, block.inverseInertiaA);
-    couple.b = bodyAt(bodies.velocity, block.b, block.inverseInertiaB);
+    gather(bodies.velocity, block.a, couple.a.lane);
+    gather(bodies.velocity, block.b, couple.b.lane);
     gather(bodies.deltaPosition, block.a, couple.shiftA);
     gather(bodies.deltaPosition, block.b, couple.shiftB);
+    couple.a.inverseInertia = load(block.inverseInertiaA);
+    couple.b.inverseInertia = load(block.inverseInertiaB);
     return couple;
 }
 
@@ -160,53 +153,6 @@ inline void noteLack(PointBlock& block, const Anchors8& at, Two8 impulse) {
     store(block.turnB, cross8(at.armB, impulse) - load(block.turnB));
 }
 
-template <bool kOneSided>
-void warmStartPoints(const SolverBodies& bodies, const JointPass&, const JointLanes* lanes,
-                     PointBlock* blocks, int begin, int end) {
-    for (int n = begin; n < end; ++n) {
-        PointBlock& block = blocks[n];
-        Couple8 couple = coupleOf(bodies, block.bodies);
-        givePoint(couple, anchorsAt(block.anchors, couple), load2(block.impulseX, block.impulseY));
-        write<kOneSided>(bodies, block.bodies, couple, lanes[n].count);
-    }
-}
-
-template <bool kOneSided>
-void pushPoints(const SolverBodies& bodies, const JointPass& pass, const JointLanes* lanes,
-                PointBlock* blocks, int begin, int end) {
-    const Grip8 grip = gripOf(pass.rigid);
-    for (int n = begin; n < end; ++n) {
-        PointBlock& block = blocks[n];
-        Couple8 couple = coupleOf(bodies, block.bodies);
-        const Anchors8 at = anchorsAt(block.anchors, couple);
-        if (pass.first) makeUp(couple, block);
-        const Two8 before = load2(block.impulseX, block.impulseY);
-        const Two8 pull = closing(grip, at.apart, maxPull(pass, grip));
-        const Two8 change = answerPoint(couple, at, grip, pull, before), after = before + change;
-        givePoint(couple, at, change);
-        store2(block.impulseX, block.impulseY, after);
-        noteTurns(block, at, after);
-        write<kOneSided>(bodies, block.bodies, couple, lanes[n].count);
-    }
-}
-
-template <bool kOneSided>
-void relaxPoints(const SolverBodies& bodies, const JointPass& pass, const JointLanes* lanes,
-                 PointBlock* blocks, int begin, int end) {
-    const Grip8 grip = gripOf(kRelaxed);
-    for (int n = begin; n < end; ++n) {
-        PointBlock& block = blocks[n];
-        Couple8 couple = coupleOf(bodies, block.bodies);
-        const Anchors8 at = anchorsAt(block.anchors, couple);
-        const Two8 before = load2(block.impulseX, block.impulseY);
-        if (pass.first) noteLack(block, at, before);
-        const Two8 change = answerPoint(couple, at, grip, {all(0.0f), all(0.0f)}, before);
-        givePoint(couple, at, change);
-        store2(block.impulseX, block.impulseY, before + change);
-        write<kOneSided>(bodies, block.bodies, couple, lanes[n].count);
-    }
-}
-
 // Constraints on a value: an angle, or a length along a direction. A Line has a speed and takes impulses.
 
 inline void addTo(float* total, Float8 impulse) { store(total, load(total) + impulse); }
@@ -318,15 +264,21 @@ inline Float8 angleMass(const Couple8& couple) {
     return inverseOrZero(couple.a.inverseInertia + couple.b.inverseInertia);
 }
 
-// Hinges with a limit, motor or spring, and other joints that constrain a point and an angle.
+// Joints that constrain a point: hinges, and with an angle those with a limit, motor or spring, and others.
 
-template <bool kOneSided>
-void warmStartHinges(const SolverBodies& bodies, const JointPass&, const JointLanes* lanes,
-                     HingeBlock* blocks, int begin, int end) {
+inline PointBlock& pointOf(PointBlock& block) { return block; }
+inline PointBlock& pointOf(HingeBlock& block) { return block.point; }
+
+template <class Block>
+concept HasPoint = requires(Block& block) { pointOf(block); };
+
+template <bool kOneSided, HasPoint Block>
+void warmStartJoints(const SolverBodies& bodies, const JointPass&, const JointLanes* lanes, Block* blocks,
+                     int begin, int end) {
     for (int n = begin; n < end; ++n) {
-        PointBlock& point = blocks[n].point;
+        PointBlock& point = pointOf(blocks[n]);
         Couple8 couple = coupleOf(bodies, point.bodies);
-        warmStartRows(blocks[n].turning, AngleLine8{couple});
+        if constexpr (Block::kHasAngle) warmStartRows(blocks[n].turning, AngleLine8{couple});
         givePoint(couple, anchorsAt(point.anchors, couple), load2(point.impulseX, point.impulseY));
         write<kOneSided>(bodies, point.bodies, couple, lanes[n].count);
     }
@@ -339,30 +291,57 @@ inline Two8 shortened(Two8 impulse, Float8 maximum) {
     return min(ratio, all(1.0f)) * impulse;
 }
 
-template <bool kPush, bool kOneSided>
-void answerHinges(const SolverBodies& bodies, const JointPass& pass, const JointLanes* lanes,
-                  HingeBlock* blocks, int begin, int end) {
+/// What a joint answers before its point: its angle.
+/// @return  the soft constraint parameters of its point
+template <bool kPush>
+inline Grip8 answerAngle(HingeBlock& block, const JointPass& pass, Couple8& couple, Anchors8& at,
+                         const Grip8&) {
+    if constexpr (kPush) {
+        if (block.turning.uses != 0) store(block.turning.value, load(block.angle) + turnBetween(couple));
+        store2(block.apartX, block.apartY, at.apart);
+    } else {
+        at.apart = load2(block.apartX, block.apartY);  // spring forces are evaluated once per substep
+    }
+    answerRows<kPush>(block.turning, pass, load(block.turning.value), angleMass(couple), AngleLine8{couple});
+    return gripOf<kPush>(block.grip);
+}
+template <bool kPush>
+inline Grip8 answerAngle(PointBlock&, const JointPass&, Couple8&, Anchors8&, const Grip8& rigid) {
+    if constexpr (kPush) return rigid;
+    return gripOf(kRelaxed);
+}
+
+/// Velocity that corrects the error of a point.
+template <bool kPush>
+inline Two8 pullOf(const HingeBlock& block, const JointPass& pass, const Grip8& grip, Two8 apart) {
+    return closing(grip, apart, maxPull(pass, block.grip, grip));
+}
+template <bool kPush>
+inline Two8 pullOf(const PointBlock&, const JointPass& pass, const Grip8& grip, Two8 apart) {
+    if constexpr (!kPush) return {all(0.0f), all(0.0f)};
+    return closing(grip, apart, maxPull(pass, grip));
+}
+
+template <bool kPush, bool kOneSided, HasPoint Block>
+void answerJoints(const SolverBodies& bodies, const JointPass& pass, const JointLanes* lanes, Block* blocks,
+                  int begin, int end) {
+    const Grip8 rigid = gripOf(pass.rigid);
     for (int n = begin; n < end; ++n) {
-        HingeBlock& block = blocks[n];
-        PointBlock& point = block.point;
+        PointBlock& point = pointOf(blocks[n]);
         Couple8 couple = coupleOf(bodies, point.bodies);
         Anchors8 at = anchorsAt(point.anchors, couple);
         const Two8 before = load2(point.impulseX, point.impulseY);
-        if constexpr (kPush) {
-            if (pass.first) makeUp(couple, point);
-            if (block.turning.uses != 0) store(block.turning.value, load(block.angle) + turnBetween(couple));
-            store2(block.apartX, block.apartY, at.apart);
-        } else {
-            if (pass.first) noteLack(point, at, before);
-            at.apart = load2(block.apartX, block.apartY);  // spring forces are evaluated once per substep
-        }
-        answerRows<kPush>(block.turning, pass, load(block.turning.value), angleMass(couple),
-                          AngleLine8{couple});
-        const Grip8 grip = gripOf<kPush>(block.grip);
-        const Two8 pull = closing(grip, at.apart, maxPull(pass, block.grip, grip));
+        if (pass.first) kPush ? makeUp(couple, point) : noteLack(point, at, before);
+        const Grip8 grip = answerAngle<kPush>(blocks[n], pass, couple, at, rigid);
+        const Two8 pull = pullOf<kPush>(blocks[n], pass, grip, at.apart);
         const Two8 change = answerPoint(couple, at, grip, pull, before);
-        const Two8 after = shortened(before + change, load(block.grip.maximum));
-        givePoint(couple, at, after - before);
+        Two8 after = before + change;
+        if constexpr (Block::kHasAngle) {
+            after = shortened(after, load(blocks[n].grip.maximum));
+            givePoint(couple, at, after - before);
+        } else {
+            givePoint(couple, at, change);
+        }
         store2(point.impulseX, point.impulseY, after);
         if constexpr (kPush) noteTurns(point, at, after);
         write<kOneSided>(bodies, point.bodies, couple, lanes[n].count);
@@ -370,23 +349,3 @@ void answerHinges(const SolverBodies& bodies, const JointPass& pass, const Joint
 }
 
 #include "physics/solver/slide_kernels.inl"
-
-}  // namespace
-
-extern const JointKernels kJointKernels;
-const JointKernels kJointKernels{
-    {{warmStartPoints<false>, warmStartPoints<true>},
-     {pushPoints<false>, pushPoints<true>},
-     {relaxPoints<false>, relaxPoints<true>}},
-    {{warmStartHinges<false>, warmStartHinges<true>},
-     {answerHinges<true, false>, answerHinges<true, true>},
-     {answerHinges<false, false>, answerHinges<false, true>}},
-    {{warmStartRods<false>, warmStartRods<true>},
-     {answerRods<true, false>, answerRods<true, true>},
-     {answerRods<false, false>, answerRods<false, true>}},
-    {{warmStartSliders<false>, warmStartSliders<true>},
-     {answerSliders<true, false>, answerSliders<true, true>},
-     {answerSliders<false, false>, answerSliders<false, true>}},
-};
-
-}  // namespace plumb::physics::PLUMB_LANES

@@ -1,30 +1,23 @@
 #include "physics/solver/joint_lanes.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 #include "physics/joints/joint_types.hpp"
 #include "physics/model/joints.hpp"
-#include "physics/solver/joint_kernels.hpp"
+#include "physics/solver/kernels.hpp"
 #include "physics/solver/n_body_joints.hpp"
 #include "physics/solver/softness.hpp"
 #include "physics/trees/joint_tree_solver.hpp"
+#include "physics/tuning.hpp"
 
 namespace plumb::physics {
 
 namespace {
 
-constexpr int kGrain = 24;                              // blocks
-constexpr std::int32_t kInTree = kJointBlockKinds + 1;  // BreakableJoint::kind of a joint in a tree
+constexpr int kGrain = 24;  // blocks
 constexpr std::size_t kKeysOfGroup = (kColours + 1) * kJointBlockKinds;
-
-template <class Act>
-void forKinds(JointWork& joints, Act&& act) {
-    act(joints.points, kPointBlocks);
-    act(joints.hinges, kHingeBlocks);
-    act(joints.rods, kRodBlocks);
-    act(joints.sliders, kSliderBlocks);
-}
 
 bool isOneSided(int colour) { return colour >= kFirstFixedColour && colour < kColours; }
 
@@ -59,8 +52,13 @@ bool count(StepContext& step) {
         joints.keys[i] = keyOf(world, work, world.joints.awake[i]);
         return (world.joints.hot[world.joints.awake[i]].flags & kBreakable) != 0;
     });
+    for (SolveGroup& group : work.groups) group.jointColours = 0;
     for (const std::int32_t key : joints.keys) {
-        if (key >= 0) ++joints.counts[static_cast<std::size_t>(key)];
+        if (key < 0) continue;
+        const auto place = static_cast<std::size_t>(key);
+        ++joints.counts[place];
+        work.groups[place / kKeysOfGroup].jointColours |= std::uint64_t{1}
+                                                          << place % kKeysOfGroup / kJointBlockKinds;
     }
     return !work.pieceFound.empty();
 }
@@ -71,7 +69,10 @@ void layOut(Workspace& work, Store& store, JointBlockKind kind) {
     std::int32_t blocks = 0;
     store.groups.clear();
     for (std::size_t g = 0; g < work.groups.size(); ++g) {
-        for (int colour = 0; colour <= kColours; ++colour) {
+        // N-body constraints are of no color and have no blocks.
+        std::uint64_t rest = work.groups[g].jointColours | std::uint64_t{1} << kOverflow;
+        for (; rest != 0; rest &= rest - 1) {
+            const int colour = std::countr_zero(rest);
             std::int32_t& count =
                 work.joints.counts[g * kKeysOfGroup + static_cast<std::size_t>(colour) * kJointBlockKinds +
                                    static_cast<std::size_t>(kind)];
@@ -79,7 +80,6 @@ void layOut(Workspace& work, Store& store, JointBlockKind kind) {
             range.begin = blocks;
             blocks += colour == kOverflow ? count : (count + kLanes - 1) / kLanes;
             range.end = blocks;
-            if (count > 0) work.groups[g].jointColours |= std::uint64_t{1} << colour;
             count = range.begin * kLanes;
         }
         store.groups.resize(static_cast<std::size_t>(blocks), static_cast<std::uint8_t>(g));
@@ -152,16 +152,6 @@ JointTiming timingOf(const Settings& settings, float h) {
     return timing;
 }
 
-JointView viewOf(const Preparation& all, std::uint32_t index) {
-    const Joint& joint = all.world.joints.hot[index];
-    const JointDefinition& definition = all.world.joints.definition[index];
-    const BodyPose& a = all.world.bodies.pose[joint.bodyA];
-    const BodyPose& b = all.world.bodies.pose[joint.bodyB];
-    JointView view{joint, definition, all.timing, a.rotation, b.rotation, b.centre - a.centre, {}};
-    if (joint.kind == JointKind::Mouse) view.toTarget = b.centre - definition.target;
-    return view;
-}
-
 void setBodies(const Preparation& all, const Joint& joint, JointBodies& bodies, int lane) {
     const auto idle = static_cast<std::int32_t>(all.work.bodyOf.size()) + lane;
     const BodyMass& massA = all.world.bodies.mass[joint.bodyA];
@@ -179,6 +169,37 @@ void setBodies(const Preparation& all, const Joint& joint, JointBodies& bodies, 
 void clearBodies(const Preparation& all, JointBodies& bodies, int lane) {
     bodies.a[lane] = bodies.b[lane] = bodies.own[lane] =
         static_cast<std::int32_t>(all.work.bodyOf.size()) + lane;
+}
+
+/// Where the angle is held too, any point of B and what of A coincides with it may stand for the anchors. At
+/// this one no force of the joint turns the bodies against each other and no torque moves it, so that rows
+/// solved in turn are solved at once. At an anchor L away from a body whose radius of gyration is k, a turn
+/// leaves 1 / (1 + (k / L)^2) of an error to the next, and the angle, which knows only the inertia, bends
+/// under a motor of that arm.
+JointParts balanced(JointParts parts, const JointBodies& bodies, int lane) {
+    const float ofA = bodies.inverseInertiaA[lane], ofB = bodies.inverseInertiaB[lane];
+    if (!parts.holdsAngle || !(ofA + ofB > 0.0f)) return parts;
+    const Vec2 armA = parts.armA + dot(parts.apart, parts.axis) * parts.axis;  // as far as B has slid
+    const Vec2 shift = (-1.0f / (ofA + ofB)) * (ofA * armA + ofB * parts.armB);
+    const Vec2 shiftA = rotate(rotFromAngle(-parts.angle), shift);
+    parts.armA += shiftA;
+    parts.armB += shift;
+    parts.apart += shift - shiftA;
+    return parts;
+}
+
+/// A force along an arm is a spring that turns the body, of frequency sqrt(force * arm / inertia). Where
+/// substeps cannot follow it, the joint sees as much inertia as they can: as in trees. A hinge alone, of
+/// which both rows are solved at once, is none of these.
+float calmed(float inverseInertia, float straining, float h) {
+    const float least = static_cast<float>(kCalm) * h * h * std::fabs(straining);  // kg m2
+    return inverseInertia * least > 1.0f ? 1.0f / least : inverseInertia;
+}
+
+void calm(const JointParts& parts, Vec2 force, float h, JointBodies& bodies, int lane) {
+    if (parts.holdsAngle) return;  // its arms are short: balanced()
+    bodies.inverseInertiaA[lane] = calmed(bodies.inverseInertiaA[lane], dot(parts.armA, force), h);
+    bodies.inverseInertiaB[lane] = calmed(bodies.inverseInertiaB[lane], dot(parts.armB, force), h);
 }
 
 void setAnchors(const JointParts& parts, AnchorLanes& anchors, int lane) {
@@ -227,23 +248,30 @@ void setLane(const Preparation& all, const Joint& joint, const JointParts& parts
     setPoint(all, joint, parts, block, lane);
 }
 
-void setLane(const Preparation& all, const Joint& joint, const JointParts& parts, HingeBlock& block,
+void setLane(const Preparation& all, const Joint& joint, const JointParts& atAnchors, HingeBlock& block,
              int lane) {
-    setLane(all, joint, parts, block.point, lane);
+    setBodies(all, joint, block.point.bodies, lane);
+    const JointParts parts = balanced(atAnchors, block.point.bodies, lane);
+    calm(parts, joint.force, all.timing.h, block.point.bodies, lane);
+    setPoint(all, joint, parts, block.point, lane);
     setGrip(parts.grip, parts.springs, parts.maximum, block.grip, lane);
     block.angle[lane] = parts.angle;
     setRows(all, joint, parts.value, block.turning, lane);
+    block.turning.holdImpulse[lane] -= all.timing.h * cross(parts.armB - atAnchors.armB, joint.force);
 }
 
 void setLane(const Preparation& all, const Joint& joint, const JointParts& parts, RodBlock& block, int lane) {
     setBodies(all, joint, block.bodies, lane);
+    calm(parts, joint.force, all.timing.h, block.bodies, lane);
     setAnchors(parts, block.anchors, lane);
     setRows(all, joint, parts.value, block.along, lane);
 }
 
-void setLane(const Preparation& all, const Joint& joint, const JointParts& parts, SliderBlock& block,
+void setLane(const Preparation& all, const Joint& joint, const JointParts& atAnchors, SliderBlock& block,
              int lane) {
     setBodies(all, joint, block.bodies, lane);
+    const JointParts parts = balanced(atAnchors, block.bodies, lane);
+    calm(parts, joint.force, all.timing.h, block.bodies, lane);
     setAnchors(parts, block.anchors, lane);
     setRows(all, joint, parts.value, block.along, lane);
     block.axisX[lane] = parts.axis.x;
@@ -254,7 +282,8 @@ void setLane(const Preparation& all, const Joint& joint, const JointParts& parts
     block.spin[lane] = parts.spin;
     block.maxSpin[lane] = parts.maxSpin;
     block.acrossImpulse[lane] = joint.rows[4] * all.timing.h;
-    (parts.holdsAngle ? block.angleImpulse : block.spinImpulse)[lane] = joint.rows[5] * all.timing.h;
+    const float turn = joint.rows[5] - cross(parts.armB - atAnchors.armB, joint.force);
+    (parts.holdsAngle ? block.angleImpulse : block.spinImpulse)[lane] = turn * all.timing.h;
 }
 
 JointBodies& bodiesOf(HingeBlock& block) { return block.point.bodies; }
@@ -267,103 +296,10 @@ template <class Block>
 void prepareBlock(const Preparation& all, const JointLanes& lanes, Block& block) {
     block = {};
     for (int i = 0; i < lanes.count; ++i) {
-        const JointView view = viewOf(all, static_cast<std::uint32_t>(lanes.joint[i]));
+        const JointView view = viewOf(all.world, static_cast<std::uint32_t>(lanes.joint[i]), all.timing);
         setLane(all, view.joint, jointType(view.joint.kind).parts(view), block, i);
     }
     for (int i = lanes.count; i < kLanes; ++i) clearBodies(all, bodiesOf(block), i);
-}
-
-// Forces of joints, N and N m.
-
-struct Given {
-    Vec2 force;
-    float torque;
-};
-
-float totalOf(const RowLanes& rows, int i) {
-    return rows.holdImpulse[i] + rows.motorImpulse[i] + (rows.lowerImpulse[i] - rows.upperImpulse[i]);
-}
-
-Given givenBy(const Workspace&, const PointBlock& block, int i, float rate) {
-    return {{block.impulseX[i] * rate, block.impulseY[i] * rate}, 0.0f};
-}
-Given givenBy(const Workspace& work, const HingeBlock& block, int i, float rate) {
-    return {givenBy(work, block.point, i, rate).force, totalOf(block.turning, i) * rate};
-}
-Given givenBy(const Workspace& work, const RodBlock& block, int i, float rate) {
-    const auto arm = [&](const float* x, const float* y, const std::int32_t* slot) {
-        const Float4& deltaPosition = work.deltaPosition[static_cast<std::size_t>(slot[i])];
-        return Vec2{deltaPosition.x, deltaPosition.y} +
-               rotate(Rot{1.0f + deltaPosition.w, deltaPosition.z}, {x[i], y[i]}) - Vec2{x[i], y[i]};
-    };
-    const Vec2 apart = Vec2{block.anchors.apartX[i], block.anchors.apartY[i]} +
-                       (arm(block.anchors.armBX, block.anchors.armBY, block.bodies.b) -
-                        arm(block.anchors.armAX, block.anchors.armAY, block.bodies.a));
-    return {totalOf(block.along, i) * rate * normalized(apart), 0.0f};
-}
-Given givenBy(const Workspace& work, const SliderBlock& block, int i, float rate) {
-    const Float4& deltaPosition = work.deltaPosition[static_cast<std::size_t>(block.bodies.a[i])];
-    const Vec2 axis = rotate(Rot{1.0f + deltaPosition.w, deltaPosition.z}, {block.axisX[i], block.axisY[i]});
-    return {rate * (totalOf(block.along, i) * axis + block.acrossImpulse[i] * perpendicular(axis)),
-            rate * (block.angleImpulse[i] + block.spinImpulse[i])};
-}
-
-void storeRows(const RowLanes& rows, int i, float rate, Joint& joint) {
-    joint.rows[0] = rows.holdImpulse[i] * rate;
-    joint.rows[1] = rows.motorImpulse[i] * rate;
-    joint.rows[2] = rows.lowerImpulse[i] * rate;
-    joint.rows[3] = rows.upperImpulse[i] * rate;
-}
-void storeLane(const PointBlock&, int, float, Joint&) {}
-void storeLane(const HingeBlock& block, int i, float rate, Joint& joint) {
-    storeRows(block.turning, i, rate, joint);
-}
-void storeLane(const RodBlock& block, int i, float rate, Joint& joint) {
-    storeRows(block.along, i, rate, joint);
-}
-void storeLane(const SliderBlock& block, int i, float rate, Joint& joint) {
-    storeRows(block.along, i, rate, joint);
-    joint.rows[4] = block.acrossImpulse[i] * rate;
-    joint.rows[5] = (block.angleImpulse[i] + block.spinImpulse[i]) * rate;
-}
-
-template <class Block>
-void note(const Workspace& work, const JointStore<Block>& store, float rate, BreakableJoint& breakable) {
-    const Given given =
-        givenBy(work, store.blocks[static_cast<std::size_t>(breakable.block)], breakable.lane, rate);
-    breakable.force = std::max(breakable.force, length(given.force));
-    breakable.torque = std::max(breakable.torque, std::fabs(given.torque));
-}
-
-void noteInTree(StepContext& step, const SolveGroup& group, BreakableJoint& breakable) {
-    const JointTrees& trees = step.work.joints.trees;
-    const auto place = static_cast<std::size_t>(breakable.block);
-    const Link& link =
-        place < trees.links.size() ? trees.links[place] : trees.holds[place - trees.links.size()];
-    const std::int32_t slot = trees.treeBodies[static_cast<std::size_t>(link.treeBody)].slot;
-    if (slot < group.begin || slot >= group.end) return;
-    const LinkForce given = forceOf(link);
-    breakable.force = std::max(breakable.force, length(given.force));
-    breakable.torque = std::max(breakable.torque, std::fabs(given.torque));
-}
-
-void breakJoints(World& world, JointWork& joints) {
-    for (const BreakableJoint& breakable : joints.breakables) {
-        const JointDefinition& definition = world.joints.definition[breakable.joint];
-        const auto exceeds = [&](float force, float torque) {
-            return breakable.force > force || breakable.torque > torque;
-        };
-        if (world.joints.hot[breakable.joint].bodyA == kNone) continue;  // already broken
-        const JointId id{breakable.joint, world.joints.hot[breakable.joint].generation};
-        if (exceeds(definition.reportForce, definition.reportTorque)) world.strainedJoints.push_back(id);
-        if (!exceeds(definition.breakForce, definition.breakTorque)) continue;
-        world.brokenJoints.push_back(id);
-        destroyJoint(world, id);
-    }
-}
-
-float rateOf(const StepContext& step, std::uint8_t group) {
-    return static_cast<float>(step.work.groups[group].substeps) / step.dt;
 }
 
 }  // namespace
@@ -391,7 +327,6 @@ void prepareJoints(StepContext& step) {
     World& world = step.world;
     Workspace& work = step.work;
     const bool someBreak = count(step);
-    for (SolveGroup& group : work.groups) group.jointColours = 0;
     forKinds(work.joints, [&](auto& store, JointBlockKind kind) { layOut(work, store, kind); });
     fill(world, work, someBreak);
     collectTies(step);
@@ -420,10 +355,11 @@ JointPass jointPass(const Settings& settings, float h) {
 void solveJoints(const StepContext& step, const SolverBodies& bodies, const JointPass& pass,
                  const SolveGroup& group, int colour, JointAct act) {
     if ((group.jointColours >> colour & 1) == 0) return;
-    const JointKernels& kernels = jointKernels();
+    const JointKernels& kernels = solverKernels().joints;
     const int side = isOneSided(colour) ? 1 : 0;
     const auto run = [&](auto& store, const auto& passes, JointBlockKind kind) {
         const JointRange range = group.colours[colour].joints[kind];
+        if (range.begin == range.end) return;
         const auto kernel = act == JointAct::WarmStart ? passes.warmStart[side]
                             : act == JointAct::Push    ? passes.push[side]
                                                        : passes.relax[side];
@@ -440,39 +376,6 @@ void solveJoints(const StepContext& step, const SolverBodies& bodies, const Join
     run(joints.hinges, kernels.hinges, kHingeBlocks);
     run(joints.rods, kernels.rods, kRodBlocks);
     run(joints.sliders, kernels.sliders, kSliderBlocks);
-}
-
-void noteJointForces(StepContext& step, const SolveGroup& group, float substepRate) {
-    if (!step.world.manifest.runs(Effect::Joints)) return;  // breakables are those of an earlier step
-    JointWork& joints = step.work.joints;
-    for (BreakableJoint& breakable : joints.breakables) {
-        if (breakable.kind == kInTree) noteInTree(step, group, breakable);
-        forKinds(joints, [&](auto& store, JointBlockKind kind) {
-            if (breakable.kind != kind) return;
-            if (&step.work.groups[store.groups[static_cast<std::size_t>(breakable.block)]] != &group) return;
-            note(step.work, store, substepRate, breakable);
-        });
-    }
-}
-
-void storeJoints(StepContext& step) {
-    forKinds(step.work.joints, [&](auto& store, JointBlockKind) {
-        forPieces(step, static_cast<int>(store.blocks.size()), kGrain, [&](int begin, int end, int) {
-            for (auto n = static_cast<std::size_t>(begin); n < static_cast<std::size_t>(end); ++n) {
-                const float rate = rateOf(step, store.groups[n]);
-                for (int i = 0; i < store.lanes[n].count; ++i) {
-                    Joint& joint = step.world.joints.hot[static_cast<std::size_t>(store.lanes[n].joint[i])];
-                    const Given given = givenBy(step.work, store.blocks[n], i, rate);
-                    joint.force = given.force;
-                    joint.torque = given.torque;
-                    storeLane(store.blocks[n], i, rate, joint);
-                }
-            }
-        });
-    });
-    storeTies(step);
-    storeTrees(step);
-    breakJoints(step.world, step.work.joints);
 }
 
 }  // namespace plumb::physics

@@ -5,6 +5,23 @@
 
 namespace plumb::physics {
 
+/// BreakableJoint::kind of a joint in a tree.
+inline constexpr std::int32_t kInTree = kJointBlockKinds + 1;
+
+/// Calls act(store, kind) for the blocks of each kind.
+template <class Act>
+void forKinds(JointWork& joints, Act&& act) {
+    act(joints.points, kPointBlocks);
+    act(joints.hinges, kHingeBlocks);
+    act(joints.rods, kRodBlocks);
+    act(joints.sliders, kSliderBlocks);
+}
+
+/// 1/s: substeps of a group.
+inline float rateOf(const StepContext& step, std::uint8_t group) {
+    return static_cast<float>(step.work.groups[group].substeps) / step.dt;
+}
+
 /// The bodies that a joint moves: kNone for one that is not dynamic, or that the joint leaves alone.
 struct PushedBodies {
     std::uint32_t a;
@@ -25,6 +42,9 @@ JointPass jointPass(const Settings& settings, float h);
 /// One pass over the joints of one color of a group.
 void solveJoints(const StepContext& step, const SolverBodies& bodies, const JointPass& pass,
                  const SolveGroup& group, int colour, JointAct act);
+
+// joint_forces.cpp
+
 /// After each substep: records the largest forces on breakable joints.
 void noteJointForces(StepContext& step, const SolveGroup& group, float substepRate);
 

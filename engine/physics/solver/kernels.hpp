@@ -4,6 +4,7 @@
 
 #include "physics/narrowphase/box_lanes.hpp"
 #include "physics/solver/contact_block.hpp"
+#include "physics/solver/joint_block.hpp"
 
 namespace plumb::physics {
 
@@ -20,7 +21,7 @@ struct ContactSource {
 };
 
 /// Operations on contacts of one kind. Ranges are blocks.
-template <class Block, class Bodies = SolverBodies>
+template <class Block, class Bodies>
 struct ContactKernels {
     void (*prepare)(const ContactSource& source, const BlockLanes* lanes, Block* blocks, int begin, int end);
     void (*warmStart)(const Bodies& bodies, const BlockLanes* lanes, Block* blocks, int begin, int end);
@@ -33,28 +34,48 @@ struct ContactKernels {
     void (*store)(Float4* contacts, const BlockLanes* lanes, const Block* blocks, int begin, int end);
 };
 
-/// Inner loops of the step in eight SIMD lanes, built for each instruction set and chosen at run time. All
-/// builds give the same bits. The reduced kernels give the same bits as the full ones, because the omitted
-/// terms are exactly zero.
-struct SolverKernels {
-    const char* name;
+/// Kernels of the groups in which bodies can rotate, or of those in which none can.
+template <class Two, class Fixed, class Bodies>
+struct GroupKernels {
     // Without and with friction.
-    ContactKernels<ContactBlock> contacts[2];
-    ContactKernels<FixedContactBlock> fixedContacts[2];
-    ContactKernels<BlockWithoutRotation, BodiesWithoutRotation> plain[2];  ///< for steps without rotation
-    ContactKernels<FixedBlockWithoutRotation, BodiesWithoutRotation> plainFixed[2];
+    ContactKernels<Two, Bodies> contacts[2];
+    ContactKernels<Fixed, Bodies> fixedContacts[2];
 
     // Ranges are bodies in multiples of eight.
 
     /// Applies external accelerations and drag. From the second substep on it also repeats the velocity
     /// change by the impulses of the previous one: warm starting as one sum per body.
-    void (*accelerate)(const SolverBodies& bodies, float h, bool first, int begin, int end);
-    void (*move)(const SolverBodies& bodies, float h, int begin, int end);
-    void (*moveUnturned)(const SolverBodies& bodies, float h, int begin, int end);
-    void (*acceleratePlain)(const BodiesWithoutRotation& bodies, float h, bool first, int begin, int end);
-    void (*movePlain)(const BodiesWithoutRotation& bodies, int begin, int end);
+    void (*accelerate)(const Bodies& bodies, float h, bool first, int begin, int end);
+    void (*move)(const Bodies& bodies, float h, int begin, int end);
+};
 
+/// Passes over a range of blocks of one kind. One-sided: the joints move only one of their bodies.
+template <class Block>
+struct JointPasses {
+    using Run = void (*)(const SolverBodies& bodies, const JointPass& pass, const JointLanes* lanes,
+                         Block* blocks, int begin, int end);
+    Run warmStart[2];  ///< [one-sided]
+    Run push[2];
+    Run relax[2];
+};
+
+struct JointKernels {
+    JointPasses<PointBlock> points;
+    JointPasses<HingeBlock> hinges;
+    JointPasses<RodBlock> rods;
+    JointPasses<SliderBlock> sliders;
+};
+
+/// Inner loops of the step in eight SIMD lanes, built for each instruction set and chosen at run time. All
+/// builds give the same bits. The reduced kernels give the same bits as the full ones, because the omitted
+/// terms are exactly zero.
+struct SolverKernels {
+    const char* name;
+    GroupKernels<ContactBlock, FixedContactBlock, SolverBodies> rotating;
+    GroupKernels<BlockWithoutRotation, FixedBlockWithoutRotation, BodiesWithoutRotation> withoutRotation;
+    void (*moveUnturned)(const SolverBodies& bodies, float h, int begin, int end);
     void (*collideBoxes)(const BoxPairs& pairs, float speculative, BoxTouches& touches);
+    JointKernels joints;
 };
 
 /// The kernels of this machine's widest instruction set, or of the one set by setSimdWidth().

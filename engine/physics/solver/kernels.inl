@@ -16,6 +16,9 @@ inline Two8 turned(Float8 cosine, Float8 sine, Float8 x, Float8 y) {
 }
 inline Float8 dot8(Two8 a, Two8 b) { return a.x * b.x + a.y * b.y; }
 inline Float8 cross8(Two8 a, Two8 b) { return a.x * b.y - a.y * b.x; }
+inline Two8 operator+(Two8 a, Two8 b) { return {a.x + b.x, a.y + b.y}; }
+inline Two8 operator-(Two8 a, Two8 b) { return {a.x - b.x, a.y - b.y}; }
+inline Two8 operator*(Float8 s, Two8 a) { return {s * a.x, s * a.y}; }
 
 /// 1/x, or 0 for 0: the effective mass of what cannot move.
 inline Float8 inverseOrZero(Float8 x) {
@@ -26,12 +29,20 @@ inline Float8 inverseOrZero(Float8 x) {
 
 // Contacts.
 
+#include "physics/solver/contact_preparation.inl"
 #include "physics/solver/contact_kernels.inl"
-#include "physics/solver/kernels_without_rotation.inl"
+
+// Joints.
+
+#include "physics/solver/joint_kernels.inl"
 
 // Bodies.
 
-void accelerate(const SolverBodies& bodies, float h, bool first, int begin, int end) {
+/// 1 for the velocities in rows of a state without rotation.
+alignas(32) constexpr float kIsSpeed[kLanes] = {1.0f, 1.0f, 0.0f, 0.0f, 1.0f, 1.0f, 0.0f, 0.0f};
+
+template <class Bodies>
+void accelerate(const Bodies& bodies, float h, bool first, int begin, int end) {
     const Float8 step = all(h);
     for (int i = 4 * begin; i < 4 * end; i += kLanes) {
         float* velocity = &bodies.velocity[0].x + i;
@@ -39,7 +50,8 @@ void accelerate(const SolverBodies& bodies, float h, bool first, int begin, int 
         const Float8 now = load(velocity);
         const Float8 kept = bodies.keep != nullptr ? now * load(&bodies.keep[0].x + i) : now;
         const Float8 driven = kept + load(&bodies.drive[0].x + i) * step;
-        store(velocity, first ? driven : driven + (now - load(velocityBeforeImpulses)));
+        const Float8 after = first ? driven : driven + (now - load(velocityBeforeImpulses));
+        store(velocity, Bodies::kRotate ? after : select(load(kIsSpeed) > all(0.0f), after, now));
         store(velocityBeforeImpulses, driven);
     }
 }
@@ -74,7 +86,7 @@ inline Turn8 turnedBy(Turn8 turn, Float8 angle) {
 }
 
 template <bool kTurns>
-void move(const SolverBodies& bodies, float h, int begin, int end) {
+void moveBodies(const SolverBodies& bodies, float h, int begin, int end) {
     const Float8 step = all(h);
     for (int n = begin; n < end; n += kLanes) {
         std::int32_t slots[kLanes];
@@ -94,57 +106,66 @@ void move(const SolverBodies& bodies, float h, int begin, int end) {
     }
 }
 
+void move(const SolverBodies& bodies, float h, int begin, int end) {
+    moveBodies<true>(bodies, h, begin, end);
+}
+void moveUnturned(const SolverBodies& bodies, float h, int begin, int end) {
+    moveBodies<false>(bodies, h, begin, end);
+}
+
+void move(const BodiesWithoutRotation& bodies, float, int begin, int end) {
+    for (int n = begin; n < end; n += kLanes) {
+        std::int32_t slots[kLanes];
+        for (int i = 0; i < kLanes; ++i) slots[i] = n + i;
+        Float8 state[4], ballisticDrift[4];
+        gather(bodies.velocity, slots, state);
+        gather(bodies.ballisticDrift, slots, ballisticDrift);
+        state[2] += state[0] * ballisticDrift[2] + ballisticDrift[0];
+        state[3] += state[1] * ballisticDrift[2] + ballisticDrift[1];
+        scatter(bodies.velocity, slots, state, kLanes);
+    }
+}
+
 // Collision detection.
 
 #include "physics/narrowphase/box_kernel.inl"
 
 void collideBoxes(const BoxPairs& pairs, float speculative, BoxTouches& touches) {
-    const BoxTouch touch =
-        touchBoxes({load(pairs.halfAx), load(pairs.halfAy), load(pairs.halfBx), load(pairs.halfBy),
-                            load(pairs.x), load(pairs.y), load(pairs.cosine), load(pairs.sine),
-                            load(pairs.radiusA), load(pairs.radiusB), all(speculative)});
+    BoxPair pair;
+    static_assert(sizeof pair == sizeof pairs && sizeof(BoxTouch) == sizeof touches);
+    __builtin_memcpy(&pair, &pairs, sizeof pair);
+    const BoxTouch touch = touchBoxes(pair, all(speculative));
     store(touches.count, touch.count);
-    if (!any(touch.count > all(0.0f))) return;
-    store(touches.normalX, touch.normalX);
-    store(touches.normalY, touch.normalY);
-    for (int p = 0; p < 2; ++p) {
-        store(touches.pointX[p], touch.pointX[p]);
-        store(touches.pointY[p], touch.pointY[p]);
-        store(touches.separation[p], touch.separation[p]);
-        store(touches.id[p], touch.id[p]);
-    }
-    store(touches.roundA, touch.roundA);
-    store(touches.roundB, touch.roundB);
+    if (any(touch.count > all(0.0f))) __builtin_memcpy(&touches, &touch, sizeof touch);
 }
 
 }  // namespace
 
-template <bool kHasFriction>
-constexpr ContactKernels<ContactBlock> kContacts{prepare, warmStart<kHasFriction>, push<kHasFriction>,
-                                                 relax<kHasFriction>,
-                                                 storeImpulses<kHasFriction, ContactBlock>};
-template <bool kHasFriction>
-constexpr ContactKernels<FixedContactBlock> kFixedContacts{prepareFixed, warmStartFixed<kHasFriction>,
-                                                           pushFixed<kHasFriction>, relaxFixed<kHasFriction>,
-                                                           storeImpulses<kHasFriction, FixedContactBlock>};
-template <bool kHasFriction, class Block>
-constexpr ContactKernels<Block, BodiesWithoutRotation> kPlain{
-    preparePlain<kHasFriction>, warmStartPlain<kHasFriction>, pushPlain<kHasFriction>,
-    relaxPlain<kHasFriction>, storePlain<kHasFriction, Block>};
+template <bool kHasFriction, class Block, class Bodies>
+constexpr ContactKernels<Block, Bodies> kContacts{
+    prepare<kHasFriction>, warmStart<kHasFriction>, push<kHasFriction>, relax<kHasFriction>,
+    storeImpulses<kHasFriction>};
+
+template <class Two, class Fixed, class Bodies>
+constexpr GroupKernels<Two, Fixed, Bodies> kGroups{
+    {kContacts<false, Two, Bodies>, kContacts<true, Two, Bodies>},
+    {kContacts<false, Fixed, Bodies>, kContacts<true, Fixed, Bodies>},
+    accelerate<Bodies>,
+    move};
+
+template <class Block>
+constexpr JointPasses<Block> kPasses{{warmStartJoints<false>, warmStartJoints<true>},
+                                     {answerJoints<true, false>, answerJoints<true, true>},
+                                     {answerJoints<false, false>, answerJoints<false, true>}};
 
 extern const SolverKernels kKernels;
 const SolverKernels kKernels{
     PLUMB_LANES_NAME,
-    {kContacts<false>, kContacts<true>},
-    {kFixedContacts<false>, kFixedContacts<true>},
-    {kPlain<false, BlockWithoutRotation>, kPlain<true, BlockWithoutRotation>},
-    {kPlain<false, FixedBlockWithoutRotation>, kPlain<true, FixedBlockWithoutRotation>},
-    accelerate,
-    move<true>,
-    move<false>,
-    acceleratePlain,
-    movePlain,
+    kGroups<ContactBlock, FixedContactBlock, SolverBodies>,
+    kGroups<BlockWithoutRotation, FixedBlockWithoutRotation, BodiesWithoutRotation>,
+    moveUnturned,
     collideBoxes,
+    {kPasses<PointBlock>, kPasses<HingeBlock>, kPasses<RodBlock>, kPasses<SliderBlock>},
 };
 
 }  // namespace plumb::physics::PLUMB_LANES

@@ -1,2 +1,1 @@
 #include "physics/solver/kernels.inl"
-#include "physics/solver/joint_kernels.inl"

@@ -1,5 +1,3 @@
 // The baseline instruction set of the architecture, even if all else is compiled for more (-march=native).
 #define PLUMB_LANES_BASE
 #include "physics/solver/kernels.inl"
-// (after kernels.inl, which it builds on)
-#include "physics/solver/joint_kernels.inl"

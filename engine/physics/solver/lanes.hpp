@@ -7,6 +7,7 @@
 // only what is defined here: an inline function of another header would be built for the wider machine too,
 // and the linker might keep that copy.
 
+#include <cstddef>
 #include <cstdint>
 
 #if defined(PLUMB_LANES_SCALAR)
@@ -45,233 +46,43 @@ struct alignas(16) Float4 {
 
 namespace PLUMB_LANES {
 
+// What each instruction set has: a part of the lanes, in a register, and a mask of as many lanes.
+
 #if defined(PLUMB_LANES_SCALAR)
 
-struct Mask8 {
-    bool lane[kLanes];
-};
-struct Float8 {
-    float lane[kLanes];
-};
-
-#define PLUMB_EACH_LANE for (int i = 0; i < kLanes; ++i)
-inline Float8 load(const float* p) {
-    Float8 r;
-    PLUMB_EACH_LANE r.lane[i] = p[i];
-    return r;
-}
-inline void store(float* p, Float8 a) { PLUMB_EACH_LANE p[i] = a.lane[i]; }
-inline Float8 all(float s) {
-    Float8 r;
-    PLUMB_EACH_LANE r.lane[i] = s;
-    return r;
-}
-#define PLUMB_LANEWISE(signature, type, expression) \
-    inline type signature {                         \
-        type r;                                     \
-        PLUMB_EACH_LANE r.lane[i] = expression;     \
-        return r;                                   \
-    }
-PLUMB_LANEWISE(operator+(Float8 a, Float8 b), Float8, a.lane[i] + b.lane[i])
-PLUMB_LANEWISE(operator-(Float8 a, Float8 b), Float8, a.lane[i] - b.lane[i])
-PLUMB_LANEWISE(operator*(Float8 a, Float8 b), Float8, a.lane[i] * b.lane[i])
-PLUMB_LANEWISE(operator/(Float8 a, Float8 b), Float8, a.lane[i] / b.lane[i])
-PLUMB_LANEWISE(operator-(Float8 a), Float8, -a.lane[i])
-PLUMB_LANEWISE(min(Float8 a, Float8 b), Float8, a.lane[i] < b.lane[i] ? a.lane[i] : b.lane[i])
-PLUMB_LANEWISE(max(Float8 a, Float8 b), Float8, a.lane[i] > b.lane[i] ? a.lane[i] : b.lane[i])
-PLUMB_LANEWISE(sqrt(Float8 a), Float8, __builtin_sqrtf(a.lane[i]))
-PLUMB_LANEWISE(operator<(Float8 a, Float8 b), Mask8, a.lane[i] < b.lane[i])
-PLUMB_LANEWISE(operator>(Float8 a, Float8 b), Mask8, a.lane[i] > b.lane[i])
-PLUMB_LANEWISE(operator&(Mask8 a, Mask8 b), Mask8, a.lane[i] && b.lane[i])
-PLUMB_LANEWISE(operator|(Mask8 a, Mask8 b), Mask8, a.lane[i] || b.lane[i])
-PLUMB_LANEWISE(select(Mask8 m, Float8 a, Float8 b), Float8, m.lane[i] ? a.lane[i] : b.lane[i])
-#undef PLUMB_LANEWISE
-inline int bits(Mask8 m) {
-    int r = 0;
-    PLUMB_EACH_LANE r |= m.lane[i] ? 1 << i : 0;
-    return r;
-}
-
-// Inlined by force: a compiler that sees many calls of gather() and scatter() would make functions of them,
-// and eight registers would go through memory each time.
-
-/// Loads the records at eight indices and transposes them into one register set per member.
-[[gnu::always_inline]] inline void gather(const Float4* records, const std::int32_t* index,
-                                          Float8 (&out)[4]) {
-    PLUMB_EACH_LANE {
-        const Float4& record = records[index[i]];
-        out[0].lane[i] = record.x;
-        out[1].lane[i] = record.y;
-        out[2].lane[i] = record.z;
-        out[3].lane[i] = record.w;
-    }
-}
-/// The reverse, for the first `count` lanes.
-[[gnu::always_inline]] inline void scatter(Float4* records, const std::int32_t* index, const Float8 (&in)[4],
-                                           int count) {
-    for (int i = 0; i < count; ++i) {
-        records[index[i]] = {in[0].lane[i], in[1].lane[i], in[2].lane[i], in[3].lane[i]};
-    }
-}
-
-/// As gather(), with byte offsets, which takes fewer instructions.
-[[gnu::always_inline]] inline void gatherAt(const Float4* records, const std::uint32_t* offset,
-                                            Float8 (&out)[4]) {
-    std::int32_t index[kLanes];
-    PLUMB_EACH_LANE index[i] = static_cast<std::int32_t>(offset[i] / sizeof(Float4));
-    gather(records, index, out);
-}
-/// Only x and y of each record.
-[[gnu::always_inline]] inline void gatherTwoAt(const Float4* records, const std::uint32_t* offset, Float8& x,
-                                               Float8& y) {
-    PLUMB_EACH_LANE {
-        const Float4& record = records[offset[i] / sizeof(Float4)];
-        x.lane[i] = record.x, y.lane[i] = record.y;
-    }
-}
-/// The reverse, for the first `count` lanes.
-[[gnu::always_inline]] inline void scatterTwoAt(Float4* records, const std::uint32_t* offset, Float8 x,
-                                                Float8 y, int count) {
-    for (int i = 0; i < count; ++i) {
-        Float4& record = records[offset[i] / sizeof(Float4)];
-        record.x = x.lane[i], record.y = y.lane[i];
-    }
-}
-#undef PLUMB_EACH_LANE
+using Part = float;
+using PartAt = const float;
+using MaskPart = bool;
+inline Part minOf(Part a, Part b) { return a < b ? a : b; }
+inline Part maxOf(Part a, Part b) { return a > b ? a : b; }
+inline Part rootOf(Part a) { return __builtin_sqrtf(a); }
+inline Part chosenOf(MaskPart m, Part a, Part b) { return m ? a : b; }
+inline int bitsOf(MaskPart m) { return m ? 1 : 0; }
 
 #elif defined(PLUMB_LANES_AVX2)
 
-struct Mask8 {
-    __m256 v;
-};
-struct Float8 {
-    __m256 v;
-};
+using Part = __m256;
+using PartAt [[gnu::vector_size(32), gnu::aligned(4), gnu::may_alias]] = float;
+using MaskPart = decltype(Part{} < Part{});
+inline Part minOf(Part a, Part b) { return _mm256_min_ps(a, b); }
+inline Part maxOf(Part a, Part b) { return _mm256_max_ps(a, b); }
+inline Part rootOf(Part a) { return _mm256_sqrt_ps(a); }
+inline Part chosenOf(MaskPart m, Part a, Part b) { return _mm256_blendv_ps(b, a, reinterpret_cast<Part>(m)); }
+inline int bitsOf(MaskPart m) { return _mm256_movemask_ps(reinterpret_cast<Part>(m)); }
 
-inline Float8 load(const float* p) { return {_mm256_loadu_ps(p)}; }
-inline void store(float* p, Float8 a) { _mm256_storeu_ps(p, a.v); }
-inline Float8 all(float s) { return {_mm256_set1_ps(s)}; }
-inline Float8 operator+(Float8 a, Float8 b) { return {_mm256_add_ps(a.v, b.v)}; }
-inline Float8 operator-(Float8 a, Float8 b) { return {_mm256_sub_ps(a.v, b.v)}; }
-inline Float8 operator*(Float8 a, Float8 b) { return {_mm256_mul_ps(a.v, b.v)}; }
-inline Float8 operator/(Float8 a, Float8 b) { return {_mm256_div_ps(a.v, b.v)}; }
-inline Float8 operator-(Float8 a) { return {_mm256_xor_ps(a.v, _mm256_set1_ps(-0.0f))}; }
-inline Float8 min(Float8 a, Float8 b) { return {_mm256_min_ps(a.v, b.v)}; }
-inline Float8 max(Float8 a, Float8 b) { return {_mm256_max_ps(a.v, b.v)}; }
-inline Float8 sqrt(Float8 a) { return {_mm256_sqrt_ps(a.v)}; }
-inline Mask8 operator<(Float8 a, Float8 b) { return {_mm256_cmp_ps(a.v, b.v, _CMP_LT_OQ)}; }
-inline Mask8 operator>(Float8 a, Float8 b) { return {_mm256_cmp_ps(a.v, b.v, _CMP_GT_OQ)}; }
-inline Mask8 operator&(Mask8 a, Mask8 b) { return {_mm256_and_ps(a.v, b.v)}; }
-inline Mask8 operator|(Mask8 a, Mask8 b) { return {_mm256_or_ps(a.v, b.v)}; }
-inline Float8 select(Mask8 m, Float8 a, Float8 b) { return {_mm256_blendv_ps(b.v, a.v, m.v)}; }
-inline int bits(Mask8 m) { return _mm256_movemask_ps(m.v); }
+#else  // registers of four
 
-inline __m256 pairOf(const Float4* records, std::int32_t low, std::int32_t high) {
-    return _mm256_insertf128_ps(_mm256_castps128_ps256(_mm_load_ps(&records[low].x)),
-                                _mm_load_ps(&records[high].x), 1);
-}
-/// Transposes four 4 x 4 blocks, in each half of the registers.
-[[gnu::always_inline]] inline void transpose(__m256& a, __m256& b, __m256& c, __m256& d) {
-    const __m256 ab0 = _mm256_unpacklo_ps(a, b), ab1 = _mm256_unpackhi_ps(a, b);
-    const __m256 cd0 = _mm256_unpacklo_ps(c, d), cd1 = _mm256_unpackhi_ps(c, d);
-    a = _mm256_shuffle_ps(ab0, cd0, 0x44);
-    b = _mm256_shuffle_ps(ab0, cd0, 0xee);
-    c = _mm256_shuffle_ps(ab1, cd1, 0x44);
-    d = _mm256_shuffle_ps(ab1, cd1, 0xee);
-}
-[[gnu::always_inline]] inline void gather(const Float4* records, const std::int32_t* index,
-                                          Float8 (&out)[4]) {
-    for (int i = 0; i < 4; ++i) out[i].v = pairOf(records, index[i], index[i + 4]);
-    transpose(out[0].v, out[1].v, out[2].v, out[3].v);
-}
-[[gnu::always_inline]] inline void scatter(Float4* records, const std::int32_t* index, const Float8 (&in)[4],
-                                           int count) {
-    __m256 row[4] = {in[0].v, in[1].v, in[2].v, in[3].v};
-    transpose(row[0], row[1], row[2], row[3]);
-    if (count == kLanes) {
-        for (int i = 0; i < 4; ++i) {
-            _mm_store_ps(&records[index[i]].x, _mm256_castps256_ps128(row[i]));
-            _mm_store_ps(&records[index[i + 4]].x, _mm256_extractf128_ps(row[i], 1));
-        }
-        return;
-    }
-    for (int i = 0; i < count; ++i) {
-        const __m256 from = row[i & 3];
-        _mm_store_ps(&records[index[i]].x,
-                     i < 4 ? _mm256_castps256_ps128(from) : _mm256_extractf128_ps(from, 1));
-    }
-}
-
-inline const float* rowAt(const Float4* records, std::uint32_t offset) {
-    return reinterpret_cast<const float*>(reinterpret_cast<const char*>(records) + offset);
-}
-inline __m64* twoAt(Float4* records, std::uint32_t offset) {
-    return reinterpret_cast<__m64*>(reinterpret_cast<char*>(records) + offset);
-}
-[[gnu::always_inline]] inline void gatherAt(const Float4* records, const std::uint32_t* offset,
-                                            Float8 (&out)[4]) {
-    for (int i = 0; i < 4; ++i) {
-        out[i].v = _mm256_insertf128_ps(_mm256_castps128_ps256(_mm_load_ps(rowAt(records, offset[i]))),
-                                        _mm_load_ps(rowAt(records, offset[i + 4])), 1);
-    }
-    transpose(out[0].v, out[1].v, out[2].v, out[3].v);
-}
-[[gnu::always_inline]] inline void gatherTwoAt(const Float4* records, const std::uint32_t* offset, Float8& x,
-                                               Float8& y) {
-    const auto pair = [&](int i) {
-        const auto* low = reinterpret_cast<const __m128i*>(rowAt(records, offset[i]));
-        const auto* high = reinterpret_cast<const __m64*>(rowAt(records, offset[i + 1]));
-        return _mm_loadh_pi(_mm_castsi128_ps(_mm_loadl_epi64(low)), high);
-    };
-    const __m256 even = _mm256_insertf128_ps(_mm256_castps128_ps256(pair(0)), pair(4), 1);
-    const __m256 odd = _mm256_insertf128_ps(_mm256_castps128_ps256(pair(2)), pair(6), 1);
-    x.v = _mm256_shuffle_ps(even, odd, 0x88);
-    y.v = _mm256_shuffle_ps(even, odd, 0xdd);
-}
-[[gnu::always_inline]] inline void scatterTwoAt(Float4* records, const std::uint32_t* offset, Float8 x,
-                                                Float8 y, int count) {
-    const __m256 even = _mm256_unpacklo_ps(x.v, y.v), odd = _mm256_unpackhi_ps(x.v, y.v);
-    const __m128 rows[4] = {_mm256_castps256_ps128(even), _mm256_castps256_ps128(odd),
-                            _mm256_extractf128_ps(even, 1), _mm256_extractf128_ps(odd, 1)};
-    if (count == kLanes) {
-        for (int i = 0; i < 4; ++i) {
-            _mm_storel_pi(twoAt(records, offset[2 * i]), rows[i]);
-            _mm_storeh_pi(twoAt(records, offset[2 * i + 1]), rows[i]);
-        }
-        return;
-    }
-    for (int i = 0; i < count; ++i) {
-        (i & 1) == 0 ? _mm_storel_pi(twoAt(records, offset[i]), rows[i / 2])
-                     : _mm_storeh_pi(twoAt(records, offset[i]), rows[i / 2]);
-    }
-}
-
-#else  // two registers of four
-
+using PartAt [[gnu::vector_size(16), gnu::aligned(4), gnu::may_alias]] = float;
 #if defined(__ARM_NEON)
-using Four = float32x4_t;
-using FourMask = uint32x4_t;
-inline Four four(float s) { return vdupq_n_f32(s); }
-inline Four loadFour(const float* p) { return vld1q_f32(p); }
-inline void storeFour(float* p, Four a) { vst1q_f32(p, a); }
-inline Four addFour(Four a, Four b) { return vaddq_f32(a, b); }
-inline Four subFour(Four a, Four b) { return vsubq_f32(a, b); }
-inline Four mulFour(Four a, Four b) { return vmulq_f32(a, b); }
-inline Four divFour(Four a, Four b) { return vdivq_f32(a, b); }
-inline Four negFour(Four a) { return vnegq_f32(a); }
-inline Four sqrtFour(Four a) { return vsqrtq_f32(a); }
-inline FourMask lessFour(Four a, Four b) { return vcltq_f32(a, b); }
-inline FourMask andFour(FourMask a, FourMask b) { return vandq_u32(a, b); }
-inline FourMask orFour(FourMask a, FourMask b) { return vorrq_u32(a, b); }
-inline Four selectFour(FourMask m, Four a, Four b) { return vbslq_f32(m, a, b); }
+using Part = float32x4_t;
+using MaskPart = decltype(Part{} < Part{});
+inline Part rootOf(Part a) { return vsqrtq_f32(a); }
+inline Part chosenOf(MaskPart m, Part a, Part b) { return vbslq_f32(reinterpret_cast<uint32x4_t>(m), a, b); }
 // vminq and vmaxq treat zeros and NaN differently from the other instruction sets.
-inline Four minFour(Four a, Four b) { return selectFour(lessFour(a, b), a, b); }
-inline Four maxFour(Four a, Four b) { return selectFour(lessFour(b, a), a, b); }
-inline int bitsFour(FourMask m) {
-    const std::uint32_t one[4] = {1, 2, 4, 8};
-    return static_cast<int>(vaddvq_u32(vandq_u32(m, vld1q_u32(one))));
-}
-inline void transposeFour(Four& a, Four& b, Four& c, Four& d) {
+inline Part minOf(Part a, Part b) { return chosenOf(a < b, a, b); }
+inline Part maxOf(Part a, Part b) { return chosenOf(a > b, a, b); }
+inline int bitsOf(MaskPart m) { return static_cast<int>(vaddvq_s32(m & MaskPart{1, 2, 4, 8})); }
+inline void transpose(Part& a, Part& b, Part& c, Part& d) {
     const float32x4x2_t ab = vtrnq_f32(a, b), cd = vtrnq_f32(c, d);
     a = vcombine_f32(vget_low_f32(ab.val[0]), vget_low_f32(cd.val[0]));
     b = vcombine_f32(vget_low_f32(ab.val[1]), vget_low_f32(cd.val[1]));
@@ -279,95 +90,204 @@ inline void transposeFour(Four& a, Four& b, Four& c, Four& d) {
     d = vcombine_f32(vget_high_f32(ab.val[1]), vget_high_f32(cd.val[1]));
 }
 #else
-using Four = __m128;
-using FourMask = __m128;
-inline Four four(float s) { return _mm_set1_ps(s); }
-inline Four loadFour(const float* p) { return _mm_loadu_ps(p); }
-inline void storeFour(float* p, Four a) { _mm_storeu_ps(p, a); }
-inline Four addFour(Four a, Four b) { return _mm_add_ps(a, b); }
-inline Four subFour(Four a, Four b) { return _mm_sub_ps(a, b); }
-inline Four mulFour(Four a, Four b) { return _mm_mul_ps(a, b); }
-inline Four divFour(Four a, Four b) { return _mm_div_ps(a, b); }
-inline Four negFour(Four a) { return _mm_xor_ps(a, _mm_set1_ps(-0.0f)); }
-inline Four sqrtFour(Four a) { return _mm_sqrt_ps(a); }
-inline FourMask lessFour(Four a, Four b) { return _mm_cmplt_ps(a, b); }
-inline FourMask andFour(FourMask a, FourMask b) { return _mm_and_ps(a, b); }
-inline FourMask orFour(FourMask a, FourMask b) { return _mm_or_ps(a, b); }
-inline Four selectFour(FourMask m, Four a, Four b) {
-    return _mm_or_ps(_mm_and_ps(m, a), _mm_andnot_ps(m, b));
+using Part = __m128;
+using MaskPart = decltype(Part{} < Part{});
+inline Part minOf(Part a, Part b) { return _mm_min_ps(a, b); }
+inline Part maxOf(Part a, Part b) { return _mm_max_ps(a, b); }
+inline Part rootOf(Part a) { return _mm_sqrt_ps(a); }
+inline Part chosenOf(MaskPart m, Part a, Part b) {
+    const Part mask = reinterpret_cast<Part>(m);
+    return _mm_or_ps(_mm_and_ps(mask, a), _mm_andnot_ps(mask, b));
 }
-inline Four minFour(Four a, Four b) { return _mm_min_ps(a, b); }
-inline Four maxFour(Four a, Four b) { return _mm_max_ps(a, b); }
-inline int bitsFour(FourMask m) { return _mm_movemask_ps(m); }
-inline void transposeFour(Four& a, Four& b, Four& c, Four& d) { _MM_TRANSPOSE4_PS(a, b, c, d); }
+inline int bitsOf(MaskPart m) { return _mm_movemask_ps(reinterpret_cast<Part>(m)); }
+inline void transpose(Part& a, Part& b, Part& c, Part& d) { _MM_TRANSPOSE4_PS(a, b, c, d); }
+#endif
 #endif
 
+inline constexpr int kLanesOfPart = static_cast<int>(sizeof(Part) / sizeof(float));
+inline constexpr std::size_t kParts = kLanes / kLanesOfPart;
+
 struct Mask8 {
-    FourMask low, high;
+    MaskPart part[kParts];
 };
 struct Float8 {
-    Four low, high;
+    Part part[kParts];
 };
 
-inline Float8 load(const float* p) { return {loadFour(p), loadFour(p + 4)}; }
-inline void store(float* p, Float8 a) { storeFour(p, a.low), storeFour(p + 4, a.high); }
-inline Float8 all(float s) { return {four(s), four(s)}; }
-inline Float8 operator+(Float8 a, Float8 b) { return {addFour(a.low, b.low), addFour(a.high, b.high)}; }
-inline Float8 operator-(Float8 a, Float8 b) { return {subFour(a.low, b.low), subFour(a.high, b.high)}; }
-inline Float8 operator*(Float8 a, Float8 b) { return {mulFour(a.low, b.low), mulFour(a.high, b.high)}; }
-inline Float8 operator/(Float8 a, Float8 b) { return {divFour(a.low, b.low), divFour(a.high, b.high)}; }
-inline Float8 operator-(Float8 a) { return {negFour(a.low), negFour(a.high)}; }
-inline Float8 min(Float8 a, Float8 b) { return {minFour(a.low, b.low), minFour(a.high, b.high)}; }
-inline Float8 max(Float8 a, Float8 b) { return {maxFour(a.low, b.low), maxFour(a.high, b.high)}; }
-inline Float8 sqrt(Float8 a) { return {sqrtFour(a.low), sqrtFour(a.high)}; }
-inline Mask8 operator<(Float8 a, Float8 b) { return {lessFour(a.low, b.low), lessFour(a.high, b.high)}; }
-inline Mask8 operator>(Float8 a, Float8 b) { return b < a; }
-inline Mask8 operator&(Mask8 a, Mask8 b) { return {andFour(a.low, b.low), andFour(a.high, b.high)}; }
-inline Mask8 operator|(Mask8 a, Mask8 b) { return {orFour(a.low, b.low), orFour(a.high, b.high)}; }
-inline Float8 select(Mask8 m, Float8 a, Float8 b) {
-    return {selectFour(m.low, a.low, b.low), selectFour(m.high, a.high, b.high)};
-}
-inline int bits(Mask8 m) { return bitsFour(m.low) | bitsFour(m.high) << 4; }
-
-[[gnu::always_inline]] inline void gather(const Float4* records, const std::int32_t* index,
-                                          Float8 (&out)[4]) {
-    for (int i = 0; i < 4; ++i) {
-        out[i].low = loadFour(&records[index[i]].x);
-        out[i].high = loadFour(&records[index[i + 4]].x);
+/// Applies a function to each part.
+template <class All, class Act, class... Args>
+[[gnu::always_inline]] inline All each(Act act, const Args&... args) {
+    if constexpr (kParts == 1) {
+        return {{act(args.part[0]...)}};
+    } else if constexpr (kParts == 2) {
+        return {{act(args.part[0]...), act(args.part[1]...)}};
+    } else {
+        All all;
+        for (std::size_t i = 0; i < kParts; ++i) all.part[i] = act(args.part[i]...);
+        return all;
     }
-    transposeFour(out[0].low, out[1].low, out[2].low, out[3].low);
-    transposeFour(out[0].high, out[1].high, out[2].high, out[3].high);
 }
+#define PLUMB_OPERATOR(All, Each, op)                                  \
+    inline All operator op(Each a, Each b) {                           \
+        return each<All>([](auto x, auto y) { return x op y; }, a, b); \
+    }
+PLUMB_OPERATOR(Float8, Float8, +)
+PLUMB_OPERATOR(Float8, Float8, -)
+PLUMB_OPERATOR(Float8, Float8, *)
+PLUMB_OPERATOR(Float8, Float8, /)
+PLUMB_OPERATOR(Mask8, Float8, <)
+PLUMB_OPERATOR(Mask8, Float8, >)
+PLUMB_OPERATOR(Mask8, Mask8, &)
+PLUMB_OPERATOR(Mask8, Mask8, |)
+#undef PLUMB_OPERATOR
+inline Float8 operator-(Float8 a) {
+    return each<Float8>([](Part x) { return -x; }, a);
+}
+inline Float8 min(Float8 a, Float8 b) { return each<Float8>(minOf, a, b); }
+inline Float8 max(Float8 a, Float8 b) { return each<Float8>(maxOf, a, b); }
+inline Float8 sqrt(Float8 a) { return each<Float8>(rootOf, a); }
+inline Float8 select(Mask8 m, Float8 a, Float8 b) { return each<Float8>(chosenOf, m, a, b); }
+inline Float8 all(float s) {
+    return each<Float8>([s](Part zero) { return s - zero; }, Float8{});
+}
+
+inline Float8 load(const float* p) {
+    Float8 r;
+    __builtin_memcpy(&r, p, sizeof r);
+    return r;
+}
+inline void store(float* p, Float8 a) { __builtin_memcpy(p, &a, sizeof a); }
+
+inline int bits(Mask8 m) {
+    int all = 0;
+    for (std::size_t i = 0; i < kParts; ++i) all |= bitsOf(m.part[i]) << (static_cast<int>(i) * kLanesOfPart);
+    return all;
+}
+
+/// A record by its index, or by its offset in bytes, which takes fewer instructions.
+inline const float* rowOf(const Float4* records, std::int32_t index) { return &records[index].x; }
+inline const float* rowOf(const Float4* records, std::uint32_t offset) {
+    return reinterpret_cast<const float*>(reinterpret_cast<const char*>(records) + offset);
+}
+inline float* rowOf(Float4* records, std::uint32_t offset) {
+    return reinterpret_cast<float*>(reinterpret_cast<char*>(records) + offset);
+}
+
+// Inlined by force: a compiler that sees many calls of gather() and scatter() would make functions of them,
+// and eight registers would go through memory each time.
+
+#if defined(PLUMB_LANES_AVX2)
+
+/// Transposes four 4 x 4 blocks, in each half of the registers.
+[[gnu::always_inline]] inline void transpose(Float8 (&rows)[4]) {
+    const __m256 a = rows[0].part[0], b = rows[1].part[0], c = rows[2].part[0], d = rows[3].part[0];
+    const __m256 ab0 = _mm256_unpacklo_ps(a, b), ab1 = _mm256_unpackhi_ps(a, b);
+    const __m256 cd0 = _mm256_unpacklo_ps(c, d), cd1 = _mm256_unpackhi_ps(c, d);
+    rows[0].part[0] = _mm256_shuffle_ps(ab0, cd0, 0x44);
+    rows[1].part[0] = _mm256_shuffle_ps(ab0, cd0, 0xee);
+    rows[2].part[0] = _mm256_shuffle_ps(ab1, cd1, 0x44);
+    rows[3].part[0] = _mm256_shuffle_ps(ab1, cd1, 0xee);
+}
+inline Float8 joined(const float* low, const float* high) {
+    return {{_mm256_insertf128_ps(_mm256_castps128_ps256(_mm_load_ps(low)), _mm_load_ps(high), 1)}};
+}
+inline __m128 halfOf(Float8 rows, int half) {
+    return half == 0 ? _mm256_castps256_ps128(rows.part[0]) : _mm256_extractf128_ps(rows.part[0], 1);
+}
+inline void storeFour(float* p, __m128 a) { _mm_store_ps(p, a); }
+
+#elif !defined(PLUMB_LANES_SCALAR)
+
+[[gnu::always_inline]] inline void transpose(Float8 (&rows)[4]) {
+    transpose(rows[0].part[0], rows[1].part[0], rows[2].part[0], rows[3].part[0]);
+    transpose(rows[0].part[1], rows[1].part[1], rows[2].part[1], rows[3].part[1]);
+}
+inline Float8 joined(const float* low, const float* high) {
+    return {{*reinterpret_cast<const PartAt*>(low), *reinterpret_cast<const PartAt*>(high)}};
+}
+inline Part halfOf(Float8 rows, int half) { return rows.part[half]; }
+inline void storeFour(float* p, Part a) { *reinterpret_cast<PartAt*>(p) = a; }
+
+#endif
+
+/// Loads the records at eight places and transposes them into one register set per member.
+template <class Place>
+[[gnu::always_inline]] inline void gather(const Float4* records, const Place* place, Float8 (&out)[4]) {
+#if defined(PLUMB_LANES_SCALAR)
+    for (int i = 0; i < kLanes; ++i) {
+        for (int k = 0; k < 4; ++k) out[k].part[i] = rowOf(records, place[i])[k];
+    }
+#else
+    for (int i = 0; i < 4; ++i) out[i] = joined(rowOf(records, place[i]), rowOf(records, place[i + 4]));
+    transpose(out);
+#endif
+}
+
+/// The reverse, for the first `count` lanes.
 [[gnu::always_inline]] inline void scatter(Float4* records, const std::int32_t* index, const Float8 (&in)[4],
                                            int count) {
-    Four row[8] = {in[0].low,  in[1].low,  in[2].low,  in[3].low,
-                   in[0].high, in[1].high, in[2].high, in[3].high};
-    transposeFour(row[0], row[1], row[2], row[3]);
-    transposeFour(row[4], row[5], row[6], row[7]);
-    for (int i = 0; i < count; ++i) storeFour(&records[index[i]].x, row[i]);
+#if defined(PLUMB_LANES_SCALAR)
+    for (int i = 0; i < count; ++i)
+        records[index[i]] = {in[0].part[i], in[1].part[i], in[2].part[i], in[3].part[i]};
+#else
+    Float8 rows[4] = {in[0], in[1], in[2], in[3]};
+    transpose(rows);
+    if (count == kLanes) {
+        for (int i = 0; i < kLanes; ++i) storeFour(&records[index[i]].x, halfOf(rows[i & 3], i / 4));
+        return;
+    }
+    for (int i = 0; i < count; ++i) storeFour(&records[index[i]].x, halfOf(rows[i & 3], i / 4));
+#endif
 }
 
-[[gnu::always_inline]] inline void gatherAt(const Float4* records, const std::uint32_t* offset,
-                                            Float8 (&out)[4]) {
-    const auto row = [&](int i) {
-        return loadFour(reinterpret_cast<const float*>(reinterpret_cast<const char*>(records) + offset[i]));
+#if defined(PLUMB_LANES_AVX2)
+
+/// Only x and y of each record.
+[[gnu::always_inline]] inline void gatherTwo(const Float4* records, const std::uint32_t* offset, Float8& x,
+                                             Float8& y) {
+    const auto pair = [&](int i) {
+        const auto* low = reinterpret_cast<const __m128i*>(rowOf(records, offset[i]));
+        const auto* high = reinterpret_cast<const __m64*>(rowOf(records, offset[i + 1]));
+        return _mm_loadh_pi(_mm_castsi128_ps(_mm_loadl_epi64(low)), high);
     };
-    for (int i = 0; i < 4; ++i) out[i] = {row(i), row(i + 4)};
-    transposeFour(out[0].low, out[1].low, out[2].low, out[3].low);
-    transposeFour(out[0].high, out[1].high, out[2].high, out[3].high);
+    const __m256 even = _mm256_insertf128_ps(_mm256_castps128_ps256(pair(0)), pair(4), 1);
+    const __m256 odd = _mm256_insertf128_ps(_mm256_castps128_ps256(pair(2)), pair(6), 1);
+    x.part[0] = _mm256_shuffle_ps(even, odd, 0x88);
+    y.part[0] = _mm256_shuffle_ps(even, odd, 0xdd);
 }
-[[gnu::always_inline]] inline void gatherTwoAt(const Float4* records, const std::uint32_t* offset, Float8& x,
-                                               Float8& y) {
+
+/// The reverse, for the first `count` lanes.
+[[gnu::always_inline]] inline void scatterTwo(Float4* records, const std::uint32_t* offset, Float8 x,
+                                              Float8 y, int count) {
+    const Float8 even{{_mm256_unpacklo_ps(x.part[0], y.part[0])}};
+    const Float8 odd{{_mm256_unpackhi_ps(x.part[0], y.part[0])}};
+    const __m128 rows[4] = {halfOf(even, 0), halfOf(odd, 0), halfOf(even, 1), halfOf(odd, 1)};
+    const auto put = [&](int i) {
+        auto* row = reinterpret_cast<__m64*>(rowOf(records, offset[i]));
+        (i & 1) == 0 ? _mm_storel_pi(row, rows[i / 2]) : _mm_storeh_pi(row, rows[i / 2]);
+    };
+    if (count == kLanes) {
+        for (int i = 0; i < kLanes; ++i) put(i);
+        return;
+    }
+    for (int i = 0; i < count; ++i) put(i);
+}
+
+#else
+
+[[gnu::always_inline]] inline void gatherTwo(const Float4* records, const std::uint32_t* offset, Float8& x,
+                                             Float8& y) {
     Float8 all[4];
-    gatherAt(records, offset, all);
+    gather(records, offset, all);
     x = all[0], y = all[1];
 }
-[[gnu::always_inline]] inline void scatterTwoAt(Float4* records, const std::uint32_t* offset, Float8 x,
-                                                Float8 y, int count) {
+
+[[gnu::always_inline]] inline void scatterTwo(Float4* records, const std::uint32_t* offset, Float8 x,
+                                              Float8 y, int count) {
     float xs[kLanes], ys[kLanes];
     store(xs, x), store(ys, y);
     for (int i = 0; i < count; ++i) {
-        auto* row = reinterpret_cast<float*>(reinterpret_cast<char*>(records) + offset[i]);
+        float* row = rowOf(records, offset[i]);
         row[0] = xs[i], row[1] = ys[i];
     }
 }

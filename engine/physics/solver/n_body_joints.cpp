@@ -64,7 +64,7 @@ void addTie(StepContext& step, std::uint32_t index, std::uint8_t group) {
             mass.inverseMass * (end.x * end.x + end.y * end.y) + mass.inverseInertia * end.turn * end.turn;
     }
     constraint.count = kept;
-    if (response <= 0.0f) return;
+    if (response == 0.0f) return;
     constraint.mass = 1.0f / response;
     constraint.impulse = joint.rows[0] * step.dt / static_cast<float>(work.groups[group].substeps);
     constraint.joint = index;

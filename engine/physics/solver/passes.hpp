@@ -5,7 +5,6 @@
 
 #include "physics/solver/softness.hpp"
 #include "physics/stages.hpp"
-#include "physics/tuning.hpp"
 
 namespace plumb::physics {
 
@@ -15,11 +14,11 @@ inline constexpr int kBlockGrain = 8;
 inline constexpr int kSequential = 1 << 30;  ///< as a grain: one piece
 inline constexpr int kBodyGrain = 256;
 
-/// @param stiffness  ratio to Settings::contactStiffness
-inline ContactPass contactPass(const Settings& settings, float h, float stiffness) {
+/// @param h  s: substep
+inline ContactPass contactPass(const Settings& settings, float h) {
     ContactPass pass;
     pass.substepRate = 1.0f / h;
-    pass.softness = softness(stiffness * settings.contactStiffness / h, settings.contactDampingRatio, h);
+    pass.softness = softness(settings.contactStiffness / h, settings.contactDampingRatio, h);
     pass.pushSpeed = settings.pushSpeed;
     pass.deepPushRate = settings.deepPushRate;
     return pass;
@@ -90,15 +89,14 @@ struct ContactSet {
 };
 
 /// Both kinds of contacts: between dynamic bodies, and with static or kinematic ones.
-template <class Two, class Fixed>
+template <class Two, class Fixed, class Bodies>
 struct ContactSets {
-    Two two;
-    Fixed fixed;
+    ContactSet<Two, Bodies> two;
+    ContactSet<Fixed, Bodies> fixed;
 
     /// @param h  s: substep of the group that comes next
     void startGroup(const Settings& settings, float h) {
-        two.pass = contactPass(settings, h, 1.0f);
-        fixed.pass = contactPass(settings, h, kGroundStiffness);
+        two.pass = fixed.pass = contactPass(settings, h);
     }
 
     /// Runs `act(set, begin, end)` over the blocks of a color.

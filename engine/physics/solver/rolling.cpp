@@ -8,32 +8,24 @@ namespace plumb::physics {
 
 namespace {
 
-float massOf(const ContactBlock& block, int i) {
-    const float inverse = block.inverseInertiaA[i] + block.inverseInertiaB[i];
-    return inverse > 0.0f ? 1.0f / inverse : 0.0f;
-}
-float massOf(const FixedContactBlock& block, int i) {
-    return block.inverseInertia[i] > 0.0f ? 1.0f / block.inverseInertia[i] : 0.0f;
-}
+float inverseInertiaOf(const RotatingSide& side, int i) { return side.inverseInertia[i]; }
+float inverseInertiaOf(const FixedSide<2>&, int) { return 0.0f; }
 
-Float4& velocityAt(Workspace& work, std::int32_t slot) {
-    return work.velocity[static_cast<std::size_t>(slot)];
+/// rad/s. The blocks do not know that of a static or kinematic body.
+float spinOf(Workspace& work, const RotatingSide& side, const RollingBlock&, int i) {
+    return work.velocity[static_cast<std::size_t>(side.slot[i])].z;
 }
+float spinOf(Workspace&, const FixedSide<2>&, const RollingBlock& rolling, int i) { return rolling.spin[i]; }
 
-/// rad/s of B relative to A.
-float rollingSpeed(Workspace& work, const ContactBlock& block, const RollingBlock&, int i) {
-    return velocityAt(work, block.b[i]).z - velocityAt(work, block.a[i]).z;
+void turn(Workspace& work, const RotatingSide& side, int i, float impulse) {
+    work.velocity[static_cast<std::size_t>(side.slot[i])].z += side.inverseInertia[i] * impulse;
 }
-float rollingSpeed(Workspace& work, const FixedContactBlock& block, const RollingBlock& rolling, int i) {
-    return velocityAt(work, block.b[i]).z - rolling.spin[i];
-}
+void turn(Workspace&, const FixedSide<2>&, int, float) {}
 
-void turn(Workspace& work, const ContactBlock& block, int i, float impulse) {
-    velocityAt(work, block.a[i]).z -= block.inverseInertiaA[i] * impulse;
-    velocityAt(work, block.b[i]).z += block.inverseInertiaB[i] * impulse;
-}
-void turn(Workspace& work, const FixedContactBlock& block, int i, float impulse) {
-    velocityAt(work, block.b[i]).z += block.inverseInertia[i] * impulse;
+template <class Block>
+void turnApart(Workspace& work, const Block& block, int i, float impulse) {
+    turn(work, block.a, i, -impulse);
+    turn(work, block.b, i, impulse);
 }
 
 template <class Block>
@@ -46,7 +38,8 @@ void prepareBlocks(const StepContext& step, const std::vector<Block>& blocks,
         for (int i = 0; i < lanes[n].count; ++i) {
             const Contact& contact = world.contacts[static_cast<std::size_t>(lanes[n].contact[i])];
             rolling.resistance[i] = contact.rollingResistance;
-            rolling.mass[i] = massOf(blocks[n], i);
+            const float inverse = inverseInertiaOf(blocks[n].a, i) + inverseInertiaOf(blocks[n].b, i);
+            rolling.mass[i] = inverse > 0.0f ? 1.0f / inverse : 0.0f;
             rolling.spin[i] = world.bodies.motion[contact.bodyA].angularVelocity;
             rolling.impulse[i] = contact.rollingResistance > 0.0f ? contact.rollingImpulse : 0.0f;
         }
@@ -56,20 +49,21 @@ void prepareBlocks(const StepContext& step, const std::vector<Block>& blocks,
 template <class Block>
 void warmStartBlock(Workspace& work, const Block& block, const RollingBlock& rolling) {
     for (int i = 0; i < kLanes; ++i) {
-        if (rolling.impulse[i] != 0.0f) turn(work, block, i, rolling.impulse[i]);
+        if (rolling.impulse[i] != 0.0f) turnApart(work, block, i, rolling.impulse[i]);
     }
 }
 
 template <class Block>
 void relaxBlock(Workspace& work, const Block& block, RollingBlock& rolling) {
     for (int i = 0; i < kLanes; ++i) {
-        if (rolling.resistance[i] <= 0.0f) continue;
+        if (rolling.resistance[i] == 0.0f) continue;
         const float pressed = block.points[0].impulse[i] + block.points[1].impulse[i];
         const float maximum = rolling.resistance[i] * pressed;
         const float before = rolling.impulse[i];
-        const float wanted = before - rolling.mass[i] * rollingSpeed(work, block, rolling, i);
+        const float speed = spinOf(work, block.b, rolling, i) - spinOf(work, block.a, rolling, i);
+        const float wanted = before - rolling.mass[i] * speed;
         rolling.impulse[i] = std::clamp(wanted, -maximum, maximum);
-        turn(work, block, i, rolling.impulse[i] - before);
+        turnApart(work, block, i, rolling.impulse[i] - before);
     }
 }
 

@@ -20,14 +20,10 @@ void visit(Workspace& work, const ImpactPlace& impact, Act&& act) {
     }
 }
 
-template <class Act>
-void forSlots(const ContactBlock& block, int lane, Act&& act) {
-    act(block.a[lane]);
-    act(block.b[lane]);
-}
-template <class Act>
-void forSlots(const FixedContactBlock& block, int lane, Act&& act) {
-    act(block.b[lane]);
+template <class Block, class Act>
+void forSlots(const Block& block, int lane, Act&& act) {
+    if constexpr (!decltype(block.a)::kFixed) act(block.a.slot[lane]);
+    act(block.b.slot[lane]);
 }
 
 void gather(const std::vector<BounceBlock>& bounces, const std::vector<BlockLanes>& lanes, int begin, int end,
@@ -117,20 +113,24 @@ bool collideInTurn(Workspace& work, float slowest) {
     return approached;
 }
 
-void deltaPosition(Workspace& work, std::int32_t slot, float distance, float nx, float ny) {
+/// Moves a body along the normal.
+void moveAlong(Workspace& work, std::int32_t slot, float distance, Vec2 normal) {
     Float4& moved = work.deltaPosition[static_cast<std::size_t>(slot)];
-    moved.x += distance * nx;
-    moved.y += distance * ny;
+    moved.x += distance * normal.x;
+    moved.y += distance * normal.y;
 }
-void part(Workspace& work, const ContactBlock& block, int lane, float depth) {
-    const float a = work.velocity[static_cast<std::size_t>(block.a[lane])].w;
-    const float b = work.velocity[static_cast<std::size_t>(block.b[lane])].w;
-    if (!(a + b > 0.0f)) return;
-    deltaPosition(work, block.a[lane], -depth * a / (a + b), block.normalX[lane], block.normalY[lane]);
-    deltaPosition(work, block.b[lane], depth * b / (a + b), block.normalX[lane], block.normalY[lane]);
-}
-void part(Workspace& work, const FixedContactBlock& block, int lane, float depth) {
-    deltaPosition(work, block.b[lane], depth, block.normalX[lane], block.normalY[lane]);
+
+template <class Block>
+void part(Workspace& work, const Block& block, int lane, float depth) {
+    const Vec2 normal = normalOf(block, lane);
+    if constexpr (decltype(block.a)::kFixed) {
+        moveAlong(work, block.b.slot[lane], depth, normal);
+    } else {
+        const float a = work.velocity[static_cast<std::size_t>(block.a.slot[lane])].w;
+        const float b = work.velocity[static_cast<std::size_t>(block.b.slot[lane])].w;
+        moveAlong(work, block.a.slot[lane], -depth * a / (a + b), normal);
+        moveAlong(work, block.b.slot[lane], depth * b / (a + b), normal);
+    }
 }
 
 /// Removes the overlaps that arose before the impact was stopped: pushed out gradually, they would speed up

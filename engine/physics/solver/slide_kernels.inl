@@ -65,7 +65,7 @@ inline Rod8 rodAt(Couple8& couple, const Anchors8& at) {
 }
 
 template <bool kOneSided>
-void warmStartRods(const SolverBodies& bodies, const JointPass&, const JointLanes* lanes, RodBlock* blocks,
+void warmStartJoints(const SolverBodies& bodies, const JointPass&, const JointLanes* lanes, RodBlock* blocks,
                    int begin, int end) {
     for (int n = begin; n < end; ++n) {
         Couple8 couple = coupleOf(bodies, blocks[n].bodies);
@@ -75,8 +75,8 @@ void warmStartRods(const SolverBodies& bodies, const JointPass&, const JointLane
 }
 
 template <bool kPush, bool kOneSided>
-void answerRods(const SolverBodies& bodies, const JointPass& pass, const JointLanes* lanes, RodBlock* blocks,
-                int begin, int end) {
+void answerJoints(const SolverBodies& bodies, const JointPass& pass, const JointLanes* lanes,
+                  RodBlock* blocks, int begin, int end) {
     for (int n = begin; n < end; ++n) {
         RodBlock& block = blocks[n];
         Couple8 couple = coupleOf(bodies, block.bodies);
@@ -122,7 +122,7 @@ inline Carry8 carryOf(const Slider8& slider, const SliderBlock& block) {
 }
 
 template <bool kOneSided>
-void warmStartSliders(const SolverBodies& bodies, const JointPass&, const JointLanes* lanes,
+void warmStartJoints(const SolverBodies& bodies, const JointPass&, const JointLanes* lanes,
                       SliderBlock* blocks, int begin, int end) {
     for (int n = begin; n < end; ++n) {
         SliderBlock& block = blocks[n];
@@ -171,7 +171,7 @@ inline void keepOnWay(SliderBlock& block, Couple8& couple, const Slider8& slider
 }
 
 template <bool kPush, bool kOneSided>
-void answerSliders(const SolverBodies& bodies, const JointPass& pass, const JointLanes* lanes,
+void answerJoints(const SolverBodies& bodies, const JointPass& pass, const JointLanes* lanes,
                    SliderBlock* blocks, int begin, int end) {
     for (int n = begin; n < end; ++n) {
         SliderBlock& block = blocks[n];

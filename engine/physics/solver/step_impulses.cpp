@@ -7,15 +7,6 @@ namespace plumb::physics {
 
 namespace {
 
-template <class Block>
-ImpulseSum sumOf(const Block& block, std::size_t lane, std::int32_t contact) {
-    if constexpr (requires { block.points; }) {
-        return {{&block.points[0].impulse[lane], &block.points[1].impulse[lane]}, 0.0f, contact};
-    } else {
-        return {{&block.impulse[lane], nullptr}, 0.0f, contact};
-    }
-}
-
 float impulseOf(const ImpulseSum& sum) {
     return std::fabs(*sum.points[0]) + (sum.points[1] != nullptr ? std::fabs(*sum.points[1]) : 0.0f);
 }
@@ -28,8 +19,10 @@ void startBlocks(StepContext& step, const std::vector<Block>& blocks, const std:
         for (std::size_t i = 0; i < static_cast<std::size_t>(lanes[n].count); ++i) {
             const std::int32_t contact = lanes[n].contact[i];
             const std::uint16_t key = work.contactKeys[static_cast<std::size_t>(contact)];
-            if (step.world.settings.stayEvents || (key & kKeyBegan) != 0)
-                work.impulseSums.push_back(sumOf(blocks[n], i, contact));
+            if (!step.world.settings.stayEvents && (key & kKeyBegan) == 0) continue;
+            const float* second =
+                Block::kPoints == 2 ? &blocks[n].points[Block::kPoints - 1].impulse[i] : nullptr;
+            work.impulseSums.push_back({{&blocks[n].points[0].impulse[i], second}, 0.0f, contact});
         }
     }
 }

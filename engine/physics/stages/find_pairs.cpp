@@ -28,8 +28,7 @@ void search(StepContext& step) {
     const std::span<const std::uint32_t> moved{world.moved};
     collect(step, count, kGrain, work.foundPairs, work.newPairs,
             [&](std::size_t begin, std::size_t end, std::vector<PairKey>& found) {
-                work.broadPhase->findPairs(proxiesOf(world), moved.subspan(begin, end - begin), work.isMoved,
-                                           found);
+                work.broadPhase->findPairs(moved.subspan(begin, end - begin), work.isMoved, found);
                 std::erase_if(found, [&](PairKey key) { return work.pairs.has(key); });
             });
     // Whoever found a pair first: contacts are made in an order of their own.
@@ -63,12 +62,9 @@ void makeContacts(World& world, Workspace& work, const ContactHooks& hooks) {
 
 /// For all that there is, so that a steady step allocates nothing.
 void makeRoomOnPaths(const World& world, Workspace& work) {
-    if (work.candidates.capacity() < world.shapes.size())
-        work.candidates.reserve(world.shapes.info.capacity());
-    if (work.passedBodies.capacity() < world.bodies.size())
-        work.passedBodies.reserve(world.bodies.info.capacity());
-    if (work.fastBodies.capacity() < world.bodies.size())
-        work.fastBodies.reserve(world.bodies.info.capacity());
+    work.candidates.reserve(world.shapes.info.capacity());
+    work.passedBodies.reserve(world.bodies.info.capacity());
+    work.fastBodies.reserve(world.bodies.info.capacity());
 }
 
 /// What a fast kinematic body may pass in this step has to be awake: a pair that is found when their bounds
@@ -85,8 +81,8 @@ void wakeOnPaths(World& world, Workspace& work, float dt) {
         const Vec2 displacement = dt * motion.velocity;
         if (!isFast(displacement, dt * motion.angularVelocity, info)) continue;
         found.clear();
-        work.broadPhase->cast(proxiesOf(world), toVec2(world.bodies.pose[body].centre), displacement,
-                              {info.reach, info.reach}, 0xffffffffu, found, Among::All);
+        work.broadPhase->cast(toVec2(world.bodies.pose[body].centre), displacement, {info.reach, info.reach},
+                              0xffffffffu, found, Among::All);
         std::erase_if(found,
                       [&](std::uint32_t shape) { return world.shapes.motion[shape] != ProxyMotion::Asleep; });
         // A broad phase gives them in an order of its own.

@@ -16,7 +16,7 @@ constexpr int kGrain = 512;
 /// The exact way of free flight over h, as what is to be added to `z * (velocity at the end)`.
 Float4 flightOf(const Float4& drive, const Decay& decay, float drag, float h) {
     // x = v0 D + a (h - D) / k with D = decay.drive; v1 = v0 keep + a D. Without drag: x = v1 h - a h2 / 2.
-    if (decay.keep <= 0.0f) return {-0.5f * h * h * drive.x, -0.5f * h * h * drive.y, h, 0.0f};
+    if (decay.keep == 0.0f) return {-0.5f * h * h * drive.x, -0.5f * h * h * drive.y, h, 0.0f};
     const float along = decay.drive / decay.keep;
     const float rest = distanceUnder(drag, h) - decay.drive * along;
     return {rest * drive.x, rest * drive.y, along, 0.0f};
@@ -54,7 +54,7 @@ void gatherBody(World& world, Workspace& work, Vec2 gravity, std::uint32_t body,
 void applyDrag(const World& world, Workspace& work, std::uint32_t body, std::size_t slot, float h) {
     const BodyDrive& drive = world.bodies.driveOf(body);
     work.keep[slot] = {1.0f, 1.0f, 1.0f, 1.0f};
-    if (drive.linearDrag <= 0.0f && drive.angularDrag <= 0.0f) return;
+    if (drive.linearDrag == 0.0f && drive.angularDrag == 0.0f) return;
     if (world.bodies.mass[body].inverseMass == 0.0f) return;  // its owner moves it, and nothing slows it
     const Decay linear = decayOf(drive.linearDrag, h), angular = decayOf(drive.angularDrag, h);
     if (isFree(world, work, body))

@@ -141,7 +141,7 @@ constexpr std::array<Integrator, static_cast<std::size_t>(IntegratorKind::Count)
 /// Applies the drag of half a step.
 void dragHalfway(const Flight& flight) {
     for (Flyer& f : flight.flyers) {
-        if ((f.linearDrag <= 0.0f && f.angularDrag <= 0.0f) || dragIsInside(flight, f)) continue;
+        if ((f.linearDrag == 0.0f && f.angularDrag == 0.0f) || dragIsInside(flight, f)) continue;
         f.now.velocity *= exponential(-0.5f * flight.h * f.linearDrag);
         f.now.angularVelocity *= exponential(-0.5f * flight.h * f.angularDrag);
     }

@@ -61,7 +61,6 @@ bool isSlow(const Float4& velocity, float maximum) {
 
 /// For all bodies, so that a blow allocates nothing.
 void makeRoom(const World& world, Workspace& work) {
-    if (work.gainers.capacity() >= world.bodies.size()) return;
     const std::size_t room = world.bodies.info.capacity();
     work.gainers.reserve(room);
     work.accounts.reserve(room);
@@ -147,13 +146,16 @@ void noteJoints(StepContext& step) {
     }
 }
 
+bool hasDrivers(const StepContext& step) {
+    return step.runs(Effect::Kinematics) || step.runs(Effect::Conveyor);
+}
+
 /// Whoever touches what its owner moves gets energy from there, and momentum from all that cannot be pushed.
 void noteHolders(StepContext& step) {
     const World& world = step.world;
     Workspace& work = step.work;
-    const bool drivers = step.runs(Effect::Kinematics) || step.runs(Effect::Conveyor);
     const auto drives = [&](const Contact& contact) {
-        return drivers && (contact.surfaceSpeed != 0.0f || moves(world, contact.bodyA));
+        return hasDrivers(step) && (contact.surfaceSpeed != 0.0f || moves(world, contact.bodyA));
     };
     const auto note = [&](const std::vector<BlockLanes>& lanes, std::int32_t blocks, bool fixed) {
         collect(step, blocks, kGrain / kLanes, work.pieceLists, work.pieceFound,
@@ -178,7 +180,7 @@ void noteHolders(StepContext& step) {
     };
     const auto [blocks, fixedBlocks] = blocksWithRotation(work);
     note(work.fixedLanes, fixedBlocks, true);
-    if (drivers) note(work.contactLanes, blocks, false);
+    if (step.runs(Effect::Conveyor)) note(work.contactLanes, blocks, false);
 }
 
 /// What soft bodies push gets energy from them.
@@ -244,7 +246,8 @@ void settleContacts(EnergyAccount& account) {
 void settleJoints(EnergyAccount& account, float pushSpeed, float dt) {
     const float pushed = 0.5f * account.mass * pushSpeed * pushSpeed;
     const float wildPush = kWild * kJointPushing * kJointPushing;
-    account.isWild = !account.isDriven && !(account.energy <= kWild * account.peak + wildPush * pushed);
+    account.isWild = !std::isfinite(account.energy) ||
+                     (!account.isDriven && account.energy > kWild * account.peak + wildPush * pushed);
     if (account.isWild) return;
     const float due = account.energy - account.gain + std::max(account.credit, 0.0f);
     account.peak = std::max(std::min(account.energy, due), account.peak * fade(dt, 2.0f * kMemory));
@@ -351,6 +354,9 @@ void share(StepContext& step, std::uint32_t body, const EnergyAccount& account) 
     if (account.part < 1.0f) shorten(work.deltaPosition[slot], account, step.dt);
 }
 
+/// What is driven may gain any energy from its contacts.
+bool isLimited(const EnergyAccount& account) { return account.isJointed || !account.isDriven; }
+
 /// Lists the bodies of islands that have an account. A body without joints keeps no share of one.
 void findBooked(StepContext& step) {
     World& world = step.world;
@@ -363,7 +369,7 @@ void findBooked(StepContext& step) {
         const std::uint32_t body = world.awake[i];
         const bool rotates = static_cast<std::size_t>(work.slots[body]) < rotating;
         const EnergyAccount* account = rotates ? &work.accounts[work.roots[body]] : nullptr;
-        const bool isBooked = account != nullptr && account->isOpen;
+        const bool isBooked = account != nullptr && account->isOpen && isLimited(*account);
         if (hasJoints && !(isBooked && account->isJointed)) shares[body] = {};
         return isBooked;
     });
@@ -432,12 +438,12 @@ void keepEnergy(StepContext& step) {
     if (!hasJoints && work.gainers.empty()) return;
     findRoots(step);
     openAccounts(world, work);
+    if (hasJoints) noteJoints(step);
+    // Without any driver it is enough to ask where an island has too much.
+    const bool asksFirst = hasJoints || hasDrivers(step);
+    if (asksFirst) noteHolders(step);
+    noteSoft(step);
     findBooked(step);
-    if (hasJoints) {
-        noteJoints(step);
-        noteHolders(step);
-        noteSoft(step);
-    }
     bookAll(step);
     bool wild = false, tooMuch = false;
     forAccounts(work, [&](EnergyAccount& account) {
@@ -446,9 +452,8 @@ void keepEnergy(StepContext& step) {
         tooMuch |= exceeds(account);
     });
     if (tooMuch) {
-        if (!hasJoints) noteHolders(step);  // who only gained from others never asks
+        if (!asksFirst) noteHolders(step);
         noteBounces(step);
-        noteSoft(step);
         limit(world, work);
     }
     if (hasJoints || tooMuch) {

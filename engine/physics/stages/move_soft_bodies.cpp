@@ -18,6 +18,19 @@ struct SoftStep {
     float h;  // s
 };
 
+/// A particle's velocity as it may be: no faster than bodies, and at rest where it is no number.
+Vec2 allowed(const SoftStep& soft, Vec2 velocity) {
+    World& world = soft.step.world;
+    const float maximum = world.settings.maxSpeed, speed = length(velocity);
+    if (speed <= maximum) return velocity;
+    if (std::isfinite(speed)) return (maximum / speed) * velocity;
+    const auto index = static_cast<std::uint32_t>(&soft.body - world.softBodies.all.data());
+    const SoftBodyId id{index, soft.body.generation};
+    std::vector<SoftBodyId>& all = world.quarantinedSoft;
+    if (std::find(all.begin(), all.end(), id) == all.end()) all.push_back(id);
+    return {};
+}
+
 /// Each particle is as wide in the wind as the way to its neighbour.
 void blowOn(const SoftStep& soft, const FieldDefinition& wind) {
     if ((wind.layers & soft.body.layers) == 0) return;
@@ -42,13 +55,10 @@ void moveFreely(const SoftStep& soft) {
     const bool pulled = (soft.step.world.manifest.pinnedOff & Manifest::bit(Effect::Gravity)) == 0;
     const Vec2 pull = pulled ? soft.step.world.settings.gravity : Vec2{};
     const float kept = exponential(-soft.body.damping * soft.h);
-    const float maximum = soft.step.world.settings.maxSpeed;
     for (SoftParticle& p : soft.body.particles) {
         p.before = p.place;
         if (p.inverseMass == 0.0f) continue;
-        p.velocity = kept * (p.velocity + soft.h * pull);
-        const float speed = length(p.velocity);
-        if (!(speed <= maximum)) p.velocity = std::isfinite(speed) ? (maximum / speed) * p.velocity : Vec2{};
+        p.velocity = allowed(soft, kept * (p.velocity + soft.h * pull));
         p.place = p.place + soft.h * p.velocity;
     }
 }
@@ -99,11 +109,9 @@ void keepArea(const SoftStep& soft) {
 
 void updateVelocities(const SoftStep& soft) {
     for (SoftParticle& p : soft.body.particles) {
-        p.velocity = p.inverseMass > 0.0f ? (p.place - p.before) / soft.h : Vec2{};
-        if (!isFinite(p.velocity)) {  // quarantined: it stays where it was
-            p.velocity = {};
-            p.place = p.before;
-        }
+        const Vec2 velocity = p.inverseMass > 0.0f ? (p.place - p.before) / soft.h : Vec2{};
+        p.velocity = allowed(soft, velocity);
+        if (!(p.velocity == velocity)) p.place = p.before + soft.h * p.velocity;
     }
 }
 
@@ -117,14 +125,14 @@ void forSoft(const StepContext& step, const SoftGroup& group, float h, Act&& act
 /// A group that can push no body.
 void moveAlone(StepContext& step, const SoftGroup& group) {
     const float h = step.dt / static_cast<float>(group.substeps);
-    const ContactPass pass = contactPass(step.world.settings, h, 1.0f);
+    const ContactPass pass = contactPass(step.world.settings, h);
     for (int i = 0; i < group.substeps; ++i) {
         springSoft(step, group, h, i);
         solveSoft(step, group, pass, false);
         closeSoft(step, group, h);
         solveSoft(step, group, pass, true);
     }
-    storeSoftContacts(step, group, h);
+    finishSoft(step, group, h);
 }
 
 }  // namespace
@@ -143,6 +151,13 @@ void springSoft(StepContext& step, const SoftGroup& group, float h, int substep)
 
 void closeSoft(const StepContext& step, const SoftGroup& group, float h) {
     forSoft(step, group, h, updateVelocities);
+}
+
+void finishSoft(StepContext& step, const SoftGroup& group, float h) {
+    forSoft(step, group, h, [](const SoftStep& soft) {
+        for (SoftParticle& p : soft.body.particles) p.velocity = allowed(soft, p.velocity);
+    });
+    storeSoftContacts(step, group, h);
 }
 
 /// Position based dynamics with compliance, in small steps. Those that may meet go through their substeps

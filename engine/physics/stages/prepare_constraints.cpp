@@ -103,7 +103,9 @@ void fillLanes(const StepContext& step, GroupOf&& groupOf) {
     });
 }
 
-bool areAlike(const SolveGroup& a, const SolveGroup& b) { return a.begin == b.begin && a.end == b.end; }
+bool areAlike(const SolveGroup& a, const SolveGroup& b) {
+    return a.begin == b.begin && a.end == b.end && a.bodies == b.bodies;
+}
 
 /// What rests is solved in the same blocks step after step.
 /// @return true if the blocks of the last step are those of this one
@@ -180,13 +182,13 @@ void prepareConstraints(StepContext& step) {
     const auto all = static_cast<int>(work.contactLanes.size()),
                allFixed = static_cast<int>(work.fixedLanes.size());
     const auto [rotating, rotatingFixed] = blocksWithRotation(work);
-    prepareBlocks(step, source, kernels.contacts[hasFriction], work.contactLanes, work.contactBlocks, 0,
-                  rotating);
-    prepareBlocks(step, source, kernels.fixedContacts[hasFriction], work.fixedLanes, work.fixedBlocks, 0,
-                  rotatingFixed);
-    prepareBlocks(step, source, kernels.plain[hasFriction], work.contactLanes, work.blocksWithoutRotation,
-                  rotating, all);
-    prepareBlocks(step, source, kernels.plainFixed[hasFriction], work.fixedLanes,
+    prepareBlocks(step, source, kernels.rotating.contacts[hasFriction], work.contactLanes, work.contactBlocks,
+                  0, rotating);
+    prepareBlocks(step, source, kernels.rotating.fixedContacts[hasFriction], work.fixedLanes,
+                  work.fixedBlocks, 0, rotatingFixed);
+    prepareBlocks(step, source, kernels.withoutRotation.contacts[hasFriction], work.contactLanes,
+                  work.blocksWithoutRotation, rotating, all);
+    prepareBlocks(step, source, kernels.withoutRotation.fixedContacts[hasFriction], work.fixedLanes,
                   work.fixedBlocksWithoutRotation, rotatingFixed, allFixed);
     if (step.runs(Effect::Joints)) prepareJoints(step);
     static_cast<void>(step.starts(Effect::Motors));  // joints with a motor have blocks of their own

@@ -22,7 +22,9 @@ void keepCarriedAwake(StepContext& step, std::vector<std::uint32_t>& verdict) {
         const std::uint32_t carried = moves(a) ? b : a;
         if (world.bodies.info[carried].kind == BodyKind::Dynamic) verdict[step.work.roots[carried]] = kNone;
     };
+    const std::vector<std::uint16_t>& keys = step.work.contactKeys;
     collectIf(step, world.contacts.size(), step.work.pieceFound, [&](std::size_t i) {
+        if (i < keys.size() && (keys[i] & kKeyFixed) == 0) return false;
         const Contact& contact = world.contacts[i];
         return (contact.flags & kTouching) != 0 && (moves(contact.bodyA) || moves(contact.bodyB));
     });
@@ -35,6 +37,7 @@ void keepCarriedAwake(StepContext& step, std::vector<std::uint32_t>& verdict) {
 /// What comes out of an overlap that it was put into (initial_overlaps.hpp) is slow, but not at rest.
 void keepOverlappingAwake(StepContext& step, std::vector<std::uint32_t>& verdict) {
     World& world = step.world;
+    if (world.initialOverlaps.empty()) return;
     collectIf(step, world.contacts.size(), step.work.pieceFound, [&](std::size_t i) {
         return (world.contacts[i].flags & (kTouching | kInitialOverlap)) == (kTouching | kInitialOverlap);
     });

@@ -5,7 +5,6 @@
 #include "physics/solver/passes.hpp"
 #include "physics/solver/restitution.hpp"
 #include "physics/solver/rolling.hpp"
-#include "physics/solver/solve_without_rotation.hpp"
 #include "physics/solver/step_impulses.hpp"
 #include "physics/stages.hpp"
 #include "physics/trees/joint_tree_builder.hpp"
@@ -15,16 +14,17 @@ namespace plumb::physics {
 
 namespace {
 
-using Contacts =
-    ContactSets<ContactSet<ContactBlock, SolverBodies>, ContactSet<FixedContactBlock, SolverBodies>>;
-
 /// One group, while its substeps are done.
+template <class Two, class Fixed, class Bodies>
 struct Solver {
+    static constexpr bool kRotates = Bodies::kRotate;
+
     StepContext& step;
-    const SolverKernels& kernels;
+    const GroupKernels<Two, Fixed, Bodies>& kernels;
     const SolveGroup& group;
-    SolverBodies bodies;
-    Contacts& contacts;
+    const Bodies& bodies;
+    std::vector<Float4>& velocity;
+    ContactSets<Two, Fixed, Bodies>& contacts;
     JointPass joints;
     float h;         // s
     int iterations;  // of each substep
@@ -32,7 +32,7 @@ struct Solver {
 };
 
 /// Calls act(soft group) with those of which bodies are in the group that is solved.
-template <class Act>
+template <class Solver, class Act>
 void forSoft(const Solver& solver, Act&& act) {
     if (!solver.step.runs(Effect::SoftBodies)) return;
     for (const SoftGroup& soft : solver.step.work.softSurroundings.groups) {
@@ -41,64 +41,61 @@ void forSoft(const Solver& solver, Act&& act) {
     }
 }
 
+template <class Solver>
 void solveSoft(const Solver& solver, bool relax) {
     forSoft(solver,
             [&](const SoftGroup& soft) { solveSoft(solver.step, soft, solver.contacts.two.pass, relax); });
 }
 
-SolverBodies bodiesOf(Workspace& work) {
-    return {work.velocity.data(),       work.deltaPosition.data(),
-            work.drive.data(),          work.keep.empty() ? nullptr : work.keep.data(),
-            work.ballisticDrift.data(), work.velocityBeforeImpulses.data()};
-}
-
 /// Runs one pass over all constraints of a group, colour by colour: joints, then contacts.
-template <class Act>
+template <class Solver, class Act>
 void forConstraints(Solver& solver, JointAct joints, Act&& act) {
     forColours(solver.group.contactColours | solver.group.jointColours, [&](int colour, int grain) {
-        solveJoints(solver.step, solver.bodies, solver.joints, solver.group, colour, joints);
+        if constexpr (Solver::kRotates)
+            solveJoints(solver.step, solver.bodies, solver.joints, solver.group, colour, joints);
         solver.contacts.forBlocks(solver.step, solver.group.colours[colour], grain, act);
     });
 }
 
+template <class Solver>
+void lock(Solver& solver) {
+    lockAxes(solver.step, solver.group, solver.velocity);
+}
+
+template <class Solver>
 void warmStart(Solver& solver) {
     forConstraints(solver, JointAct::WarmStart, [&](const auto& contacts, int begin, int end) {
         contacts.warmStart(solver.bodies, begin, end);
     });
-}
-
-void push(Solver& solver) {
-    forConstraints(solver, JointAct::Push, [&](const auto& contacts, int begin, int end) {
-        contacts.push(solver.bodies, begin, end);
-    });
-}
-
-void relax(Solver& solver) {
-    forConstraints(solver, JointAct::Relax, [&](const auto& contacts, int begin, int end) {
-        contacts.relax(solver.bodies, begin, end);
-    });
+    if constexpr (Solver::kRotates) warmStartRolling(solver.step, solver.group);
 }
 
 /// Velocities that keep constraints, and close what is open of them.
+template <class Solver>
 void pushOften(Solver& solver, int substep) {
     for (int turn = 0; turn < solver.iterations; ++turn) {
         solver.joints.first = turn == 0;
-        solveSoft(solver, false);
+        if constexpr (Solver::kRotates) solveSoft(solver, false);
         if (solver.hasTrees) pushTrees(solver.step, solver.group, solver.h, substep, turn > 0);
-        push(solver);
-        lockAxes(solver.step, solver.group, solver.step.work.velocity);
+        forConstraints(solver, JointAct::Push, [&](const auto& contacts, int begin, int end) {
+            contacts.push(solver.bodies, begin, end);
+        });
+        lock(solver);
     }
 }
 
 /// The same without what only closed.
+template <class Solver>
 void relaxOften(Solver& solver, int substep) {
     for (int turn = 0; turn < solver.iterations; ++turn) {
         solver.joints.first = turn == 0;
-        solveSoft(solver, true);
+        if constexpr (Solver::kRotates) solveSoft(solver, true);
         if (solver.hasTrees) relaxTrees(solver.step, solver.group, solver.h, substep, turn > 0);
-        relax(solver);
-        relaxRolling(solver.step, solver.group);
-        lockAxes(solver.step, solver.group, solver.step.work.velocity);
+        forConstraints(solver, JointAct::Relax, [&](const auto& contacts, int begin, int end) {
+            contacts.relax(solver.bodies, begin, end);
+        });
+        if constexpr (Solver::kRotates) relaxRolling(solver.step, solver.group);
+        lock(solver);
     }
 }
 
@@ -107,41 +104,74 @@ void relaxOften(Solver& solver, int substep) {
 /// what all impulses of a substep did to a body's velocity is the same in the next one: from the second
 /// substep on, warm starting is one sum for each body (accelerate) and no pass over constraints. Sources: M.
 /// Macklin et al., "Small Steps in Physics Simulation", SCA 2019; E. Catto, "Solver2D", 2024.
+/// Groups without rotation have no joints, soft bodies and restitution.
+template <class Solver>
 void solveGroup(Solver& solver) {
+    auto move = solver.kernels.move;
     // A kinematic body turns though nobody is turned.
-    const bool turns = solver.step.runs(Effect::Rotation) || solver.step.runs(Effect::Kinematics);
-    const auto move = turns ? solver.kernels.move : solver.kernels.moveUnturned;
+    if constexpr (Solver::kRotates) {
+        if (!solver.step.runs(Effect::Rotation) && !solver.step.runs(Effect::Kinematics))
+            move = solverKernels().moveUnturned;
+    }
     for (int i = 0; i < solver.group.substeps; ++i) {
         forBodies(solver.step, solver.group, [&](int begin, int end) {
             solver.kernels.accelerate(solver.bodies, solver.h, i == 0, begin, end);
         });
-        if (i == 0) {
-            warmStart(solver);
-            warmStartRolling(solver.step, solver.group);
-        }
-        forSoft(solver, [&](const SoftGroup& soft) { springSoft(solver.step, soft, solver.h, i); });
-        lockAxes(solver.step, solver.group, solver.step.work.velocity);
+        if (i == 0) warmStart(solver);
+        if constexpr (Solver::kRotates)
+            forSoft(solver, [&](const SoftGroup& soft) { springSoft(solver.step, soft, solver.h, i); });
+        lock(solver);
         solver.contacts.fixed.pass.elapsed = solver.h * static_cast<float>(i);
         pushOften(solver, i);
         forBodies(solver.step, solver.group,
                   [&](int begin, int end) { move(solver.bodies, solver.h, begin, end); });
-        forSoft(solver, [&](const SoftGroup& soft) { closeSoft(solver.step, soft, solver.h); });
+        if constexpr (Solver::kRotates)
+            forSoft(solver, [&](const SoftGroup& soft) { closeSoft(solver.step, soft, solver.h); });
         relaxOften(solver, i);
-        noteLargestImpulses(solver.step, solver.group);
+        if constexpr (Solver::kRotates) noteLargestImpulses(solver.step, solver.group);
         addImpulses(solver.step.work);
-        noteJointForces(solver.step, solver.group, 1.0f / solver.h);
+        if constexpr (Solver::kRotates) noteJointForces(solver.step, solver.group, 1.0f / solver.h);
     }
-    forSoft(solver, [&](const SoftGroup& soft) { storeSoftContacts(solver.step, soft, solver.h); });
-    applyRestitution(solver.step, solver.group);
-    finishImpulseSums(solver.step.work);
-    lockAxes(solver.step, solver.group, solver.step.work.velocity);
+    if constexpr (Solver::kRotates) {
+        forSoft(solver, [&](const SoftGroup& soft) { finishSoft(solver.step, soft, solver.h); });
+        applyRestitution(solver.step, solver.group);
+        finishImpulseSums(solver.step.work);
+        lock(solver);
+    }
+}
+
+/// Solves the groups with or without rotation. They give the same bits: without, terms that are zero are left
+/// out.
+template <class Two, class Fixed, class Bodies>
+void solveGroups(StepContext& step, const GroupKernels<Two, Fixed, Bodies>& kernels, const Bodies& bodies,
+                 std::vector<Float4>& velocity, ContactSets<Two, Fixed, Bodies> contacts) {
+    const Settings& settings = step.world.settings;
+    for (const SolveGroup& group : step.work.groups) {
+        if (group.withoutRotation == Bodies::kRotate) continue;
+        const float h = step.dt / static_cast<float>(group.substeps);
+        contacts.startGroup(settings, h);
+        startImpulseSums(step, group);
+        Solver<Two, Fixed, Bodies> solver{
+            step, kernels, group, bodies, velocity, contacts, {}, h, int{settings.iterations}, false};
+        if constexpr (Bodies::kRotate) {
+            solver.joints = jointPass(settings, h);
+            solver.hasTrees = solvesTrees(step.world, step.work);
+        }
+        solveGroup(solver);
+    }
+    contacts.store(step);
+}
+
+SolverBodies bodiesOf(Workspace& work) {
+    return {work.velocity.data(),       work.deltaPosition.data(),
+            work.drive.data(),          work.keep.empty() ? nullptr : work.keep.data(),
+            work.ballisticDrift.data(), work.velocityBeforeImpulses.data()};
 }
 
 void solveWithRotation(StepContext& step) {
-    const SolverKernels& kernels = solverKernels();
+    const auto& kernels = solverKernels().rotating;
     const std::size_t hasFriction = step.runs(Effect::Friction) ? 1 : 0;
     Workspace& work = step.work;
-    const Settings& settings = step.world.settings;
     prepareRestitution(step);
     prepareRolling(step);
     if (step.runs(Effect::SoftBodies)) {
@@ -149,27 +179,49 @@ void solveWithRotation(StepContext& step) {
             obstacle.slot = work.slots[obstacle.body];
         work.softSurroundings.obstacleOf.clear();
     }
-    Contacts contacts{{kernels.contacts[hasFriction], work.contactLanes, work.contactBlocks},
-                      {kernels.fixedContacts[hasFriction], work.fixedLanes, work.fixedBlocks}};
-    for (const SolveGroup& group : work.groups) {
-        if (group.withoutRotation) break;
-        const float h = step.dt / static_cast<float>(group.substeps);
-        contacts.startGroup(settings, h);
-        startImpulseSums(step, group);
-        Solver solver{step,
-                      kernels,
-                      group,
-                      bodiesOf(work),
-                      contacts,
-                      jointPass(settings, h),
-                      h,
-                      int{settings.iterations},
-                      solvesTrees(step.world, work)};
-        solveGroup(solver);
-    }
-    contacts.store(step);
+    solveGroups(step, kernels, bodiesOf(work), work.velocity,
+                {{kernels.contacts[hasFriction], work.contactLanes, work.contactBlocks},
+                 {kernels.fixedContacts[hasFriction], work.fixedLanes, work.fixedBlocks}});
     storeRolling(step);
     if (step.runs(Effect::Joints)) storeJoints(step);
+}
+
+/// A kinematic body may rotate by its own velocity in a step in which no impulse rotates a body.
+void turnBodies(StepContext& step) {
+    const SolverBodies bodies = bodiesOf(step.work);
+    for (const SolveGroup& group : step.work.groups) {
+        const float h = step.dt / static_cast<float>(group.substeps);
+        for (int i = 0; i < group.substeps; ++i) {
+            forBodies(step, group,
+                      [&](int begin, int end) { solverKernels().rotating.move(bodies, h, begin, end); });
+        }
+    }
+}
+
+void solveWithoutRotation(StepContext& step) {
+    Workspace& work = step.work;
+    const auto& kernels = solverKernels().withoutRotation;
+    const std::size_t hasFriction = step.runs(Effect::Friction) ? 1 : 0;
+    const auto first = std::find_if(work.groups.begin(), work.groups.end(),
+                                    [](const SolveGroup& group) { return group.withoutRotation; });
+    const auto begin = static_cast<std::size_t>(first->begin);
+    std::vector<Float4>& states = work.statesWithoutRotation;
+    states.resize(work.velocity.size());
+    for (std::size_t i = begin; i < states.size(); ++i)
+        states[i] = {work.velocity[i].x, work.velocity[i].y, 0.0f, 0.0f};
+    const SolverBodies all = bodiesOf(work);
+    const BodiesWithoutRotation bodies{states.data(), all.drive, all.keep, all.ballisticDrift,
+                                       all.velocityBeforeImpulses};
+    const auto [blocks, fixedBlocks] = blocksWithRotation(work);
+    solveGroups(step, kernels, bodies, states,
+                {{kernels.contacts[hasFriction], work.contactLanes, work.blocksWithoutRotation, blocks},
+                 {kernels.fixedContacts[hasFriction], work.fixedLanes, work.fixedBlocksWithoutRotation,
+                  fixedBlocks}});
+    if (step.isWithoutRotation() && step.runs(Effect::Kinematics)) turnBodies(step);
+    for (std::size_t i = begin; i < states.size(); ++i) {
+        work.velocity[i].x = states[i].x, work.velocity[i].y = states[i].y;
+        work.deltaPosition[i].x = states[i].z, work.deltaPosition[i].y = states[i].w;
+    }
 }
 
 }  // namespace

@@ -315,8 +315,8 @@ void addPassedBodies(StepContext& step) {
         const BodyInfo& info = world.bodies.info[body];
         if (!isFast(path.displacement, path.turn, info)) continue;
         work.candidates.clear();
-        work.broadPhase->cast(proxiesOf(world), toVec2(path.start), path.displacement,
-                              {info.reach, info.reach}, 0xffffffffu, work.candidates, Among::All);
+        work.broadPhase->cast(toVec2(path.start), path.displacement, {info.reach, info.reach}, 0xffffffffu,
+                              work.candidates, Among::All);
         collectIf(step, work.candidates.size(), work.pieceFound, [&](std::size_t i) {
             const std::uint32_t other = world.shapes.info[work.candidates[i]].body;
             return known[other] == kNone && isDynamic(world, other) && work.slots[other] >= 0 &&

@@ -138,6 +138,7 @@ void endContactsOf(StepContext& step, Is&& ends) {
         step.work.pairs.remove(pairKey(contact.shapeA, contact.shapeB));
         contact = world.contacts.back();
         world.contacts.pop_back();
+        step.work.layout.isCurrent = false;  // one of another group may have its place and its key
     }
 }
 

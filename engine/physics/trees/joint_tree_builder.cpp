@@ -131,7 +131,6 @@ private:
             trees_.holds.push_back(
                 linkOf(held.joint, held.kind, reached_[static_cast<std::size_t>(held.parent)].body));
             trees_.holds.back().treeBody = tree.end - 1 - held.parent;
-            trees_.holds.back().byArms = false;
         }
         tree.holdEnd = static_cast<std::int32_t>(trees_.holds.size());
         trees_.trees.push_back(tree);

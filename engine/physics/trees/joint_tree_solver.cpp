@@ -128,7 +128,9 @@ void setTree(const Trees& trees, const JointTree& tree) {
     for (Link& hold : trees.holdsOf(tree)) {
         hold.stiffness = {1.0 / hold.softness.x,   0.0, 1.0 / hold.softness.y, 0.0, 0.0,
                           1.0 / hold.softness.turn};
-        addRows(hold.onTreeBody, hold.stiffness, trees.treeBody(hold.treeBody).own);
+        Symmetric& own = trees.treeBody(hold.treeBody).own;
+        hold.byArms ? addPoint(hold.limbX, hold.limbY, hold.stiffness, own)
+                    : addRows(hold.onTreeBody, hold.stiffness, own);
     }
     for (std::int32_t i = tree.begin; i < tree.end; ++i) factorLimb(trees, tree, i);
 }
@@ -373,7 +375,7 @@ void relaxTrees(StepContext& step, const SolveGroup& group, float h, int substep
     forTrees(step, group, [&](JointTree& tree) { relaxTree(trees, tree, again); });
 }
 
-LinkForce forceOf(const Link& link) {
+JointForce forceOf(const Link& link) {
     const double sign = link.treeBodyIsB ? 1.0 : -1.0;
     return {{static_cast<float>(sign * link.force.x), static_cast<float>(sign * link.force.y)},
             static_cast<float>(sign * link.force.turn)};
@@ -386,7 +388,7 @@ void storeTrees(StepContext& step) {
         const float rate = static_cast<float>(step.work.groups[tree.group].substeps) / step.dt;
         forLinks(all, tree, [&](const Link& link) {
             Joint& joint = step.world.joints.hot[link.joint];
-            const LinkForce force = forceOf(link);
+            const JointForce force = forceOf(link);
             joint.force = force.force;
             joint.torque = force.torque;
             // Warm starting in SIMD lanes, in case the tree is left to them in the next step.

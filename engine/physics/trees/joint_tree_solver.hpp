@@ -27,12 +27,12 @@ void pushTrees(StepContext& step, const SolveGroup& group, float h, int substep,
 /// Relax pass, after the bodies have moved: velocities that open no gap.
 void relaxTrees(StepContext& step, const SolveGroup& group, float h, int substep, bool again);
 
-/// Force (N) and torque (N m) of a link on B in the last substep.
-struct LinkForce {
+/// Force (N) and torque (N m) of a joint on B in the last substep.
+struct JointForce {
     Vec2 force;
     float torque = 0.0f;
 };
-LinkForce forceOf(const Link& link);
+JointForce forceOf(const Link& link);
 void storeTrees(StepContext& step);
 
 }  // namespace plumb::physics

@@ -31,9 +31,7 @@ inline void stiffenRows(const TreeBody& treeBody, Link& link) {
 }
 
 /// Adds J^T K J.
-inline void addPoint(const Link& link, Symmetric& own) {
-    const Symmetric& k = link.stiffness;
-    const double x = link.parentX, y = link.parentY;
+inline void addPoint(double x, double y, const Symmetric& k, Symmetric& own) {
     const double xt = x * k.xy - y * k.xx, yt = x * k.yy - y * k.xy;
     own.xx += k.xx;
     own.xy += k.xy;
@@ -62,7 +60,7 @@ inline void addRows(const Triple (&rows)[3], const Symmetric& k, Symmetric& own)
 inline void stiffen(const TreeBody& treeBody, Link& link, TreeBody* parent) {
     if (link.byArms) {
         stiffenPoint(treeBody, link);
-        if (parent != nullptr) addPoint(link, parent->own);
+        if (parent != nullptr) addPoint(link.parentX, link.parentY, link.stiffness, parent->own);
     } else {
         stiffenRows(treeBody, link);
         if (parent != nullptr) addRows(link.onParent, link.stiffness, parent->own);

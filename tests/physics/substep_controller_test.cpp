@@ -1,9 +1,11 @@
+#include "physics/islands/substep_controller.hpp"
+
 #include <cmath>
 
 #include <gtest/gtest.h>
 
 #include "core/random.hpp"
-#include "physics/islands/substep_controller.hpp"
+#include "physics/tuning.hpp"
 
 // The rule by which an island takes its quality, on islands whose answer is a formula.
 
@@ -122,31 +124,92 @@ TEST(SubstepController, neverBelowWhatIsAskedForNorAboveTheMost) {
     }
 }
 
-SubstepController anyEffort(Random& random) {
-    SubstepController effort;
-    effort.quality = static_cast<Quality>(static_cast<int>(random.below(4)) - 1);
-    effort.before = static_cast<Quality>(random.below(7));
-    effort.phase = static_cast<SubstepPhase>(random.below(5));
-    effort.patience = static_cast<std::uint8_t>(random.below(6));
-    effort.wait = random.below(100);
-    effort.error = random.unit();
-    effort.first = random.unit();
-    return effort;
+struct Tie {
+    float error = 0.0f, tolerance = 0.0f;  // m
+};
+
+/// An error that is exactly kRoom of a tolerance when it is multiplied by `factor`.
+Tie tieOf(float factor) {
+    for (float tolerance = 1.0f; tolerance < 1.001f; tolerance = std::nextafter(tolerance, 2.0f)) {
+        const float limit = kRoom * tolerance, error = limit / factor;
+        for (const float near : {std::nextafter(error, 0.0f), error, std::nextafter(error, 9.0f)})
+            if (near * factor == limit) return {near, tolerance};
+    }
+    ADD_FAILURE() << "there is none";
+    return {};
 }
 
-bool same(const SubstepController& a, const SubstepController& b) {
-    return a.quality == b.quality && a.before == b.before && a.phase == b.phase && a.patience == b.patience &&
-           a.wait == b.wait && a.error == b.error && a.first == b.first;
+TEST(SubstepController, whatIsAtALimitIsWithinIt) {
+    const auto after = [](SubstepController one, float error, float tolerance = 1.0f) {
+        one.before = 1;
+        one.quality = 2;
+        return judged(one, error, tolerance, 0, kStep);
+    };
+    constexpr std::uint32_t kLong = 1000;  // steps
+    using Phase = SubstepPhase;
+    // The tolerance.
+    for (const Phase phase : {Phase::Calm, Phase::Strained, Phase::Rising, Phase::Resigned})
+        EXPECT_EQ(after({.phase = phase, .wait = kLong}, 1.0f).phase, Phase::Calm);
+    EXPECT_EQ(after({.phase = Phase::Trying, .wait = kLong}, kRoom).phase, Phase::Trying);
+    // The most error with which less is tried, and the error that one level more makes just right.
+    const Tie small = tieOf(kMaxGain), large = tieOf(1.0f / kMinGain);
+    EXPECT_EQ(after({.phase = Phase::Calm}, small.error, small.tolerance).phase, Phase::Trying);
+    EXPECT_EQ(after({.phase = Phase::Rising, .error = large.error, .first = large.error}, large.error,
+                    large.tolerance)
+                  .phase,
+              Phase::Resigned);
+    // A load that has neither grown nor shrunk.
+    EXPECT_EQ(after({.phase = Phase::Rising, .wait = kLong, .first = 10.0f}, kGrew * 10.0f).first, 10.0f);
+    for (const float change : {kGrew, kHelped})
+        EXPECT_EQ(after({.phase = Phase::Resigned, .wait = kLong, .error = 10.0f}, change * 10.0f).phase,
+                  Phase::Resigned);
+    EXPECT_EQ(after({.phase = Phase::Calm, .patience = 3, .wait = kLong, .first = 1.0f}, kVanished).patience,
+              3);
 }
 
-TEST(SubstepController, islandsMergeToTheSameInAnyOrder) {
+/// Of three qualities alone, so that many pairs have the same.
+SubstepController anyController(Random& random) {
+    SubstepController one;
+    one.quality = static_cast<Quality>(static_cast<int>(random.below(3)) - 1);
+    one.before = static_cast<Quality>(random.below(5));
+    one.phase = static_cast<SubstepPhase>(random.below(5));
+    one.patience = static_cast<std::uint8_t>(random.below(5));
+    one.wait = random.below(9);
+    one.error = random.unit();
+    one.first = random.unit();
+    return one;
+}
+
+void expectSame(const SubstepController& a, const SubstepController& b) {
+    EXPECT_EQ(a.quality, b.quality);
+    EXPECT_EQ(a.before, b.before);
+    EXPECT_EQ(a.phase, b.phase);
+    EXPECT_EQ(a.patience, b.patience);
+    EXPECT_EQ(a.wait, b.wait);
+    EXPECT_EQ(a.error, b.error);
+    EXPECT_EQ(a.first, b.first);
+}
+
+TEST(SubstepController, ofIslandsThatMeetIsThatOfTheHardestInAnyOrder) {
     Random random = Random::seeded(1);
     for (int i = 0; i < 1000; ++i) {
-        const SubstepController a = anyEffort(random), b = anyEffort(random), c = anyEffort(random);
-        EXPECT_TRUE(same(merged(a, b), merged(b, a)));
-        EXPECT_TRUE(same(merged(merged(a, b), c), merged(a, merged(b, c))));
-        EXPECT_TRUE(same(merged(a, a), a));
-        EXPECT_EQ(merged(a, b).quality, std::max(a.quality, b.quality));
+        const SubstepController a = anyController(random), b = anyController(random),
+                                c = anyController(random);
+        const SubstepController both = merged(a, b);
+        expectSame(both, merged(b, a));
+        expectSame(merged(both, c), merged(a, merged(b, c)));
+        expectSame(merged(a, a), a);
+        if (a.quality != b.quality) {
+            expectSame(both, a.quality > b.quality ? a : b);
+            continue;
+        }
+        EXPECT_EQ(both.quality, a.quality);
+        EXPECT_EQ(both.phase, std::max(a.phase, b.phase));
+        EXPECT_EQ(both.wait, std::max(a.wait, b.wait));
+        EXPECT_EQ(both.error, std::max(a.error, b.error));
+        EXPECT_EQ(both.first, std::max(a.first, b.first));
+        EXPECT_EQ(both.patience, std::max(a.patience, b.patience));
+        EXPECT_EQ(both.before, std::max(a.before, b.before));
     }
 }
 
