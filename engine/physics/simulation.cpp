@@ -38,7 +38,7 @@ bool hasRemains(const StepContext& step) {
 }
 /// The solver's blocks of former contacts have to be cleared.
 bool hasBlocks(const StepContext& step) {
-    return !step.work.contactLanes.empty() || !step.work.fixedLanes.empty();
+    return !step.work.two.lanes.empty() || !step.work.fixed.lanes.empty();
 }
 bool hasHook(const StepContext& step) {
     return step.hooks.preSolve != nullptr || step.hooks.friction != nullptr ||

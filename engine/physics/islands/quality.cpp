@@ -91,8 +91,7 @@ void findRotating(StepContext& step) {
     if (!step.runs(Effect::Restitution) && !step.runs(Effect::Rolling)) return;
     for (std::size_t i = 0; i < work.contactKeys.size(); ++i) {
         const Contact& contact = world.contacts[i];
-        if ((work.contactKeys[i] & kKeyColour) != kKeyIdle &&
-            (contact.bounciness > 0.0f || contact.rollingResistance > 0.0f))
+        if (pushes(work.contactKeys[i]) && (contact.bounciness > 0.0f || contact.rollingResistance > 0.0f))
             work.needsRotation[work.roots[contact.bodyB]] = 1;
     }
 }

@@ -1,7 +1,6 @@
 #include "physics/islands/sleeping.hpp"
 
 #include <algorithm>
-#include <atomic>
 #include <utility>
 #include <vector>
 
@@ -216,46 +215,13 @@ void joinIslands(World& world, std::uint32_t a, std::uint32_t b) {
     joinTrees([&](std::uint32_t i) -> std::uint32_t& { return world.bodies.info[i].island; }, a, b);
 }
 
-namespace {
-
-using AtomicParent = std::atomic_ref<std::uint32_t>;
-
-/// As islandOf() and joinIslands(), for several threads at a time. The lower index is the root, so the roots
-/// do not depend on which thread is first.
-std::uint32_t sharedIslandOf(std::vector<BodyInfo>& info, std::uint32_t body) {
-    for (;;) {
-        const std::uint32_t next = AtomicParent{info[body].island}.load(std::memory_order_relaxed);
-        const std::uint32_t after = AtomicParent{info[next].island}.load(std::memory_order_relaxed);
-        if (next == after) return next;
-        // Whoever is last writes an ancestor: only a root that is joined must not be overwritten.
-        AtomicParent{info[body].island}.store(after, std::memory_order_relaxed);
-        body = after;
-    }
-}
-
-void shareJoin(std::vector<BodyInfo>& info, std::uint32_t a, std::uint32_t b) {
-    for (;;) {
-        a = sharedIslandOf(info, a), b = sharedIslandOf(info, b);
-        if (a == b) return;
-        std::uint32_t root = std::max(a, b);
-        if (AtomicParent{info[root].island}.compare_exchange_strong(root, std::min(a, b),
-                                                                    std::memory_order_relaxed))
-            return;
-    }
-}
-
-}  // namespace
-
 void rebuildIslands(World& world, TaskPool* pool) {
     std::vector<BodyInfo>& info = world.bodies.info;
     const auto forAll = [&](const auto& all, auto&& act) {
-        forPieces(pool, static_cast<int>(all.size()), kGrain, [&](int begin, int end, int) {
-            for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i)
-                act(all[i]);
-        });
+        forEach(pool, all.size(), kGrain, [&](std::size_t i) { act(all[i]); });
     };
     const auto join = [&](std::uint32_t a, std::uint32_t b) {
-        if (isUp(world, a) && isUp(world, b)) shareJoin(info, a, b);
+        if (isUp(world, a) && isUp(world, b)) joinIslands(world, a, b);
     };
     forAll(world.awake, [&](std::uint32_t body) { info[body].island = body; });
     forAll(world.contacts, [&](const Contact& contact) {
@@ -265,7 +231,7 @@ void rebuildIslands(World& world, TaskPool* pool) {
            [&](std::uint32_t j) { join(world.joints.hot[j].bodyA, world.joints.hot[j].bodyB); });
     // Each ends at its root: nothing is left of the order of joining.
     forAll(world.awake, [&](std::uint32_t body) {
-        AtomicParent{info[body].island}.store(sharedIslandOf(info, body), std::memory_order_relaxed);
+        std::atomic_ref{info[body].island}.store(islandOf(world, body), std::memory_order_relaxed);
     });
     world.islandsStale = false;
     world.islandsAge = 0.0f;

@@ -64,15 +64,15 @@ void findRoots(const StepContext& step, bool exact) {
     work.roots.resize(world.bodies.size());
     std::iota(work.roots.begin(), work.roots.end(), 0u);
     // Looking far shortens the way for the next one, which is not for several threads.
-    collectIf(step, world.awake.size(), work.pieceFound, [&](std::size_t i) {
+    const auto isFar = [&](std::size_t i) {
         const std::uint32_t body = world.awake[i];
         const BodyInfo& info = world.bodies.info[body];
         if (info.kind != BodyKind::Dynamic) return false;
         work.roots[body] = info.island;
         return world.bodies.info[info.island].island != info.island;
-    });
-    for (const std::uint32_t i : work.pieceFound)
-        work.roots[world.awake[i]] = islandOf(world, world.awake[i]);
+    };
+    forThose(step, world.awake.size(), isFar,
+             [&](std::uint32_t i) { work.roots[world.awake[i]] = islandOf(world, world.awake[i]); });
     work.rootsKnown = !world.islandsStale;
 }
 

@@ -133,7 +133,8 @@ auto torqueOn(const Mover& mover, const Block& block) {
 }
 
 template <bool kHasFriction, class Block, class Bodies>
-void warmStart(const Bodies& bodies, const BlockLanes* lanes, Block* blocks, int begin, int end) {
+void warmStart(const Bodies& bodies, const ContactPass&, const BlockLanes* lanes, Block* blocks, int begin,
+               int end) {
     for (int n = begin; n < end; ++n) {
         const Block& block = blocks[n];
         auto a = moverOf<false>(bodies, block.a, all(0.0f));

@@ -155,12 +155,9 @@ inline void noteLack(PointBlock& block, const Anchors8& at, Two8 impulse) {
 
 // Constraints on a value: an angle, or a length along a direction. A Line has a speed and takes impulses.
 
-inline void addTo(float* total, Float8 impulse) { store(total, load(total) + impulse); }
-
-template <class Line>
-inline void warmStartRows(const RowLanes& rows, Line line) {
-    line.push((load(rows.holdImpulse) + load(rows.motorImpulse)) +
-              (load(rows.lowerImpulse) - load(rows.upperImpulse)));
+inline Float8 totalOf(const RowLanes& rows) {
+    return (load(rows.holdImpulse) + load(rows.motorImpulse)) +
+           (load(rows.lowerImpulse) - load(rows.upperImpulse));
 }
 
 template <bool kPush, class Line>
@@ -266,19 +263,16 @@ inline Float8 angleMass(const Couple8& couple) {
 
 // Joints that constrain a point: hinges, and with an angle those with a limit, motor or spring, and others.
 
-inline PointBlock& pointOf(PointBlock& block) { return block; }
-inline PointBlock& pointOf(HingeBlock& block) { return block.point; }
-
 template <class Block>
-concept HasPoint = requires(Block& block) { pointOf(block); };
+concept HasPoint = requires { Block::kHasAngle; };
 
 template <bool kOneSided, HasPoint Block>
 void warmStartJoints(const SolverBodies& bodies, const JointPass&, const JointLanes* lanes, Block* blocks,
                      int begin, int end) {
     for (int n = begin; n < end; ++n) {
-        PointBlock& point = pointOf(blocks[n]);
+        PointBlock& point = blocks[n];
         Couple8 couple = coupleOf(bodies, point.bodies);
-        if constexpr (Block::kHasAngle) warmStartRows(blocks[n].turning, AngleLine8{couple});
+        if constexpr (Block::kHasAngle) couple.turn(totalOf(blocks[n].turning));
         givePoint(couple, anchorsAt(point.anchors, couple), load2(point.impulseX, point.impulseY));
         write<kOneSided>(bodies, point.bodies, couple, lanes[n].count);
     }
@@ -327,7 +321,7 @@ void answerJoints(const SolverBodies& bodies, const JointPass& pass, const Joint
                   int begin, int end) {
     const Grip8 rigid = gripOf(pass.rigid);
     for (int n = begin; n < end; ++n) {
-        PointBlock& point = pointOf(blocks[n]);
+        PointBlock& point = blocks[n];
         Couple8 couple = coupleOf(bodies, point.bodies);
         Anchors8 at = anchorsAt(point.anchors, couple);
         const Two8 before = load2(point.impulseX, point.impulseY);

@@ -8,7 +8,7 @@
 #include "physics/model/joints.hpp"
 #include "physics/solver/kernels.hpp"
 #include "physics/solver/n_body_joints.hpp"
-#include "physics/solver/softness.hpp"
+#include "physics/solver/passes.hpp"
 #include "physics/trees/joint_tree_solver.hpp"
 #include "physics/tuning.hpp"
 
@@ -16,7 +16,6 @@ namespace plumb::physics {
 
 namespace {
 
-constexpr int kGrain = 24;  // blocks
 constexpr std::size_t kKeysOfGroup = (kColours + 1) * kJointBlockKinds;
 
 bool isOneSided(int colour) { return colour >= kFirstFixedColour && colour < kColours; }
@@ -76,7 +75,7 @@ void layOut(Workspace& work, Store& store, JointBlockKind kind) {
             std::int32_t& count =
                 work.joints.counts[g * kKeysOfGroup + static_cast<std::size_t>(colour) * kJointBlockKinds +
                                    static_cast<std::size_t>(kind)];
-            JointRange& range = work.groups[g].colours[colour].joints[kind];
+            BlockRange& range = work.groups[g].colours[colour].joints[kind];
             range.begin = blocks;
             blocks += colour == kOverflow ? count : (count + kLanes - 1) / kLanes;
             range.end = blocks;
@@ -143,14 +142,6 @@ struct Preparation {
     const Workspace& work;
     JointTiming timing;
 };
-
-JointTiming timingOf(const Settings& settings, float h) {
-    JointTiming timing;
-    timing.h = h;
-    timing.stiffest = settings.jointStiffness / h;
-    timing.rigid = jointPass(settings, h).rigid;
-    return timing;
-}
 
 void setBodies(const Preparation& all, const Joint& joint, JointBodies& bodies, int lane) {
     const auto idle = static_cast<std::int32_t>(all.work.bodyOf.size()) + lane;
@@ -250,10 +241,10 @@ void setLane(const Preparation& all, const Joint& joint, const JointParts& parts
 
 void setLane(const Preparation& all, const Joint& joint, const JointParts& atAnchors, HingeBlock& block,
              int lane) {
-    setBodies(all, joint, block.point.bodies, lane);
-    const JointParts parts = balanced(atAnchors, block.point.bodies, lane);
-    calm(parts, joint.force, all.timing.h, block.point.bodies, lane);
-    setPoint(all, joint, parts, block.point, lane);
+    setBodies(all, joint, block.bodies, lane);
+    const JointParts parts = balanced(atAnchors, block.bodies, lane);
+    calm(parts, joint.force, all.timing.h, block.bodies, lane);
+    setPoint(all, joint, parts, block, lane);
     setGrip(parts.grip, parts.springs, parts.maximum, block.grip, lane);
     block.angle[lane] = parts.angle;
     setRows(all, joint, parts.value, block.turning, lane);
@@ -286,12 +277,6 @@ void setLane(const Preparation& all, const Joint& joint, const JointParts& atAnc
     (parts.holdsAngle ? block.angleImpulse : block.spinImpulse)[lane] = turn * all.timing.h;
 }
 
-JointBodies& bodiesOf(HingeBlock& block) { return block.point.bodies; }
-template <class Block>
-JointBodies& bodiesOf(Block& block) {
-    return block.bodies;
-}
-
 template <class Block>
 void prepareBlock(const Preparation& all, const JointLanes& lanes, Block& block) {
     block = {};
@@ -299,7 +284,7 @@ void prepareBlock(const Preparation& all, const JointLanes& lanes, Block& block)
         const JointView view = viewOf(all.world, static_cast<std::uint32_t>(lanes.joint[i]), all.timing);
         setLane(all, view.joint, jointType(view.joint.kind).parts(view), block, i);
     }
-    for (int i = lanes.count; i < kLanes; ++i) clearBodies(all, bodiesOf(block), i);
+    for (int i = lanes.count; i < kLanes; ++i) clearBodies(all, block.bodies, i);
 }
 
 }  // namespace
@@ -332,14 +317,10 @@ void prepareJoints(StepContext& step) {
     collectTies(step);
     noteBreakables(world, work.joints);
     prepareTrees(step);
-    forKinds(work.joints, [&](auto& store, JointBlockKind) {
-        forPieces(step, static_cast<int>(store.blocks.size()), kGrain, [&](int begin, int end, int) {
-            for (auto n = static_cast<std::size_t>(begin); n < static_cast<std::size_t>(end); ++n) {
-                const float rate = rateOf(step, store.groups[n]);
-                const Preparation all{world, work, timingOf(world.settings, 1.0f / rate)};
-                prepareBlock(all, store.lanes[n], store.blocks[n]);
-            }
-        });
+    forJointBlocks(step, [&](auto& block, const JointLanes& lanes, float rate) {
+        const float h = 1.0f / rate;
+        const JointTiming timing{h, world.settings.jointStiffness / h, jointPass(world.settings, h).rigid};
+        prepareBlock({world, work, timing}, lanes, block);
     });
 }
 
@@ -353,25 +334,19 @@ JointPass jointPass(const Settings& settings, float h) {
 }
 
 void solveJoints(const StepContext& step, const SolverBodies& bodies, const JointPass& pass,
-                 const SolveGroup& group, int colour, JointAct act) {
+                 const SolveGroup& group, int colour, PassKind kind) {
     if ((group.jointColours >> colour & 1) == 0) return;
     const JointKernels& kernels = solverKernels().joints;
-    const int side = isOneSided(colour) ? 1 : 0;
-    const auto run = [&](auto& store, const auto& passes, JointBlockKind kind) {
-        const JointRange range = group.colours[colour].joints[kind];
-        if (range.begin == range.end) return;
-        const auto kernel = act == JointAct::WarmStart ? passes.warmStart[side]
-                            : act == JointAct::Push    ? passes.push[side]
-                                                       : passes.relax[side];
+    const auto run = [&](auto& store, const auto& of, JointBlockKind blocks) {
         // Joints without a color share bodies, so they are solved sequentially.
-        forPieces(step, range.end - range.begin, colour == kOverflow ? 1 << 30 : kGrain,
-                  [&](int first, int last, int) {
-                      kernel(bodies, pass, store.lanes.data(), store.blocks.data(), range.begin + first,
-                             range.begin + last);
-                  });
+        forRange(step, group.colours[colour].joints[blocks], colour == kOverflow ? kSequential : kJointGrain,
+                 [&](int first, int last) {
+                     of.passes[static_cast<std::size_t>(kind)][isOneSided(colour) ? 1 : 0](
+                         bodies, pass, store.lanes.data(), store.blocks.data(), first, last);
+                 });
     };
     JointWork& joints = step.work.joints;
-    if (colour == kOverflow) solveTies(step.work, pass, group, act);
+    if (colour == kOverflow) solveTies(step.work, pass, group, kind);
     run(joints.points, kernels.points, kPointBlocks);
     run(joints.hinges, kernels.hinges, kHingeBlocks);
     run(joints.rods, kernels.rods, kRodBlocks);

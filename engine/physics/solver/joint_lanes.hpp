@@ -17,9 +17,20 @@ void forKinds(JointWork& joints, Act&& act) {
     act(joints.sliders, kSliderBlocks);
 }
 
+inline constexpr int kJointGrain = 24;  ///< blocks
+
 /// 1/s: substeps of a group.
 inline float rateOf(const StepContext& step, std::uint8_t group) {
     return static_cast<float>(step.work.groups[group].substeps) / step.dt;
+}
+
+/// Calls act(block, lanes, rate) for all blocks, distributed over threads.
+template <class Act>
+void forJointBlocks(StepContext& step, Act&& act) {
+    forKinds(step.work.joints, [&](auto& store, JointBlockKind) {
+        forEach(step.pool, store.blocks.size(), kJointGrain,
+                [&](std::size_t n) { act(store.blocks[n], store.lanes[n], rateOf(step, store.groups[n])); });
+    });
 }
 
 /// The bodies that a joint moves: kNone for one that is not dynamic, or that the joint leaves alone.
@@ -35,13 +46,11 @@ void colourNewJoints(World& world, Workspace& work);
 /// Packs awake joints into blocks. After gatherBodies.
 void prepareJoints(StepContext& step);
 
-enum class JointAct : std::uint8_t { WarmStart, Push, Relax };
-
 /// Parameters of joints for a substep of h seconds.
 JointPass jointPass(const Settings& settings, float h);
 /// One pass over the joints of one color of a group.
 void solveJoints(const StepContext& step, const SolverBodies& bodies, const JointPass& pass,
-                 const SolveGroup& group, int colour, JointAct act);
+                 const SolveGroup& group, int colour, PassKind kind);
 
 // joint_forces.cpp
 

@@ -143,26 +143,26 @@ void collideBoxes(const BoxPairs& pairs, float speculative, BoxTouches& touches)
 
 template <bool kHasFriction, class Block, class Bodies>
 constexpr ContactKernels<Block, Bodies> kContacts{
-    prepare<kHasFriction>, warmStart<kHasFriction>, push<kHasFriction>, relax<kHasFriction>,
+    prepare<kHasFriction>,
+    {warmStart<kHasFriction>, push<kHasFriction>, relax<kHasFriction>},
     storeImpulses<kHasFriction>};
 
-template <class Two, class Fixed, class Bodies>
-constexpr GroupKernels<Two, Fixed, Bodies> kGroups{
-    {kContacts<false, Two, Bodies>, kContacts<true, Two, Bodies>},
-    {kContacts<false, Fixed, Bodies>, kContacts<true, Fixed, Bodies>},
-    accelerate<Bodies>,
-    move};
+template <class Bodies, class Two = typename Bodies::TwoBlock, class Fixed = typename Bodies::FixedBlock>
+constexpr GroupKernels<Bodies> kGroups{{kContacts<false, Two, Bodies>, kContacts<true, Two, Bodies>},
+                                       {kContacts<false, Fixed, Bodies>, kContacts<true, Fixed, Bodies>},
+                                       accelerate<Bodies>,
+                                       move};
 
 template <class Block>
-constexpr JointPasses<Block> kPasses{{warmStartJoints<false>, warmStartJoints<true>},
-                                     {answerJoints<true, false>, answerJoints<true, true>},
-                                     {answerJoints<false, false>, answerJoints<false, true>}};
+constexpr JointPasses<Block> kPasses{{{warmStartJoints<false>, warmStartJoints<true>},
+                                      {answerJoints<true, false>, answerJoints<true, true>},
+                                      {answerJoints<false, false>, answerJoints<false, true>}}};
 
 extern const SolverKernels kKernels;
 const SolverKernels kKernels{
     PLUMB_LANES_NAME,
-    kGroups<ContactBlock, FixedContactBlock, SolverBodies>,
-    kGroups<BlockWithoutRotation, FixedBlockWithoutRotation, BodiesWithoutRotation>,
+    kGroups<SolverBodies>,
+    kGroups<BodiesWithoutRotation>,
     moveUnturned,
     collideBoxes,
     {kPasses<PointBlock>, kPasses<HingeBlock>, kPasses<RodBlock>, kPasses<SliderBlock>},

@@ -14,9 +14,9 @@ namespace {
 template <class Act>
 void visit(Workspace& work, const ImpactPlace& impact, Act&& act) {
     if (impact.fixed) {
-        act(work.fixedBlocks[impact.block], work.fixedBounces[impact.block], int{impact.lane});
+        act(work.fixed.blocks[impact.block], work.fixed.bounces[impact.block], int{impact.lane});
     } else {
-        act(work.contactBlocks[impact.block], work.bounces[impact.block], int{impact.lane});
+        act(work.two.blocks[impact.block], work.two.bounces[impact.block], int{impact.lane});
     }
 }
 
@@ -26,15 +26,17 @@ void forSlots(const Block& block, int lane, Act&& act) {
     act(block.b.slot[lane]);
 }
 
-void gather(const std::vector<BounceBlock>& bounces, const std::vector<BlockLanes>& lanes, int begin, int end,
-            bool fixed, std::vector<ImpactPlace>& impacts) {
+template <class Store>
+void gather(const Store& store, BlockRange range, std::vector<ImpactPlace>& impacts) {
+    constexpr bool kFixed = decltype(store.blocks[0].a)::kFixed;
+    const std::vector<BlockLanes>& lanes = store.lanes;
     const std::size_t before = impacts.size();
-    for (auto n = static_cast<std::size_t>(begin); n < static_cast<std::size_t>(end); ++n) {
-        const BounceBlock& bounce = bounces[n];
+    for (auto n = static_cast<std::size_t>(range.begin); n < static_cast<std::size_t>(range.end); ++n) {
+        const BounceBlock& bounce = store.bounces[n];
         for (int i = 0; i < lanes[n].count; ++i) {
             if (bounce.bounciness[i] < kLively) continue;
             if (bounce.sum[i] <= 0.0f || bounce.before[i] > kMaxLoad * bounce.largest[0][i]) continue;
-            impacts.push_back({fixed, static_cast<std::uint8_t>(i), static_cast<std::uint32_t>(n)});
+            impacts.push_back({kFixed, static_cast<std::uint8_t>(i), static_cast<std::uint32_t>(n)});
         }
     }
     // Wherever they are in the blocks of a color, they are solved in the order of their numbers.
@@ -166,8 +168,8 @@ void runImpactsOn(StepContext& step, const SolveGroup& group) {
     Workspace& work = step.work;
     work.impacts.clear();
     for (const ColourBlocks& colour : group.colours) {
-        gather(work.bounces, work.contactLanes, colour.contactBegin, colour.contactEnd, false, work.impacts);
-        gather(work.fixedBounces, work.fixedLanes, colour.fixedBegin, colour.fixedEnd, true, work.impacts);
+        gather(work.two, colour.contacts.two, work.impacts);
+        gather(work.fixed, colour.contacts.fixed, work.impacts);
     }
     if (work.impacts.size() < 2) return;
     keepChains(work);

@@ -23,10 +23,9 @@ void search(StepContext& step) {
     World& world = step.world;
     Workspace& work = step.work;
     for (const std::uint32_t shape : world.moved) work.isMoved[shape] = 1;
-    const int count = static_cast<int>(world.moved.size());
     work.broadPhase->arrange(world.moved);
     const std::span<const std::uint32_t> moved{world.moved};
-    collect(step, count, kGrain, work.foundPairs, work.newPairs,
+    collect(step, moved.size(), kGrain, work.foundPairs, work.newPairs,
             [&](std::size_t begin, std::size_t end, std::vector<PairKey>& found) {
                 work.broadPhase->findPairs(moved.subspan(begin, end - begin), work.isMoved, found);
                 std::erase_if(found, [&](PairKey key) { return work.pairs.has(key); });

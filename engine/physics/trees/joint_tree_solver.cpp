@@ -288,16 +288,6 @@ void relaxTree(const Trees& trees, JointTree& tree, bool again) {
     });
 }
 
-template <class Act>
-void forTrees(StepContext& step, const SolveGroup& group, Act&& act) {
-    JointTrees& all = step.work.joints.trees;
-    forPieces(step, static_cast<int>(all.trees.size()), kGrain, [&](int begin, int end, int) {
-        for (auto t = static_cast<std::size_t>(begin); t < static_cast<std::size_t>(end); ++t) {
-            if (all.trees[t].direct && &step.work.groups[all.trees[t].group] == &group) act(all.trees[t]);
-        }
-    });
-}
-
 // Preparation and results.
 
 void prepareArms(const World& world, Link& link) {
@@ -363,16 +353,16 @@ void prepareTrees(StepContext& step) {
     }
 }
 
-void pushTrees(StepContext& step, const SolveGroup& group, float h, int substep, bool again) {
+void solveTrees(StepContext& step, const SolveGroup& group, PassKind kind, float h, int substep, bool again) {
+    JointTrees& all = step.work.joints.trees;
     const auto dt = static_cast<double>(h);
-    const Trees trees{step.work, step.work.joints.trees, dt, 1.0 / dt, dt * substep};
-    forTrees(step, group, [&](JointTree& tree) { pushTree(trees, tree, again); });
-}
-
-void relaxTrees(StepContext& step, const SolveGroup& group, float h, int substep, bool again) {
-    const auto dt = static_cast<double>(h);
-    const Trees trees{step.work, step.work.joints.trees, dt, 1.0 / dt, dt * (substep + 1)};
-    forTrees(step, group, [&](JointTree& tree) { relaxTree(trees, tree, again); });
+    const bool relaxes = kind == PassKind::Relax;
+    const Trees trees{step.work, all, dt, 1.0 / dt, dt * (relaxes ? substep + 1 : substep)};
+    forEach(step.pool, all.trees.size(), kGrain, [&](std::size_t t) {
+        JointTree& tree = all.trees[t];
+        if (!tree.direct || &step.work.groups[tree.group] != &group) return;
+        relaxes ? relaxTree(trees, tree, again) : pushTree(trees, tree, again);
+    });
 }
 
 JointForce forceOf(const Link& link) {

@@ -20,12 +20,11 @@ void prepareTrees(StepContext& step);
 /// @param held  its tree is held at several ends
 bool isClosed(const World& world, Link& link, bool held);
 
-/// Biased pass: velocities that close all gaps within a substep of h seconds.
+/// Biased pass: velocities that close all gaps within a substep of h seconds. Relax pass, after the bodies
+/// have moved: velocities that open no gap.
 /// @param substep  its index
 /// @param again  a further iteration in the same substep, after other constraints changed velocities
-void pushTrees(StepContext& step, const SolveGroup& group, float h, int substep, bool again);
-/// Relax pass, after the bodies have moved: velocities that open no gap.
-void relaxTrees(StepContext& step, const SolveGroup& group, float h, int substep, bool again);
+void solveTrees(StepContext& step, const SolveGroup& group, PassKind kind, float h, int substep, bool again);
 
 /// Force (N) and torque (N m) of a joint on B in the last substep.
 struct JointForce {
