@@ -140,6 +140,13 @@ void countEffects(Workspace& work) {
 
 }  // namespace
 
+void WorkspaceHolder::Delete::operator()(Workspace* workspace) const { delete workspace; }
+
+Workspace& WorkspaceHolder::get() {
+    if (workspace_ == nullptr) workspace_.reset(new Workspace);
+    return *workspace_;
+}
+
 std::span<const StageInfo> stages() {
     static const auto kInfos = [] {
         std::array<StageInfo, std::size(kStages)> infos;

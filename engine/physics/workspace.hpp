@@ -12,8 +12,7 @@
 #include "physics/contacts/pair_set.hpp"
 #include "physics/effects/flyers.hpp"
 #include "physics/narrowphase/path_hit.hpp"
-#include "physics/soft/soft_rigid_contacts.hpp"
-#include "physics/soft/soft_soft_contacts.hpp"
+#include "physics/soft/soft_contacts.hpp"
 #include "physics/solver/colours.hpp"
 #include "physics/solver/contact_block.hpp"
 #include "physics/solver/joint_work.hpp"
@@ -112,7 +111,7 @@ struct AxisLock {
     std::uint8_t flags = 0;  ///< kLockX, kLockY
 };
 
-/// Sum of the normal impulses of a contact over the substeps: step_impulses.hpp.
+/// Sum of the normal impulses of a contact over the substeps: step_impulses.cpp.
 struct ImpulseSum {
     const float* points[2];  ///< N s: current impulses in its block; null without a second point
     float last = 0.0f;       ///< N s: both, when they were last added

@@ -2,10 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 #include "physics/broadphase/overlap.hpp"
-#include "physics/contacts/initial_overlaps.hpp"
 #include "physics/narrowphase/axis_aligned_boxes.hpp"
 #include "physics/narrowphase/collide.hpp"
 #include "physics/narrowphase/reference_face.hpp"
@@ -88,27 +86,13 @@ bool recycle(Contact& contact, const Encounter& now, const Settings& settings) {
     return true;
 }
 
-/// Impulses of points that were there before.
-struct Known {
-    std::uint16_t ids[2];
-    float impulses[2];
-    int count;
-
-    explicit Known(const Contact& contact)
-        : ids{contact.ids[0], contact.ids[1]},
-          impulses{contact.impulse0, contact.impulse1},
-          count{contact.count} {}
-    [[nodiscard]] float impulseOf(std::uint16_t id) const {
-        for (int i = 0; i < count; ++i) {
-            if (ids[i] == id) return impulses[i];
-        }
-        return 0.0f;
-    }
-};
-
 /// Writes the points of a manifold that was found in the frame of A's shapes.
 void takeManifold(const World& world, Contact& contact, const Manifold& manifold, const Encounter& now) {
-    const Known known{contact};
+    const auto impulseOf = [count = contact.count, first = contact.ids[0], impulse0 = contact.impulse0,
+                            second = contact.ids[1], impulse1 = contact.impulse1](std::uint16_t id) {
+        if (count > 0 && first == id) return impulse0;
+        return count > 1 && second == id ? impulse1 : 0.0f;
+    };
     const BodyPose& a = world.bodies.pose[contact.bodyA];
     contact.count = static_cast<std::uint8_t>(manifold.count);
     contact.turn = now.turn;
@@ -124,9 +108,9 @@ void takeManifold(const World& world, Contact& contact, const Manifold& manifold
         contact.ids[i] = point.id;
     }
     contact.separation0 = manifold.points[0].separation;
-    contact.impulse0 = known.impulseOf(contact.ids[0]);
+    contact.impulse0 = impulseOf(contact.ids[0]);
     contact.separation1 = manifold.count == 2 ? manifold.points[1].separation : kFarAway;
-    contact.impulse1 = manifold.count == 2 ? known.impulseOf(contact.ids[1]) : 0.0f;
+    contact.impulse1 = manifold.count == 2 ? impulseOf(contact.ids[1]) : 0.0f;
 }
 
 Frame frameInA(const World& world, const Contact& contact, const Encounter& now) {

@@ -7,6 +7,10 @@
 
 namespace plumb::physics {
 
+struct DetectionCounts;
+struct StepContext;
+struct Workspace;
+
 /// The same for those that touch: with a trigger, or without.
 template <class Act>
 void forTouching(const World& world, bool triggered, Act&& act) {
@@ -31,7 +35,7 @@ void copyMaterials(const World& world, Contact& contact);
 /// Finds out where the shapes of contacts are to each other, and keeps what it knew of places that are still
 /// the same. Contacts whose bounds have parted get kGone.
 /// @param dt  s: of the step that is about to be done
-void findTouches(const World& world, std::span<Contact> contacts, float dt, struct DetectionCounts& counts);
+void findTouches(const World& world, std::span<Contact> contacts, float dt, DetectionCounts& counts);
 
 /// Finds where the shapes of a new contact are to each other now, up to `distance` (m) apart.
 void findTouch(const World& world, Contact& contact, float distance);
@@ -50,13 +54,13 @@ void touchFaceOnly(const World& world, Contact& contact, const OnlyFace& face);
 void forgetPoints(Contact& contact);
 
 /// Ends the contacts of altered shapes: they are found anew.
-void endAltered(struct StepContext& step);
+void endAltered(StepContext& step);
 /// Friction and bounciness by the callbacks of the owner, if there are any.
-void askForMaterial(const struct StepContext& step, Contact& contact);
+void askForMaterial(const StepContext& step, Contact& contact);
 
 /// Takes note that the shapes of a contact touch from now on.
 /// @param index  in World::contacts
-void beginContact(World& world, struct Workspace& work, std::size_t index);
+void beginContact(World& world, Workspace& work, std::size_t index);
 
 /// m from A's centre of mass, in A's frame: where they touch.
 /// @param point  below Contact::count
@@ -67,5 +71,33 @@ void beginContact(World& world, struct Workspace& work, std::size_t index);
 
 /// The event that tells of a contact.
 ContactEvent eventOf(const World& world, const Contact& contact, ContactPhase phase);
+
+// initial_overlaps.cpp
+
+// Bodies that are put into each other (by a level, a script, a change of size) would be thrown apart. So an
+// overlap that no motion explains is hidden from the solver when it begins, and shown little by little.
+
+/// Marks a contact that begins deeper than the motion of its bodies explains: kInitialOverlap.
+void markInitialOverlap(const World& world, Contact& contact);
+
+/// Keeps how deep a marked contact is, and hides that from the solver.
+void addInitialOverlap(World& world, Contact& contact);
+
+/// Shows more of all that is hidden.
+void fadeInitialOverlaps(World& world, float dt);
+
+/// Hides from the solver what is still hidden of a marked contact; if nothing is, it is no longer marked.
+void hideInitialOverlap(const World& world, Contact& contact);
+
+// seams.cpp
+
+/// Corrects contacts of bodies with several fixed shapes that abut: the edges between these are no border,
+/// and neither a normal from one of them nor its points are valid. Part of updateContacts(). Reads:
+/// work.contactFindings. Writes: contacts (points), work.endedAtSeams.
+void correctSeams(StepContext& step);
+
+/// Corrects a contact that was found for a hit, and lets a face that goes on in other fixed shapes touch as
+/// one. Of what may be on its path, only what never yields has seams.
+void touchUnion(StepContext& step, Contact& contact);
 
 }  // namespace plumb::physics

@@ -1,5 +1,3 @@
-#include "physics/contacts/seams.hpp"
-
 #include <algorithm>
 #include <limits>
 
@@ -8,6 +6,7 @@
 #include "physics/narrowphase/free_sector.hpp"
 #include "physics/narrowphase/reference_face.hpp"
 #include "physics/narrowphase/sweep.hpp"
+#include "physics/stages.hpp"
 #include "physics/tuning.hpp"
 
 namespace plumb::physics {

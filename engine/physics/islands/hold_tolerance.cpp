@@ -1,9 +1,10 @@
 #include <algorithm>
 
+#include "physics/islands/quality.hpp"
 #include "physics/islands/substep_controller.hpp"
-#include "physics/islands/substep_estimate.hpp"
 #include "physics/measure/constraint_errors.hpp"
 #include "physics/model/edits.hpp"
+#include "physics/workspace.hpp"
 
 namespace plumb::physics {
 

@@ -6,7 +6,6 @@
 #include <span>
 
 #include "physics/islands/sleeping.hpp"
-#include "physics/islands/substep_estimate.hpp"
 #include "physics/stages.hpp"
 
 namespace plumb::physics {

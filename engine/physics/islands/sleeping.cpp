@@ -1,6 +1,5 @@
 #include "physics/islands/sleeping.hpp"
 
-#include <algorithm>
 #include <utility>
 #include <vector>
 
@@ -96,6 +95,17 @@ void wakeIsland(World& world, std::uint32_t island) {
     sleepers.freeIslands.push_back(island);
 }
 
+/// @param members  know their places in the list
+template <class Member>
+void takeOut(std::vector<std::uint32_t>& list, std::vector<Member>& members, std::uint32_t index) {
+    const std::uint32_t place = members[index].place;
+    if (place == kNone) return;
+    list[place] = list.back();
+    members[list[place]].place = place;
+    members[index].place = kNone;  // after the other: it may be the last itself
+    list.pop_back();
+}
+
 }  // namespace
 
 void addAwake(World& world, std::uint32_t body) {
@@ -105,24 +115,12 @@ void addAwake(World& world, std::uint32_t body) {
 
 void addAsleep(World& world, std::uint32_t body) { putInIsland(world, takeIsland(world.sleepers), body); }
 
-void removeAwake(World& world, std::uint32_t body) {
-    const std::uint32_t place = world.bodies.info[body].place;
-    if (place == kNone) return;
-    world.awake[place] = world.awake.back();
-    world.bodies.info[world.awake[place]].place = place;
-    world.bodies.info[body].place = kNone;  // after the other: it may be the last itself
-    world.awake.pop_back();
-}
+void removeAwake(World& world, std::uint32_t body) { takeOut(world.awake, world.bodies.info, body); }
 
 void removeAwakeJoint(World& world, std::uint32_t joint) {
-    std::vector<std::uint32_t>& awake = world.joints.awake;
-    const std::uint32_t place = world.joints.hot[joint].place;
-    if (place == kNone) return;
+    if (world.joints.hot[joint].place == kNone) return;
     world.work.get().joints.trees.stale = true;
-    awake[place] = awake.back();
-    world.joints.hot[awake[place]].place = place;
-    world.joints.hot[joint].place = kNone;  // after the other: it may be the last itself
-    awake.pop_back();
+    takeOut(world.joints.awake, world.joints.hot, joint);
 }
 
 void addAwakeJoint(World& world, std::uint32_t index) {

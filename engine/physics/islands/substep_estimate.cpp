@@ -1,11 +1,11 @@
-#include "physics/islands/substep_estimate.hpp"
-
 #include <algorithm>
 #include <numeric>
 
+#include "physics/islands/quality.hpp"
 #include "physics/islands/sleeping.hpp"
 #include "physics/model/edits.hpp"
-#include "physics/trees/joint_tree_builder.hpp"
+#include "physics/stages.hpp"
+#include "physics/trees/joint_tree_solver.hpp"
 #include "physics/tuning.hpp"
 
 namespace plumb::physics {

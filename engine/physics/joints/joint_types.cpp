@@ -1,20 +1,11 @@
 #include "physics/joints/joint_types.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
-#include "physics/solver/softness.hpp"
+#include "physics/solver/passes.hpp"
 
 namespace plumb::physics {
-
-namespace {
-
-Grip gripOf(const Softness& soft) {
-    return {soft.massScale, soft.massScale * soft.biasRate, soft.impulseScale};
-}
-
-}  // namespace
 
 JointView viewOf(const World& world, std::uint32_t index, const JointTiming& timing) {
     const Joint& joint = world.joints.hot[index];

@@ -3,7 +3,6 @@
 
 #include "physics/model/joints.hpp"
 #include "physics/solver/joint_lanes.hpp"
-#include "physics/solver/n_body_joints.hpp"
 #include "physics/trees/joint_tree_solver.hpp"
 
 namespace plumb::physics {

@@ -1,13 +1,10 @@
 #include "physics/solver/joint_lanes.hpp"
 
-#include <algorithm>
 #include <bit>
 #include <cmath>
 
 #include "physics/joints/joint_types.hpp"
-#include "physics/model/joints.hpp"
 #include "physics/solver/kernels.hpp"
-#include "physics/solver/n_body_joints.hpp"
 #include "physics/solver/passes.hpp"
 #include "physics/trees/joint_tree_solver.hpp"
 #include "physics/tuning.hpp"
@@ -296,18 +293,6 @@ PushedBodies pushedBodies(const World& world, const Joint& joint) {
     return {joint.kind == JointKind::Mouse ? kNone : pushed(joint.bodyA), pushed(joint.bodyB)};
 }
 
-void colourNewJoints(World& world, Workspace& work) {
-    if (!world.newJoints) return;
-    world.newJoints = false;
-    for (const std::uint32_t index : world.joints.awake) {
-        Joint& joint = world.joints.hot[index];
-        if (joint.colour != kNoColour) continue;
-        const PushedBodies bodies = pushedBodies(world, joint);
-        joint.colour =
-            bodies.b != kNone ? takeColour(work, bodies.a, bodies.b) : takeColour(work, kNone, bodies.a);
-    }
-}
-
 void prepareJoints(StepContext& step) {
     World& world = step.world;
     Workspace& work = step.work;
@@ -326,11 +311,7 @@ void prepareJoints(StepContext& step) {
 
 JointPass jointPass(const Settings& settings, float h) {
     const Softness soft = softness(settings.jointStiffness / h, settings.jointDampingRatio, h);
-    JointPass pass;
-    pass.rigid = {soft.massScale, soft.massScale * soft.biasRate, soft.impulseScale};
-    pass.substepRate = 1.0f / h;
-    pass.pushSpeed = kJointPushing * settings.pushSpeed;
-    return pass;
+    return {gripOf(soft), 1.0f / h, kJointPushing * settings.pushSpeed};
 }
 
 void solveJoints(const StepContext& step, const SolverBodies& bodies, const JointPass& pass,
@@ -338,12 +319,13 @@ void solveJoints(const StepContext& step, const SolverBodies& bodies, const Join
     if ((group.jointColours >> colour & 1) == 0) return;
     const JointKernels& kernels = solverKernels().joints;
     const auto run = [&](auto& store, const auto& of, JointBlockKind blocks) {
+        const BlockRange range = group.colours[colour].joints[blocks];
+        if (range.begin == range.end) return;
         // Joints without a color share bodies, so they are solved sequentially.
-        forRange(step, group.colours[colour].joints[blocks], colour == kOverflow ? kSequential : kJointGrain,
-                 [&](int first, int last) {
-                     of.passes[static_cast<std::size_t>(kind)][isOneSided(colour) ? 1 : 0](
-                         bodies, pass, store.lanes.data(), store.blocks.data(), first, last);
-                 });
+        forRange(step, range, colour == kOverflow ? kSequential : kJointGrain, [&](int first, int last) {
+            of.passes[static_cast<std::size_t>(kind)][isOneSided(colour) ? 1 : 0](
+                bodies, pass, store.lanes.data(), store.blocks.data(), first, last);
+        });
     };
     JointWork& joints = step.work.joints;
     if (colour == kOverflow) solveTies(step.work, pass, group, kind);

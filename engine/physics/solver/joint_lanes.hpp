@@ -1,7 +1,6 @@
 #pragma once
 
 #include "physics/stages.hpp"
-#include "physics/tuning.hpp"
 
 namespace plumb::physics {
 
@@ -40,9 +39,6 @@ struct PushedBodies {
 };
 PushedBodies pushedBodies(const World& world, const Joint& joint);
 
-/// Assigns a color to each awake joint that has none.
-void colourNewJoints(World& world, Workspace& work);
-
 /// Packs awake joints into blocks. After gatherBodies.
 void prepareJoints(StepContext& step);
 
@@ -59,5 +55,14 @@ void noteJointForces(StepContext& step, const SolveGroup& group, float substepRa
 
 /// Writes forces back to the joints, and destroys those whose maximum was exceeded.
 void storeJoints(StepContext& step);
+
+// n_body_joints.cpp
+
+/// Adds a gear or pulley to the multi-body constraints of the step.
+void addTie(StepContext& step, std::uint32_t joint, std::uint8_t group);
+/// One pass over the multi-body constraints of a group, in order.
+void solveTies(Workspace& work, const JointPass& pass, const SolveGroup& group, PassKind kind);
+/// Writes forces and errors back to the joints.
+void storeTies(StepContext& step);
 
 }  // namespace plumb::physics

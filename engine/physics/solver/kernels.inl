@@ -85,8 +85,8 @@ inline Turn8 turnedBy(Turn8 turn, Float8 angle) {
     return {select(far, slow.sine, near.sine), select(far, slow.versine, near.versine)};
 }
 
-template <bool kTurns>
-void moveBodies(const SolverBodies& bodies, float h, int begin, int end) {
+template <bool kTurns = true>
+void move(const SolverBodies& bodies, float h, int begin, int end) {
     const Float8 step = all(h);
     for (int n = begin; n < end; n += kLanes) {
         std::int32_t slots[kLanes];
@@ -104,13 +104,6 @@ void moveBodies(const SolverBodies& bodies, float h, int begin, int end) {
         }
         scatter(bodies.deltaPosition, slots, deltaPosition, kLanes);
     }
-}
-
-void move(const SolverBodies& bodies, float h, int begin, int end) {
-    moveBodies<true>(bodies, h, begin, end);
-}
-void moveUnturned(const SolverBodies& bodies, float h, int begin, int end) {
-    moveBodies<false>(bodies, h, begin, end);
 }
 
 void move(const BodiesWithoutRotation& bodies, float, int begin, int end) {
@@ -158,12 +151,15 @@ constexpr JointPasses<Block> kPasses{{{warmStartJoints<false>, warmStartJoints<t
                                       {answerJoints<true, false>, answerJoints<true, true>},
                                       {answerJoints<false, false>, answerJoints<false, true>}}};
 
+#define PLUMB_NAME(lanes) #lanes
+#define PLUMB_NAME_OF(lanes) PLUMB_NAME(lanes)
+
 extern const SolverKernels kKernels;
 const SolverKernels kKernels{
-    PLUMB_LANES_NAME,
+    PLUMB_NAME_OF(PLUMB_LANES),
     kGroups<SolverBodies>,
     kGroups<BodiesWithoutRotation>,
-    moveUnturned,
+    move<false>,
     collideBoxes,
     {kPasses<PointBlock>, kPasses<HingeBlock>, kPasses<RodBlock>, kPasses<SliderBlock>},
 };

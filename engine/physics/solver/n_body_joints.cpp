@@ -1,9 +1,8 @@
-#include "physics/solver/n_body_joints.hpp"
-
 #include <cmath>
 
 #include "math/portable.hpp"
 #include "physics/joints/joint_types.hpp"
+#include "physics/solver/joint_lanes.hpp"
 
 namespace plumb::physics {
 

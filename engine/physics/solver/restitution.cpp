@@ -1,11 +1,8 @@
-#include "physics/solver/restitution.hpp"
-
 #include <algorithm>
-#include <cmath>
 
+#include "physics/solver/contact_extras.hpp"
 #include "physics/solver/contact_sides.hpp"
 #include "physics/solver/passes.hpp"
-#include "physics/solver/simultaneous_impacts.hpp"
 #include "physics/tuning.hpp"
 
 namespace plumb::physics {

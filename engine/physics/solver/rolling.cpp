@@ -1,7 +1,6 @@
-#include "physics/solver/rolling.hpp"
-
 #include <algorithm>
 
+#include "physics/solver/contact_extras.hpp"
 #include "physics/solver/passes.hpp"
 
 namespace plumb::physics {

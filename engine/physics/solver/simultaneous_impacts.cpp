@@ -1,8 +1,7 @@
-#include "physics/solver/simultaneous_impacts.hpp"
-
 #include <algorithm>
 #include <vector>
 
+#include "physics/solver/contact_extras.hpp"
 #include "physics/solver/contact_sides.hpp"
 #include "physics/tuning.hpp"
 
@@ -18,6 +17,12 @@ void visit(Workspace& work, const ImpactPlace& impact, Act&& act) {
     } else {
         act(work.two.blocks[impact.block], work.two.bounces[impact.block], int{impact.lane});
     }
+}
+
+/// The same for all impacts, in order.
+template <class Act>
+void visitAll(Workspace& work, Act&& act) {
+    for (const ImpactPlace& impact : work.impacts) visit(work, impact, act);
 }
 
 template <class Block, class Act>
@@ -65,53 +70,45 @@ void keepChains(Workspace& work) {
 
 bool anyHits(Workspace& work, float slowest) {
     bool hits = false;
-    for (const ImpactPlace& impact : work.impacts) {
-        visit(work, impact, [&](const auto&, const BounceBlock& bounce, int lane) {
-            hits = hits || bounce.approach[0][lane] < -slowest;
-        });
-    }
+    visitAll(work, [&](const auto&, const BounceBlock& bounce, int lane) {
+        hits = hits || bounce.approach[0][lane] < -slowest;
+    });
     return hits;
 }
 
 /// Takes back the impulses of the substeps.
 void takeBack(Workspace& work) {
-    for (const ImpactPlace& impact : work.impacts) {
-        visit(work, impact, [&](auto& block, BounceBlock& bounce, int lane) {
-            pushApart(work, block, 0, lane, -bounce.sum[lane]);
-            block.points[0].impulse[lane] = 0.0f;
-        });
-    }
+    visitAll(work, [&](auto& block, BounceBlock& bounce, int lane) {
+        pushApart(work, block, 0, lane, -bounce.sum[lane]);
+        block.points[0].impulse[lane] = 0.0f;
+    });
 }
 
 /// Reduces velocities to those at the impact: what accelerated the bodies afterwards would be a gain.
 void endAtImpact(Workspace& work, float slowest, float dt) {
-    for (const ImpactPlace& impact : work.impacts) {
-        visit(work, impact, [&](auto& block, BounceBlock& bounce, int lane) {
-            float& before = bounce.approach[0][lane];
-            if (before < -slowest) {
-                const float met = speedOfImpact(before, approachIn(work, block, 0, lane, dt));
-                const float gain = approachOf(work, block, 0, lane) - met;
-                pushApart(work, block, 0, lane, -block.points[0].mass[lane] * gain);
-            }
-            before = 0.0f;  // nothing is left for applyRestitution()
-        });
-    }
+    visitAll(work, [&](auto& block, BounceBlock& bounce, int lane) {
+        float& before = bounce.approach[0][lane];
+        if (before < -slowest) {
+            const float met = speedOfImpact(before, approachIn(work, block, 0, lane, dt));
+            const float gain = approachOf(work, block, 0, lane) - met;
+            pushApart(work, block, 0, lane, -block.points[0].mass[lane] * gain);
+        }
+        before = 0.0f;  // nothing is left for applyRestitution()
+    });
 }
 
 /// @return true if any pair approached
 bool collideInTurn(Workspace& work, float slowest) {
     bool approached = false;
-    for (const ImpactPlace& impact : work.impacts) {
-        visit(work, impact, [&](auto& block, const BounceBlock& bounce, int lane) {
-            const float speed = approachOf(work, block, 0, lane);
-            if (speed > -kNoApproach) return;
-            approached = true;
-            const float bounciness = speed < -slowest ? bounce.bounciness[lane] : 0.0f;
-            const float impulse = -(1.0f + bounciness) * block.points[0].mass[lane] * speed;
-            block.points[0].impulse[lane] += impulse;
-            pushApart(work, block, 0, lane, impulse);
-        });
-    }
+    visitAll(work, [&](auto& block, const BounceBlock& bounce, int lane) {
+        const float speed = approachOf(work, block, 0, lane);
+        if (speed > -kNoApproach) return;
+        approached = true;
+        const float bounciness = speed < -slowest ? bounce.bounciness[lane] : 0.0f;
+        const float impulse = -(1.0f + bounciness) * block.points[0].mass[lane] * speed;
+        block.points[0].impulse[lane] += impulse;
+        pushApart(work, block, 0, lane, impulse);
+    });
     return approached;
 }
 
@@ -140,26 +137,22 @@ void part(Workspace& work, const Block& block, int lane, float depth) {
 /// @return true if there were any
 bool partInTurn(Workspace& work, float dt) {
     bool overlapped = false;
-    for (const ImpactPlace& impact : work.impacts) {
-        visit(work, impact, [&](const auto& block, const BounceBlock&, int lane) {
-            // Overlap from before the step is pushed out as usual: removed at once, it would add height.
-            const float start = std::max(block.points[0].separation[lane], 0.0f);
-            const float depth = -(start + approachIn(work, block, 0, lane, dt).displacement);
-            if (depth <= kTouchDistance) return;
-            overlapped = true;
-            part(work, block, lane, depth);
-        });
-    }
+    visitAll(work, [&](const auto& block, const BounceBlock&, int lane) {
+        // Overlap from before the step is pushed out as usual: removed at once, it would add height.
+        const float start = std::max(block.points[0].separation[lane], 0.0f);
+        const float depth = -(start + approachIn(work, block, 0, lane, dt).displacement);
+        if (depth <= kTouchDistance) return;
+        overlapped = true;
+        part(work, block, lane, depth);
+    });
     return overlapped;
 }
 
 /// An impact is not a load: marks its impulses (negative), so that the next step does not start with them.
 void markBlows(Workspace& work) {
-    for (const ImpactPlace& impact : work.impacts) {
-        visit(work, impact, [&](auto& block, const BounceBlock&, int lane) {
-            block.points[0].impulse[lane] = -block.points[0].impulse[lane];
-        });
-    }
+    visitAll(work, [&](auto& block, const BounceBlock&, int lane) {
+        block.points[0].impulse[lane] = -block.points[0].impulse[lane];
+    });
 }
 
 }  // namespace

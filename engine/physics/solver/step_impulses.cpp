@@ -1,8 +1,6 @@
-#include "physics/solver/step_impulses.hpp"
-
-#include <algorithm>
 #include <cmath>
 
+#include "physics/solver/contact_extras.hpp"
 #include "physics/solver/passes.hpp"
 
 namespace plumb::physics {

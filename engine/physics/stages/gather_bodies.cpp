@@ -1,11 +1,9 @@
-#include <algorithm>
-
 #include "physics/effects/drag.hpp"
 #include "physics/islands/quality.hpp"
 #include "physics/islands/sleeping.hpp"
 #include "physics/solver/strips.hpp"
 #include "physics/stages.hpp"
-#include "physics/trees/joint_tree_builder.hpp"
+#include "physics/trees/joint_tree_solver.hpp"
 
 namespace plumb::physics {
 

@@ -1,9 +1,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "physics/islands/quality.hpp"
 #include "physics/islands/sleeping.hpp"
-#include "physics/islands/substep_estimate.hpp"
-#include "physics/joints/joint_types.hpp"
 #include "physics/measure/constraint_errors.hpp"
 #include "physics/solver/joint_lanes.hpp"
 #include "physics/solver/passes.hpp"
@@ -113,11 +112,6 @@ void openAccounts(const World& world, Workspace& work) {
         }
     }
     for (const std::uint32_t body : work.gainers) open(work, work.roots[body], false);
-}
-
-void closeAccounts(Workspace& work) {
-    for (const std::uint32_t root : work.openAccounts) work.accounts[root].isOpen = false;
-    work.openAccounts.clear();
 }
 
 /// Few joints are powered or hold to what cannot be pushed: only for these is the island looked up.
@@ -287,19 +281,9 @@ void findParts(EnergyAccount& account) {
     account.keep = keptOf(account);
 }
 
-void slowDown(Float4& velocity, const EnergyAccount& account) {
-    velocity.x = account.middle.x + account.keep * (velocity.x - account.middle.x);
-    velocity.y = account.middle.y + account.keep * (velocity.y - account.middle.y);
-    velocity.z *= account.keep;
-}
-
-/// The same of a way: of what whips, or heights would be reached that nothing paid for.
-void shorten(Float4& deltaPosition, const EnergyAccount& account, float dt) {
-    const Vec2 middle = dt * account.middle;
-    deltaPosition.x = middle.x + account.part * (deltaPosition.x - middle.x);
-    deltaPosition.y = middle.y + account.part * (deltaPosition.y - middle.y);
-    deltaPosition.z *= account.part;
-    deltaPosition.w *= account.part;
+void scaleAbout(Vec2 middle, float factor, Float4& row) {
+    row.x = middle.x + factor * (row.x - middle.x);
+    row.y = middle.y + factor * (row.y - middle.y);
 }
 
 /// A body of an island that went wild waits for a better step, at the speed that it had.
@@ -337,12 +321,19 @@ void share(StepContext& step, std::uint32_t body, const EnergyAccount& account) 
     const float part = world.bodies.mass[body].mass / account.mass;
     if (account.isJointed) world.bodies.energies[body] = {account.credit * part, account.peak * part};
     const auto slot = static_cast<std::size_t>(work.slots[body]);
-    if (account.keep < 1.0f) slowDown(work.velocity[slot], account);
-    if (account.part < 1.0f) shorten(work.deltaPosition[slot], account, step.dt);
+    if (account.keep < 1.0f) {
+        Float4& velocity = work.velocity[slot];
+        scaleAbout(account.middle, account.keep, velocity);
+        velocity.z *= account.keep;
+    }
+    if (account.part < 1.0f) {
+        // Of what whips: heights would be reached that nothing paid for.
+        Float4& deltaPosition = work.deltaPosition[slot];
+        scaleAbout(step.dt * account.middle, account.part, deltaPosition);
+        deltaPosition.z *= account.part;
+        deltaPosition.w *= account.part;
+    }
 }
-
-/// What is driven may gain any energy from its contacts.
-bool isLimited(const EnergyAccount& account) { return account.isJointed || !account.isDriven; }
 
 /// Lists the bodies of islands that have an account. A body without joints keeps no share of one.
 void findBooked(StepContext& step) {
@@ -356,7 +347,9 @@ void findBooked(StepContext& step) {
         const std::uint32_t body = world.awake[i];
         const bool rotates = static_cast<std::size_t>(work.slots[body]) < rotating;
         const EnergyAccount* account = rotates ? &work.accounts[work.roots[body]] : nullptr;
-        const bool isBooked = account != nullptr && account->isOpen && isLimited(*account);
+        // What is driven may gain any energy from its contacts.
+        const bool isBooked =
+            account != nullptr && account->isOpen && (account->isJointed || !account->isDriven);
         if (hasJoints && !(isBooked && account->isJointed)) shares[body] = {};
         return isBooked;
     });
@@ -439,7 +432,8 @@ void keepEnergy(StepContext& step) {
         });
     }
     if (wild) forgetImpulses(world, work);
-    closeAccounts(work);
+    for (const std::uint32_t root : work.openAccounts) work.accounts[root].isOpen = false;
+    work.openAccounts.clear();
 }
 
 }  // namespace plumb::physics

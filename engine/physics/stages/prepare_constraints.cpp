@@ -61,10 +61,9 @@ void layOut(Workspace& work, const Cursors& cursors) {
     }
 }
 
-/// Which contacts are solved together.
-/// @param groupOf  the group that a contact is solved in
-template <class GroupOf>
-void fillLanes(const StepContext& step, GroupOf&& groupOf) {
+/// Decides which contacts are solved together.
+void fillLanes(const StepContext& step) {
+    const World& world = step.world;
     Workspace& work = step.work;
     if (work.strips.areUsed) work.strips.ofContact.resize(work.contactKeys.size());
     const std::uint16_t* keys = work.contactKeys.data();
@@ -73,6 +72,7 @@ void fillLanes(const StepContext& step, GroupOf&& groupOf) {
     const std::uint8_t* strips = work.strips.areUsed ? work.strips.ofContact.data() : nullptr;
     const Cursors cursors{work.cursors, work.groups.size() * kKinds, work.strips.count(),
                           static_cast<std::size_t>(shared ? piecesOf(count, kGrain) : 1)};
+    const bool many = work.groups.size() > 1;
     work.cursors.assign(cursors.pieces * cursors.kinds * cursors.strips, 0);
     const auto forPushing = [&](auto&& act) {
         forPieces(step.pool, count, kGrain, [&](int begin, int end, int piece) {
@@ -80,7 +80,8 @@ void fillLanes(const StepContext& step, GroupOf&& groupOf) {
             for (std::int32_t i = begin; i < end; ++i) {
                 const int colour = keys[i] & kKeyColour;
                 if (colour == kKeyIdle) continue;
-                std::size_t kind = groupOf(i) * kKinds + (keys[i] & kOfKind);
+                std::size_t kind = keys[i] & kOfKind;
+                if (many) kind += kKinds * work.groupOf[world.contacts[static_cast<std::size_t>(i)].bodyB];
                 // Those without a color are solved in the order of their numbers.
                 if (strips != nullptr) kind = kind * Strips::kCount + (colour == kOverflow ? 0 : strips[i]);
                 act(own[kind], keys[i], i);
@@ -124,23 +125,6 @@ void keepLayout(Workspace& work) {
     work.layout.isCurrent = true;
 }
 
-void fillLanes(const StepContext& step) {
-    const World& world = step.world;
-    Workspace& work = step.work;
-    if (!step.runs(Effect::Contacts)) {
-        for (std::uint16_t& key : work.contactKeys) key |= kKeyIdle;
-    }
-    if (takeLayout(work)) return;
-    if (work.groups.size() == 1) {
-        fillLanes(step, [](std::int32_t) { return std::size_t{0}; });
-    } else {
-        fillLanes(step, [&](std::int32_t contact) {
-            return std::size_t{work.groupOf[world.contacts[static_cast<std::size_t>(contact)].bodyB]};
-        });
-    }
-    keepLayout(work);
-}
-
 ContactSource sourceOf(const StepContext& step) {
     const World& world = step.world;
     const Workspace& work = step.work;
@@ -167,7 +151,14 @@ void prepareContacts(const StepContext& step, const ContactSource& source,
 }  // namespace
 
 void prepareConstraints(StepContext& step) {
-    fillLanes(step);
+    Workspace& work = step.work;
+    if (!step.runs(Effect::Contacts)) {
+        for (std::uint16_t& key : work.contactKeys) key |= kKeyIdle;
+    }
+    if (!takeLayout(work)) {
+        fillLanes(step);
+        keepLayout(work);
+    }
     const ContactSource source = sourceOf(step);
     prepareContacts(step, source, solverKernels().rotating);
     prepareContacts(step, source, solverKernels().withoutRotation);

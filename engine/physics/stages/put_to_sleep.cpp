@@ -1,8 +1,8 @@
 #include <algorithm>
 
+#include "physics/islands/quality.hpp"
 #include "physics/islands/sleeping.hpp"
 #include "physics/islands/substep_controller.hpp"
-#include "physics/islands/substep_estimate.hpp"
 #include "physics/stages.hpp"
 #include "physics/tuning.hpp"
 
@@ -37,7 +37,7 @@ void keepCarriedAwake(StepContext& step) {
         keepBoth(world.joints.hot[j].bodyA, world.joints.hot[j].bodyB);
 }
 
-/// What comes out of an overlap that it was put into (initial_overlaps.hpp) is slow, but not at rest.
+/// What comes out of an overlap that it was put into (initial_overlaps.cpp) is slow, but not at rest.
 void keepOverlappingAwake(StepContext& step) {
     const World& world = step.world;
     if (world.initialOverlaps.empty()) return;

@@ -1,18 +1,36 @@
 #include <algorithm>
 
+#include "physics/solver/contact_extras.hpp"
 #include "physics/solver/joint_lanes.hpp"
-#include "physics/solver/locks.hpp"
 #include "physics/solver/passes.hpp"
-#include "physics/solver/restitution.hpp"
-#include "physics/solver/rolling.hpp"
-#include "physics/solver/step_impulses.hpp"
 #include "physics/stages.hpp"
-#include "physics/trees/joint_tree_builder.hpp"
 #include "physics/trees/joint_tree_solver.hpp"
 
 namespace plumb::physics {
 
 namespace {
+
+// Bodies locked along x or y: after each pass their velocity along it is set to 0 again.
+
+void lock(Float4& row, std::uint8_t flags) {
+    if ((flags & kLockX) != 0) row.x = 0.0f;
+    if ((flags & kLockY) != 0) row.y = 0.0f;
+}
+
+void prepareLocks(StepContext& step) {
+    if (!step.starts(Effect::Locks)) return;
+    Workspace& work = step.work;
+    work.locks.clear();
+    for (std::size_t slot = 0; slot < work.bodyOf.size(); ++slot) {
+        const std::uint32_t body = work.bodyOf[slot];
+        if (body == kNone || !isDynamic(step.world, body)) continue;
+        const auto flags = static_cast<std::uint8_t>(step.world.bodies.info[body].flags & (kLockX | kLockY));
+        if (flags == 0) continue;
+        work.locks.push_back({static_cast<std::uint32_t>(slot), flags});
+        for (std::vector<Float4>* rows : {&work.velocity, &work.drive, &work.ballisticDrift})
+            lock((*rows)[slot], flags);
+    }
+}
 
 /// One group, while its substeps are done.
 template <class Bodies>
@@ -51,9 +69,14 @@ void forConstraints(Solver<Bodies>& solver, PassKind kind) {
     });
 }
 
-template <class Solver>
-void lock(Solver& solver) {
-    lockAxes(solver.step, solver.group, solver.velocity);
+template <class Bodies>
+void lock(Solver<Bodies>& solver) {
+    if (!solver.step.runs(Effect::Locks)) return;
+    for (const AxisLock& held : solver.step.work.locks) {
+        const auto slot = static_cast<std::int32_t>(held.slot);
+        if (slot >= solver.group.begin && slot < solver.group.end)
+            lock(solver.velocity[held.slot], held.flags);
+    }
 }
 
 /// Velocities that keep constraints. In the biased pass they also close what is open of them.

@@ -6,7 +6,6 @@
 #include "physics/broadphase/broadphase_update.hpp"
 #include "physics/contacts/chain_events.hpp"
 #include "physics/contacts/contacts.hpp"
-#include "physics/contacts/seams.hpp"
 #include "physics/continuous/swept_bodies.hpp"
 #include "physics/model/bounds.hpp"
 #include "physics/model/edits.hpp"

@@ -4,8 +4,6 @@
 
 #include "physics/contacts/chain_events.hpp"
 #include "physics/contacts/contacts.hpp"
-#include "physics/contacts/initial_overlaps.hpp"
-#include "physics/contacts/seams.hpp"
 #include "physics/islands/sleeping.hpp"
 #include "physics/model/joints.hpp"
 #include "physics/stages.hpp"
