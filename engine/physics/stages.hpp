@@ -47,6 +47,15 @@ auto ask(World& world, Call&& call) {
     return answer;
 }
 
+/// Whether the owner of the world lets these two shapes meet.
+inline bool mayMeet(const StepContext& step, std::uint32_t a, std::uint32_t b) {
+    const std::vector<ShapeInfo>& info = step.world.shapes.info;
+    return step.hooks.filter == nullptr || ask(step.world, [&] {
+               return step.hooks.filter(step.hooks.context, step.world, {a, info[a].generation},
+                                        {b, info[b].generation});
+           });
+}
+
 constexpr int piecesOf(int count, int grain) { return (count + grain - 1) / grain; }
 
 /// Splits 0..count-1 into pieces of `grain` and runs `act(begin, end, piece)` for each, on all threads.

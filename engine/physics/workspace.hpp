@@ -118,7 +118,7 @@ struct ImpulseSum {
     std::int32_t contact = 0;
 };
 
-/// Number of contacts between a chain and something that touches it (chain_events.hpp).
+/// Number of contacts between a chain and something that touches it (chain_events.cpp).
 struct ChainTouch {
     PairKey pair = 0;
     std::int32_t count = 0;

@@ -23,7 +23,6 @@ void removeAwake(World& world, std::uint32_t body);
 
 /// Wakes the whole island of a body; one that is awake stays so for another Settings::sleepTime.
 void wake(World& world, std::uint32_t body);
-/// Wakes every body.
 void wakeAll(World& world);
 /// Wakes everything that touches a body or is joined to it, and the body itself.
 void wakeTouching(World& world, std::uint32_t body);

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "physics/solver/n_body_constraint.hpp"
+#include "physics/solver/joint_work.hpp"
 #include "physics/world.hpp"
 
 namespace plumb::physics {
@@ -56,8 +56,8 @@ struct JointParts {
     ValueParts value;          ///< on the angle (hinges) or the length (rods, sliders)
     Vec2 axis;                 ///< world: sliding axis
     bool holdsAngle = false;   ///< rigidly
-    float spin = 0.0f;     ///< rad/s: target speed of a slider's rotational motor (wheel)
-    float maxSpin = 0.0f;  ///< N m s: maximum impulse of that motor per substep
+    float spin = 0.0f;         ///< rad/s: target speed of a slider's rotational motor (wheel)
+    float maxSpin = 0.0f;      ///< N m s: maximum impulse of that motor per substep
 };
 
 /// One kind of joint: a row of the table in joint_kinds.cpp.

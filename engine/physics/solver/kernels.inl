@@ -27,13 +27,8 @@ inline Float8 inverseOrZero(Float8 x) {
     return select(some, all(1.0f) / select(some, x, all(1.0f)), zero);
 }
 
-// Contacts.
-
 #include "physics/solver/contact_preparation.inl"
 #include "physics/solver/contact_kernels.inl"
-
-// Joints.
-
 #include "physics/solver/joint_kernels.inl"
 
 // Bodies.
@@ -118,8 +113,6 @@ void move(const BodiesWithoutRotation& bodies, float, int begin, int end) {
         scatter(bodies.velocity, slots, state, kLanes);
     }
 }
-
-// Collision detection.
 
 #include "physics/narrowphase/box_kernel.inl"
 

@@ -25,12 +25,6 @@ void visitAll(Workspace& work, Act&& act) {
     for (const ImpactPlace& impact : work.impacts) visit(work, impact, act);
 }
 
-template <class Block, class Act>
-void forSlots(const Block& block, int lane, Act&& act) {
-    if constexpr (!decltype(block.a)::kFixed) act(block.a.slot[lane]);
-    act(block.b.slot[lane]);
-}
-
 template <class Store>
 void gather(const Store& store, BlockRange range, std::vector<ImpactPlace>& impacts) {
     constexpr bool kFixed = decltype(store.blocks[0].a)::kFixed;
@@ -55,7 +49,9 @@ void keepChains(Workspace& work) {
     work.hits.resize(work.velocity.size());
     const auto forHits = [&](const ImpactPlace& impact, auto&& act) {
         visit(work, impact, [&](const auto& block, const BounceBlock&, int lane) {
-            forSlots(block, lane, [&](std::int32_t slot) { act(work.hits[static_cast<std::size_t>(slot)]); });
+            if constexpr (!decltype(block.a)::kFixed)
+                act(work.hits[static_cast<std::size_t>(block.a.slot[lane])]);
+            act(work.hits[static_cast<std::size_t>(block.b.slot[lane])]);
         });
     };
     for (const ImpactPlace& impact : work.impacts) forHits(impact, [](std::uint8_t& hits) { hits = 0; });

@@ -1,6 +1,5 @@
 #include <algorithm>
 
-#include "physics/contacts/chain_events.hpp"
 #include "physics/contacts/contacts.hpp"
 #include "physics/effects/one_way.hpp"
 #include "physics/ranges.hpp"

@@ -153,7 +153,7 @@ void noteHolders(StepContext& step) {
     };
     const bool conveys = step.runs(Effect::Conveyor);
     const auto matters = [&](std::size_t i) {
-        if (!pushes(work.contactKeys[i]) || !(isFixed(i) || conveys)) return false;
+        if (!(conveys || isFixed(i)) || !pushes(work.contactKeys[i])) return false;
         const EnergyAccount& account = accountAt(i);
         return (isFixed(i) && !account.isRooted) || (!account.isDriven && drives(world.contacts[i]));
     };

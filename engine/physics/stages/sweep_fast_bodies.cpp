@@ -4,7 +4,6 @@
 #include <utility>
 
 #include "physics/broadphase/broadphase_update.hpp"
-#include "physics/contacts/chain_events.hpp"
 #include "physics/contacts/contacts.hpp"
 #include "physics/continuous/swept_bodies.hpp"
 #include "physics/model/bounds.hpp"
@@ -136,13 +135,10 @@ void addProxy(const StepContext& step, const SweptBody& swept) {
 
 /// Whether the owner of the world lets these two pass each other.
 bool isRefused(const StepContext& step, const PathHit& hit, const Contact& contact) {
-    World& world = step.world;
     const ContactHooks& hooks = step.hooks;
-    const auto id = [&](std::uint32_t shape) { return ShapeId{shape, world.shapes.info[shape].generation}; };
-    return ask(world, [&] {
-        return (hooks.filter != nullptr && !hooks.filter(hooks.context, world, id(hit.shape), id(hit.met))) ||
-               (hooks.preSolve != nullptr && !hooks.preSolve(hooks.context, world, contact));
-    });
+    return !mayMeet(step, hit.shape, hit.met) ||
+           (hooks.preSolve != nullptr &&
+            !ask(step.world, [&] { return hooks.preSolve(hooks.context, step.world, contact); }));
 }
 
 /// Lets a body hit what comes next on its path.

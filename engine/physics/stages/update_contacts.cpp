@@ -2,7 +2,6 @@
 #include <span>
 #include <utility>
 
-#include "physics/contacts/chain_events.hpp"
 #include "physics/contacts/contacts.hpp"
 #include "physics/islands/sleeping.hpp"
 #include "physics/model/joints.hpp"

@@ -139,10 +139,6 @@ void noteColours(const World& world, JointTrees& trees) {
     }
 }
 
-bool touches(const Workspace& work, const TreeBody& treeBody) {
-    return treeBody.colours != work.colourMasks[treeBody.body];
-}
-
 bool isHeld(const JointTree& tree) { return tree.holdBegin < tree.holdEnd; }
 
 /// Leaves a tree to the SIMD solver. The forces in a taut tree that is held at several ends are larger than
@@ -182,8 +178,9 @@ void choose(World& world, Workspace& work) {
     trees.freeMasks.resize(trees.trees.empty() ? 0 : world.bodies.size());
     for (JointTree& tree : trees.trees) {
         const auto treeBodies = trees.bodiesOf(tree);
-        const bool touching = std::any_of(treeBodies.begin(), treeBodies.end(),
-                                          [&](const TreeBody& treeBody) { return touches(work, treeBody); });
+        const bool touching = std::any_of(
+            treeBodies.begin(), treeBodies.end(),
+            [&](const TreeBody& treeBody) { return treeBody.colours != work.colourMasks[treeBody.body]; });
         if (touching) leave(world, trees, tree);
         tree.direct = !touching && comeBack(world, trees, tree);
         trees.some = trees.some || tree.direct;

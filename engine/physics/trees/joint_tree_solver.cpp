@@ -36,14 +36,11 @@ Triple wide(const Float4& v) {
     return {static_cast<double>(v.x), static_cast<double>(v.y), static_cast<double>(v.z)};
 }
 
-TreePose groundPose(const Link& link, double elapsed) {
+TreePose parentPose(const Link& link, const TreeBody* parent, double elapsed) {
+    if (parent != nullptr) return parent->pose;
     const Triple& v = link.groundVelocity;
     const TreePose moved{v.x * elapsed, v.y * elapsed, 0.0, 0.0};
     return v.turn == 0.0 ? moved : turnedBy(moved, v.turn * elapsed);
-}
-
-TreePose parentPose(const Link& link, const TreeBody* parent, double elapsed) {
-    return parent != nullptr ? parent->pose : groundPose(link, elapsed);
 }
 
 // Assembly.
@@ -98,13 +95,6 @@ void takeMotion(const Trees& trees, TreeBody& treeBody) {
     treeBody.impulse = {};
 }
 
-/// Factors one limb. To be called from the leaves to the root.
-void factorLimb(const Trees& trees, const JointTree& tree, std::int32_t i) {
-    TreeBody& treeBody = trees.treeBody(i);
-    treeBody.own = treeBody.turns ? inverse(treeBody.own) : inverseUnturned(treeBody.own);
-    if (hasLink(tree, i)) stiffen(treeBody, trees.link(i), trees.parentOf(trees.link(i)));
-}
-
 /// Updates motions, rows and gaps to the current poses, and factors the system.
 void setTree(const Trees& trees, const JointTree& tree) {
     for (TreeBody& treeBody : trees.all.bodiesOf(tree)) {
@@ -123,7 +113,11 @@ void setTree(const Trees& trees, const JointTree& tree) {
         hold.byArms() ? addPoint(hold.limbX, hold.limbY, hold.stiffness, own)
                       : addRows(hold.onTreeBody, hold.stiffness, own);
     }
-    for (std::int32_t i = tree.begin; i < tree.end; ++i) factorLimb(trees, tree, i);
+    for (std::int32_t i = tree.begin; i < tree.end; ++i) {
+        TreeBody& treeBody = trees.treeBody(i);
+        treeBody.own = treeBody.turns ? inverse(treeBody.own) : inverseUnturned(treeBody.own);
+        if (hasLink(tree, i)) stiffen(treeBody, trees.link(i), trees.parentOf(trees.link(i)));
+    }
 }
 
 // Errors.
@@ -157,16 +151,6 @@ void findSpeeds(const Trees& trees, Link& link) {
 
 // Solution.
 
-void answerHold(const Trees& trees, Link& hold) {
-    hold.answer = -1.0 * (hold.stiffness * hold.error);
-    trees.treeBody(hold.treeBody).impulse += onTreeBody(hold, hold.answer);
-}
-
-void giveHold(const Trees& trees, Link& hold) {
-    hold.given += hold.answer;
-    hold.given += -1.0 * (hold.stiffness * seenFromLimb(hold, trees.treeBody(hold.treeBody).impulse));
-}
-
 /// Not warm started: the next substep computes tree impulses anew, along the arms of then.
 void addChange(const Trees& trees, const TreeBody& treeBody, const Triple& change) {
     const auto slot = static_cast<std::size_t>(treeBody.slot);
@@ -196,7 +180,10 @@ void giveTree(const Trees& trees, JointTree& tree) {
         addChange(trees, treeBody, treeBody.impulse);
         tree.gain += gainOf(treeBody, treeBody.impulse);
     }
-    for (Link& hold : trees.all.holdsOf(tree)) giveHold(trees, hold);
+    for (Link& hold : trees.all.holdsOf(tree)) {
+        hold.given += hold.answer;
+        hold.given += -1.0 * (hold.stiffness * seenFromLimb(hold, trees.treeBody(hold.treeBody).impulse));
+    }
 }
 
 /// True if a body that a tree hangs on moves, which does work.
@@ -239,7 +226,8 @@ template <class Find>
 void solveTree(const Trees& trees, JointTree& tree, Find&& find) {
     for (Link& hold : trees.all.holdsOf(tree)) {
         find(trees, hold);
-        answerHold(trees, hold);
+        hold.answer = -1.0 * (hold.stiffness * hold.error);
+        trees.treeBody(hold.treeBody).impulse += onTreeBody(hold, hold.answer);
     }
     for (std::int32_t i = tree.begin; i < tree.end; ++i) {
         if (!hasLink(tree, i)) continue;
