@@ -125,7 +125,7 @@ bool nearByCircles(const World& world, const Contact& contact, const Encounter& 
     return lengthSquared(now.between) <= reach * reach;
 }
 
-/// Where nobody turns all points of a contact come as near: the deepest speaks for both.
+/// Where nothing rotates all points of a contact come equally near: the deepest stands for both.
 void keepDeepest(Manifold& manifold) {
     if (manifold.count < 2) return;
     if (manifold.points[1].separation < manifold.points[0].separation)
@@ -220,8 +220,8 @@ Manifold manifoldOf(const World& world, const AxisAlignedPair& pair) {
     return manifold;
 }
 
-/// While the same two faces touch, all that changes is how deep. Where they do is worked out when somebody
-/// asks: pointOf().
+/// While the same two faces touch, all that changes is how deep. Where they do is computed on demand:
+/// pointOf().
 bool slideUpright(Contact& contact, const AxisAlignedPair& pair, float speculative) {
     if ((contact.flags & (kTouching | kTriggered)) != kTouching || contact.count != 1) return false;
     const Vec2 gap = gapOf(pair.a.b, pair.b.b, pair.displacement);
@@ -307,7 +307,7 @@ private:
     int count_ = 0;
 };
 
-/// Along the axes of the world, for as long as its body is not told otherwise.
+/// Along the axes of the world, until its owner rotates its body.
 bool staysUpright(const World& world, std::uint32_t body, const Geometry& outline) {
     return world.bodies.info[body].kind != BodyKind::Kinematic && outline.kind == ShapeKind::Box &&
            outline.radius == 0.0f && outline.turn == Rot{} && world.bodies.pose[body].rotation == Rot{};
@@ -387,7 +387,7 @@ bool comesTo(const World& world, std::uint32_t shapeA, std::uint32_t shapeB) {
     const BodyInfo& a = world.bodies.info[shapes.info[shapeA].body];
     const BodyInfo& b = world.bodies.info[shapes.info[shapeB].body];
     if (a.kind != BodyKind::Dynamic || b.kind != BodyKind::Dynamic) {
-        // Who cannot be pushed comes to triggers only, and somebody has to be up.
+        // What cannot be pushed comes to triggers only, and one of the two has to be awake.
         const bool trigger = ((shapes.info[shapeA].flags | shapes.info[shapeB].flags) & kTrigger) != 0;
         const bool pushed = a.kind == BodyKind::Dynamic || b.kind == BodyKind::Dynamic;
         if ((!pushed && !trigger) || (a.place == kNone && b.place == kNone)) return false;

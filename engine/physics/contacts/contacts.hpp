@@ -23,7 +23,7 @@ void forTouching(const World& world, bool triggered, Act&& act) {
 /// A contact of two shapes that do not touch yet. The one of a body that cannot be pushed comes first.
 Contact makeContact(const World& world, std::uint32_t shapeA, std::uint32_t shapeB);
 
-/// False for a border inside something, and one who is stopped by what is before it.
+/// False for a border inside something, and for one that is stopped by what is in front of it.
 [[nodiscard]] bool comesTo(const World& world, std::uint32_t shapeA, std::uint32_t shapeB);
 
 /// Whether a push can turn the body.

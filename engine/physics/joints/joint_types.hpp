@@ -14,14 +14,13 @@ struct JointTiming {
 
 /// A joint and the poses of its bodies at the start of the step.
 struct JointView {
+    const World& world;
     const Joint& joint;
     const JointDefinition& definition;
     const JointTiming& timing;
     Rot turnA;
     Rot turnB;
-    Vec2 between;   ///< m: from A's center of mass to B's
-    Vec2 toTarget;  ///< m: from JointDefinition::target to B's center of mass
-    float massB;    ///< kg
+    Vec2 between;  ///< m: from A's center of mass to B's
 };
 
 /// Larger than any impulse: stands for "unlimited".
@@ -60,7 +59,7 @@ struct JointParts {
     float maxSpin = 0.0f;      ///< N m s: maximum impulse of that motor per substep
 };
 
-/// One kind of joint: a row of the table in joint_kinds.cpp.
+/// One kind of joint: a row of the table in joint_types.cpp.
 struct JointType {
     JointBlockKind (*block)(std::uint8_t flags);  ///< block layout, by bits of JointFlag
     JointParts (*parts)(const JointView& view);

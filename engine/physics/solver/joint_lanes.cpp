@@ -317,22 +317,18 @@ JointPass jointPass(const Settings& settings, float h) {
 void solveJoints(const StepContext& step, const SolverBodies& bodies, const JointPass& pass,
                  const SolveGroup& group, int colour, PassKind kind) {
     if ((group.jointColours >> colour & 1) == 0) return;
-    const JointKernels& kernels = solverKernels().joints;
-    const auto run = [&](auto& store, const auto& of, JointBlockKind blocks) {
+    const JointKernels& all = solverKernels().joints;
+    if (colour == kOverflow) solveTies(step.work, pass, group, kind);
+    forKinds(step.work.joints, [&]<class Block>(JointStore<Block>& store, JointBlockKind blocks) {
         const BlockRange range = group.colours[colour].joints[blocks];
         if (range.begin == range.end) return;
+        const JointPasses<Block>& kernels = all;
+        const auto run = kernels.passes[static_cast<std::size_t>(kind)][isOneSided(colour) ? 1 : 0];
         // Joints without a color share bodies, so they are solved sequentially.
         forRange(step, range, colour == kOverflow ? kSequential : kJointGrain, [&](int first, int last) {
-            of.passes[static_cast<std::size_t>(kind)][isOneSided(colour) ? 1 : 0](
-                bodies, pass, store.lanes.data(), store.blocks.data(), first, last);
+            run(bodies, pass, store.lanes.data(), store.blocks.data(), first, last);
         });
-    };
-    JointWork& joints = step.work.joints;
-    if (colour == kOverflow) solveTies(step.work, pass, group, kind);
-    run(joints.points, kernels.points, kPointBlocks);
-    run(joints.hinges, kernels.hinges, kHingeBlocks);
-    run(joints.rods, kernels.rods, kRodBlocks);
-    run(joints.sliders, kernels.sliders, kSliderBlocks);
+    });
 }
 
 }  // namespace plumb::physics

@@ -57,12 +57,10 @@ struct JointPasses {
                          Block* blocks, int begin, int end);
 };
 
-struct JointKernels {
-    JointPasses<PointBlock> points;
-    JointPasses<HingeBlock> hinges;
-    JointPasses<RodBlock> rods;
-    JointPasses<SliderBlock> sliders;
-};
+struct JointKernels : JointPasses<PointBlock>,
+                      JointPasses<HingeBlock>,
+                      JointPasses<RodBlock>,
+                      JointPasses<SliderBlock> {};
 
 /// Inner loops of the step in eight SIMD lanes, built for each instruction set and chosen at run time. All
 /// builds give the same bits. The reduced kernels give the same bits as the full ones, because the omitted

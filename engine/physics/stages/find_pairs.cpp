@@ -24,7 +24,7 @@ void search(StepContext& step) {
                 work.broadPhase->findPairs(moved.subspan(begin, end - begin), work.isMoved, found);
                 std::erase_if(found, [&](PairKey key) { return work.pairs.has(key); });
             });
-    // Whoever found a pair first: contacts are made in an order of their own.
+    // Contacts are made in an order that does not depend on which thread found a pair first.
     std::sort(work.newPairs.begin(), work.newPairs.end());
     for (const std::uint32_t shape : world.moved) {
         work.isMoved[shape] = 0;

@@ -140,7 +140,7 @@ bool hasDrivers(const StepContext& step) {
     return step.runs(Effect::Kinematics) || step.runs(Effect::Conveyor);
 }
 
-/// Whoever touches what its owner moves gets energy from there, and momentum from all that cannot be pushed.
+/// What touches a body that its owner moves gets energy from it, and momentum from all that cannot be pushed.
 void noteHolders(StepContext& step) {
     const World& world = step.world;
     Workspace& work = step.work;
@@ -170,8 +170,7 @@ void noteSoft(const StepContext& step) {
         step.work.accounts[step.work.roots[root]].isDriven = true;
 }
 
-/// Where nobody turns and nothing bounces nothing could give energy, and who is solved without either
-/// (solvePlain) has no account.
+/// Where nothing rotates or bounces nothing could give energy. Islands without rotation have no account.
 void noteBounces(StepContext& step) {
     if (!step.runs(Effect::Restitution)) return;
     const World& world = step.world;
@@ -276,7 +275,7 @@ void findParts(EnergyAccount& account) {
     if (account.excess > 0.0f) account.keep = keptOf(account);
     if (account.isJointed && account.keep < kWhipped) account.part = partOf(account);
     if (account.part == 1.0f) return;
-    // Who does not fall as far gets less from it.
+    // What does not fall as far gets less energy from it.
     account.excess += (1.0f - account.part) * std::max(account.work, 0.0f);
     account.keep = keptOf(account);
 }
@@ -313,7 +312,7 @@ void forgetImpulses(World& world, Workspace& work) {
     }
 }
 
-/// Everybody has a share of the island's account by mass, as islands fall apart and others come together.
+/// Each body has a share of the island's account by mass, as islands fall apart and others come together.
 void share(StepContext& step, std::uint32_t body, const EnergyAccount& account) {
     World& world = step.world;
     Workspace& work = step.work;
@@ -394,7 +393,7 @@ void limit(World& world, Workspace& work) {
 
 // Joints do no work, and contacts only take energy. Solved by turns, in substeps that may be too long for
 // what whips or is squeezed, they seem to do some. So each island with joints has an account: what it gained
-// that nobody gave it is taken back, all speeds alike, but for what it lost a moment before. One without has
+// from no force is taken back, all speeds alike, but for what it lost a moment before. One without has
 // it for the step in which a body of it gained something. Source: the "energy tanks" of passive control, e.g.
 // B. Hannaford and J.-H. Ryu, "Time-Domain Passivity Control of Haptic Interfaces", IEEE Transactions on
 // Robotics and Automation 18, 2002.

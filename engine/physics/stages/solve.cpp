@@ -39,7 +39,6 @@ struct Solver {
     const GroupKernels<Bodies>& kernels;
     const SolveGroup& group;
     const Bodies& bodies;
-    std::vector<Float4>& velocity;
     ContactSets<Bodies>& contacts;
     JointPass joints;
     float h;         // s
@@ -75,7 +74,7 @@ void lock(Solver<Bodies>& solver) {
     for (const AxisLock& held : solver.step.work.locks) {
         const auto slot = static_cast<std::int32_t>(held.slot);
         if (slot >= solver.group.begin && slot < solver.group.end)
-            lock(solver.velocity[held.slot], held.flags);
+            lock(solver.bodies.velocity[slot], held.flags);
     }
 }
 
@@ -106,7 +105,7 @@ void iterate(Solver<Bodies>& solver, int substep) {
 template <class Bodies>
 void solveGroup(Solver<Bodies>& solver) {
     auto move = solver.kernels.move;
-    // A kinematic body turns though nobody is turned.
+    // A kinematic body may rotate where no impulse rotates a body.
     if constexpr (Bodies::kRotate) {
         if (!solver.step.runs(Effect::Rotation) && !solver.step.runs(Effect::Kinematics))
             move = solverKernels().moveUnturned;
@@ -145,8 +144,7 @@ void solveGroup(Solver<Bodies>& solver) {
 /// Solves the groups with or without rotation. They give the same bits: without, terms that are zero are left
 /// out.
 template <class Bodies>
-void solveGroups(StepContext& step, const GroupKernels<Bodies>& kernels, const Bodies& bodies,
-                 std::vector<Float4>& velocity) {
+void solveGroups(StepContext& step, const GroupKernels<Bodies>& kernels, const Bodies& bodies) {
     const Settings& settings = step.world.settings;
     ContactSets<Bodies> contacts = contactsOf(step, kernels);
     for (const SolveGroup& group : step.work.groups) {
@@ -154,8 +152,7 @@ void solveGroups(StepContext& step, const GroupKernels<Bodies>& kernels, const B
         const float h = step.dt / static_cast<float>(group.substeps);
         contacts.two.pass = contacts.fixed.pass = contactPass(settings, h);
         startImpulseSums(step, group);
-        Solver<Bodies> solver{
-            step, kernels, group, bodies, velocity, contacts, {}, h, int{settings.iterations}, false};
+        Solver<Bodies> solver{step, kernels, group, bodies, contacts, {}, h, int{settings.iterations}, false};
         if constexpr (Bodies::kRotate) {
             solver.joints = jointPass(settings, h);
             solver.hasTrees = solvesTrees(step.world, step.work);
@@ -181,7 +178,7 @@ void solveWithRotation(StepContext& step) {
             obstacle.slot = work.slots[obstacle.body];
         work.softSurroundings.obstacleOf.clear();
     }
-    solveGroups(step, solverKernels().rotating, bodiesOf(work), work.velocity);
+    solveGroups(step, solverKernels().rotating, bodiesOf(work));
     storeRolling(step);
     if (step.runs(Effect::Joints)) storeJoints(step);
 }
@@ -210,7 +207,7 @@ void solveWithoutRotation(StepContext& step) {
     const SolverBodies all = bodiesOf(work);
     const BodiesWithoutRotation bodies{states.data(), all.drive, all.keep, all.ballisticDrift,
                                        all.velocityBeforeImpulses};
-    solveGroups(step, solverKernels().withoutRotation, bodies, states);
+    solveGroups(step, solverKernels().withoutRotation, bodies);
     if (step.isWithoutRotation() && step.runs(Effect::Kinematics)) turnBodies(step);
     for (std::size_t i = begin; i < states.size(); ++i) {
         work.velocity[i].x = states[i].x, work.velocity[i].y = states[i].y;

@@ -80,7 +80,7 @@ void end(World& world, Workspace& work, Contact& contact) {
     world.islandsStale = true;
     report(world, work, contact, ContactPhase::Ended);
     if ((contact.flags & kTriggered) != 0) return;
-    // Who sleeps against something that goes away has to notice. That may move the contacts.
+    // What sleeps against something that goes away has to wake. That may move the contacts.
     for (const std::uint32_t body : {contact.bodyA, contact.bodyB}) {
         if (world.sleepers.islandOf[body] != kNone) wake(world, body);
     }
