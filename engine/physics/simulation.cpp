@@ -38,7 +38,7 @@ bool hasRemains(const StepContext& step) {
 }
 /// The solver's blocks of former contacts have to be cleared.
 bool hasBlocks(const StepContext& step) {
-    return !step.work.contactLanes.empty() || !step.work.fixedLanes.empty();
+    return !step.work.two.lanes.empty() || !step.work.fixed.lanes.empty();
 }
 bool hasHook(const StepContext& step) {
     return step.hooks.preSolve != nullptr || step.hooks.friction != nullptr ||
@@ -139,6 +139,13 @@ void countEffects(Workspace& work) {
 }
 
 }  // namespace
+
+void WorkspaceHolder::Delete::operator()(Workspace* workspace) const { delete workspace; }
+
+Workspace& WorkspaceHolder::get() {
+    if (workspace_ == nullptr) workspace_.reset(new Workspace);
+    return *workspace_;
+}
 
 std::span<const StageInfo> stages() {
     static const auto kInfos = [] {

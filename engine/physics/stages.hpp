@@ -47,6 +47,15 @@ auto ask(World& world, Call&& call) {
     return answer;
 }
 
+/// Whether the owner of the world lets these two shapes meet.
+inline bool mayMeet(const StepContext& step, std::uint32_t a, std::uint32_t b) {
+    const std::vector<ShapeInfo>& info = step.world.shapes.info;
+    return step.hooks.filter == nullptr || ask(step.world, [&] {
+               return step.hooks.filter(step.hooks.context, step.world, {a, info[a].generation},
+                                        {b, info[b].generation});
+           });
+}
+
 constexpr int piecesOf(int count, int grain) { return (count + grain - 1) / grain; }
 
 /// Splits 0..count-1 into pieces of `grain` and runs `act(begin, end, piece)` for each, on all threads.
@@ -59,43 +68,55 @@ void forPieces(TaskPool* pool, int count, int grain, Act&& act) {
         act(piece * grain, piece + 1 < pieces ? (piece + 1) * grain : count, piece);
     });
 }
+
+/// Runs `act(i)` for 0..count-1, in such pieces.
 template <class Act>
-void forPieces(const StepContext& step, int count, int grain, Act&& act) {
-    forPieces(step.pool, count, grain, act);
+void forEach(TaskPool* pool, std::size_t count, int grain, Act&& act) {
+    forPieces(pool, static_cast<int>(count), grain, [&](int begin, int end, int) {
+        for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i) act(i);
+    });
 }
 
-/// Lists that pieces of work make at the same time. Taken in the order of the pieces, they are what one
-/// thread would have made.
-template <class T>
-using PieceLists = std::vector<std::vector<T>>;
-
-/// Runs `act(begin, end, found)` for pieces of 0..count-1, each with a list of its own, and joins these to
-/// `all`.
-template <class T, class Act>
-void collect(const StepContext& step, int count, int grain, PieceLists<T>& lists, std::vector<T>& all,
-             Act&& act) {
-    all.clear();
-    if (!step.isShared(count, grain)) return act(std::size_t{0}, static_cast<std::size_t>(count), all);
-    const auto pieces = static_cast<std::size_t>(piecesOf(count, grain));
-    if (lists.size() < pieces) lists.resize(pieces);
-    forPieces(step, count, grain, [&](int begin, int end, int piece) {
-        std::vector<T>& found = lists[static_cast<std::size_t>(piece)];
-        found.clear();
-        act(static_cast<std::size_t>(begin), static_cast<std::size_t>(end), found);
+/// Runs `act(begin, end, found)` for such pieces, each with a place of its own for what it finds. Taken in
+/// the order of the pieces, that is what one thread would have found.
+template <class Found, class Act>
+void forPieces(TaskPool* pool, std::size_t count, int grain, std::vector<Found>& all, Act&& act) {
+    const auto pieces = static_cast<std::size_t>(piecesOf(static_cast<int>(count), grain));
+    if (all.size() < pieces) all.resize(pieces);
+    for (Found& found : all) found.clear();
+    forPieces(pool, static_cast<int>(count), grain, [&](int begin, int end, int piece) {
+        act(static_cast<std::size_t>(begin), static_cast<std::size_t>(end),
+            all[static_cast<std::size_t>(piece)]);
     });
-    for (std::size_t i = 0; i < pieces; ++i) all.insert(all.end(), lists[i].begin(), lists[i].end());
+}
+
+/// The same with lists, which are joined to `all`.
+template <class T, class Act>
+void collect(const StepContext& step, std::size_t count, int grain, std::vector<std::vector<T>>& lists,
+             std::vector<T>& all, Act&& act) {
+    all.clear();
+    if (!step.isShared(static_cast<int>(count), grain)) return act(std::size_t{0}, count, all);
+    forPieces(step.pool, count, grain, lists, act);
+    for (const std::vector<T>& list : lists) all.insert(all.end(), list.begin(), list.end());
 }
 
 /// Lists the numbers i of 0..count-1 for which `is(i)`, in their order, on all threads.
 template <class Is>
 void collectIf(const StepContext& step, std::size_t count, std::vector<std::uint32_t>& all, Is&& is) {
     constexpr int kGrain = 256;
-    collect(step, static_cast<int>(count), kGrain, step.work.pieceLists, all,
+    collect(step, count, kGrain, step.work.pieceLists, all,
             [&](std::size_t begin, std::size_t end, std::vector<std::uint32_t>& found) {
                 for (std::size_t i = begin; i < end; ++i) {
                     if (is(i)) found.push_back(static_cast<std::uint32_t>(i));
                 }
             });
+}
+
+/// Calls act(i) with each of these, one after the other.
+template <class Is, class Act>
+void forThose(const StepContext& step, std::size_t count, Is&& is, Act&& act) {
+    collectIf(step, count, step.work.pieceFound, is);
+    for (const std::uint32_t i : step.work.pieceFound) act(i);
 }
 
 // The stages in the order of the step. Each has a file of its own name in stages/.

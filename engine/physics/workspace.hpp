@@ -12,8 +12,7 @@
 #include "physics/contacts/pair_set.hpp"
 #include "physics/effects/flyers.hpp"
 #include "physics/narrowphase/path_hit.hpp"
-#include "physics/soft/soft_rigid_contacts.hpp"
-#include "physics/soft/soft_soft_contacts.hpp"
+#include "physics/soft/soft_contacts.hpp"
 #include "physics/solver/colours.hpp"
 #include "physics/solver/contact_block.hpp"
 #include "physics/solver/joint_work.hpp"
@@ -22,18 +21,21 @@
 
 namespace plumb::physics {
 
-struct JointRange {
+struct BlockRange {
     std::int32_t begin = 0;
     std::int32_t end = 0;
 };
 
-/// Blocks of one color of a group, as ranges.
+/// Blocks of contacts between two dynamic bodies, and of those with a static or kinematic one.
+struct ContactRanges {
+    BlockRange two;
+    BlockRange fixed;
+};
+
+/// Blocks of one color of a group.
 struct ColourBlocks {
-    std::int32_t contactBegin = 0;
-    std::int32_t contactEnd = 0;
-    std::int32_t fixedBegin = 0;
-    std::int32_t fixedEnd = 0;
-    JointRange joints[kJointBlockKinds];
+    ContactRanges contacts;
+    BlockRange joints[kJointBlockKinds];
 };
 
 /// Islands that are solved with equal parameters: a range of slots, and their constraints by color.
@@ -47,6 +49,31 @@ struct SolveGroup {
     std::uint64_t contactColours = 0;    ///< bits of colors that have contacts
     std::uint64_t jointColours = 0;      ///< bits of colors that have joints
     ColourBlocks colours[kColours + 1];  ///< the last is kOverflow: one lane a block, in order
+
+    /// Of all colors, which follow each other.
+    [[nodiscard]] ContactRanges contacts() const {
+        const ContactRanges &first = colours[0].contacts, &last = colours[kColours].contacts;
+        return {{first.two.begin, last.two.end}, {first.fixed.begin, last.fixed.end}};
+    }
+};
+
+/// Contacts in blocks. Groups with rotation come first.
+template <class Block, class BlockWithoutRotation>
+struct ContactStore {
+    std::vector<BlockLanes> lanes;
+    std::vector<Block> blocks;
+    std::vector<BlockWithoutRotation> blocksWithoutRotation;  ///< instead of `blocks`, by the same index
+    std::vector<BounceBlock> bounces;                         ///< parallel to `blocks`, if something bounces
+    std::vector<RollingBlock> rollings;  ///< parallel to `blocks`, if something resists rolling
+
+    template <class Bodies>
+    auto& blocksOf() {
+        if constexpr (Bodies::kRotate) {
+            return blocks;
+        } else {
+            return blocksWithoutRotation;
+        }
+    }
 };
 
 /// Assignment of contacts to blocks. It follows from the contact keys and the groups: a contact that is new,
@@ -75,20 +102,23 @@ inline std::uint16_t keyOf(const Contact& contact) {
     return static_cast<std::uint16_t>((contact.colour & kKeyColour) | idle | fixed | began);
 }
 
+/// Whether a contact with this key pushes its bodies.
+constexpr bool pushes(std::uint16_t key) { return (key & kKeyColour) != kKeyIdle; }
+
 /// A slot whose body is locked along x or y.
 struct AxisLock {
     std::uint32_t slot = 0;
     std::uint8_t flags = 0;  ///< kLockX, kLockY
 };
 
-/// Sum of the normal impulses of a contact over the substeps: step_impulses.hpp.
+/// Sum of the normal impulses of a contact over the substeps: step_impulses.cpp.
 struct ImpulseSum {
     const float* points[2];  ///< N s: current impulses in its block; null without a second point
     float last = 0.0f;       ///< N s: both, when they were last added
     std::int32_t contact = 0;
 };
 
-/// Number of contacts between a chain and something that touches it (chain_events.hpp).
+/// Number of contacts between a chain and something that touches it (chain_events.cpp).
 struct ChainTouch {
     PairKey pair = 0;
     std::int32_t count = 0;
@@ -106,6 +136,33 @@ struct FixedPair {
     std::uint32_t body = 0;
     std::uint32_t contact = 0;
     std::uint32_t next = kNone;  ///< index in Workspace::fixedPairs: another one of the body
+};
+
+/// What a piece of work found when it looked at contacts.
+struct ContactFindings {
+    std::vector<std::uint32_t> changed;  ///< contacts that began, ended, or are gone
+    std::vector<FixedPair> fixed;
+    DetectionCounts counts;
+
+    void clear() { changed.clear(), fixed.clear(), counts = {}; }
+};
+
+/// What a piece of work found when it moved bodies.
+struct BodyFindings {
+    std::vector<std::uint32_t> left;    ///< shapes that left their bounds
+    std::vector<std::uint32_t> fast;    ///< bodies that may have passed through something
+    std::vector<std::uint32_t> broken;  ///< bodies whose numbers went bad
+    bool sleepy = false;                ///< some body has rested long enough to sleep
+
+    void clear() { left.clear(), fast.clear(), broken.clear(), sleepy = false; }
+};
+
+/// What a piece of work found along the paths of fast bodies.
+struct SweepFindings {
+    std::vector<std::uint32_t> shapes;  ///< near the current one
+    DetectionCounts counts;
+
+    void clear() { counts = {}; }
 };
 
 inline constexpr std::size_t kMaxStages = 24;
@@ -129,39 +186,32 @@ struct IslandCase {
     float error = 0.0f;            ///< m: largest overlap or joint error
 };
 
-/// Energy account of an island in this step: stages/keep_energy.cpp.
-struct EnergyAccount {
-    bool isOpen = false;
-    bool isJointed = false;
-    bool isLively = false;      ///< a body can rotate or bounces
-    bool isDriven = false;      ///< a motor, kinematic body or conveyor does work on it
-    bool isRooted = false;      ///< connected to or touching a static or kinematic body
+/// What a body adds to the account of its island.
+struct EnergySums {
     float energy = 0.0f;        ///< J, kinetic
-    bool isWild = false;        ///< its energy is implausible
     float work = 0.0f;          ///< J, by forces
     float gain = 0.0f;          ///< J, not explained by forces
-    float credit = 0.0f;        ///< J, as in EnergyShare
-    float peak = 0.0f;          ///< J
-    float mass = 0.0f;          ///< kg
-    float excess = 0.0f;        ///< J, to be removed
-    float own = 0.0f;           ///< J, kinetic relative to `middle`
-    float minimum = 0.0f;       ///< J, the part of `own` that is never removed
     float displacement = 0.0f;  ///< kg m2: sum of mass times squared displacement, halved
-    float keep = 1.0f;          ///< factor on velocities relative to `middle`
-    float part = 1.0f;          ///< factor on displacements, likewise
+    float mass = 0.0f;          ///< kg
+    bool isLively = false;      ///< a body can rotate or bounces
     Vec2 momentum;              ///< kg m/s
-    Vec2 middle;                ///< m/s
 };
 
-/// What a body adds to the account of its island.
-struct EnergyBooking {
-    float energy = 0.0f;        ///< J, kinetic
-    float work = 0.0f;          ///< J, by forces
-    float gain = 0.0f;          ///< J, not explained by them
-    float displacement = 0.0f;  ///< kg m2
-    float mass = 0.0f;          ///< kg
-    bool turns = false;
-    Vec2 momentum;  ///< kg m/s
+/// Energy account of an island in this step: stages/keep_energy.cpp.
+struct EnergyAccount : EnergySums {
+    bool isOpen = false;
+    bool isJointed = false;
+    bool isDriven = false;  ///< a motor, kinematic body or conveyor does work on it
+    bool isRooted = false;  ///< connected to or touching a static or kinematic body
+    bool isWild = false;    ///< its energy is implausible
+    float credit = 0.0f;    ///< J, as in EnergyShare
+    float peak = 0.0f;      ///< J
+    float excess = 0.0f;    ///< J, to be removed
+    float own = 0.0f;       ///< J, kinetic relative to `middle`
+    float minimum = 0.0f;   ///< J, the part of `own` that is never removed
+    float keep = 1.0f;      ///< factor on velocities relative to `middle`
+    float part = 1.0f;      ///< factor on displacements, likewise
+    Vec2 middle;            ///< m/s
 };
 
 /// Boxes that are not the bounds of shapes, as input of a broad phase.
@@ -194,9 +244,7 @@ struct Workspace {
     std::vector<ChainTouch> chainScratch;
     std::vector<std::uint16_t>
         contactKeys;  ///< by contact: bits of ContactKey, so that few contacts have to be read
-    std::vector<std::vector<std::uint32_t>> changedContacts;  ///< per piece of work: began, ended, or gone
-    std::vector<DetectionCounts> countsOfPiece;
-    std::vector<std::vector<FixedPair>> fixedOfPiece;
+    std::vector<ContactFindings> contactFindings;  ///< per piece of work
     std::vector<FixedPair> fixedPairs;
     std::vector<std::uint32_t>
         firstFixedPair;                       ///< by body: index in `fixedPairs`, if it has one in this step
@@ -214,20 +262,11 @@ struct Workspace {
     std::vector<SolveGroup> groups;
     Strips strips;
     std::vector<std::int32_t> cursors;  ///< by group and key, see prepareConstraints()
-    ContactLayout layout;               ///< of contactLanes and fixedLanes, while contacts stay the same
-    std::vector<ContactBlock> contactBlocks;
-    /// Instead of contactBlocks, by the same index, of groups without rotation.
-    std::vector<BlockWithoutRotation> blocksWithoutRotation;
-    std::vector<BlockLanes> contactLanes;
-    std::vector<FixedContactBlock> fixedBlocks;
-    std::vector<FixedBlockWithoutRotation> fixedBlocksWithoutRotation;
-    std::vector<BlockLanes> fixedLanes;
-    std::vector<BounceBlock> bounces;  ///< parallel to contactBlocks, if something bounces
+    ContactLayout layout;               ///< of the lanes, while contacts stay the same
+    ContactStore<SolverBodies::TwoBlock, BodiesWithoutRotation::TwoBlock> two;
+    ContactStore<SolverBodies::FixedBlock, BodiesWithoutRotation::FixedBlock> fixed;
     std::vector<ImpactPlace> impacts;  ///< of a group: candidates for propagation
     std::vector<std::uint8_t> hits;    ///< by slot: number of impacts of a body
-    std::vector<BounceBlock> fixedBounces;
-    std::vector<RollingBlock> rollings;  ///< parallel to contactBlocks, if something resists rolling
-    std::vector<RollingBlock> fixedRollings;
     std::vector<AxisLock> locks;
     std::vector<ImpulseSum> impulseSums;  ///< of the group that is solved
     std::vector<float> stepImpulses;      ///< N s, by contact: of all substeps, if it causes an event
@@ -241,17 +280,15 @@ struct Workspace {
     std::vector<std::uint8_t> groupOf;          ///< by body, if there are several groups
     std::vector<std::uint8_t> needsRotation;    ///< by root, if some islands can be solved without rotation
     std::vector<std::uint32_t> bodyScratch;     ///< by body
-    std::vector<std::vector<std::uint32_t>> leftShapes;  ///< per piece of work: shapes that left their bounds
-    std::vector<std::vector<std::uint32_t>> fastOfPiece;
-    std::vector<std::vector<std::uint32_t>> brokenOfPiece;
-    std::vector<std::uint32_t> fastBodies;  ///< those that may have passed through something in this step
-    bool kinematicsAtRest = false;          ///< some kinematic bodies are not among these
-    std::vector<SweptBody> swept;           ///< these, and what they hit
-    BoxProxies sweptProxies;                ///< by index in `swept`: their paths, if they may hit each other
+    std::vector<BodyFindings> bodyFindings;     ///< per piece of work
+    std::vector<std::uint32_t> fastBodies;      ///< those that may have passed through something in this step
+    bool kinematicsAtRest = false;              ///< some kinematic bodies are not among these
+    std::vector<SweptBody> swept;               ///< these, and what they hit
+    BoxProxies sweptProxies;  ///< by index in `swept`: their paths, if they may hit each other
     std::vector<std::pair<float, std::uint32_t>> dueHits;   ///< heap: fraction of the step, index in `swept`
     std::vector<Contact> madeHits;                          ///< in the order of the hits
     std::vector<std::pair<PairKey, std::size_t>> hitOrder;  ///< indices in `madeHits`
-    std::vector<std::vector<std::uint32_t>> sweptPast;      ///< per piece of work: shapes near a sweep
+    std::vector<SweepFindings> sweepFindings;               ///< per piece of work
     std::vector<std::uint32_t> passedBodies;                ///< that a fast kinematic one may have passed
     std::vector<std::uint32_t> candidates;                  ///< of the current query
     bool sleepy = false;                                    ///< some body has rested long enough to sleep
@@ -265,7 +302,7 @@ struct Workspace {
     std::vector<EnergyAccount> accounts;                 ///< by root, for islands with an energy account
     std::vector<std::uint32_t> openAccounts;             ///< roots of those in use
     std::vector<std::uint32_t> bookedBodies;             ///< their bodies
-    std::vector<EnergyBooking> bookings;                 ///< by index in `bookedBodies`
+    std::vector<EnergySums> bookings;                    ///< by index in `bookedBodies`
     std::vector<std::vector<std::uint32_t>> pieceLists;  ///< scratch of collect(), per piece of work
     std::vector<std::uint32_t> pieceFound;               ///< joined
     std::vector<std::uint32_t> gainers;  ///< bodies that gained energy from contacts in this step

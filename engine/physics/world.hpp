@@ -261,7 +261,7 @@ struct SoftBodies {
     std::vector<std::uint32_t> free;
 };
 
-/// An overlap that no motion explains, see initial_overlaps.hpp.
+/// An overlap that no motion explains, see initial_overlaps.cpp.
 struct InitialOverlap {
     PairKey pair = 0;
     float hidden = 0.0f;  ///< m: the part of it that is still hidden from the solver

@@ -7,7 +7,7 @@
 #include "physics/broadphase/box_rows.hpp"
 #include "physics/tuning.hpp"
 #include "physics/contacts/pair_set.hpp"
-#include "physics/islands/substep_estimate.hpp"
+#include "physics/islands/quality.hpp"
 #include "physics/queries/lists.hpp"
 #include "physics/shapes/convex.hpp"
 #include "proxy_world.hpp"

@@ -3,7 +3,7 @@
 #include "core/random.hpp"
 #include "core/task_pool.hpp"
 #include "math/portable.hpp"
-#include "physics/soft/soft_soft_contacts.hpp"
+#include "physics/soft/soft_contacts.hpp"
 #include "physics/soft/softbody.hpp"
 #include "physics/workspace.hpp"
 #include "tests/physics/effect_worlds.hpp"

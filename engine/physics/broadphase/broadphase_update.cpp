@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "physics/contacts/chain_events.hpp"
 #include "physics/contacts/contacts.hpp"
 #include "physics/model/edits.hpp"
 

@@ -1,11 +1,10 @@
-#include "physics/contacts/chain_events.hpp"
-
 #include <algorithm>
 #include <iterator>
 #include <limits>
 
 #include "physics/contacts/contacts.hpp"
 #include "physics/model/edits.hpp"
+#include "physics/workspace.hpp"
 
 namespace plumb::physics {
 

@@ -2,10 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 #include "physics/broadphase/overlap.hpp"
-#include "physics/contacts/initial_overlaps.hpp"
 #include "physics/narrowphase/axis_aligned_boxes.hpp"
 #include "physics/narrowphase/collide.hpp"
 #include "physics/narrowphase/reference_face.hpp"
@@ -88,27 +86,13 @@ bool recycle(Contact& contact, const Encounter& now, const Settings& settings) {
     return true;
 }
 
-/// Impulses of points that were there before.
-struct Known {
-    std::uint16_t ids[2];
-    float impulses[2];
-    int count;
-
-    explicit Known(const Contact& contact)
-        : ids{contact.ids[0], contact.ids[1]},
-          impulses{contact.impulse0, contact.impulse1},
-          count{contact.count} {}
-    [[nodiscard]] float impulseOf(std::uint16_t id) const {
-        for (int i = 0; i < count; ++i) {
-            if (ids[i] == id) return impulses[i];
-        }
-        return 0.0f;
-    }
-};
-
 /// Writes the points of a manifold that was found in the frame of A's shapes.
 void takeManifold(const World& world, Contact& contact, const Manifold& manifold, const Encounter& now) {
-    const Known known{contact};
+    const auto impulseOf = [count = contact.count, first = contact.ids[0], impulse0 = contact.impulse0,
+                            second = contact.ids[1], impulse1 = contact.impulse1](std::uint16_t id) {
+        if (count > 0 && first == id) return impulse0;
+        return count > 1 && second == id ? impulse1 : 0.0f;
+    };
     const BodyPose& a = world.bodies.pose[contact.bodyA];
     contact.count = static_cast<std::uint8_t>(manifold.count);
     contact.turn = now.turn;
@@ -124,9 +108,9 @@ void takeManifold(const World& world, Contact& contact, const Manifold& manifold
         contact.ids[i] = point.id;
     }
     contact.separation0 = manifold.points[0].separation;
-    contact.impulse0 = known.impulseOf(contact.ids[0]);
+    contact.impulse0 = impulseOf(contact.ids[0]);
     contact.separation1 = manifold.count == 2 ? manifold.points[1].separation : kFarAway;
-    contact.impulse1 = manifold.count == 2 ? known.impulseOf(contact.ids[1]) : 0.0f;
+    contact.impulse1 = manifold.count == 2 ? impulseOf(contact.ids[1]) : 0.0f;
 }
 
 Frame frameInA(const World& world, const Contact& contact, const Encounter& now) {
@@ -141,7 +125,7 @@ bool nearByCircles(const World& world, const Contact& contact, const Encounter& 
     return lengthSquared(now.between) <= reach * reach;
 }
 
-/// Where nobody turns all points of a contact come as near: the deepest speaks for both.
+/// Where nothing rotates all points of a contact come equally near: the deepest stands for both.
 void keepDeepest(Manifold& manifold) {
     if (manifold.count < 2) return;
     if (manifold.points[1].separation < manifold.points[0].separation)
@@ -236,8 +220,8 @@ Manifold manifoldOf(const World& world, const AxisAlignedPair& pair) {
     return manifold;
 }
 
-/// While the same two faces touch, all that changes is how deep. Where they do is worked out when somebody
-/// asks: pointOf().
+/// While the same two faces touch, all that changes is how deep. Where they do is computed on demand:
+/// pointOf().
 bool slideUpright(Contact& contact, const AxisAlignedPair& pair, float speculative) {
     if ((contact.flags & (kTouching | kTriggered)) != kTouching || contact.count != 1) return false;
     const Vec2 gap = gapOf(pair.a.b, pair.b.b, pair.displacement);
@@ -323,7 +307,7 @@ private:
     int count_ = 0;
 };
 
-/// Along the axes of the world, for as long as its body is not told otherwise.
+/// Along the axes of the world, until its owner rotates its body.
 bool staysUpright(const World& world, std::uint32_t body, const Geometry& outline) {
     return world.bodies.info[body].kind != BodyKind::Kinematic && outline.kind == ShapeKind::Box &&
            outline.radius == 0.0f && outline.turn == Rot{} && world.bodies.pose[body].rotation == Rot{};
@@ -403,7 +387,7 @@ bool comesTo(const World& world, std::uint32_t shapeA, std::uint32_t shapeB) {
     const BodyInfo& a = world.bodies.info[shapes.info[shapeA].body];
     const BodyInfo& b = world.bodies.info[shapes.info[shapeB].body];
     if (a.kind != BodyKind::Dynamic || b.kind != BodyKind::Dynamic) {
-        // Who cannot be pushed comes to triggers only, and somebody has to be up.
+        // What cannot be pushed comes to triggers only, and one of the two has to be awake.
         const bool trigger = ((shapes.info[shapeA].flags | shapes.info[shapeB].flags) & kTrigger) != 0;
         const bool pushed = a.kind == BodyKind::Dynamic || b.kind == BodyKind::Dynamic;
         if ((!pushed && !trigger) || (a.place == kNone && b.place == kNone)) return false;

@@ -1,8 +1,7 @@
-#include "physics/contacts/initial_overlaps.hpp"
-
 #include <algorithm>
 #include <cmath>
 
+#include "physics/contacts/contacts.hpp"
 #include "physics/tuning.hpp"
 
 namespace plumb::physics {

@@ -1,5 +1,3 @@
-#include "physics/contacts/seams.hpp"
-
 #include <algorithm>
 #include <limits>
 
@@ -8,6 +6,7 @@
 #include "physics/narrowphase/free_sector.hpp"
 #include "physics/narrowphase/reference_face.hpp"
 #include "physics/narrowphase/sweep.hpp"
+#include "physics/stages.hpp"
 #include "physics/tuning.hpp"
 
 namespace plumb::physics {
@@ -183,8 +182,8 @@ void link(const World& world, Workspace& work) {
     work.seamBodies.clear();
     work.firstFixedPair.resize(world.bodies.size());
     std::vector<FixedPair>& all = work.fixedPairs;
-    for (const std::vector<FixedPair>& some : work.fixedOfPiece)
-        all.insert(all.end(), some.begin(), some.end());
+    for (const ContactFindings& found : work.contactFindings)
+        all.insert(all.end(), found.fixed.begin(), found.fixed.end());
     const std::span<FixedPair> pairs{all};
     const std::span<std::uint32_t> firsts{work.firstFixedPair};
     for (std::uint32_t i = 0; i < pairs.size(); ++i) {
@@ -258,21 +257,19 @@ void correctSeams(StepContext& step) {
     World& world = step.world;
     Workspace& work = step.work;
     link(world, work);
-    forPieces(step, static_cast<int>(work.seamBodies.size()), kGrain, [&](int begin, int end, int) {
-        for (int i = begin; i < end; ++i) {
-            const std::uint32_t body = work.seamBodies[static_cast<std::size_t>(i)];
-            const BodyContacts all{world, work.fixedPairs, work.firstFixedPair[body]};
-            if (agree(all)) continue;
-            all.forEach([&](Contact& contact) { correct(all, contact); });
-        }
+    const auto contactsOf = [&](std::uint32_t body) {
+        return BodyContacts{world, work.fixedPairs, work.firstFixedPair[body]};
+    };
+    forEach(step.pool, work.seamBodies.size(), kGrain, [&](std::size_t i) {
+        const BodyContacts all = contactsOf(work.seamBodies[i]);
+        if (!agree(all)) all.forEach([&](Contact& contact) { correct(all, contact); });
     });
     work.endedAtSeams.clear();
     for (const std::uint32_t body : work.seamBodies) {
-        for (std::uint32_t i = work.firstFixedPair[body]; i != kNone; i = work.fixedPairs[i].next) {
-            const Contact& contact = world.contacts[work.fixedPairs[i].contact];
+        contactsOf(body).forEach([&](const Contact& contact) {
             if (contact.count == 0 && (contact.flags & kTouching) != 0)
-                work.endedAtSeams.push_back(work.fixedPairs[i].contact);
-        }
+                work.endedAtSeams.push_back(static_cast<std::uint32_t>(&contact - world.contacts.data()));
+        });
     }
 }
 

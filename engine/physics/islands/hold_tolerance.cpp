@@ -1,9 +1,10 @@
 #include <algorithm>
 
+#include "physics/islands/quality.hpp"
 #include "physics/islands/substep_controller.hpp"
-#include "physics/islands/substep_estimate.hpp"
 #include "physics/measure/constraint_errors.hpp"
 #include "physics/model/edits.hpp"
+#include "physics/workspace.hpp"
 
 namespace plumb::physics {
 
@@ -47,7 +48,7 @@ void measure(World& world, Workspace& work) {
     };
     if (world.manifest.runs(Effect::Contacts)) {
         for (std::size_t i = 0; i < work.contactKeys.size(); ++i) {
-            if ((work.contactKeys[i] & kKeyColour) == kKeyIdle) continue;
+            if (!pushes(work.contactKeys[i])) continue;
             const Contact& contact = world.contacts[i];
             if (const float overlap = overlapOf(contact); overlap > 0.0f)
                 note(contact.bodyA, contact.bodyB, overlap);

@@ -1,7 +1,5 @@
 #include "physics/islands/sleeping.hpp"
 
-#include <algorithm>
-#include <atomic>
 #include <utility>
 #include <vector>
 
@@ -97,6 +95,17 @@ void wakeIsland(World& world, std::uint32_t island) {
     sleepers.freeIslands.push_back(island);
 }
 
+/// @param members  know their places in the list
+template <class Member>
+void takeOut(std::vector<std::uint32_t>& list, std::vector<Member>& members, std::uint32_t index) {
+    const std::uint32_t place = members[index].place;
+    if (place == kNone) return;
+    list[place] = list.back();
+    members[list[place]].place = place;
+    members[index].place = kNone;  // after the other: it may be the last itself
+    list.pop_back();
+}
+
 }  // namespace
 
 void addAwake(World& world, std::uint32_t body) {
@@ -106,24 +115,12 @@ void addAwake(World& world, std::uint32_t body) {
 
 void addAsleep(World& world, std::uint32_t body) { putInIsland(world, takeIsland(world.sleepers), body); }
 
-void removeAwake(World& world, std::uint32_t body) {
-    const std::uint32_t place = world.bodies.info[body].place;
-    if (place == kNone) return;
-    world.awake[place] = world.awake.back();
-    world.bodies.info[world.awake[place]].place = place;
-    world.bodies.info[body].place = kNone;  // after the other: it may be the last itself
-    world.awake.pop_back();
-}
+void removeAwake(World& world, std::uint32_t body) { takeOut(world.awake, world.bodies.info, body); }
 
 void removeAwakeJoint(World& world, std::uint32_t joint) {
-    std::vector<std::uint32_t>& awake = world.joints.awake;
-    const std::uint32_t place = world.joints.hot[joint].place;
-    if (place == kNone) return;
+    if (world.joints.hot[joint].place == kNone) return;
     world.work.get().joints.trees.stale = true;
-    awake[place] = awake.back();
-    world.joints.hot[awake[place]].place = place;
-    world.joints.hot[joint].place = kNone;  // after the other: it may be the last itself
-    awake.pop_back();
+    takeOut(world.joints.awake, world.joints.hot, joint);
 }
 
 void addAwakeJoint(World& world, std::uint32_t index) {
@@ -216,46 +213,13 @@ void joinIslands(World& world, std::uint32_t a, std::uint32_t b) {
     joinTrees([&](std::uint32_t i) -> std::uint32_t& { return world.bodies.info[i].island; }, a, b);
 }
 
-namespace {
-
-using AtomicParent = std::atomic_ref<std::uint32_t>;
-
-/// As islandOf() and joinIslands(), for several threads at a time. The lower index is the root, so the roots
-/// do not depend on which thread is first.
-std::uint32_t sharedIslandOf(std::vector<BodyInfo>& info, std::uint32_t body) {
-    for (;;) {
-        const std::uint32_t next = AtomicParent{info[body].island}.load(std::memory_order_relaxed);
-        const std::uint32_t after = AtomicParent{info[next].island}.load(std::memory_order_relaxed);
-        if (next == after) return next;
-        // Whoever is last writes an ancestor: only a root that is joined must not be overwritten.
-        AtomicParent{info[body].island}.store(after, std::memory_order_relaxed);
-        body = after;
-    }
-}
-
-void shareJoin(std::vector<BodyInfo>& info, std::uint32_t a, std::uint32_t b) {
-    for (;;) {
-        a = sharedIslandOf(info, a), b = sharedIslandOf(info, b);
-        if (a == b) return;
-        std::uint32_t root = std::max(a, b);
-        if (AtomicParent{info[root].island}.compare_exchange_strong(root, std::min(a, b),
-                                                                    std::memory_order_relaxed))
-            return;
-    }
-}
-
-}  // namespace
-
 void rebuildIslands(World& world, TaskPool* pool) {
     std::vector<BodyInfo>& info = world.bodies.info;
     const auto forAll = [&](const auto& all, auto&& act) {
-        forPieces(pool, static_cast<int>(all.size()), kGrain, [&](int begin, int end, int) {
-            for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i)
-                act(all[i]);
-        });
+        forEach(pool, all.size(), kGrain, [&](std::size_t i) { act(all[i]); });
     };
     const auto join = [&](std::uint32_t a, std::uint32_t b) {
-        if (isUp(world, a) && isUp(world, b)) shareJoin(info, a, b);
+        if (isUp(world, a) && isUp(world, b)) joinIslands(world, a, b);
     };
     forAll(world.awake, [&](std::uint32_t body) { info[body].island = body; });
     forAll(world.contacts, [&](const Contact& contact) {
@@ -265,7 +229,7 @@ void rebuildIslands(World& world, TaskPool* pool) {
            [&](std::uint32_t j) { join(world.joints.hot[j].bodyA, world.joints.hot[j].bodyB); });
     // Each ends at its root: nothing is left of the order of joining.
     forAll(world.awake, [&](std::uint32_t body) {
-        AtomicParent{info[body].island}.store(sharedIslandOf(info, body), std::memory_order_relaxed);
+        std::atomic_ref{info[body].island}.store(islandOf(world, body), std::memory_order_relaxed);
     });
     world.islandsStale = false;
     world.islandsAge = 0.0f;

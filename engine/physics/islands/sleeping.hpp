@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <atomic>
 #include <cstdint>
 #include <vector>
 
@@ -22,7 +23,6 @@ void removeAwake(World& world, std::uint32_t body);
 
 /// Wakes the whole island of a body; one that is awake stays so for another Settings::sleepTime.
 void wake(World& world, std::uint32_t body);
-/// Wakes every body.
 void wakeAll(World& world);
 /// Wakes everything that touches a body or is joined to it, and the body itself.
 void wakeTouching(World& world, std::uint32_t body);
@@ -47,14 +47,29 @@ void removeAwakeJoint(World& world, std::uint32_t joint);
 /// @param parent  gives the parent of a member, as std::uint32_t&; a root is its own
 template <class Parent>
 std::uint32_t rootOf(Parent&& parent, std::uint32_t member) {
-    while (parent(member) != member) member = parent(member) = parent(parent(member));
-    return member;
+    using AtomicParent = std::atomic_ref<std::uint32_t>;
+    for (;;) {
+        const std::uint32_t next = AtomicParent{parent(member)}.load(std::memory_order_relaxed);
+        const std::uint32_t after = AtomicParent{parent(next)}.load(std::memory_order_relaxed);
+        if (next == after) return next;
+        // Of several threads the last one writes an ancestor: only a root that is joined must not be
+        // overwritten.
+        AtomicParent{parent(member)}.store(after, std::memory_order_relaxed);
+        member = after;
+    }
 }
-/// The lower root stays one, so that the forest does not depend on the order of joining.
+/// May be called by several threads at a time. The lower root stays one, so that the roots do not depend on
+/// the order of joining.
 template <class Parent>
 void joinTrees(Parent&& parent, std::uint32_t a, std::uint32_t b) {
-    const std::uint32_t rootA = rootOf(parent, a), rootB = rootOf(parent, b);
-    parent(std::max(rootA, rootB)) = std::min(rootA, rootB);
+    for (;;) {
+        a = rootOf(parent, a), b = rootOf(parent, b);
+        if (a == b) return;
+        std::uint32_t root = std::max(a, b);
+        if (std::atomic_ref<std::uint32_t>{parent(root)}.compare_exchange_strong(root, std::min(a, b),
+                                                                                 std::memory_order_relaxed))
+            return;
+    }
 }
 
 std::uint32_t islandOf(World& world, std::uint32_t body);

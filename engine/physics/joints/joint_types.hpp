@@ -1,6 +1,6 @@
 #pragma once
 
-#include "physics/solver/n_body_constraint.hpp"
+#include "physics/solver/joint_work.hpp"
 #include "physics/world.hpp"
 
 namespace plumb::physics {
@@ -14,14 +14,13 @@ struct JointTiming {
 
 /// A joint and the poses of its bodies at the start of the step.
 struct JointView {
+    const World& world;
     const Joint& joint;
     const JointDefinition& definition;
     const JointTiming& timing;
     Rot turnA;
     Rot turnB;
-    Vec2 between;   ///< m: from A's center of mass to B's
-    Vec2 toTarget;  ///< m: from JointDefinition::target to B's center of mass
-    float massB;    ///< kg
+    Vec2 between;  ///< m: from A's center of mass to B's
 };
 
 /// Larger than any impulse: stands for "unlimited".
@@ -56,11 +55,11 @@ struct JointParts {
     ValueParts value;          ///< on the angle (hinges) or the length (rods, sliders)
     Vec2 axis;                 ///< world: sliding axis
     bool holdsAngle = false;   ///< rigidly
-    float spin = 0.0f;     ///< rad/s: target speed of a slider's rotational motor (wheel)
-    float maxSpin = 0.0f;  ///< N m s: maximum impulse of that motor per substep
+    float spin = 0.0f;         ///< rad/s: target speed of a slider's rotational motor (wheel)
+    float maxSpin = 0.0f;      ///< N m s: maximum impulse of that motor per substep
 };
 
-/// One kind of joint: a row of the table in joint_kinds.cpp.
+/// One kind of joint: a row of the table in joint_types.cpp.
 struct JointType {
     JointBlockKind (*block)(std::uint8_t flags);  ///< block layout, by bits of JointFlag
     JointParts (*parts)(const JointView& view);

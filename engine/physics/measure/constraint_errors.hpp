@@ -6,7 +6,7 @@ namespace plumb::physics {
 
 // Constraint errors of contacts and joints, m, never negative.
 
-/// Overlap of the two shapes of a contact at the start of the last step, without what initial_overlaps.hpp
+/// Overlap of the two shapes of a contact at the start of the last step, without what initial_overlaps.cpp
 /// hides. 0 for contacts that do not push.
 [[nodiscard]] float overlapOf(const Contact& contact);
 

@@ -11,7 +11,7 @@ namespace plumb::physics {
 [[nodiscard]] double energyOf(const World& world);
 
 /// m: maximum overlap of two solid shapes at the start of the last step; 0 if there is none. What
-/// initial_overlaps.hpp hides does not count.
+/// initial_overlaps.cpp hides does not count.
 [[nodiscard]] float deepestOverlapOf(const World& world);
 
 /// m: maximum distance of a dynamic body of `world` from the same body of `other`. Bodies that only one of

@@ -75,7 +75,7 @@ enum ContactFlag : std::uint16_t {
     kGone = 1024,           ///< its bounds separated in this step, or the filters no longer allow it
     kPassing = 2048,        ///< a one-way shape lets the other shape through until they separate
     kAlongAxes = 4096,      ///< two boxes aligned with the world axes, of bodies that cannot rotate
-    kInitialOverlap = 8192  ///< a part of its overlap is hidden from the solver: initial_overlaps.hpp
+    kInitialOverlap = 8192  ///< a part of its overlap is hidden from the solver: initial_overlaps.cpp
 };
 
 /// What happened between two shapes in a step.

@@ -1,9 +1,8 @@
-#include "physics/soft/soft_soft_contacts.hpp"
-
 #include <algorithm>
 #include <cmath>
 
 #include "physics/islands/sleeping.hpp"
+#include "physics/soft/soft_contacts.hpp"
 #include "physics/tuning.hpp"
 
 namespace plumb::physics {

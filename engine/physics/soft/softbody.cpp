@@ -4,7 +4,7 @@
 
 #include "physics/islands/sleeping.hpp"
 #include "physics/model/checks.hpp"
-#include "physics/soft/soft_soft_contacts.hpp"
+#include "physics/soft/soft_contacts.hpp"
 
 namespace plumb::physics {
 

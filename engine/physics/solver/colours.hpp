@@ -19,7 +19,6 @@ inline constexpr std::uint8_t kOverflow = 32;
 
 /// Allocates a color that neither body uses. Pass kNone for a body that is not dynamic.
 std::uint8_t takeColour(Workspace& work, std::uint32_t bodyA, std::uint32_t bodyB);
-/// Releases it.
 void freeColour(Workspace& work, std::uint32_t bodyA, std::uint32_t bodyB, std::uint8_t colour);
 
 /// Resizes Workspace::colourMasks to the world, and recomputes the masks after the world was overwritten.

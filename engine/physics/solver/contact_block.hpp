@@ -7,21 +7,6 @@
 
 namespace plumb::physics {
 
-/// State of the bodies of a step, by solver slot, in flat arrays so that a pass reads nothing else. Eight
-/// idle slots at the end serve SIMD lanes without a body.
-struct SolverBodies {
-    static constexpr bool kRotate = true;
-
-    Float4* velocity;       ///< m/s, m/s, rad/s, 1/kg: x, y, angular, inverse mass
-    Float4* deltaPosition;  ///< m, m: displacement since the start of the step; sine and (cosine - 1) of the
-                            ///< rotation since then
-    Float4* drive;          ///< m/s2, m/s2, rad/s2, 0: acceleration by external forces
-    Float4* keep;           ///< damping: factor on the velocity in each substep, w: 1; null without drag
-    Float4*
-        ballisticDrift;  ///< m, m, s: a substep moves a body by x, y + z * velocity: exact ballistic motion
-    Float4* velocityBeforeImpulses;  ///< the velocity without the impulses of this substep
-};
-
 /// A body of eight contacts that can rotate. A lever is the cross product of the arm and a direction.
 struct RotatingSide {
     static constexpr bool kFixed = false;
@@ -72,14 +57,28 @@ struct ContactBlockOf {
     float slideImpulse[kLanes];
 };
 
-using ContactBlock = ContactBlockOf<RotatingSide, RotatingSide, 2>;
-using FixedContactBlock = ContactBlockOf<FixedSide<2>, RotatingSide, 2>;
-using BlockWithoutRotation = ContactBlockOf<SideWithoutRotation, SideWithoutRotation, 1>;
-using FixedBlockWithoutRotation = ContactBlockOf<FixedSide<1>, SideWithoutRotation, 1>;
+/// State of the bodies of a step, by solver slot, in flat arrays so that a pass reads nothing else. Eight
+/// idle slots at the end serve SIMD lanes without a body.
+struct SolverBodies {
+    static constexpr bool kRotate = true;
+    using TwoBlock = ContactBlockOf<RotatingSide, RotatingSide, 2>;  ///< of contacts between two of them
+    using FixedBlock = ContactBlockOf<FixedSide<2>, RotatingSide, 2>;
+
+    Float4* velocity;       ///< m/s, m/s, rad/s, 1/kg: x, y, angular, inverse mass
+    Float4* deltaPosition;  ///< m, m: displacement since the start of the step; sine and (cosine - 1) of the
+                            ///< rotation since then
+    Float4* drive;          ///< m/s2, m/s2, rad/s2, 0: acceleration by external forces
+    Float4* keep;           ///< damping: factor on the velocity in each substep, w: 1; null without drag
+    Float4*
+        ballisticDrift;  ///< m, m, s: a substep moves a body by x, y + z * velocity: exact ballistic motion
+    Float4* velocityBeforeImpulses;  ///< the velocity without the impulses of this substep
+};
 
 /// State of bodies in a step without rotation, by solver slot: all that a contact needs in one row.
 struct BodiesWithoutRotation {
     static constexpr bool kRotate = false;
+    using TwoBlock = ContactBlockOf<SideWithoutRotation, SideWithoutRotation, 1>;
+    using FixedBlock = ContactBlockOf<FixedSide<1>, SideWithoutRotation, 1>;
 
     Float4* velocity;  ///< m/s, m/s, m, m: velocity; displacement since the start of the step
     // As in SolverBodies.

@@ -133,7 +133,8 @@ auto torqueOn(const Mover& mover, const Block& block) {
 }
 
 template <bool kHasFriction, class Block, class Bodies>
-void warmStart(const Bodies& bodies, const BlockLanes* lanes, Block* blocks, int begin, int end) {
+void warmStart(const Bodies& bodies, const ContactPass&, const BlockLanes* lanes, Block* blocks, int begin,
+               int end) {
     for (int n = begin; n < end; ++n) {
         const Block& block = blocks[n];
         auto a = moverOf<false>(bodies, block.a, all(0.0f));
@@ -168,7 +169,7 @@ struct SoftPush8 {
     /// Change of the normal impulse in response to a relative velocity `speed` along the normal; adds it to
     /// `impulse`. Separated bodies may close their gap within the substep; overlapping ones are pushed out by
     /// a spring.
-    [[nodiscard]] Float8 answer(Float8 speed, Float8 gap, Float8 mass, Float8& impulse) const {
+    Float8 operator()(Float8 speed, Float8 gap, Float8 mass, Float8& impulse) const {
         const Mask8 apart = gap > all(0.0f);
         const Float8 bias = select(apart, gap * substepRate, max(gap * biasRate, gap * deepRate - pushSpeed));
         const Float8 scale = select(apart, all(1.0f), massScale);
@@ -180,12 +181,16 @@ struct SoftPush8 {
 };
 
 /// Rigid constraint of the relax pass: touching bodies must not approach, separated ones may close their gap.
-inline Float8 relaxed(Float8 speed, Float8 gap, Float8 substepRate, Float8 mass, Float8& impulse) {
-    const Float8 before = impulse;
-    const Float8 bias = select(before > all(0.0f), all(0.0f), max(gap, all(0.0f)) * substepRate);
-    impulse = max(before - mass * (speed + bias), all(0.0f));
-    return impulse - before;
-}
+struct RigidPush8 {
+    Float8 substepRate;
+
+    Float8 operator()(Float8 speed, Float8 gap, Float8 mass, Float8& impulse) const {
+        const Float8 before = impulse;
+        const Float8 bias = select(before > all(0.0f), all(0.0f), max(gap, all(0.0f)) * substepRate);
+        impulse = max(before - mass * (speed + bias), all(0.0f));
+        return impulse - before;
+    }
+};
 
 /// Coulomb friction: the impulse that stops sliding, limited by the normal impulse.
 inline Float8 rubbed(Float8 speed, Float8 mass, Float8 maximum, float* total) {
@@ -211,7 +216,7 @@ inline void rub(Block& block, Two8 normal, Float8 pressed, MoverA& a, MoverB& b)
 /// @param answer  the change of the impulse of a point: answer(point, speed, gap, impulse)
 template <bool kHasFriction, bool kPush, class Block, class Bodies, class Answer>
 [[gnu::always_inline]] inline void solve(const Bodies& bodies, Float8 elapsed, const BlockLanes* lanes,
-                                         Block* blocks, int begin, int end, Answer answer) {
+                                         Block* blocks, int begin, int end, const Answer& answer) {
     for (int n = begin; n < end; ++n) {
         Block& block = blocks[n];
         auto a = moverOf<kPush>(bodies, block.a, elapsed);
@@ -245,21 +250,14 @@ template <bool kHasFriction, bool kPush, class Block, class Bodies, class Answer
 template <bool kHasFriction, class Block, class Bodies>
 void push(const Bodies& bodies, const ContactPass& pass, const BlockLanes* lanes, Block* blocks, int begin,
           int end) {
-    const SoftPush8 soft{pass};
-    solve<kHasFriction, true>(bodies, all(pass.elapsed), lanes, blocks, begin, end,
-                              [&](Float8 speed, Float8 gap, Float8 mass, Float8& impulse) {
-                                  return soft.answer(speed, gap, mass, impulse);
-                              });
+    solve<kHasFriction, true>(bodies, all(pass.elapsed), lanes, blocks, begin, end, SoftPush8{pass});
 }
 
 template <bool kHasFriction, class Block, class Bodies>
 void relax(const Bodies& bodies, const ContactPass& pass, const BlockLanes* lanes, Block* blocks, int begin,
            int end) {
     const Float8 substepRate = all(pass.substepRate);
-    solve<kHasFriction, false>(bodies, substepRate, lanes, blocks, begin, end,
-                               [&](Float8 speed, Float8 gap, Float8 mass, Float8& impulse) {
-                                   return relaxed(speed, gap, substepRate, mass, impulse);
-                               });
+    solve<kHasFriction, false>(bodies, substepRate, lanes, blocks, begin, end, RigidPush8{substepRate});
 }
 
 /// Stores the impulses for warm starting of the next step.

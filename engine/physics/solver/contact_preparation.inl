@@ -192,7 +192,7 @@ void prepare(const ContactSource& source, const BlockLanes* lanes,
 /// Contribution of a kinematic body's own motion.
 template <bool kHasFriction>
 void prepareSurface(const ContactSource& source, const Rows8& rows, Two8 normal,
-                    FixedBlockWithoutRotation& block) {
+                    BodiesWithoutRotation::FixedBlock& block) {
     const Surface8 surface = surfaceOf(source, rows.a);
     Float8 anchors[4], rounds[4];
     gather(source.contacts + kAnchorsRow, rows.contact, anchors);

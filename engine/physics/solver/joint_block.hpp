@@ -78,10 +78,9 @@ struct PointBlock {
 };
 
 /// Eight joints that constrain a point, possibly softly or with limited force, and the angle.
-struct HingeBlock {
+struct HingeBlock : PointBlock {
     static constexpr bool kHasAngle = true;
 
-    PointBlock point;
     GripLanes grip;
     float apartX[kLanes];  ///< m: from A's anchor to B's, as of the last biased pass
     float apartY[kLanes];
@@ -100,6 +99,8 @@ struct CarryLanes {
 
 /// Eight joints that act along the line through their anchors.
 struct RodBlock {
+    static constexpr bool kSlides = false;
+
     JointBodies bodies;
     AnchorLanes anchors;
     CarryLanes carry;
@@ -107,10 +108,9 @@ struct RodBlock {
 };
 
 /// Eight joints that let B slide along an axis of A.
-struct SliderBlock {
-    JointBodies bodies;
-    AnchorLanes anchors;
-    CarryLanes carry;
+struct SliderBlock : RodBlock {
+    static constexpr bool kSlides = true;
+
     float axisX[kLanes];  ///< at the start of the step
     float axisY[kLanes];
     float angle[kLanes];          ///< rad, at the start of the step, relative to where it is held
@@ -121,7 +121,6 @@ struct SliderBlock {
     float spin[kLanes];           ///< rad/s: target speed of that motor
     float maxSpin[kLanes];        ///< N m s: maximum impulse per substep
     float spinImpulse[kLanes];
-    RowLanes along;
 };
 
 enum JointBlockKind : std::int32_t {

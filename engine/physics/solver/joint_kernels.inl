@@ -155,12 +155,9 @@ inline void noteLack(PointBlock& block, const Anchors8& at, Two8 impulse) {
 
 // Constraints on a value: an angle, or a length along a direction. A Line has a speed and takes impulses.
 
-inline void addTo(float* total, Float8 impulse) { store(total, load(total) + impulse); }
-
-template <class Line>
-inline void warmStartRows(const RowLanes& rows, Line line) {
-    line.push((load(rows.holdImpulse) + load(rows.motorImpulse)) +
-              (load(rows.lowerImpulse) - load(rows.upperImpulse)));
+inline Float8 totalOf(const RowLanes& rows) {
+    return (load(rows.holdImpulse) + load(rows.motorImpulse)) +
+           (load(rows.lowerImpulse) - load(rows.upperImpulse));
 }
 
 template <bool kPush, class Line>
@@ -266,19 +263,16 @@ inline Float8 angleMass(const Couple8& couple) {
 
 // Joints that constrain a point: hinges, and with an angle those with a limit, motor or spring, and others.
 
-inline PointBlock& pointOf(PointBlock& block) { return block; }
-inline PointBlock& pointOf(HingeBlock& block) { return block.point; }
-
 template <class Block>
-concept HasPoint = requires(Block& block) { pointOf(block); };
+concept HasPoint = requires { Block::kHasAngle; };
 
 template <bool kOneSided, HasPoint Block>
 void warmStartJoints(const SolverBodies& bodies, const JointPass&, const JointLanes* lanes, Block* blocks,
                      int begin, int end) {
     for (int n = begin; n < end; ++n) {
-        PointBlock& point = pointOf(blocks[n]);
+        PointBlock& point = blocks[n];
         Couple8 couple = coupleOf(bodies, point.bodies);
-        if constexpr (Block::kHasAngle) warmStartRows(blocks[n].turning, AngleLine8{couple});
+        if constexpr (Block::kHasAngle) couple.turn(totalOf(blocks[n].turning));
         givePoint(couple, anchorsAt(point.anchors, couple), load2(point.impulseX, point.impulseY));
         write<kOneSided>(bodies, point.bodies, couple, lanes[n].count);
     }
@@ -292,10 +286,8 @@ inline Two8 shortened(Two8 impulse, Float8 maximum) {
 }
 
 /// What a joint answers before its point: its angle.
-/// @return  the soft constraint parameters of its point
 template <bool kPush>
-inline Grip8 answerAngle(HingeBlock& block, const JointPass& pass, Couple8& couple, Anchors8& at,
-                         const Grip8&) {
+inline void answerAngle(HingeBlock& block, const JointPass& pass, Couple8& couple, Anchors8& at) {
     if constexpr (kPush) {
         if (block.turning.uses != 0) store(block.turning.value, load(block.angle) + turnBetween(couple));
         store2(block.apartX, block.apartY, at.apart);
@@ -303,43 +295,31 @@ inline Grip8 answerAngle(HingeBlock& block, const JointPass& pass, Couple8& coup
         at.apart = load2(block.apartX, block.apartY);  // spring forces are evaluated once per substep
     }
     answerRows<kPush>(block.turning, pass, load(block.turning.value), angleMass(couple), AngleLine8{couple});
-    return gripOf<kPush>(block.grip);
-}
-template <bool kPush>
-inline Grip8 answerAngle(PointBlock&, const JointPass&, Couple8&, Anchors8&, const Grip8& rigid) {
-    if constexpr (kPush) return rigid;
-    return gripOf(kRelaxed);
-}
-
-/// Velocity that corrects the error of a point.
-template <bool kPush>
-inline Two8 pullOf(const HingeBlock& block, const JointPass& pass, const Grip8& grip, Two8 apart) {
-    return closing(grip, apart, maxPull(pass, block.grip, grip));
-}
-template <bool kPush>
-inline Two8 pullOf(const PointBlock&, const JointPass& pass, const Grip8& grip, Two8 apart) {
-    if constexpr (!kPush) return {all(0.0f), all(0.0f)};
-    return closing(grip, apart, maxPull(pass, grip));
 }
 
 template <bool kPush, bool kOneSided, HasPoint Block>
 void answerJoints(const SolverBodies& bodies, const JointPass& pass, const JointLanes* lanes, Block* blocks,
                   int begin, int end) {
-    const Grip8 rigid = gripOf(pass.rigid);
+    const Grip8 rigid = gripOf(kPush ? pass.rigid : kRelaxed);
     for (int n = begin; n < end; ++n) {
-        PointBlock& point = pointOf(blocks[n]);
+        PointBlock& point = blocks[n];
         Couple8 couple = coupleOf(bodies, point.bodies);
         Anchors8 at = anchorsAt(point.anchors, couple);
         const Two8 before = load2(point.impulseX, point.impulseY);
         if (pass.first) kPush ? makeUp(couple, point) : noteLack(point, at, before);
-        const Grip8 grip = answerAngle<kPush>(blocks[n], pass, couple, at, rigid);
-        const Two8 pull = pullOf<kPush>(blocks[n], pass, grip, at.apart);
-        const Two8 change = answerPoint(couple, at, grip, pull, before);
-        Two8 after = before + change;
+        Two8 after;
         if constexpr (Block::kHasAngle) {
-            after = shortened(after, load(blocks[n].grip.maximum));
+            answerAngle<kPush>(blocks[n], pass, couple, at);
+            const Grip8 grip = gripOf<kPush>(blocks[n].grip);
+            const Two8 pull = closing(grip, at.apart, maxPull(pass, blocks[n].grip, grip));
+            after = shortened(before + answerPoint(couple, at, grip, pull, before),
+                              load(blocks[n].grip.maximum));
             givePoint(couple, at, after - before);
         } else {
+            Two8 pull{all(0.0f), all(0.0f)};
+            if constexpr (kPush) pull = closing(rigid, at.apart, maxPull(pass, rigid));
+            const Two8 change = answerPoint(couple, at, rigid, pull, before);
+            after = before + change;
             givePoint(couple, at, change);
         }
         store2(point.impulseX, point.impulseY, after);

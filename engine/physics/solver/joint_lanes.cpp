@@ -1,14 +1,11 @@
 #include "physics/solver/joint_lanes.hpp"
 
-#include <algorithm>
 #include <bit>
 #include <cmath>
 
 #include "physics/joints/joint_types.hpp"
-#include "physics/model/joints.hpp"
 #include "physics/solver/kernels.hpp"
-#include "physics/solver/n_body_joints.hpp"
-#include "physics/solver/softness.hpp"
+#include "physics/solver/passes.hpp"
 #include "physics/trees/joint_tree_solver.hpp"
 #include "physics/tuning.hpp"
 
@@ -16,7 +13,6 @@ namespace plumb::physics {
 
 namespace {
 
-constexpr int kGrain = 24;  // blocks
 constexpr std::size_t kKeysOfGroup = (kColours + 1) * kJointBlockKinds;
 
 bool isOneSided(int colour) { return colour >= kFirstFixedColour && colour < kColours; }
@@ -76,7 +72,7 @@ void layOut(Workspace& work, Store& store, JointBlockKind kind) {
             std::int32_t& count =
                 work.joints.counts[g * kKeysOfGroup + static_cast<std::size_t>(colour) * kJointBlockKinds +
                                    static_cast<std::size_t>(kind)];
-            JointRange& range = work.groups[g].colours[colour].joints[kind];
+            BlockRange& range = work.groups[g].colours[colour].joints[kind];
             range.begin = blocks;
             blocks += colour == kOverflow ? count : (count + kLanes - 1) / kLanes;
             range.end = blocks;
@@ -143,14 +139,6 @@ struct Preparation {
     const Workspace& work;
     JointTiming timing;
 };
-
-JointTiming timingOf(const Settings& settings, float h) {
-    JointTiming timing;
-    timing.h = h;
-    timing.stiffest = settings.jointStiffness / h;
-    timing.rigid = jointPass(settings, h).rigid;
-    return timing;
-}
 
 void setBodies(const Preparation& all, const Joint& joint, JointBodies& bodies, int lane) {
     const auto idle = static_cast<std::int32_t>(all.work.bodyOf.size()) + lane;
@@ -250,10 +238,10 @@ void setLane(const Preparation& all, const Joint& joint, const JointParts& parts
 
 void setLane(const Preparation& all, const Joint& joint, const JointParts& atAnchors, HingeBlock& block,
              int lane) {
-    setBodies(all, joint, block.point.bodies, lane);
-    const JointParts parts = balanced(atAnchors, block.point.bodies, lane);
-    calm(parts, joint.force, all.timing.h, block.point.bodies, lane);
-    setPoint(all, joint, parts, block.point, lane);
+    setBodies(all, joint, block.bodies, lane);
+    const JointParts parts = balanced(atAnchors, block.bodies, lane);
+    calm(parts, joint.force, all.timing.h, block.bodies, lane);
+    setPoint(all, joint, parts, block, lane);
     setGrip(parts.grip, parts.springs, parts.maximum, block.grip, lane);
     block.angle[lane] = parts.angle;
     setRows(all, joint, parts.value, block.turning, lane);
@@ -286,12 +274,6 @@ void setLane(const Preparation& all, const Joint& joint, const JointParts& atAnc
     (parts.holdsAngle ? block.angleImpulse : block.spinImpulse)[lane] = turn * all.timing.h;
 }
 
-JointBodies& bodiesOf(HingeBlock& block) { return block.point.bodies; }
-template <class Block>
-JointBodies& bodiesOf(Block& block) {
-    return block.bodies;
-}
-
 template <class Block>
 void prepareBlock(const Preparation& all, const JointLanes& lanes, Block& block) {
     block = {};
@@ -299,7 +281,7 @@ void prepareBlock(const Preparation& all, const JointLanes& lanes, Block& block)
         const JointView view = viewOf(all.world, static_cast<std::uint32_t>(lanes.joint[i]), all.timing);
         setLane(all, view.joint, jointType(view.joint.kind).parts(view), block, i);
     }
-    for (int i = lanes.count; i < kLanes; ++i) clearBodies(all, bodiesOf(block), i);
+    for (int i = lanes.count; i < kLanes; ++i) clearBodies(all, block.bodies, i);
 }
 
 }  // namespace
@@ -311,18 +293,6 @@ PushedBodies pushedBodies(const World& world, const Joint& joint) {
     return {joint.kind == JointKind::Mouse ? kNone : pushed(joint.bodyA), pushed(joint.bodyB)};
 }
 
-void colourNewJoints(World& world, Workspace& work) {
-    if (!world.newJoints) return;
-    world.newJoints = false;
-    for (const std::uint32_t index : world.joints.awake) {
-        Joint& joint = world.joints.hot[index];
-        if (joint.colour != kNoColour) continue;
-        const PushedBodies bodies = pushedBodies(world, joint);
-        joint.colour =
-            bodies.b != kNone ? takeColour(work, bodies.a, bodies.b) : takeColour(work, kNone, bodies.a);
-    }
-}
-
 void prepareJoints(StepContext& step) {
     World& world = step.world;
     Workspace& work = step.work;
@@ -332,50 +302,33 @@ void prepareJoints(StepContext& step) {
     collectTies(step);
     noteBreakables(world, work.joints);
     prepareTrees(step);
-    forKinds(work.joints, [&](auto& store, JointBlockKind) {
-        forPieces(step, static_cast<int>(store.blocks.size()), kGrain, [&](int begin, int end, int) {
-            for (auto n = static_cast<std::size_t>(begin); n < static_cast<std::size_t>(end); ++n) {
-                const float rate = rateOf(step, store.groups[n]);
-                const Preparation all{world, work, timingOf(world.settings, 1.0f / rate)};
-                prepareBlock(all, store.lanes[n], store.blocks[n]);
-            }
-        });
+    forJointBlocks(step, [&](auto& block, const JointLanes& lanes, float rate) {
+        const float h = 1.0f / rate;
+        const JointTiming timing{h, world.settings.jointStiffness / h, jointPass(world.settings, h).rigid};
+        prepareBlock({world, work, timing}, lanes, block);
     });
 }
 
 JointPass jointPass(const Settings& settings, float h) {
     const Softness soft = softness(settings.jointStiffness / h, settings.jointDampingRatio, h);
-    JointPass pass;
-    pass.rigid = {soft.massScale, soft.massScale * soft.biasRate, soft.impulseScale};
-    pass.substepRate = 1.0f / h;
-    pass.pushSpeed = kJointPushing * settings.pushSpeed;
-    return pass;
+    return {gripOf(soft), 1.0f / h, kJointPushing * settings.pushSpeed};
 }
 
 void solveJoints(const StepContext& step, const SolverBodies& bodies, const JointPass& pass,
-                 const SolveGroup& group, int colour, JointAct act) {
+                 const SolveGroup& group, int colour, PassKind kind) {
     if ((group.jointColours >> colour & 1) == 0) return;
-    const JointKernels& kernels = solverKernels().joints;
-    const int side = isOneSided(colour) ? 1 : 0;
-    const auto run = [&](auto& store, const auto& passes, JointBlockKind kind) {
-        const JointRange range = group.colours[colour].joints[kind];
+    const JointKernels& all = solverKernels().joints;
+    if (colour == kOverflow) solveTies(step.work, pass, group, kind);
+    forKinds(step.work.joints, [&]<class Block>(JointStore<Block>& store, JointBlockKind blocks) {
+        const BlockRange range = group.colours[colour].joints[blocks];
         if (range.begin == range.end) return;
-        const auto kernel = act == JointAct::WarmStart ? passes.warmStart[side]
-                            : act == JointAct::Push    ? passes.push[side]
-                                                       : passes.relax[side];
+        const JointPasses<Block>& kernels = all;
+        const auto run = kernels.passes[static_cast<std::size_t>(kind)][isOneSided(colour) ? 1 : 0];
         // Joints without a color share bodies, so they are solved sequentially.
-        forPieces(step, range.end - range.begin, colour == kOverflow ? 1 << 30 : kGrain,
-                  [&](int first, int last, int) {
-                      kernel(bodies, pass, store.lanes.data(), store.blocks.data(), range.begin + first,
-                             range.begin + last);
-                  });
-    };
-    JointWork& joints = step.work.joints;
-    if (colour == kOverflow) solveTies(step.work, pass, group, act);
-    run(joints.points, kernels.points, kPointBlocks);
-    run(joints.hinges, kernels.hinges, kHingeBlocks);
-    run(joints.rods, kernels.rods, kRodBlocks);
-    run(joints.sliders, kernels.sliders, kSliderBlocks);
+        forRange(step, range, colour == kOverflow ? kSequential : kJointGrain, [&](int first, int last) {
+            run(bodies, pass, store.lanes.data(), store.blocks.data(), first, last);
+        });
+    });
 }
 
 }  // namespace plumb::physics

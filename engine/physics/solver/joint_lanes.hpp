@@ -1,7 +1,6 @@
 #pragma once
 
 #include "physics/stages.hpp"
-#include "physics/tuning.hpp"
 
 namespace plumb::physics {
 
@@ -17,9 +16,20 @@ void forKinds(JointWork& joints, Act&& act) {
     act(joints.sliders, kSliderBlocks);
 }
 
+inline constexpr int kJointGrain = 24;  ///< blocks
+
 /// 1/s: substeps of a group.
 inline float rateOf(const StepContext& step, std::uint8_t group) {
     return static_cast<float>(step.work.groups[group].substeps) / step.dt;
+}
+
+/// Calls act(block, lanes, rate) for all blocks, distributed over threads.
+template <class Act>
+void forJointBlocks(StepContext& step, Act&& act) {
+    forKinds(step.work.joints, [&](auto& store, JointBlockKind) {
+        forEach(step.pool, store.blocks.size(), kJointGrain,
+                [&](std::size_t n) { act(store.blocks[n], store.lanes[n], rateOf(step, store.groups[n])); });
+    });
 }
 
 /// The bodies that a joint moves: kNone for one that is not dynamic, or that the joint leaves alone.
@@ -29,19 +39,14 @@ struct PushedBodies {
 };
 PushedBodies pushedBodies(const World& world, const Joint& joint);
 
-/// Assigns a color to each awake joint that has none.
-void colourNewJoints(World& world, Workspace& work);
-
 /// Packs awake joints into blocks. After gatherBodies.
 void prepareJoints(StepContext& step);
-
-enum class JointAct : std::uint8_t { WarmStart, Push, Relax };
 
 /// Parameters of joints for a substep of h seconds.
 JointPass jointPass(const Settings& settings, float h);
 /// One pass over the joints of one color of a group.
 void solveJoints(const StepContext& step, const SolverBodies& bodies, const JointPass& pass,
-                 const SolveGroup& group, int colour, JointAct act);
+                 const SolveGroup& group, int colour, PassKind kind);
 
 // joint_forces.cpp
 
@@ -50,5 +55,14 @@ void noteJointForces(StepContext& step, const SolveGroup& group, float substepRa
 
 /// Writes forces back to the joints, and destroys those whose maximum was exceeded.
 void storeJoints(StepContext& step);
+
+// n_body_joints.cpp
+
+/// Adds a gear or pulley to the multi-body constraints of the step.
+void addTie(StepContext& step, std::uint32_t joint, std::uint8_t group);
+/// One pass over the multi-body constraints of a group, in order.
+void solveTies(Workspace& work, const JointPass& pass, const SolveGroup& group, PassKind kind);
+/// Writes forces and errors back to the joints.
+void storeTies(StepContext& step);
 
 }  // namespace plumb::physics

@@ -20,26 +20,26 @@ struct ContactSource {
     bool kinematics;            ///< some body is kinematic
 };
 
+/// The passes over constraints. The biased pass (Push) also closes errors, and leaves the velocities that
+/// move the bodies; the relax pass takes back the velocity that only closed errors.
+enum class PassKind : std::uint8_t { WarmStart, Push, Relax };
+
 /// Operations on contacts of one kind. Ranges are blocks.
 template <class Block, class Bodies>
 struct ContactKernels {
     void (*prepare)(const ContactSource& source, const BlockLanes* lanes, Block* blocks, int begin, int end);
-    void (*warmStart)(const Bodies& bodies, const BlockLanes* lanes, Block* blocks, int begin, int end);
-    /// Biased pass: also pushes overlaps out. Leaves the velocities that move the bodies.
-    void (*push)(const Bodies& bodies, const ContactPass& pass, const BlockLanes* lanes, Block* blocks,
-                 int begin, int end);
-    /// Relax pass, without bias: takes back the velocity that only pushed overlaps out.
-    void (*relax)(const Bodies& bodies, const ContactPass& pass, const BlockLanes* lanes, Block* blocks,
-                  int begin, int end);
+    /// By PassKind.
+    void (*passes[3])(const Bodies& bodies, const ContactPass& pass, const BlockLanes* lanes, Block* blocks,
+                      int begin, int end);
     void (*store)(Float4* contacts, const BlockLanes* lanes, const Block* blocks, int begin, int end);
 };
 
 /// Kernels of the groups in which bodies can rotate, or of those in which none can.
-template <class Two, class Fixed, class Bodies>
+template <class Bodies>
 struct GroupKernels {
     // Without and with friction.
-    ContactKernels<Two, Bodies> contacts[2];
-    ContactKernels<Fixed, Bodies> fixedContacts[2];
+    ContactKernels<typename Bodies::TwoBlock, Bodies> two[2];
+    ContactKernels<typename Bodies::FixedBlock, Bodies> fixed[2];
 
     // Ranges are bodies in multiples of eight.
 
@@ -49,30 +49,26 @@ struct GroupKernels {
     void (*move)(const Bodies& bodies, float h, int begin, int end);
 };
 
-/// Passes over a range of blocks of one kind. One-sided: the joints move only one of their bodies.
+/// Passes over a range of blocks of one kind: [PassKind][one-sided: the joints move only one of their
+/// bodies].
 template <class Block>
 struct JointPasses {
-    using Run = void (*)(const SolverBodies& bodies, const JointPass& pass, const JointLanes* lanes,
+    void (*passes[3][2])(const SolverBodies& bodies, const JointPass& pass, const JointLanes* lanes,
                          Block* blocks, int begin, int end);
-    Run warmStart[2];  ///< [one-sided]
-    Run push[2];
-    Run relax[2];
 };
 
-struct JointKernels {
-    JointPasses<PointBlock> points;
-    JointPasses<HingeBlock> hinges;
-    JointPasses<RodBlock> rods;
-    JointPasses<SliderBlock> sliders;
-};
+struct JointKernels : JointPasses<PointBlock>,
+                      JointPasses<HingeBlock>,
+                      JointPasses<RodBlock>,
+                      JointPasses<SliderBlock> {};
 
 /// Inner loops of the step in eight SIMD lanes, built for each instruction set and chosen at run time. All
 /// builds give the same bits. The reduced kernels give the same bits as the full ones, because the omitted
 /// terms are exactly zero.
 struct SolverKernels {
     const char* name;
-    GroupKernels<ContactBlock, FixedContactBlock, SolverBodies> rotating;
-    GroupKernels<BlockWithoutRotation, FixedBlockWithoutRotation, BodiesWithoutRotation> withoutRotation;
+    GroupKernels<SolverBodies> rotating;
+    GroupKernels<BodiesWithoutRotation> withoutRotation;
     void (*moveUnturned)(const SolverBodies& bodies, float h, int begin, int end);
     void (*collideBoxes)(const BoxPairs& pairs, float speculative, BoxTouches& touches);
     JointKernels joints;

@@ -27,13 +27,8 @@ inline Float8 inverseOrZero(Float8 x) {
     return select(some, all(1.0f) / select(some, x, all(1.0f)), zero);
 }
 
-// Contacts.
-
 #include "physics/solver/contact_preparation.inl"
 #include "physics/solver/contact_kernels.inl"
-
-// Joints.
-
 #include "physics/solver/joint_kernels.inl"
 
 // Bodies.
@@ -85,8 +80,8 @@ inline Turn8 turnedBy(Turn8 turn, Float8 angle) {
     return {select(far, slow.sine, near.sine), select(far, slow.versine, near.versine)};
 }
 
-template <bool kTurns>
-void moveBodies(const SolverBodies& bodies, float h, int begin, int end) {
+template <bool kTurns = true>
+void move(const SolverBodies& bodies, float h, int begin, int end) {
     const Float8 step = all(h);
     for (int n = begin; n < end; n += kLanes) {
         std::int32_t slots[kLanes];
@@ -106,13 +101,6 @@ void moveBodies(const SolverBodies& bodies, float h, int begin, int end) {
     }
 }
 
-void move(const SolverBodies& bodies, float h, int begin, int end) {
-    moveBodies<true>(bodies, h, begin, end);
-}
-void moveUnturned(const SolverBodies& bodies, float h, int begin, int end) {
-    moveBodies<false>(bodies, h, begin, end);
-}
-
 void move(const BodiesWithoutRotation& bodies, float, int begin, int end) {
     for (int n = begin; n < end; n += kLanes) {
         std::int32_t slots[kLanes];
@@ -125,8 +113,6 @@ void move(const BodiesWithoutRotation& bodies, float, int begin, int end) {
         scatter(bodies.velocity, slots, state, kLanes);
     }
 }
-
-// Collision detection.
 
 #include "physics/narrowphase/box_kernel.inl"
 
@@ -143,27 +129,30 @@ void collideBoxes(const BoxPairs& pairs, float speculative, BoxTouches& touches)
 
 template <bool kHasFriction, class Block, class Bodies>
 constexpr ContactKernels<Block, Bodies> kContacts{
-    prepare<kHasFriction>, warmStart<kHasFriction>, push<kHasFriction>, relax<kHasFriction>,
+    prepare<kHasFriction>,
+    {warmStart<kHasFriction>, push<kHasFriction>, relax<kHasFriction>},
     storeImpulses<kHasFriction>};
 
-template <class Two, class Fixed, class Bodies>
-constexpr GroupKernels<Two, Fixed, Bodies> kGroups{
-    {kContacts<false, Two, Bodies>, kContacts<true, Two, Bodies>},
-    {kContacts<false, Fixed, Bodies>, kContacts<true, Fixed, Bodies>},
-    accelerate<Bodies>,
-    move};
+template <class Bodies, class Two = typename Bodies::TwoBlock, class Fixed = typename Bodies::FixedBlock>
+constexpr GroupKernels<Bodies> kGroups{{kContacts<false, Two, Bodies>, kContacts<true, Two, Bodies>},
+                                       {kContacts<false, Fixed, Bodies>, kContacts<true, Fixed, Bodies>},
+                                       accelerate<Bodies>,
+                                       move};
 
 template <class Block>
-constexpr JointPasses<Block> kPasses{{warmStartJoints<false>, warmStartJoints<true>},
-                                     {answerJoints<true, false>, answerJoints<true, true>},
-                                     {answerJoints<false, false>, answerJoints<false, true>}};
+constexpr JointPasses<Block> kPasses{{{warmStartJoints<false>, warmStartJoints<true>},
+                                      {answerJoints<true, false>, answerJoints<true, true>},
+                                      {answerJoints<false, false>, answerJoints<false, true>}}};
+
+#define PLUMB_NAME(lanes) #lanes
+#define PLUMB_NAME_OF(lanes) PLUMB_NAME(lanes)
 
 extern const SolverKernels kKernels;
 const SolverKernels kKernels{
-    PLUMB_LANES_NAME,
-    kGroups<ContactBlock, FixedContactBlock, SolverBodies>,
-    kGroups<BlockWithoutRotation, FixedBlockWithoutRotation, BodiesWithoutRotation>,
-    moveUnturned,
+    PLUMB_NAME_OF(PLUMB_LANES),
+    kGroups<SolverBodies>,
+    kGroups<BodiesWithoutRotation>,
+    move<false>,
     collideBoxes,
     {kPasses<PointBlock>, kPasses<HingeBlock>, kPasses<RodBlock>, kPasses<SliderBlock>},
 };

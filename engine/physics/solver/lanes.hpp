@@ -12,23 +12,18 @@
 
 #if defined(PLUMB_LANES_SCALAR)
 #define PLUMB_LANES scalar
-#define PLUMB_LANES_NAME "scalar"
 #elif defined(__AVX2__) && !defined(PLUMB_LANES_BASE)
 #define PLUMB_LANES_AVX2
 #define PLUMB_LANES avx2
-#define PLUMB_LANES_NAME "avx2"
 #include <immintrin.h>
 #elif defined(__SSE2__) || defined(_M_X64)
 #define PLUMB_LANES sse2
-#define PLUMB_LANES_NAME "sse2"
 #include <emmintrin.h>
 #elif defined(__ARM_NEON) && defined(__aarch64__)
 #define PLUMB_LANES neon
-#define PLUMB_LANES_NAME "neon"
 #include <arm_neon.h>
 #else
 #define PLUMB_LANES scalar
-#define PLUMB_LANES_NAME "scalar"
 #define PLUMB_LANES_SCALAR
 #endif
 

@@ -1,9 +1,8 @@
-#include "physics/solver/n_body_joints.hpp"
-
 #include <cmath>
 
 #include "math/portable.hpp"
 #include "physics/joints/joint_types.hpp"
+#include "physics/solver/joint_lanes.hpp"
 
 namespace plumb::physics {
 
@@ -72,14 +71,14 @@ void addTie(StepContext& step, std::uint32_t index, std::uint8_t group) {
     work.joints.nBodyConstraints.push_back(constraint);
 }
 
-void solveTies(Workspace& work, const JointPass& pass, const SolveGroup& group, JointAct act) {
+void solveTies(Workspace& work, const JointPass& pass, const SolveGroup& group, PassKind kind) {
     for (NBodyConstraint& constraint : work.joints.nBodyConstraints) {
         if (&work.groups[constraint.group] != &group) continue;
-        if (act == JointAct::WarmStart) {
+        if (kind == PassKind::WarmStart) {
             push(work, constraint, constraint.impulse);
             continue;
         }
-        const Grip grip = act == JointAct::Push ? pass.rigid : Grip{1.0f, 0.0f, 0.0f};
+        const Grip grip = kind == PassKind::Push ? pass.rigid : Grip{1.0f, 0.0f, 0.0f};
         const float wanted = grip.take * speedOf(work, constraint) + grip.pull * errorNow(work, constraint);
         const float change = -(constraint.mass * wanted + grip.give * constraint.impulse);
         constraint.impulse += change;

@@ -1,9 +1,7 @@
 #pragma once
 
 #include <bit>
-#include <utility>
 
-#include "physics/solver/softness.hpp"
 #include "physics/stages.hpp"
 
 namespace plumb::physics {
@@ -13,6 +11,21 @@ namespace plumb::physics {
 inline constexpr int kBlockGrain = 8;
 inline constexpr int kSequential = 1 << 30;  ///< as a grain: one piece
 inline constexpr int kBodyGrain = 256;
+
+/// Soft constraint: a damped spring as a velocity constraint, for a substep of h seconds. Unconditionally
+/// stable. Source: E. Catto, "Soft Constraints", GDC 2011; "Solver2D", 2024.
+inline Softness softness(float hertz, float dampingRatio, float h) {
+    if (hertz == 0.0f) return {0.0f, 1.0f, 0.0f};
+    constexpr float kTurn = 6.28318530717958647692f;
+    const float omega = kTurn * hertz;
+    const float a = 2.0f * dampingRatio + h * omega;
+    const float b = h * omega * a;
+    const float c = 1.0f / (1.0f + b);
+    return {omega / a, b * c, c};
+}
+inline Grip gripOf(const Softness& soft) {
+    return {soft.massScale, soft.massScale * soft.biasRate, soft.impulseScale};
+}
 
 /// @param h  s: substep
 inline ContactPass contactPass(const Settings& settings, float h) {
@@ -24,23 +37,24 @@ inline ContactPass contactPass(const Settings& settings, float h) {
     return pass;
 }
 
-/// Runs `act(begin, end)` over begin..end-1, in pieces.
+/// Runs `act(begin, end)` over a range of blocks or slots, in pieces.
 template <class Act>
-void forRange(const StepContext& step, int begin, int end, int grain, Act&& act) {
-    forPieces(step, end - begin, grain, [&](int first, int last, int) { act(begin + first, begin + last); });
+void forRange(const StepContext& step, BlockRange range, int grain, Act&& act) {
+    forPieces(step.pool, range.end - range.begin, grain,
+              [&](int first, int last, int) { act(range.begin + first, range.begin + last); });
 }
 
-/// Runs `act(n)` for the blocks begin..end-1.
+/// Runs `act(n)` for the blocks of a range.
 template <class Act>
-void forBlocks(const StepContext& step, int begin, int end, int grain, Act&& act) {
-    forRange(step, begin, end, grain, [&](int first, int last) {
+void forBlocks(const StepContext& step, BlockRange range, int grain, Act&& act) {
+    forRange(step, range, grain, [&](int first, int last) {
         for (int n = first; n < last; ++n) act(static_cast<std::size_t>(n));
     });
 }
 
 template <class Act>
 void forBodies(const StepContext& step, const SolveGroup& group, Act&& act) {
-    forRange(step, group.begin, group.end, kBodyGrain, act);
+    forRange(step, {group.begin, group.end}, kBodyGrain, act);
 }
 
 /// Runs `act(colour, grain)` for each of these colors: the overflow first, in one sequential piece.
@@ -51,14 +65,41 @@ void forColours(std::uint64_t colours, Act&& act) {
         act(std::countr_zero(rest), kBlockGrain);
 }
 
-/// Number of blocks of groups with rotation, which come first: between dynamic bodies, and of fixed ones.
-inline std::pair<std::int32_t, std::int32_t> blocksWithRotation(const Workspace& work) {
-    std::pair<std::int32_t, std::int32_t> ends{0, 0};
+/// Runs `act(store, range)` for both kinds of contacts.
+template <class Act>
+void forStores(Workspace& work, const ContactRanges& ranges, Act&& act) {
+    act(work.two, ranges.two);
+    act(work.fixed, ranges.fixed);
+}
+
+/// The blocks of groups with rotation, or of those without, which come last.
+inline ContactRanges blocksOf(const Workspace& work, bool withoutRotation) {
+    ContactRanges ranges;
     for (const SolveGroup& group : work.groups) {
-        if (!group.withoutRotation)
-            ends = {group.colours[kColours].contactEnd, group.colours[kColours].fixedEnd};
+        if (!group.withoutRotation) ranges = {{0, group.contacts().two.end}, {0, group.contacts().fixed.end}};
     }
-    return ends;
+    if (!withoutRotation) return ranges;
+    return {{ranges.two.end, static_cast<std::int32_t>(work.two.lanes.size())},
+            {ranges.fixed.end, static_cast<std::int32_t>(work.fixed.lanes.size())}};
+}
+
+/// Runs `act(store, n)` for all blocks of groups with rotation, in any order.
+template <class Act>
+void forAllBlocks(StepContext& step, Act&& act) {
+    forStores(step.work, blocksOf(step.work, false), [&](auto& store, BlockRange range) {
+        forBlocks(step, range, kBlockGrain, [&](std::size_t n) { act(store, n); });
+    });
+}
+
+/// Runs `act(store, n)` for the blocks of a group with rotation, color by color.
+template <class Act>
+void forGroup(StepContext& step, const SolveGroup& group, Act&& act) {
+    for (const ColourBlocks& colour : group.colours) {
+        const int grain = &colour == &group.colours[kOverflow] ? kSequential : kBlockGrain;
+        forStores(step.work, colour.contacts, [&](auto& store, BlockRange range) {
+            forBlocks(step, range, grain, [&](std::size_t n) { act(store, n); });
+        });
+    }
 }
 
 /// Contacts of one kind, with their kernels and the parameters of a pass.
@@ -67,50 +108,47 @@ struct ContactSet {
     const ContactKernels<Block, Bodies>& kernels;
     const std::vector<BlockLanes>& lanes;
     std::vector<Block>& blocks;
-    int firstUsed = 0;  ///< the blocks before are those of the other kernels
+    BlockRange used;  ///< the others are those of the other kernels
     ContactPass pass{};
 
-    void warmStart(const Bodies& bodies, int begin, int end) const {
-        kernels.warmStart(bodies, lanes.data(), blocks.data(), begin, end);
+    void prepare(const StepContext& step, const ContactSource& source) const {
+        constexpr int kGrain = 32;
+        blocks.resize(used.begin < used.end ? static_cast<std::size_t>(used.end) : 0);
+        forRange(step, used, kGrain, [&](int first, int last) {
+            kernels.prepare(source, lanes.data(), blocks.data(), first, last);
+        });
     }
-    void push(const Bodies& bodies, int begin, int end) const {
-        kernels.push(bodies, pass, lanes.data(), blocks.data(), begin, end);
-    }
-    void relax(const Bodies& bodies, int begin, int end) const {
-        kernels.relax(bodies, pass, lanes.data(), blocks.data(), begin, end);
+    void run(const StepContext& step, const Bodies& bodies, BlockRange range, int grain,
+             PassKind kind) const {
+        forRange(step, range, grain, [&](int first, int last) {
+            kernels.passes[static_cast<std::size_t>(kind)](bodies, pass, lanes.data(), blocks.data(), first,
+                                                           last);
+        });
     }
     /// Writes impulses back to the contacts.
-    void store(StepContext& step) const {
+    void store(const StepContext& step) const {
         auto* contacts = reinterpret_cast<Float4*>(step.world.contacts.data());
-        forRange(step, firstUsed, static_cast<int>(blocks.size()), kBlockGrain, [&](int first, int last) {
+        forRange(step, used, kBlockGrain, [&](int first, int last) {
             kernels.store(contacts, lanes.data(), blocks.data(), first, last);
         });
     }
 };
 
 /// Both kinds of contacts: between dynamic bodies, and with static or kinematic ones.
-template <class Two, class Fixed, class Bodies>
+template <class Bodies>
 struct ContactSets {
-    ContactSet<Two, Bodies> two;
-    ContactSet<Fixed, Bodies> fixed;
-
-    /// @param h  s: substep of the group that comes next
-    void startGroup(const Settings& settings, float h) {
-        two.pass = fixed.pass = contactPass(settings, h);
-    }
-
-    /// Runs `act(set, begin, end)` over the blocks of a color.
-    template <class Act>
-    void forBlocks(const StepContext& step, const ColourBlocks& blocks, int grain, Act&& act) const {
-        forRange(step, blocks.contactBegin, blocks.contactEnd, grain,
-                 [&](int begin, int end) { act(two, begin, end); });
-        forRange(step, blocks.fixedBegin, blocks.fixedEnd, grain,
-                 [&](int begin, int end) { act(fixed, begin, end); });
-    }
-    void store(StepContext& step) const {
-        two.store(step);
-        fixed.store(step);
-    }
+    ContactSet<typename Bodies::TwoBlock, Bodies> two;
+    ContactSet<typename Bodies::FixedBlock, Bodies> fixed;
 };
+
+template <class Bodies>
+ContactSets<Bodies> contactsOf(const StepContext& step, const GroupKernels<Bodies>& kernels) {
+    Workspace& work = step.work;
+    const std::size_t hasFriction = step.runs(Effect::Friction) ? 1 : 0;
+    const ContactRanges used = blocksOf(work, !Bodies::kRotate);
+    return {
+        {kernels.two[hasFriction], work.two.lanes, work.two.template blocksOf<Bodies>(), used.two},
+        {kernels.fixed[hasFriction], work.fixed.lanes, work.fixed.template blocksOf<Bodies>(), used.fixed}};
+}
 
 }  // namespace plumb::physics

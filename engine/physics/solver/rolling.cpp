@@ -1,7 +1,6 @@
-#include "physics/solver/rolling.hpp"
-
 #include <algorithm>
 
+#include "physics/solver/contact_extras.hpp"
 #include "physics/solver/passes.hpp"
 
 namespace plumb::physics {
@@ -29,21 +28,16 @@ void turnApart(Workspace& work, const Block& block, int i, float impulse) {
 }
 
 template <class Block>
-void prepareBlocks(const StepContext& step, const std::vector<Block>& blocks,
-                   const std::vector<BlockLanes>& lanes, std::vector<RollingBlock>& rollings) {
-    const World& world = step.world;
-    rollings.resize(blocks.size());
-    forBlocks(step, 0, static_cast<int>(blocks.size()), kBlockGrain, [&](std::size_t n) {
-        RollingBlock& rolling = rollings[n] = {};
-        for (int i = 0; i < lanes[n].count; ++i) {
-            const Contact& contact = world.contacts[static_cast<std::size_t>(lanes[n].contact[i])];
-            rolling.resistance[i] = contact.rollingResistance;
-            const float inverse = inverseInertiaOf(blocks[n].a, i) + inverseInertiaOf(blocks[n].b, i);
-            rolling.mass[i] = inverse > 0.0f ? 1.0f / inverse : 0.0f;
-            rolling.spin[i] = world.bodies.motion[contact.bodyA].angularVelocity;
-            rolling.impulse[i] = contact.rollingResistance > 0.0f ? contact.rollingImpulse : 0.0f;
-        }
-    });
+void prepareBlock(const World& world, const Block& block, const BlockLanes& lanes, RollingBlock& rolling) {
+    rolling = {};
+    for (int i = 0; i < lanes.count; ++i) {
+        const Contact& contact = world.contacts[static_cast<std::size_t>(lanes.contact[i])];
+        rolling.resistance[i] = contact.rollingResistance;
+        const float inverse = inverseInertiaOf(block.a, i) + inverseInertiaOf(block.b, i);
+        rolling.mass[i] = inverse > 0.0f ? 1.0f / inverse : 0.0f;
+        rolling.spin[i] = world.bodies.motion[contact.bodyA].angularVelocity;
+        rolling.impulse[i] = contact.rollingResistance > 0.0f ? contact.rollingImpulse : 0.0f;
+    }
 }
 
 template <class Block>
@@ -67,56 +61,37 @@ void relaxBlock(Workspace& work, const Block& block, RollingBlock& rolling) {
     }
 }
 
-/// Calls act(block, rolling) with the blocks of a group, color by color.
-template <class Act>
-void forGroup(const StepContext& step, const SolveGroup& group, Act&& act) {
-    Workspace& work = step.work;
-    for (const ColourBlocks& colour : group.colours) {
-        const int grain = &colour == &group.colours[kOverflow] ? kSequential : kBlockGrain;
-        forBlocks(step, colour.contactBegin, colour.contactEnd, grain,
-                  [&](std::size_t n) { act(work.contactBlocks[n], work.rollings[n]); });
-        forBlocks(step, colour.fixedBegin, colour.fixedEnd, grain,
-                  [&](std::size_t n) { act(work.fixedBlocks[n], work.fixedRollings[n]); });
-    }
-}
-
-void storeBlocks(StepContext& step, const std::vector<BlockLanes>& lanes,
-                 const std::vector<RollingBlock>& rollings) {
-    forBlocks(step, 0, static_cast<int>(rollings.size()), kBlockGrain, [&](std::size_t n) {
-        for (int i = 0; i < lanes[n].count; ++i) {
-            step.world.contacts[static_cast<std::size_t>(lanes[n].contact[i])].rollingImpulse =
-                rollings[n].impulse[i];
-        }
-    });
-}
-
-bool rolls(const StepContext& step) { return step.runs(Effect::Rolling); }
-
 }  // namespace
 
 void prepareRolling(StepContext& step) {
     if (!step.starts(Effect::Rolling)) return;
-    prepareBlocks(step, step.work.contactBlocks, step.work.contactLanes, step.work.rollings);
-    prepareBlocks(step, step.work.fixedBlocks, step.work.fixedLanes, step.work.fixedRollings);
+    forStores(step.work, {}, [&](auto& store, BlockRange) { store.rollings.resize(store.blocks.size()); });
+    forAllBlocks(step, [&](auto& store, std::size_t n) {
+        prepareBlock(step.world, store.blocks[n], store.lanes[n], store.rollings[n]);
+    });
 }
 
 void warmStartRolling(StepContext& step, const SolveGroup& group) {
-    if (!rolls(step)) return;
-    forGroup(step, group, [&](const auto& block, const RollingBlock& rolling) {
-        warmStartBlock(step.work, block, rolling);
+    if (!step.runs(Effect::Rolling)) return;
+    forGroup(step, group, [&](const auto& store, std::size_t n) {
+        warmStartBlock(step.work, store.blocks[n], store.rollings[n]);
     });
 }
 
 void relaxRolling(StepContext& step, const SolveGroup& group) {
-    if (!rolls(step)) return;
+    if (!step.runs(Effect::Rolling)) return;
     forGroup(step, group,
-             [&](const auto& block, RollingBlock& rolling) { relaxBlock(step.work, block, rolling); });
+             [&](auto& store, std::size_t n) { relaxBlock(step.work, store.blocks[n], store.rollings[n]); });
 }
 
 void storeRolling(StepContext& step) {
-    if (!rolls(step)) return;
-    storeBlocks(step, step.work.contactLanes, step.work.rollings);
-    storeBlocks(step, step.work.fixedLanes, step.work.fixedRollings);
+    if (!step.runs(Effect::Rolling)) return;
+    forAllBlocks(step, [&](const auto& store, std::size_t n) {
+        for (int i = 0; i < store.lanes[n].count; ++i) {
+            step.world.contacts[static_cast<std::size_t>(store.lanes[n].contact[i])].rollingImpulse =
+                store.rollings[n].impulse[i];
+        }
+    });
 }
 
 }  // namespace plumb::physics

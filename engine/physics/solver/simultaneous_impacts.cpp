@@ -1,8 +1,7 @@
-#include "physics/solver/simultaneous_impacts.hpp"
-
 #include <algorithm>
 #include <vector>
 
+#include "physics/solver/contact_extras.hpp"
 #include "physics/solver/contact_sides.hpp"
 #include "physics/tuning.hpp"
 
@@ -14,27 +13,29 @@ namespace {
 template <class Act>
 void visit(Workspace& work, const ImpactPlace& impact, Act&& act) {
     if (impact.fixed) {
-        act(work.fixedBlocks[impact.block], work.fixedBounces[impact.block], int{impact.lane});
+        act(work.fixed.blocks[impact.block], work.fixed.bounces[impact.block], int{impact.lane});
     } else {
-        act(work.contactBlocks[impact.block], work.bounces[impact.block], int{impact.lane});
+        act(work.two.blocks[impact.block], work.two.bounces[impact.block], int{impact.lane});
     }
 }
 
-template <class Block, class Act>
-void forSlots(const Block& block, int lane, Act&& act) {
-    if constexpr (!decltype(block.a)::kFixed) act(block.a.slot[lane]);
-    act(block.b.slot[lane]);
+/// The same for all impacts, in order.
+template <class Act>
+void visitAll(Workspace& work, Act&& act) {
+    for (const ImpactPlace& impact : work.impacts) visit(work, impact, act);
 }
 
-void gather(const std::vector<BounceBlock>& bounces, const std::vector<BlockLanes>& lanes, int begin, int end,
-            bool fixed, std::vector<ImpactPlace>& impacts) {
+template <class Store>
+void gather(const Store& store, BlockRange range, std::vector<ImpactPlace>& impacts) {
+    constexpr bool kFixed = decltype(store.blocks[0].a)::kFixed;
+    const std::vector<BlockLanes>& lanes = store.lanes;
     const std::size_t before = impacts.size();
-    for (auto n = static_cast<std::size_t>(begin); n < static_cast<std::size_t>(end); ++n) {
-        const BounceBlock& bounce = bounces[n];
+    for (auto n = static_cast<std::size_t>(range.begin); n < static_cast<std::size_t>(range.end); ++n) {
+        const BounceBlock& bounce = store.bounces[n];
         for (int i = 0; i < lanes[n].count; ++i) {
             if (bounce.bounciness[i] < kLively) continue;
             if (bounce.sum[i] <= 0.0f || bounce.before[i] > kMaxLoad * bounce.largest[0][i]) continue;
-            impacts.push_back({fixed, static_cast<std::uint8_t>(i), static_cast<std::uint32_t>(n)});
+            impacts.push_back({kFixed, static_cast<std::uint8_t>(i), static_cast<std::uint32_t>(n)});
         }
     }
     // Wherever they are in the blocks of a color, they are solved in the order of their numbers.
@@ -48,7 +49,9 @@ void keepChains(Workspace& work) {
     work.hits.resize(work.velocity.size());
     const auto forHits = [&](const ImpactPlace& impact, auto&& act) {
         visit(work, impact, [&](const auto& block, const BounceBlock&, int lane) {
-            forSlots(block, lane, [&](std::int32_t slot) { act(work.hits[static_cast<std::size_t>(slot)]); });
+            if constexpr (!decltype(block.a)::kFixed)
+                act(work.hits[static_cast<std::size_t>(block.a.slot[lane])]);
+            act(work.hits[static_cast<std::size_t>(block.b.slot[lane])]);
         });
     };
     for (const ImpactPlace& impact : work.impacts) forHits(impact, [](std::uint8_t& hits) { hits = 0; });
@@ -63,53 +66,45 @@ void keepChains(Workspace& work) {
 
 bool anyHits(Workspace& work, float slowest) {
     bool hits = false;
-    for (const ImpactPlace& impact : work.impacts) {
-        visit(work, impact, [&](const auto&, const BounceBlock& bounce, int lane) {
-            hits = hits || bounce.approach[0][lane] < -slowest;
-        });
-    }
+    visitAll(work, [&](const auto&, const BounceBlock& bounce, int lane) {
+        hits = hits || bounce.approach[0][lane] < -slowest;
+    });
     return hits;
 }
 
 /// Takes back the impulses of the substeps.
 void takeBack(Workspace& work) {
-    for (const ImpactPlace& impact : work.impacts) {
-        visit(work, impact, [&](auto& block, BounceBlock& bounce, int lane) {
-            pushApart(work, block, 0, lane, -bounce.sum[lane]);
-            block.points[0].impulse[lane] = 0.0f;
-        });
-    }
+    visitAll(work, [&](auto& block, BounceBlock& bounce, int lane) {
+        pushApart(work, block, 0, lane, -bounce.sum[lane]);
+        block.points[0].impulse[lane] = 0.0f;
+    });
 }
 
 /// Reduces velocities to those at the impact: what accelerated the bodies afterwards would be a gain.
 void endAtImpact(Workspace& work, float slowest, float dt) {
-    for (const ImpactPlace& impact : work.impacts) {
-        visit(work, impact, [&](auto& block, BounceBlock& bounce, int lane) {
-            float& before = bounce.approach[0][lane];
-            if (before < -slowest) {
-                const float met = speedOfImpact(before, approachIn(work, block, 0, lane, dt));
-                const float gain = approachOf(work, block, 0, lane) - met;
-                pushApart(work, block, 0, lane, -block.points[0].mass[lane] * gain);
-            }
-            before = 0.0f;  // nothing is left for applyRestitution()
-        });
-    }
+    visitAll(work, [&](auto& block, BounceBlock& bounce, int lane) {
+        float& before = bounce.approach[0][lane];
+        if (before < -slowest) {
+            const float met = speedOfImpact(before, approachIn(work, block, 0, lane, dt));
+            const float gain = approachOf(work, block, 0, lane) - met;
+            pushApart(work, block, 0, lane, -block.points[0].mass[lane] * gain);
+        }
+        before = 0.0f;  // nothing is left for applyRestitution()
+    });
 }
 
 /// @return true if any pair approached
 bool collideInTurn(Workspace& work, float slowest) {
     bool approached = false;
-    for (const ImpactPlace& impact : work.impacts) {
-        visit(work, impact, [&](auto& block, const BounceBlock& bounce, int lane) {
-            const float speed = approachOf(work, block, 0, lane);
-            if (speed > -kNoApproach) return;
-            approached = true;
-            const float bounciness = speed < -slowest ? bounce.bounciness[lane] : 0.0f;
-            const float impulse = -(1.0f + bounciness) * block.points[0].mass[lane] * speed;
-            block.points[0].impulse[lane] += impulse;
-            pushApart(work, block, 0, lane, impulse);
-        });
-    }
+    visitAll(work, [&](auto& block, const BounceBlock& bounce, int lane) {
+        const float speed = approachOf(work, block, 0, lane);
+        if (speed > -kNoApproach) return;
+        approached = true;
+        const float bounciness = speed < -slowest ? bounce.bounciness[lane] : 0.0f;
+        const float impulse = -(1.0f + bounciness) * block.points[0].mass[lane] * speed;
+        block.points[0].impulse[lane] += impulse;
+        pushApart(work, block, 0, lane, impulse);
+    });
     return approached;
 }
 
@@ -138,26 +133,22 @@ void part(Workspace& work, const Block& block, int lane, float depth) {
 /// @return true if there were any
 bool partInTurn(Workspace& work, float dt) {
     bool overlapped = false;
-    for (const ImpactPlace& impact : work.impacts) {
-        visit(work, impact, [&](const auto& block, const BounceBlock&, int lane) {
-            // Overlap from before the step is pushed out as usual: removed at once, it would add height.
-            const float start = std::max(block.points[0].separation[lane], 0.0f);
-            const float depth = -(start + approachIn(work, block, 0, lane, dt).displacement);
-            if (depth <= kTouchDistance) return;
-            overlapped = true;
-            part(work, block, lane, depth);
-        });
-    }
+    visitAll(work, [&](const auto& block, const BounceBlock&, int lane) {
+        // Overlap from before the step is pushed out as usual: removed at once, it would add height.
+        const float start = std::max(block.points[0].separation[lane], 0.0f);
+        const float depth = -(start + approachIn(work, block, 0, lane, dt).displacement);
+        if (depth <= kTouchDistance) return;
+        overlapped = true;
+        part(work, block, lane, depth);
+    });
     return overlapped;
 }
 
 /// An impact is not a load: marks its impulses (negative), so that the next step does not start with them.
 void markBlows(Workspace& work) {
-    for (const ImpactPlace& impact : work.impacts) {
-        visit(work, impact, [&](auto& block, const BounceBlock&, int lane) {
-            block.points[0].impulse[lane] = -block.points[0].impulse[lane];
-        });
-    }
+    visitAll(work, [&](auto& block, const BounceBlock&, int lane) {
+        block.points[0].impulse[lane] = -block.points[0].impulse[lane];
+    });
 }
 
 }  // namespace
@@ -166,8 +157,8 @@ void runImpactsOn(StepContext& step, const SolveGroup& group) {
     Workspace& work = step.work;
     work.impacts.clear();
     for (const ColourBlocks& colour : group.colours) {
-        gather(work.bounces, work.contactLanes, colour.contactBegin, colour.contactEnd, false, work.impacts);
-        gather(work.fixedBounces, work.fixedLanes, colour.fixedBegin, colour.fixedEnd, true, work.impacts);
+        gather(work.two, colour.contacts.two, work.impacts);
+        gather(work.fixed, colour.contacts.fixed, work.impacts);
     }
     if (work.impacts.size() < 2) return;
     keepChains(work);

@@ -43,67 +43,35 @@ inline void noteLack(CarryLanes& lanes, const Carry8& carry) {
     store(lanes.turnB, carry.turnB - load(lanes.turnB));
 }
 
-inline Float8 totalOf(const RowLanes& rows) {
-    return (load(rows.holdImpulse) + load(rows.motorImpulse)) +
-           (load(rows.lowerImpulse) - load(rows.upperImpulse));
-}
 inline Carry8 carryOf(const SlideLine8& line, Float8 size) {
     return {size * line.axis, size * line.leverA, size * line.leverB};
 }
 
-// Rods.
-
+/// A rod at the current poses: its line, and its length.
 struct Rod8 {
-    SlideLine8 line;
-    Float8 length;
+    SlideLine8 along;
+    Float8 value;
 };
 
-inline Rod8 rodAt(Couple8& couple, const Anchors8& at) {
+inline Rod8 placeOf(Couple8& couple, const RodBlock& block) {
+    const Anchors8 at = anchorsAt(block.anchors, couple);
     const Float8 length = sqrt(dot8(at.apart, at.apart));
     const Two8 axis = inverseOrZero(length) * at.apart;
     return {{couple, axis, cross8(at.armA, axis), cross8(at.armB, axis)}, length};
 }
 
-template <bool kOneSided>
-void warmStartJoints(const SolverBodies& bodies, const JointPass&, const JointLanes* lanes, RodBlock* blocks,
-                   int begin, int end) {
-    for (int n = begin; n < end; ++n) {
-        Couple8 couple = coupleOf(bodies, blocks[n].bodies);
-        warmStartRows(blocks[n].along, rodAt(couple, anchorsAt(blocks[n].anchors, couple)).line);
-        write<kOneSided>(bodies, blocks[n].bodies, couple, lanes[n].count);
-    }
+inline Carry8 carryOf(const Rod8& rod, const RodBlock& block) {
+    return carryOf(rod.along, totalOf(block.along));
 }
 
-template <bool kPush, bool kOneSided>
-void answerJoints(const SolverBodies& bodies, const JointPass& pass, const JointLanes* lanes,
-                  RodBlock* blocks, int begin, int end) {
-    for (int n = begin; n < end; ++n) {
-        RodBlock& block = blocks[n];
-        Couple8 couple = coupleOf(bodies, block.bodies);
-        const Rod8 rod = rodAt(couple, anchorsAt(block.anchors, couple));
-        const SlideLine8& line = rod.line;
-        if constexpr (kPush) {
-            if (pass.first) makeUp(couple, block.carry);
-            store(block.along.value, rod.length);
-        } else if (pass.first) {
-            noteLack(block.carry, carryOf(line, totalOf(block.along)));
-        }
-        answerRows<kPush>(block.along, pass, load(block.along.value), inverseOrZero(line.inverseMass()),
-                          line);
-        if constexpr (kPush) note(block.carry, carryOf(line, totalOf(block.along)));
-        write<kOneSided>(bodies, block.bodies, couple, lanes[n].count);
-    }
-}
-
-// Sliders.
-
+/// A slider at the current poses.
 struct Slider8 {
     SlideLine8 along, across;
-    Float8 displacement;  // of B's anchor along the axis,
-    Float8 offWay;        // and across it
+    Float8 value;   // displacement of B's anchor along the axis,
+    Float8 offWay;  // and across it
 };
 
-inline Slider8 sliderAt(Couple8& couple, const SliderBlock& block) {
+inline Slider8 placeOf(Couple8& couple, const SliderBlock& block) {
     const Anchors8 at = anchorsAt(block.anchors, couple);
     const Two8 start = load2(block.axisX, block.axisY);
     const Two8 axis = start + changeOf(start, couple.shiftA);
@@ -119,19 +87,6 @@ inline Carry8 carryOf(const Slider8& slider, const SliderBlock& block) {
     Carry8 carry = carryOf(slider.along, totalOf(block.along));
     carry.add(slider.across, load(block.acrossImpulse));
     return carry;
-}
-
-template <bool kOneSided>
-void warmStartJoints(const SolverBodies& bodies, const JointPass&, const JointLanes* lanes,
-                      SliderBlock* blocks, int begin, int end) {
-    for (int n = begin; n < end; ++n) {
-        SliderBlock& block = blocks[n];
-        Couple8 couple = coupleOf(bodies, block.bodies);
-        const Carry8 carry = carryOf(sliderAt(couple, block), block);
-        couple.push(carry.impulse, carry.turnA, carry.turnB);
-        couple.turn(load(block.angleImpulse) + load(block.spinImpulse));
-        write<kOneSided>(bodies, block.bodies, couple, lanes[n].count);
-    }
 }
 
 inline void spin(SliderBlock& block, Couple8& couple) {
@@ -170,24 +125,42 @@ inline void keepOnWay(SliderBlock& block, Couple8& couple, const Slider8& slider
     couple.turn(angleChange);
 }
 
-template <bool kPush, bool kOneSided>
-void answerJoints(const SolverBodies& bodies, const JointPass& pass, const JointLanes* lanes,
-                   SliderBlock* blocks, int begin, int end) {
+template <class Block>
+concept ActsAlong = requires { Block::kSlides; };
+
+template <bool kOneSided, ActsAlong Block>
+void warmStartJoints(const SolverBodies& bodies, const JointPass&, const JointLanes* lanes, Block* blocks,
+                     int begin, int end) {
     for (int n = begin; n < end; ++n) {
-        SliderBlock& block = blocks[n];
+        const Block& block = blocks[n];
         Couple8 couple = coupleOf(bodies, block.bodies);
-        const Slider8 slider = sliderAt(couple, block);
+        const Carry8 carry = carryOf(placeOf(couple, block), block);
+        couple.push(carry.impulse, carry.turnA, carry.turnB);
+        if constexpr (Block::kSlides) couple.turn(load(block.angleImpulse) + load(block.spinImpulse));
+        write<kOneSided>(bodies, block.bodies, couple, lanes[n].count);
+    }
+}
+
+template <bool kPush, bool kOneSided, ActsAlong Block>
+void answerJoints(const SolverBodies& bodies, const JointPass& pass, const JointLanes* lanes, Block* blocks,
+                  int begin, int end) {
+    for (int n = begin; n < end; ++n) {
+        Block& block = blocks[n];
+        Couple8 couple = coupleOf(bodies, block.bodies);
+        const auto place = placeOf(couple, block);
         if constexpr (kPush) {
             if (pass.first) makeUp(couple, block.carry);
-            store(block.along.value, slider.displacement);
+            store(block.along.value, place.value);
         } else if (pass.first) {
-            noteLack(block.carry, carryOf(slider, block));
+            noteLack(block.carry, carryOf(place, block));
         }
-        answerRows<kPush>(block.along, pass, load(block.along.value),
-                          inverseOrZero(slider.along.inverseMass()), slider.along);
-        if (block.spins != 0) spin(block, couple);
-        keepOnWay(block, couple, slider, pass, kPush ? pass.rigid : kRelaxed);
-        if constexpr (kPush) note(block.carry, carryOf(slider, block));
+        answerRows<kPush>(block.along, pass, load(block.along.value), inverseOrZero(place.along.inverseMass()),
+                          place.along);
+        if constexpr (Block::kSlides) {
+            if (block.spins != 0) spin(block, couple);
+            keepOnWay(block, couple, place, pass, kPush ? pass.rigid : kRelaxed);
+        }
+        if constexpr (kPush) note(block.carry, carryOf(place, block));
         write<kOneSided>(bodies, block.bodies, couple, lanes[n].count);
     }
 }

@@ -1,7 +1,7 @@
-#include "physics/solver/step_impulses.hpp"
-
-#include <algorithm>
 #include <cmath>
+
+#include "physics/solver/contact_extras.hpp"
+#include "physics/solver/passes.hpp"
 
 namespace plumb::physics {
 
@@ -13,9 +13,9 @@ float impulseOf(const ImpulseSum& sum) {
 
 template <class Block>
 void startBlocks(StepContext& step, const std::vector<Block>& blocks, const std::vector<BlockLanes>& lanes,
-                 std::int32_t begin, std::int32_t end) {
+                 BlockRange range) {
     Workspace& work = step.work;
-    for (auto n = static_cast<std::size_t>(begin); n < static_cast<std::size_t>(end); ++n) {
+    for (auto n = static_cast<std::size_t>(range.begin); n < static_cast<std::size_t>(range.end); ++n) {
         for (std::size_t i = 0; i < static_cast<std::size_t>(lanes[n].count); ++i) {
             const std::int32_t contact = lanes[n].contact[i];
             const std::uint16_t key = work.contactKeys[static_cast<std::size_t>(contact)];
@@ -24,15 +24,6 @@ void startBlocks(StepContext& step, const std::vector<Block>& blocks, const std:
                 Block::kPoints == 2 ? &blocks[n].points[Block::kPoints - 1].impulse[i] : nullptr;
             work.impulseSums.push_back({{&blocks[n].points[0].impulse[i], second}, 0.0f, contact});
         }
-    }
-}
-
-template <class Two, class Fixed>
-void startGroup(StepContext& step, const SolveGroup& group, const std::vector<Two>& two,
-                const std::vector<Fixed>& fixed) {
-    for (const ColourBlocks& colour : group.colours) {
-        startBlocks(step, two, step.work.contactLanes, colour.contactBegin, colour.contactEnd);
-        startBlocks(step, fixed, step.work.fixedLanes, colour.fixedBegin, colour.fixedEnd);
     }
 }
 
@@ -50,11 +41,10 @@ void startImpulseSums(StepContext& step, const SolveGroup& group) {
     Workspace& work = step.work;
     work.impulseSums.clear();
     if (work.stepImpulses.empty()) return;
-    if (group.withoutRotation) {
-        startGroup(step, group, work.blocksWithoutRotation, work.fixedBlocksWithoutRotation);
-    } else {
-        startGroup(step, group, work.contactBlocks, work.fixedBlocks);
-    }
+    forStores(work, group.contacts(), [&](const auto& store, BlockRange range) {
+        group.withoutRotation ? startBlocks(step, store.blocksWithoutRotation, store.lanes, range)
+                              : startBlocks(step, store.blocks, store.lanes, range);
+    });
 }
 
 void addImpulses(Workspace& work) {

@@ -39,12 +39,10 @@ void place(Strips& strips, const std::vector<PositionSums>& pieces, double count
 void assign(StepContext& step) {
     const World& world = step.world;
     Strips& strips = step.work.strips;
-    const int count = static_cast<int>(world.awake.size());
-    strips.sums.assign(static_cast<std::size_t>(piecesOf(count, kGrain)), {});
     strips.ofBody.resize(world.bodies.size());
-    forPieces(step, count, kGrain, [&](int begin, int end, int piece) {
+    const auto take = [&](std::size_t begin, std::size_t end, PositionSums& sums) {
         PositionSums own;
-        for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i) {
+        for (std::size_t i = begin; i < end; ++i) {
             const std::uint32_t body = world.awake[i];
             const WorldPosition& centre = world.bodies.pose[body].centre;
             const double at[] = {double{centre.x}, double{centre.y}};
@@ -54,9 +52,10 @@ void assign(StepContext& step) {
                 own.squares[axis] += at[axis] * at[axis];
             }
         }
-        strips.sums[static_cast<std::size_t>(piece)] = own;
-    });
-    place(strips, strips.sums, static_cast<double>(count));
+        sums = own;
+    };
+    forPieces(step.pool, world.awake.size(), kGrain, strips.sums, take);
+    place(strips, strips.sums, static_cast<double>(world.awake.size()));
 }
 
 /// Counting sort of a group's bodies.

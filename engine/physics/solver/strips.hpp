@@ -12,6 +12,8 @@ struct StepContext;
 struct PositionSums {
     double sum[2] = {};      ///< m
     double squares[2] = {};  ///< m2
+
+    void clear() { *this = {}; }
 };
 
 /// Divides the world into strips with about as many bodies each. Bodies and contacts of a strip are next to

@@ -12,19 +12,15 @@ namespace plumb::physics {
 
 namespace {
 
-bool hasNBodyConstraint(const FieldDefinition& field) {
-    return field.kind == FieldKind::Spring || (field.kind == FieldKind::Attractor && field.a);
-}
-
 /// Fields of bodies that are gone go as well.
 void dropOrphans(World& world) {
     for (std::uint32_t i = 0; i < world.fields.all.size(); ++i) {
         const Field& field = world.fields.all[i];
         const FieldDefinition& d = field.definition;
-        if (!field.isAlive || !hasNBodyConstraint(d)) continue;
-        if (!alive(world, d.a) || (d.kind == FieldKind::Spring && d.b && !alive(world, d.b))) {
+        const bool isSpring = d.kind == FieldKind::Spring;
+        if (!field.isAlive || !(isSpring || (d.kind == FieldKind::Attractor && d.a))) continue;
+        if (!alive(world, d.a) || (isSpring && d.b && !alive(world, d.b)))
             destroyField(world, {i, field.generation});
-        }
     }
 }
 

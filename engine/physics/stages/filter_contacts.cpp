@@ -1,6 +1,5 @@
 #include <algorithm>
 
-#include "physics/contacts/chain_events.hpp"
 #include "physics/contacts/contacts.hpp"
 #include "physics/effects/one_way.hpp"
 #include "physics/ranges.hpp"
@@ -10,7 +9,7 @@ namespace plumb::physics {
 
 namespace {
 
-/// Whether it lets through is decided when a contact begins, and kept until it ends: who is half through
+/// Whether it lets through is decided when a contact begins, and kept until it ends: what is half through
 /// must not be caught.
 void decideOneWay(StepContext& step, Contact& contact) {
     World& world = step.world;

@@ -13,25 +13,18 @@ namespace {
 
 constexpr int kGrain = 128;
 
-/// Forgets those that went away meanwhile.
-void dropGone(World& world) {
-    std::erase_if(world.moved,
-                  [&](std::uint32_t shape) { return world.shapes.motion[shape] == ProxyMotion::Gone; });
-}
-
 void search(StepContext& step) {
     World& world = step.world;
     Workspace& work = step.work;
     for (const std::uint32_t shape : world.moved) work.isMoved[shape] = 1;
-    const int count = static_cast<int>(world.moved.size());
     work.broadPhase->arrange(world.moved);
     const std::span<const std::uint32_t> moved{world.moved};
-    collect(step, count, kGrain, work.foundPairs, work.newPairs,
+    collect(step, moved.size(), kGrain, work.foundPairs, work.newPairs,
             [&](std::size_t begin, std::size_t end, std::vector<PairKey>& found) {
                 work.broadPhase->findPairs(moved.subspan(begin, end - begin), work.isMoved, found);
                 std::erase_if(found, [&](PairKey key) { return work.pairs.has(key); });
             });
-    // Whoever found a pair first: contacts are made in an order of their own.
+    // Contacts are made in an order that does not depend on which thread found a pair first.
     std::sort(work.newPairs.begin(), work.newPairs.end());
     for (const std::uint32_t shape : world.moved) {
         work.isMoved[shape] = 0;
@@ -40,31 +33,18 @@ void search(StepContext& step) {
     world.moved.clear();
 }
 
-bool refused(World& world, const ContactHooks& hooks, std::uint32_t a, std::uint32_t b) {
-    return hooks.filter != nullptr && !ask(world, [&] {
-               return hooks.filter(hooks.context, world, {a, world.shapes.info[a].generation},
-                                   {b, world.shapes.info[b].generation});
-           });
-}
-
-void makeContacts(World& world, Workspace& work, const ContactHooks& hooks) {
-    for (const PairKey key : work.newPairs) {
+void makeContacts(StepContext& step) {
+    World& world = step.world;
+    for (const PairKey key : step.work.newPairs) {
         const auto a = static_cast<std::uint32_t>(key >> 32), b = static_cast<std::uint32_t>(key);
         const std::uint32_t bodyA = world.shapes.info[a].body, bodyB = world.shapes.info[b].body;
         const bool joined =
             world.bodies.info[bodyA].firstJoint != kNone && world.bodies.info[bodyB].firstJoint != kNone;
         if (joined && keptApart(world, bodyA, bodyB)) continue;
-        if (!comesTo(world, a, b) || refused(world, hooks, a, b)) continue;
-        work.pairs.add(key);
+        if (!comesTo(world, a, b) || !mayMeet(step, a, b)) continue;
+        step.work.pairs.add(key);
         world.contacts.push_back(makeContact(world, a, b));
     }
-}
-
-/// For all that there is, so that a steady step allocates nothing.
-void makeRoomOnPaths(const World& world, Workspace& work) {
-    work.candidates.reserve(world.shapes.info.capacity());
-    work.passedBodies.reserve(world.bodies.info.capacity());
-    work.fastBodies.reserve(world.bodies.info.capacity());
 }
 
 /// What a fast kinematic body may pass in this step has to be awake: a pair that is found when their bounds
@@ -99,15 +79,21 @@ void findPairs(StepContext& step) {
         endAltered(step);
         updateBroadPhase(step.world, step.work);  // of what that woke
     }
-    if (step.runs(Effect::Kinematics)) makeRoomOnPaths(step.world, step.work);
+    if (step.runs(
+            Effect::Kinematics)) {  // room for all that there is, so that a steady step allocates nothing
+        step.work.candidates.reserve(step.world.shapes.info.capacity());
+        step.work.passedBodies.reserve(step.world.bodies.info.capacity());
+        step.work.fastBodies.reserve(step.world.bodies.info.capacity());
+    }
     if (step.runs(Effect::Kinematics) && step.runs(Effect::Sleep)) {
         wakeOnPaths(step.world, step.work, step.dt);
         updateBroadPhase(step.world, step.work);
     }
-    dropGone(step.world);
+    const Shapes& shapes = step.world.shapes;
+    std::erase_if(step.world.moved, [&](std::uint32_t s) { return shapes.motion[s] == ProxyMotion::Gone; });
     if (step.world.moved.empty()) return;
     search(step);
-    makeContacts(step.world, step.work, step.hooks);
+    makeContacts(step);
 }
 
 }  // namespace plumb::physics

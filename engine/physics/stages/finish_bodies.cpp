@@ -1,8 +1,8 @@
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 
 #include "physics/model/bounds.hpp"
+#include "physics/model/edits.hpp"
 #include "physics/narrowphase/sweep.hpp"
 #include "physics/ranges.hpp"
 #include "physics/shapes/shape_types.hpp"
@@ -14,14 +14,6 @@ namespace plumb::physics {
 namespace {
 
 constexpr int kGrain = 256;
-
-/// What one piece of work found.
-struct Findings {
-    std::vector<std::uint32_t>& left;  // shapes that left their bounds
-    std::vector<std::uint32_t>& fast;
-    std::vector<std::uint32_t>& broken;
-    bool sleepy = false;
-};
 
 /// Only of what is not finite no part is nothing.
 bool isFinite(const Float4& a) { return 0.0f * a.x + 0.0f * a.y + 0.0f * a.z == 0.0f; }
@@ -71,15 +63,15 @@ AABB tightBounds(const Shapes& shapes, std::uint32_t shape, const Frame& frame) 
     return {centre - outline.b, centre + outline.b};
 }
 
-void updateShapes(World& world, std::uint32_t body, Findings& found) {
+void updateShapes(World& world, std::uint32_t body, std::vector<std::uint32_t>& left) {
     const Frame frame = frameOf(world.bodies.pose[body]);
     Shapes& shapes = world.shapes;
-    for (std::uint32_t s = world.bodies.info[body].firstShape; s != kNone; s = shapes.info[s].next) {
+    forShapesOf(world, body, [&](std::uint32_t s) {
         const AABB tight = tightBounds(shapes, s, frame);
-        if (inside(shapes.bounds[s], tight)) continue;
+        if (inside(shapes.bounds[s], tight)) return;
         shapes.bounds[s] = grown(tight, shapes.info[s].margin);
-        found.left.push_back(s);
-    }
+        left.push_back(s);
+    });
 }
 
 /// m: what the way of a body that slides or rolls under a steady force is too long by. A substep moves by the
@@ -124,7 +116,7 @@ bool takeAlong(StepContext& step, std::size_t slot, std::uint32_t body) {
     return true;
 }
 
-void finish(StepContext& step, std::size_t slot, std::uint32_t body, Findings& found) {
+void finish(StepContext& step, std::size_t slot, std::uint32_t body, BodyFindings& found) {
     World& world = step.world;
     BodyInfo& info = world.bodies.info[body];
     if (!takeAlong(step, slot, body)) {
@@ -148,15 +140,7 @@ void finish(StepContext& step, std::size_t slot, std::uint32_t body, Findings& f
                              ? isFast({deltaPosition.x, deltaPosition.y}, deltaPosition.z, info)
                              : moved;
     if (isSwept && world.settings.continuous) found.fast.push_back(body);
-    updateShapes(world, body, found);
-}
-
-void makeRoom(Workspace& work, std::size_t pieces) {
-    for (std::vector<std::vector<std::uint32_t>>* lists :
-         {&work.leftShapes, &work.fastOfPiece, &work.brokenOfPiece}) {
-        if (lists->size() < pieces) lists->resize(pieces);
-        for (std::vector<std::uint32_t>& list : *lists) list.clear();
-    }
+    updateShapes(world, body, found.left);
 }
 
 }  // namespace
@@ -164,27 +148,23 @@ void makeRoom(Workspace& work, std::size_t pieces) {
 void finishBodies(StepContext& step) {
     World& world = step.world;
     Workspace& work = step.work;
-    const int count = static_cast<int>(world.awake.size());
-    makeRoom(work, static_cast<std::size_t>(std::max(1, piecesOf(count, kGrain))));
-    std::atomic<bool> sleepy{false};
-    forPieces(step, count, kGrain, [&](int begin, int end, int piece) {
-        const auto p = static_cast<std::size_t>(piece);
-        Findings found{work.leftShapes[p], work.fastOfPiece[p], work.brokenOfPiece[p]};
-        for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i)
-            finish(step, static_cast<std::size_t>(work.slots[world.awake[i]]), world.awake[i], found);
-        if (found.sleepy) sleepy.store(true, std::memory_order_relaxed);
-    });
-    work.sleepy = sleepy.load();
+    forPieces(step.pool, world.awake.size(), kGrain, work.bodyFindings,
+              [&](std::size_t begin, std::size_t end, BodyFindings& found) {
+                  for (std::size_t i = begin; i < end; ++i)
+                      finish(step, static_cast<std::size_t>(work.slots[world.awake[i]]), world.awake[i],
+                             found);
+              });
+    work.sleepy = false;
     work.fastBodies.clear();
-    for (std::size_t p = 0; p < work.leftShapes.size(); ++p) {
-        for (const std::uint32_t shape : work.leftShapes[p]) {
+    for (const BodyFindings& found : work.bodyFindings) {
+        for (const std::uint32_t shape : found.left) {
             noteChanged(world, shape);
             noteMoved(world, shape);
         }
-        work.fastBodies.insert(work.fastBodies.end(), work.fastOfPiece[p].begin(), work.fastOfPiece[p].end());
-        for (const std::uint32_t body : work.brokenOfPiece[p]) {
+        work.sleepy = work.sleepy || found.sleepy;
+        work.fastBodies.insert(work.fastBodies.end(), found.fast.begin(), found.fast.end());
+        for (const std::uint32_t body : found.broken)
             world.quarantined.push_back({body, world.bodies.info[body].generation});
-        }
     }
 }
 

@@ -1,11 +1,9 @@
-#include <algorithm>
-
 #include "physics/effects/drag.hpp"
 #include "physics/islands/quality.hpp"
 #include "physics/islands/sleeping.hpp"
 #include "physics/solver/strips.hpp"
 #include "physics/stages.hpp"
-#include "physics/trees/joint_tree_builder.hpp"
+#include "physics/trees/joint_tree_solver.hpp"
 
 namespace plumb::physics {
 
@@ -105,16 +103,11 @@ void gatherBodies(StepContext& step) {
     for (const SolveGroup& group : work.groups) {
         const float h = step.dt / static_cast<float>(group.substeps);
         const auto begin = static_cast<std::size_t>(group.begin);
-        forPieces(step, group.end - group.begin, kGrain, [&](int first, int last, int) {
-            for (int i = first; i < last; ++i) {
-                const std::size_t slot = begin + static_cast<std::size_t>(i);
-                if (i >= group.bodies) {
-                    clearSlot(work, slot);
-                    continue;
-                }
-                gatherBody(world, work, gravity, order[i], slot, h);
-                if (!work.keep.empty()) applyDrag(world, work, order[i], slot, h);
-            }
+        const auto bodies = static_cast<std::size_t>(group.bodies);
+        forEach(step.pool, static_cast<std::size_t>(group.end) - begin, kGrain, [&](std::size_t i) {
+            if (i >= bodies) return clearSlot(work, begin + i);
+            gatherBody(world, work, gravity, order[i], begin + i, h);
+            if (!work.keep.empty()) applyDrag(world, work, order[i], begin + i, h);
         });
         order += group.bodies;
     }

@@ -48,11 +48,6 @@ void evaluate(const Flight& flight, int which, float elapsed) {
     }
 }
 
-Rot turnedBy(const World& world, const Flyer& flyer, float angle) {
-    const Rot start = world.bodies.pose[flyer.body].rotation;
-    return angle == 0.0f ? start : normalized(rotFromAngle(angle) * start);
-}
-
 Acceleration operator*(float s, const Acceleration& a) { return {s * a.linear, s * a.angular}; }
 Acceleration operator+(Acceleration a, const Acceleration& b) { return a += b; }
 Acceleration operator-(const Acceleration& a, const Acceleration& b) {
@@ -64,8 +59,10 @@ Acceleration velocityOf(const BodyState& state) { return {state.velocity, state.
 /// Sets the trial state: `now`, advanced by a displacement and a change of velocity.
 void tryOut(const Flight& flight, Flyer& flyer, const Acceleration& displacement,
             const Acceleration& gained) {
+    const Rot start = flight.world.bodies.pose[flyer.body].rotation;
+    const float angle = flyer.turned + displacement.angular;
     flyer.trial.centre = flyer.now.centre + displacement.linear;
-    flyer.trial.rotation = turnedBy(flight.world, flyer, flyer.turned + displacement.angular);
+    flyer.trial.rotation = angle == 0.0f ? start : normalized(rotFromAngle(angle) * start);
     flyer.trial.velocity = flyer.now.velocity + gained.linear;
     flyer.trial.angularVelocity = flyer.now.angularVelocity + gained.angular;
 }

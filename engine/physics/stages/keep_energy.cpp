@@ -1,9 +1,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "physics/islands/quality.hpp"
 #include "physics/islands/sleeping.hpp"
-#include "physics/islands/substep_estimate.hpp"
-#include "physics/joints/joint_types.hpp"
 #include "physics/measure/constraint_errors.hpp"
 #include "physics/solver/joint_lanes.hpp"
 #include "physics/solver/passes.hpp"
@@ -16,13 +15,9 @@ namespace {
 
 constexpr int kGrain = 256;
 
-bool isPushed(const World& world, std::uint32_t body) {
-    return world.bodies.info[body].kind == BodyKind::Dynamic;
-}
-
 bool moves(const World& world, std::uint32_t body) {
     const BodyMotion& motion = world.bodies.motion[body];
-    return !isPushed(world, body) && (motion.velocity != Vec2{} || motion.angularVelocity != 0.0f);
+    return !isDynamic(world, body) && (motion.velocity != Vec2{} || motion.angularVelocity != 0.0f);
 }
 
 /// True for joints that store energy or give some. A motor of speed 0 is a brake.
@@ -33,7 +28,7 @@ bool isPowered(const Joint& joint, const JointDefinition& definition) {
 }
 
 EnergyAccount& accountOf(const World& world, Workspace& work, std::uint32_t a, std::uint32_t b) {
-    return work.accounts[work.roots[isPushed(world, b) ? b : a]];
+    return work.accounts[work.roots[isDynamic(world, b) ? b : a]];
 }
 
 float energyOf(const BodyMass& mass, Vec2 velocity, float spin) {
@@ -103,7 +98,7 @@ void findGainers(StepContext& step) {
 void open(Workspace& work, std::uint32_t root, bool isJointed) {
     EnergyAccount& account = work.accounts[root];
     if (account.isOpen) return;
-    account = {.isOpen = true, .isJointed = isJointed, .isLively = isJointed};
+    account = {{.isLively = isJointed}, true, isJointed};
     work.openAccounts.push_back(root);
 }
 
@@ -113,15 +108,10 @@ void openAccounts(const World& world, Workspace& work) {
     for (const std::uint32_t j : world.joints.awake) {
         const Joint& joint = world.joints.hot[j];
         for (const std::uint32_t body : {joint.bodyA, joint.bodyB}) {
-            if (isPushed(world, body)) open(work, work.roots[body], true);
+            if (isDynamic(world, body)) open(work, work.roots[body], true);
         }
     }
     for (const std::uint32_t body : work.gainers) open(work, work.roots[body], false);
-}
-
-void closeAccounts(Workspace& work) {
-    for (const std::uint32_t root : work.openAccounts) work.accounts[root].isOpen = false;
-    work.openAccounts.clear();
 }
 
 /// Few joints are powered or hold to what cannot be pushed: only for these is the island looked up.
@@ -132,55 +122,45 @@ void noteJoints(StepContext& step) {
     const auto powered = [&](std::uint32_t j) {
         return isPowered(world.joints.hot[j], world.joints.definition[j]);
     };
-    collectIf(step, awake.size(), work.pieceFound, [&](std::size_t i) {
+    const auto matters = [&](std::size_t i) {
         return world.joints.hot[awake[i]].colour >= kFirstFixedColour || powered(awake[i]);
-    });
-    for (const std::uint32_t i : work.pieceFound) {
+    };
+    forThose(step, awake.size(), matters, [&](std::uint32_t i) {
         const std::uint32_t j = awake[i];
         Joint& joint = world.joints.hot[j];
         EnergyAccount& account = accountOf(world, work, joint.bodyA, joint.bodyB);
         account.isDriven |= powered(j) || moves(world, joint.bodyA) || moves(world, joint.bodyB);
-        account.isRooted |= !isPushed(world, joint.bodyA) || !isPushed(world, joint.bodyB);
+        account.isRooted |= !isDynamic(world, joint.bodyA) || !isDynamic(world, joint.bodyB);
         if ((joint.flags & kDefinitionChanged) != 0 && openingOf(world, j) <= world.settings.slop)
             joint.flags = static_cast<std::uint8_t>(joint.flags & ~kDefinitionChanged);
-    }
+    });
 }
 
 bool hasDrivers(const StepContext& step) {
     return step.runs(Effect::Kinematics) || step.runs(Effect::Conveyor);
 }
 
-/// Whoever touches what its owner moves gets energy from there, and momentum from all that cannot be pushed.
+/// What touches a body that its owner moves gets energy from it, and momentum from all that cannot be pushed.
 void noteHolders(StepContext& step) {
     const World& world = step.world;
     Workspace& work = step.work;
     const auto drives = [&](const Contact& contact) {
         return hasDrivers(step) && (contact.surfaceSpeed != 0.0f || moves(world, contact.bodyA));
     };
-    const auto note = [&](const std::vector<BlockLanes>& lanes, std::int32_t blocks, bool fixed) {
-        collect(step, blocks, kGrain / kLanes, work.pieceLists, work.pieceFound,
-                [&](std::size_t begin, std::size_t end, std::vector<std::uint32_t>& found) {
-                    for (std::size_t n = begin; n < end; ++n) {
-                        for (std::int32_t i = 0; i < lanes[n].count; ++i) {
-                            const auto number = static_cast<std::uint32_t>(lanes[n].contact[i]);
-                            const Contact& contact = world.contacts[number];
-                            const EnergyAccount& account =
-                                accountOf(world, work, contact.bodyA, contact.bodyB);
-                            if ((fixed && !account.isRooted) || (!account.isDriven && drives(contact)))
-                                found.push_back(number);
-                        }
-                    }
-                });
-        for (const std::uint32_t number : work.pieceFound) {
-            const Contact& contact = world.contacts[number];
-            EnergyAccount& account = accountOf(world, work, contact.bodyA, contact.bodyB);
-            account.isRooted |= fixed;
-            account.isDriven |= drives(contact);
-        }
+    const auto isFixed = [&](std::size_t i) { return (work.contactKeys[i] & kKeyFixed) != 0; };
+    const auto accountAt = [&](std::size_t i) -> EnergyAccount& {
+        return accountOf(world, work, world.contacts[i].bodyA, world.contacts[i].bodyB);
     };
-    const auto [blocks, fixedBlocks] = blocksWithRotation(work);
-    note(work.fixedLanes, fixedBlocks, true);
-    if (step.runs(Effect::Conveyor)) note(work.contactLanes, blocks, false);
+    const bool conveys = step.runs(Effect::Conveyor);
+    const auto matters = [&](std::size_t i) {
+        if (!(conveys || isFixed(i)) || !pushes(work.contactKeys[i])) return false;
+        const EnergyAccount& account = accountAt(i);
+        return (isFixed(i) && !account.isRooted) || (!account.isDriven && drives(world.contacts[i]));
+    };
+    forThose(step, work.contactKeys.size(), matters, [&](std::uint32_t i) {
+        accountAt(i).isRooted |= isFixed(i);
+        accountAt(i).isDriven |= drives(world.contacts[i]);
+    });
 }
 
 /// What soft bodies push gets energy from them.
@@ -190,44 +170,44 @@ void noteSoft(const StepContext& step) {
         step.work.accounts[step.work.roots[root]].isDriven = true;
 }
 
-/// Where nobody turns and nothing bounces nothing could give energy, and who is solved without either
-/// (solvePlain) has no account.
+/// Where nothing rotates or bounces nothing could give energy. Islands without rotation have no account.
 void noteBounces(StepContext& step) {
     if (!step.runs(Effect::Restitution)) return;
     const World& world = step.world;
     Workspace& work = step.work;
-    collectIf(step, work.contactKeys.size(), work.pieceFound, [&](std::size_t i) {
-        return (work.contactKeys[i] & kKeyColour) != kKeyIdle && world.contacts[i].bounciness != 0.0f;
-    });
-    for (const std::uint32_t i : work.pieceFound)
+    const auto bounces = [&](std::size_t i) {
+        return pushes(work.contactKeys[i]) && world.contacts[i].bounciness != 0.0f;
+    };
+    forThose(step, work.contactKeys.size(), bounces, [&](std::uint32_t i) {
         accountOf(world, work, world.contacts[i].bodyA, world.contacts[i].bodyB).isLively = true;
+    });
 }
 
-EnergyBooking bookingOf(const World& world, const Workspace& work, std::uint32_t body) {
+EnergySums sumsOf(const World& world, const Workspace& work, std::uint32_t body) {
     const auto slot = static_cast<std::size_t>(work.slots[body]);
     const Float4 &velocity = work.velocity[slot], &deltaPosition = work.deltaPosition[slot];
     const BodyMass& mass = world.bodies.mass[body];
-    EnergyBooking booking;
-    booking.energy = energyOf(mass, {velocity.x, velocity.y}, velocity.z);
-    booking.work = workOn(mass, work, slot);
-    booking.gain = booking.energy - energyBefore(world, body) - booking.work;
-    booking.momentum = mass.mass * Vec2{velocity.x, velocity.y};
-    booking.mass = mass.mass;
-    booking.turns = mass.inverseInertia > 0.0f;
-    booking.displacement =
+    EnergySums sums;
+    sums.energy = energyOf(mass, {velocity.x, velocity.y}, velocity.z);
+    sums.work = workOn(mass, work, slot);
+    sums.gain = sums.energy - energyBefore(world, body) - sums.work;
+    sums.momentum = mass.mass * Vec2{velocity.x, velocity.y};
+    sums.mass = mass.mass;
+    sums.isLively = mass.inverseInertia > 0.0f;
+    sums.displacement =
         0.5f * mass.mass * (deltaPosition.x * deltaPosition.x + deltaPosition.y * deltaPosition.y);
-    return booking;
+    return sums;
 }
 
-void add(const EnergyBooking& booking, const EnergyShare& share, EnergyAccount& account) {
-    account.energy += booking.energy;
-    account.work += booking.work;
-    account.gain += booking.gain;
-    account.momentum += booking.momentum;
-    account.mass += booking.mass;
-    account.isLively |= booking.turns;
+void add(const EnergySums& body, const EnergyShare& share, EnergyAccount& account) {
+    account.energy += body.energy;
+    account.work += body.work;
+    account.gain += body.gain;
+    account.momentum += body.momentum;
+    account.mass += body.mass;
+    account.isLively |= body.isLively;
     if (!account.isJointed) return;
-    account.displacement += booking.displacement;
+    account.displacement += body.displacement;
     account.credit += share.credit;
     account.peak += share.peak;
 }
@@ -295,24 +275,14 @@ void findParts(EnergyAccount& account) {
     if (account.excess > 0.0f) account.keep = keptOf(account);
     if (account.isJointed && account.keep < kWhipped) account.part = partOf(account);
     if (account.part == 1.0f) return;
-    // Who does not fall as far gets less from it.
+    // What does not fall as far gets less energy from it.
     account.excess += (1.0f - account.part) * std::max(account.work, 0.0f);
     account.keep = keptOf(account);
 }
 
-void slowDown(Float4& velocity, const EnergyAccount& account) {
-    velocity.x = account.middle.x + account.keep * (velocity.x - account.middle.x);
-    velocity.y = account.middle.y + account.keep * (velocity.y - account.middle.y);
-    velocity.z *= account.keep;
-}
-
-/// The same of a way: of what whips, or heights would be reached that nothing paid for.
-void shorten(Float4& deltaPosition, const EnergyAccount& account, float dt) {
-    const Vec2 middle = dt * account.middle;
-    deltaPosition.x = middle.x + account.part * (deltaPosition.x - middle.x);
-    deltaPosition.y = middle.y + account.part * (deltaPosition.y - middle.y);
-    deltaPosition.z *= account.part;
-    deltaPosition.w *= account.part;
+void scaleAbout(Vec2 middle, float factor, Float4& row) {
+    row.x = middle.x + factor * (row.x - middle.x);
+    row.y = middle.y + factor * (row.y - middle.y);
 }
 
 /// A body of an island that went wild waits for a better step, at the speed that it had.
@@ -334,7 +304,7 @@ void forgetImpulses(World& world, Workspace& work) {
         std::fill(std::begin(joint.rows), std::end(joint.rows), 0.0f);
     }
     for (std::size_t i = 0; i < work.contactKeys.size(); ++i) {
-        if ((work.contactKeys[i] & kKeyColour) == kKeyIdle) continue;
+        if (!pushes(work.contactKeys[i])) continue;
         Contact& contact = world.contacts[i];
         if (!accountOf(world, work, contact.bodyA, contact.bodyB).isWild) continue;
         contact.impulse0 = contact.impulse1 = contact.frictionImpulse = contact.rollingImpulse = 0.0f;
@@ -342,7 +312,7 @@ void forgetImpulses(World& world, Workspace& work) {
     }
 }
 
-/// Everybody has a share of the island's account by mass, as islands fall apart and others come together.
+/// Each body has a share of the island's account by mass, as islands fall apart and others come together.
 void share(StepContext& step, std::uint32_t body, const EnergyAccount& account) {
     World& world = step.world;
     Workspace& work = step.work;
@@ -350,12 +320,19 @@ void share(StepContext& step, std::uint32_t body, const EnergyAccount& account) 
     const float part = world.bodies.mass[body].mass / account.mass;
     if (account.isJointed) world.bodies.energies[body] = {account.credit * part, account.peak * part};
     const auto slot = static_cast<std::size_t>(work.slots[body]);
-    if (account.keep < 1.0f) slowDown(work.velocity[slot], account);
-    if (account.part < 1.0f) shorten(work.deltaPosition[slot], account, step.dt);
+    if (account.keep < 1.0f) {
+        Float4& velocity = work.velocity[slot];
+        scaleAbout(account.middle, account.keep, velocity);
+        velocity.z *= account.keep;
+    }
+    if (account.part < 1.0f) {
+        // Of what whips: heights would be reached that nothing paid for.
+        Float4& deltaPosition = work.deltaPosition[slot];
+        scaleAbout(step.dt * account.middle, account.part, deltaPosition);
+        deltaPosition.z *= account.part;
+        deltaPosition.w *= account.part;
+    }
 }
-
-/// What is driven may gain any energy from its contacts.
-bool isLimited(const EnergyAccount& account) { return account.isJointed || !account.isDriven; }
 
 /// Lists the bodies of islands that have an account. A body without joints keeps no share of one.
 void findBooked(StepContext& step) {
@@ -369,7 +346,9 @@ void findBooked(StepContext& step) {
         const std::uint32_t body = world.awake[i];
         const bool rotates = static_cast<std::size_t>(work.slots[body]) < rotating;
         const EnergyAccount* account = rotates ? &work.accounts[work.roots[body]] : nullptr;
-        const bool isBooked = account != nullptr && account->isOpen && isLimited(*account);
+        // What is driven may gain any energy from its contacts.
+        const bool isBooked =
+            account != nullptr && account->isOpen && (account->isJointed || !account->isDriven);
         if (hasJoints && !(isBooked && account->isJointed)) shares[body] = {};
         return isBooked;
     });
@@ -382,51 +361,39 @@ void bookAll(StepContext& step) {
     Workspace& work = step.work;
     const auto all = work.bookedBodies.size();
     work.bookings.resize(step.isShared(static_cast<int>(all), kGrain) ? all : 0);
-    forPieces(step, static_cast<int>(work.bookings.size()), kGrain, [&](int begin, int end, int) {
-        for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i)
-            work.bookings[i] = bookingOf(world, work, work.bookedBodies[i]);
-    });
+    forEach(step.pool, work.bookings.size(), kGrain,
+            [&](std::size_t i) { work.bookings[i] = sumsOf(world, work, work.bookedBodies[i]); });
     for (std::size_t i = 0; i < all; ++i) {
         const std::uint32_t body = work.bookedBodies[i];
         EnergyAccount& account = work.accounts[work.roots[body]];
-        const EnergyBooking booking = work.bookings.empty() ? bookingOf(world, work, body) : work.bookings[i];
-        add(booking, account.isJointed ? world.bodies.energies[body] : EnergyShare{}, account);
+        const EnergySums sums = work.bookings.empty() ? sumsOf(world, work, body) : work.bookings[i];
+        add(sums, account.isJointed ? world.bodies.energies[body] : EnergyShare{}, account);
     }
-}
-
-/// The same with the accounts.
-template <class Act>
-void forAccounts(Workspace& work, Act&& act) {
-    for (const std::uint32_t root : work.openAccounts) act(work.accounts[root]);
-}
-
-void settle(StepContext& step, EnergyAccount& account) {
-    if (!account.isJointed) return settleContacts(account);
-    settleJoints(account, step.world.settings.pushSpeed, step.dt);
 }
 
 bool exceeds(const EnergyAccount& account) { return account.excess > 0.0f || account.part < 1.0f; }
 
 /// Finds what each island keeps of its speeds, where it has to give some up.
 void limit(World& world, Workspace& work) {
-    forAccounts(work, [](EnergyAccount& account) {
+    for (const std::uint32_t root : work.openAccounts) {
+        EnergyAccount& account = work.accounts[root];
         if (account.isDriven || !account.isLively) account.excess = 0.0f;
         if (!account.isRooted) account.middle = (1.0f / account.mass) * account.momentum;
-    });
+    }
     for (const std::uint32_t body : work.bookedBodies) {
         EnergyAccount& account = work.accounts[work.roots[body]];
         if (exceeds(account)) bookOwn(world, work, body, account);
     }
-    forAccounts(work, [](EnergyAccount& account) {
-        if (exceeds(account)) findParts(account);
-    });
+    for (const std::uint32_t root : work.openAccounts) {
+        if (exceeds(work.accounts[root])) findParts(work.accounts[root]);
+    }
 }
 
 }  // namespace
 
 // Joints do no work, and contacts only take energy. Solved by turns, in substeps that may be too long for
 // what whips or is squeezed, they seem to do some. So each island with joints has an account: what it gained
-// that nobody gave it is taken back, all speeds alike, but for what it lost a moment before. One without has
+// from no force is taken back, all speeds alike, but for what it lost a moment before. One without has
 // it for the step in which a body of it gained something. Source: the "energy tanks" of passive control, e.g.
 // B. Hannaford and J.-H. Ryu, "Time-Domain Passivity Control of Haptic Interfaces", IEEE Transactions on
 // Robotics and Automation 18, 2002.
@@ -446,24 +413,26 @@ void keepEnergy(StepContext& step) {
     findBooked(step);
     bookAll(step);
     bool wild = false, tooMuch = false;
-    forAccounts(work, [&](EnergyAccount& account) {
-        settle(step, account);
+    for (const std::uint32_t root : work.openAccounts) {
+        EnergyAccount& account = work.accounts[root];
+        account.isJointed ? settleJoints(account, world.settings.pushSpeed, step.dt)
+                          : settleContacts(account);
         wild |= account.isWild;
         tooMuch |= exceeds(account);
-    });
+    }
     if (tooMuch) {
         if (!asksFirst) noteHolders(step);
         noteBounces(step);
         limit(world, work);
     }
     if (hasJoints || tooMuch) {
-        forPieces(step, static_cast<int>(work.bookedBodies.size()), kGrain, [&](int begin, int end, int) {
-            for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i)
-                share(step, work.bookedBodies[i], work.accounts[work.roots[work.bookedBodies[i]]]);
+        forEach(step.pool, work.bookedBodies.size(), kGrain, [&](std::size_t i) {
+            share(step, work.bookedBodies[i], work.accounts[work.roots[work.bookedBodies[i]]]);
         });
     }
     if (wild) forgetImpulses(world, work);
-    closeAccounts(work);
+    for (const std::uint32_t root : work.openAccounts) work.accounts[root].isOpen = false;
+    work.openAccounts.clear();
 }
 
 }  // namespace plumb::physics

@@ -8,8 +8,7 @@ namespace plumb::physics {
 
 namespace {
 
-constexpr int kGrain = 32;          // blocks
-constexpr int kLayoutGrain = 2048;  // contacts: each piece counts all kinds
+constexpr int kGrain = 2048;  // contacts: each piece counts all kinds
 
 /// Keys of contacts without kKeyBegan: those of a group that are alike are solved together.
 constexpr std::size_t kKinds = kKeyColour + kKeyFixed + 1;
@@ -37,56 +36,52 @@ struct Cursors {
     }
 };
 
-void makeRoom(std::vector<BlockLanes>& lanes, const Cursors& cursors, std::size_t kind, int colour) {
-    const auto begin = static_cast<std::int32_t>(lanes.size()) * kLanes;
+BlockRange makeRoom(std::vector<BlockLanes>& lanes, const Cursors& cursors, std::size_t kind, int colour) {
+    const auto begin = static_cast<std::int32_t>(lanes.size());
     const int maximum = colour == kOverflow ? 1 : kLanes;
-    const std::int32_t contacts = cursors.giveRoom(kind, begin, kLanes / maximum);
+    const std::int32_t contacts = cursors.giveRoom(kind, begin * kLanes, kLanes / maximum);
     for (std::int32_t left = contacts; left > 0; left -= maximum)
         lanes.emplace_back().count = std::min(left, maximum);
+    return {begin, static_cast<std::int32_t>(lanes.size())};
 }
 
 void layOut(Workspace& work, const Cursors& cursors) {
-    work.contactLanes.clear();
-    work.fixedLanes.clear();
+    work.two.lanes.clear();
+    work.fixed.lanes.clear();
     for (std::size_t g = 0; g < work.groups.size(); ++g) {
         work.groups[g].contactColours = 0;
         for (int colour = 0; colour <= kColours; ++colour) {
-            const auto blocksNow = [&] { return static_cast<std::int32_t>(work.contactLanes.size()); };
-            const auto fixedNow = [&] { return static_cast<std::int32_t>(work.fixedLanes.size()); };
             const std::size_t kind = g * kKinds + static_cast<std::size_t>(colour);
-            ColourBlocks& blocks = work.groups[g].colours[colour];
-            blocks.contactBegin = blocksNow();
-            blocks.fixedBegin = fixedNow();
-            makeRoom(work.contactLanes, cursors, kind, colour);
-            makeRoom(work.fixedLanes, cursors, kind | kKeyFixed, colour);
-            blocks.contactEnd = blocksNow();
-            blocks.fixedEnd = fixedNow();
-            if (blocks.contactBegin < blocks.contactEnd || blocks.fixedBegin < blocks.fixedEnd)
+            const ContactRanges blocks{makeRoom(work.two.lanes, cursors, kind, colour),
+                                       makeRoom(work.fixed.lanes, cursors, kind | kKeyFixed, colour)};
+            work.groups[g].colours[colour].contacts = blocks;
+            if (blocks.two.begin < blocks.two.end || blocks.fixed.begin < blocks.fixed.end)
                 work.groups[g].contactColours |= std::uint64_t{1} << colour;
         }
     }
 }
 
-/// Which contacts are solved together.
-/// @param groupOf  the group that a contact is solved in
-template <class GroupOf>
-void fillLanes(const StepContext& step, GroupOf&& groupOf) {
+/// Decides which contacts are solved together.
+void fillLanes(const StepContext& step) {
+    const World& world = step.world;
     Workspace& work = step.work;
     if (work.strips.areUsed) work.strips.ofContact.resize(work.contactKeys.size());
     const std::uint16_t* keys = work.contactKeys.data();
     const auto count = static_cast<int>(work.contactKeys.size());
-    const bool shared = step.isShared(count, kLayoutGrain);
+    const bool shared = step.isShared(count, kGrain);
     const std::uint8_t* strips = work.strips.areUsed ? work.strips.ofContact.data() : nullptr;
     const Cursors cursors{work.cursors, work.groups.size() * kKinds, work.strips.count(),
-                          static_cast<std::size_t>(shared ? piecesOf(count, kLayoutGrain) : 1)};
+                          static_cast<std::size_t>(shared ? piecesOf(count, kGrain) : 1)};
+    const bool many = work.groups.size() > 1;
     work.cursors.assign(cursors.pieces * cursors.kinds * cursors.strips, 0);
     const auto forPushing = [&](auto&& act) {
-        forPieces(step, count, kLayoutGrain, [&](int begin, int end, int piece) {
+        forPieces(step.pool, count, kGrain, [&](int begin, int end, int piece) {
             std::int32_t* own = cursors.of(static_cast<std::size_t>(piece));
             for (std::int32_t i = begin; i < end; ++i) {
                 const int colour = keys[i] & kKeyColour;
                 if (colour == kKeyIdle) continue;
-                std::size_t kind = groupOf(i) * kKinds + (keys[i] & kOfKind);
+                std::size_t kind = keys[i] & kOfKind;
+                if (many) kind += kKinds * work.groupOf[world.contacts[static_cast<std::size_t>(i)].bodyB];
                 // Those without a color are solved in the order of their numbers.
                 if (strips != nullptr) kind = kind * Strips::kCount + (colour == kOverflow ? 0 : strips[i]);
                 act(own[kind], keys[i], i);
@@ -95,7 +90,7 @@ void fillLanes(const StepContext& step, GroupOf&& groupOf) {
     };
     forPushing([](std::int32_t& number, std::uint16_t, std::int32_t) { ++number; });
     layOut(work, cursors);
-    BlockLanes* lanes[] = {work.contactLanes.data(), work.fixedLanes.data()};
+    BlockLanes* lanes[] = {work.two.lanes.data(), work.fixed.lanes.data()};
     forPushing([&](std::int32_t& next, std::uint16_t key, std::int32_t contact) {
         const auto place = static_cast<std::uint32_t>(next);
         next += (key & kKeyColour) == kOverflow ? kLanes : 1;
@@ -130,23 +125,6 @@ void keepLayout(Workspace& work) {
     work.layout.isCurrent = true;
 }
 
-void fillLanes(const StepContext& step) {
-    const World& world = step.world;
-    Workspace& work = step.work;
-    if (!step.runs(Effect::Contacts)) {
-        for (std::uint16_t& key : work.contactKeys) key |= kKeyIdle;
-    }
-    if (takeLayout(work)) return;
-    if (work.groups.size() == 1) {
-        fillLanes(step, [](std::int32_t) { return std::size_t{0}; });
-    } else {
-        fillLanes(step, [&](std::int32_t contact) {
-            return std::size_t{work.groupOf[world.contacts[static_cast<std::size_t>(contact)].bodyB]};
-        });
-    }
-    keepLayout(work);
-}
-
 ContactSource sourceOf(const StepContext& step) {
     const World& world = step.world;
     const Workspace& work = step.work;
@@ -162,36 +140,31 @@ ContactSource sourceOf(const StepContext& step) {
     return source;
 }
 
-template <class Block, class Bodies>
-void prepareBlocks(const StepContext& step, const ContactSource& source,
-                   const ContactKernels<Block, Bodies>& kernels, const std::vector<BlockLanes>& lanes,
-                   std::vector<Block>& blocks, int begin, int end) {
-    blocks.resize(begin < end ? static_cast<std::size_t>(end) : 0);
-    forRange(step, begin, end, kGrain,
-             [&](int first, int last) { kernels.prepare(source, lanes.data(), blocks.data(), first, last); });
+template <class Bodies>
+void prepareContacts(const StepContext& step, const ContactSource& source,
+                     const GroupKernels<Bodies>& kernels) {
+    const ContactSets<Bodies> contacts = contactsOf(step, kernels);
+    contacts.two.prepare(step, source);
+    contacts.fixed.prepare(step, source);
 }
 
 }  // namespace
 
 void prepareConstraints(StepContext& step) {
     Workspace& work = step.work;
-    fillLanes(step);
+    if (!step.runs(Effect::Contacts)) {
+        for (std::uint16_t& key : work.contactKeys) key |= kKeyIdle;
+    }
+    if (!takeLayout(work)) {
+        fillLanes(step);
+        keepLayout(work);
+    }
     const ContactSource source = sourceOf(step);
-    const SolverKernels& kernels = solverKernels();
-    const std::size_t hasFriction = step.starts(Effect::Friction) ? 1 : 0;
-    const auto all = static_cast<int>(work.contactLanes.size()),
-               allFixed = static_cast<int>(work.fixedLanes.size());
-    const auto [rotating, rotatingFixed] = blocksWithRotation(work);
-    prepareBlocks(step, source, kernels.rotating.contacts[hasFriction], work.contactLanes, work.contactBlocks,
-                  0, rotating);
-    prepareBlocks(step, source, kernels.rotating.fixedContacts[hasFriction], work.fixedLanes,
-                  work.fixedBlocks, 0, rotatingFixed);
-    prepareBlocks(step, source, kernels.withoutRotation.contacts[hasFriction], work.contactLanes,
-                  work.blocksWithoutRotation, rotating, all);
-    prepareBlocks(step, source, kernels.withoutRotation.fixedContacts[hasFriction], work.fixedLanes,
-                  work.fixedBlocksWithoutRotation, rotatingFixed, allFixed);
+    prepareContacts(step, source, solverKernels().rotating);
+    prepareContacts(step, source, solverKernels().withoutRotation);
     if (step.runs(Effect::Joints)) prepareJoints(step);
-    static_cast<void>(step.starts(Effect::Motors));  // joints with a motor have blocks of their own
+    // The kernels are chosen by friction; joints with a motor have blocks of their own.
+    for (const Effect effect : {Effect::Friction, Effect::Motors}) static_cast<void>(step.starts(effect));
 }
 
 }  // namespace plumb::physics

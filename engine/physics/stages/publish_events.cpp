@@ -1,6 +1,6 @@
 #include <algorithm>
 
-#include "physics/contacts/chain_events.hpp"
+#include "physics/contacts/contacts.hpp"
 #include "physics/stages.hpp"
 
 namespace plumb::physics {

@@ -1,30 +1,45 @@
 #include <algorithm>
 
+#include "physics/solver/contact_extras.hpp"
 #include "physics/solver/joint_lanes.hpp"
-#include "physics/solver/locks.hpp"
 #include "physics/solver/passes.hpp"
-#include "physics/solver/restitution.hpp"
-#include "physics/solver/rolling.hpp"
-#include "physics/solver/step_impulses.hpp"
 #include "physics/stages.hpp"
-#include "physics/trees/joint_tree_builder.hpp"
 #include "physics/trees/joint_tree_solver.hpp"
 
 namespace plumb::physics {
 
 namespace {
 
-/// One group, while its substeps are done.
-template <class Two, class Fixed, class Bodies>
-struct Solver {
-    static constexpr bool kRotates = Bodies::kRotate;
+// Bodies locked along x or y: after each pass their velocity along it is set to 0 again.
 
+void lock(Float4& row, std::uint8_t flags) {
+    if ((flags & kLockX) != 0) row.x = 0.0f;
+    if ((flags & kLockY) != 0) row.y = 0.0f;
+}
+
+void prepareLocks(StepContext& step) {
+    if (!step.starts(Effect::Locks)) return;
+    Workspace& work = step.work;
+    work.locks.clear();
+    for (std::size_t slot = 0; slot < work.bodyOf.size(); ++slot) {
+        const std::uint32_t body = work.bodyOf[slot];
+        if (body == kNone || !isDynamic(step.world, body)) continue;
+        const auto flags = static_cast<std::uint8_t>(step.world.bodies.info[body].flags & (kLockX | kLockY));
+        if (flags == 0) continue;
+        work.locks.push_back({static_cast<std::uint32_t>(slot), flags});
+        for (std::vector<Float4>* rows : {&work.velocity, &work.drive, &work.ballisticDrift})
+            lock((*rows)[slot], flags);
+    }
+}
+
+/// One group, while its substeps are done.
+template <class Bodies>
+struct Solver {
     StepContext& step;
-    const GroupKernels<Two, Fixed, Bodies>& kernels;
+    const GroupKernels<Bodies>& kernels;
     const SolveGroup& group;
     const Bodies& bodies;
-    std::vector<Float4>& velocity;
-    ContactSets<Two, Fixed, Bodies>& contacts;
+    ContactSets<Bodies>& contacts;
     JointPass joints;
     float h;         // s
     int iterations;  // of each substep
@@ -41,60 +56,42 @@ void forSoft(const Solver& solver, Act&& act) {
     }
 }
 
-template <class Solver>
-void solveSoft(const Solver& solver, bool relax) {
-    forSoft(solver,
-            [&](const SoftGroup& soft) { solveSoft(solver.step, soft, solver.contacts.two.pass, relax); });
-}
-
 /// Runs one pass over all constraints of a group, colour by colour: joints, then contacts.
-template <class Solver, class Act>
-void forConstraints(Solver& solver, JointAct joints, Act&& act) {
+template <class Bodies>
+void forConstraints(Solver<Bodies>& solver, PassKind kind) {
     forColours(solver.group.contactColours | solver.group.jointColours, [&](int colour, int grain) {
-        if constexpr (Solver::kRotates)
-            solveJoints(solver.step, solver.bodies, solver.joints, solver.group, colour, joints);
-        solver.contacts.forBlocks(solver.step, solver.group.colours[colour], grain, act);
+        if constexpr (Bodies::kRotate)
+            solveJoints(solver.step, solver.bodies, solver.joints, solver.group, colour, kind);
+        const ContactRanges& ranges = solver.group.colours[colour].contacts;
+        solver.contacts.two.run(solver.step, solver.bodies, ranges.two, grain, kind);
+        solver.contacts.fixed.run(solver.step, solver.bodies, ranges.fixed, grain, kind);
     });
 }
 
-template <class Solver>
-void lock(Solver& solver) {
-    lockAxes(solver.step, solver.group, solver.velocity);
-}
-
-template <class Solver>
-void warmStart(Solver& solver) {
-    forConstraints(solver, JointAct::WarmStart, [&](const auto& contacts, int begin, int end) {
-        contacts.warmStart(solver.bodies, begin, end);
-    });
-    if constexpr (Solver::kRotates) warmStartRolling(solver.step, solver.group);
-}
-
-/// Velocities that keep constraints, and close what is open of them.
-template <class Solver>
-void pushOften(Solver& solver, int substep) {
-    for (int turn = 0; turn < solver.iterations; ++turn) {
-        solver.joints.first = turn == 0;
-        if constexpr (Solver::kRotates) solveSoft(solver, false);
-        if (solver.hasTrees) pushTrees(solver.step, solver.group, solver.h, substep, turn > 0);
-        forConstraints(solver, JointAct::Push, [&](const auto& contacts, int begin, int end) {
-            contacts.push(solver.bodies, begin, end);
-        });
-        lock(solver);
+template <class Bodies>
+void lock(Solver<Bodies>& solver) {
+    if (!solver.step.runs(Effect::Locks)) return;
+    for (const AxisLock& held : solver.step.work.locks) {
+        const auto slot = static_cast<std::int32_t>(held.slot);
+        if (slot >= solver.group.begin && slot < solver.group.end)
+            lock(solver.bodies.velocity[slot], held.flags);
     }
 }
 
-/// The same without what only closed.
-template <class Solver>
-void relaxOften(Solver& solver, int substep) {
+/// Velocities that keep constraints. In the biased pass they also close what is open of them.
+template <PassKind kKind, class Bodies>
+void iterate(Solver<Bodies>& solver, int substep) {
+    constexpr bool kRelaxes = kKind == PassKind::Relax;
     for (int turn = 0; turn < solver.iterations; ++turn) {
         solver.joints.first = turn == 0;
-        if constexpr (Solver::kRotates) solveSoft(solver, true);
-        if (solver.hasTrees) relaxTrees(solver.step, solver.group, solver.h, substep, turn > 0);
-        forConstraints(solver, JointAct::Relax, [&](const auto& contacts, int begin, int end) {
-            contacts.relax(solver.bodies, begin, end);
-        });
-        if constexpr (Solver::kRotates) relaxRolling(solver.step, solver.group);
+        if constexpr (Bodies::kRotate) {
+            forSoft(solver, [&](const SoftGroup& soft) {
+                solveSoft(solver.step, soft, solver.contacts.two.pass, kRelaxes);
+            });
+        }
+        if (solver.hasTrees) solveTrees(solver.step, solver.group, kKind, solver.h, substep, turn > 0);
+        forConstraints(solver, kKind);
+        if constexpr (Bodies::kRotate && kRelaxes) relaxRolling(solver.step, solver.group);
         lock(solver);
     }
 }
@@ -105,11 +102,11 @@ void relaxOften(Solver& solver, int substep) {
 /// substep on, warm starting is one sum for each body (accelerate) and no pass over constraints. Sources: M.
 /// Macklin et al., "Small Steps in Physics Simulation", SCA 2019; E. Catto, "Solver2D", 2024.
 /// Groups without rotation have no joints, soft bodies and restitution.
-template <class Solver>
-void solveGroup(Solver& solver) {
+template <class Bodies>
+void solveGroup(Solver<Bodies>& solver) {
     auto move = solver.kernels.move;
-    // A kinematic body turns though nobody is turned.
-    if constexpr (Solver::kRotates) {
+    // A kinematic body may rotate where no impulse rotates a body.
+    if constexpr (Bodies::kRotate) {
         if (!solver.step.runs(Effect::Rotation) && !solver.step.runs(Effect::Kinematics))
             move = solverKernels().moveUnturned;
     }
@@ -117,22 +114,26 @@ void solveGroup(Solver& solver) {
         forBodies(solver.step, solver.group, [&](int begin, int end) {
             solver.kernels.accelerate(solver.bodies, solver.h, i == 0, begin, end);
         });
-        if (i == 0) warmStart(solver);
-        if constexpr (Solver::kRotates)
+        if (i == 0) forConstraints(solver, PassKind::WarmStart);
+        if constexpr (Bodies::kRotate) {
+            if (i == 0) warmStartRolling(solver.step, solver.group);
             forSoft(solver, [&](const SoftGroup& soft) { springSoft(solver.step, soft, solver.h, i); });
+        }
         lock(solver);
         solver.contacts.fixed.pass.elapsed = solver.h * static_cast<float>(i);
-        pushOften(solver, i);
+        iterate<PassKind::Push>(solver, i);
         forBodies(solver.step, solver.group,
                   [&](int begin, int end) { move(solver.bodies, solver.h, begin, end); });
-        if constexpr (Solver::kRotates)
+        if constexpr (Bodies::kRotate)
             forSoft(solver, [&](const SoftGroup& soft) { closeSoft(solver.step, soft, solver.h); });
-        relaxOften(solver, i);
-        if constexpr (Solver::kRotates) noteLargestImpulses(solver.step, solver.group);
+        iterate<PassKind::Relax>(solver, i);
+        if constexpr (Bodies::kRotate) {
+            noteLargestImpulses(solver.step, solver.group);
+            noteJointForces(solver.step, solver.group, 1.0f / solver.h);
+        }
         addImpulses(solver.step.work);
-        if constexpr (Solver::kRotates) noteJointForces(solver.step, solver.group, 1.0f / solver.h);
     }
-    if constexpr (Solver::kRotates) {
+    if constexpr (Bodies::kRotate) {
         forSoft(solver, [&](const SoftGroup& soft) { finishSoft(solver.step, soft, solver.h); });
         applyRestitution(solver.step, solver.group);
         finishImpulseSums(solver.step.work);
@@ -142,24 +143,24 @@ void solveGroup(Solver& solver) {
 
 /// Solves the groups with or without rotation. They give the same bits: without, terms that are zero are left
 /// out.
-template <class Two, class Fixed, class Bodies>
-void solveGroups(StepContext& step, const GroupKernels<Two, Fixed, Bodies>& kernels, const Bodies& bodies,
-                 std::vector<Float4>& velocity, ContactSets<Two, Fixed, Bodies> contacts) {
+template <class Bodies>
+void solveGroups(StepContext& step, const GroupKernels<Bodies>& kernels, const Bodies& bodies) {
     const Settings& settings = step.world.settings;
+    ContactSets<Bodies> contacts = contactsOf(step, kernels);
     for (const SolveGroup& group : step.work.groups) {
         if (group.withoutRotation == Bodies::kRotate) continue;
         const float h = step.dt / static_cast<float>(group.substeps);
-        contacts.startGroup(settings, h);
+        contacts.two.pass = contacts.fixed.pass = contactPass(settings, h);
         startImpulseSums(step, group);
-        Solver<Two, Fixed, Bodies> solver{
-            step, kernels, group, bodies, velocity, contacts, {}, h, int{settings.iterations}, false};
+        Solver<Bodies> solver{step, kernels, group, bodies, contacts, {}, h, int{settings.iterations}, false};
         if constexpr (Bodies::kRotate) {
             solver.joints = jointPass(settings, h);
             solver.hasTrees = solvesTrees(step.world, step.work);
         }
         solveGroup(solver);
     }
-    contacts.store(step);
+    contacts.two.store(step);
+    contacts.fixed.store(step);
 }
 
 SolverBodies bodiesOf(Workspace& work) {
@@ -169,8 +170,6 @@ SolverBodies bodiesOf(Workspace& work) {
 }
 
 void solveWithRotation(StepContext& step) {
-    const auto& kernels = solverKernels().rotating;
-    const std::size_t hasFriction = step.runs(Effect::Friction) ? 1 : 0;
     Workspace& work = step.work;
     prepareRestitution(step);
     prepareRolling(step);
@@ -179,9 +178,7 @@ void solveWithRotation(StepContext& step) {
             obstacle.slot = work.slots[obstacle.body];
         work.softSurroundings.obstacleOf.clear();
     }
-    solveGroups(step, kernels, bodiesOf(work), work.velocity,
-                {{kernels.contacts[hasFriction], work.contactLanes, work.contactBlocks},
-                 {kernels.fixedContacts[hasFriction], work.fixedLanes, work.fixedBlocks}});
+    solveGroups(step, solverKernels().rotating, bodiesOf(work));
     storeRolling(step);
     if (step.runs(Effect::Joints)) storeJoints(step);
 }
@@ -200,8 +197,6 @@ void turnBodies(StepContext& step) {
 
 void solveWithoutRotation(StepContext& step) {
     Workspace& work = step.work;
-    const auto& kernels = solverKernels().withoutRotation;
-    const std::size_t hasFriction = step.runs(Effect::Friction) ? 1 : 0;
     const auto first = std::find_if(work.groups.begin(), work.groups.end(),
                                     [](const SolveGroup& group) { return group.withoutRotation; });
     const auto begin = static_cast<std::size_t>(first->begin);
@@ -212,11 +207,7 @@ void solveWithoutRotation(StepContext& step) {
     const SolverBodies all = bodiesOf(work);
     const BodiesWithoutRotation bodies{states.data(), all.drive, all.keep, all.ballisticDrift,
                                        all.velocityBeforeImpulses};
-    const auto [blocks, fixedBlocks] = blocksWithRotation(work);
-    solveGroups(step, kernels, bodies, states,
-                {{kernels.contacts[hasFriction], work.contactLanes, work.blocksWithoutRotation, blocks},
-                 {kernels.fixedContacts[hasFriction], work.fixedLanes, work.fixedBlocksWithoutRotation,
-                  fixedBlocks}});
+    solveGroups(step, solverKernels().withoutRotation, bodies);
     if (step.isWithoutRotation() && step.runs(Effect::Kinematics)) turnBodies(step);
     for (std::size_t i = begin; i < states.size(); ++i) {
         work.velocity[i].x = states[i].x, work.velocity[i].y = states[i].y;

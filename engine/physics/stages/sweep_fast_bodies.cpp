@@ -4,11 +4,10 @@
 #include <utility>
 
 #include "physics/broadphase/broadphase_update.hpp"
-#include "physics/contacts/chain_events.hpp"
 #include "physics/contacts/contacts.hpp"
-#include "physics/contacts/seams.hpp"
 #include "physics/continuous/swept_bodies.hpp"
 #include "physics/model/bounds.hpp"
+#include "physics/model/edits.hpp"
 #include "physics/solver/impact.hpp"
 #include "physics/stages.hpp"
 #include "physics/tuning.hpp"
@@ -136,13 +135,10 @@ void addProxy(const StepContext& step, const SweptBody& swept) {
 
 /// Whether the owner of the world lets these two pass each other.
 bool isRefused(const StepContext& step, const PathHit& hit, const Contact& contact) {
-    World& world = step.world;
     const ContactHooks& hooks = step.hooks;
-    const auto id = [&](std::uint32_t shape) { return ShapeId{shape, world.shapes.info[shape].generation}; };
-    return ask(world, [&] {
-        return (hooks.filter != nullptr && !hooks.filter(hooks.context, world, id(hit.shape), id(hit.met))) ||
-               (hooks.preSolve != nullptr && !hooks.preSolve(hooks.context, world, contact));
-    });
+    return !mayMeet(step, hit.shape, hit.met) ||
+           (hooks.preSolve != nullptr &&
+            !ask(step.world, [&] { return hooks.preSolve(hooks.context, step.world, contact); }));
 }
 
 /// Lets a body hit what comes next on its path.
@@ -240,15 +236,15 @@ void beginHits(StepContext& step) {
         if (work.stepImpulses.size() <= index) work.stepImpulses.resize(index + 1);
         work.stepImpulses[index] = std::fabs(contact.impulse0) + std::fabs(contact.impulse1);
     };
-    collectIf(step, world.contacts.size(), work.pieceFound, [&](std::size_t i) {
+    const auto mayBegin = [&](std::size_t i) {
         const Contact& contact = world.contacts[i];
         return work.bodyScratch[contact.bodyB] != kNone && (contact.flags & kTouching) == 0;
-    });
-    for (const std::uint32_t i : work.pieceFound) {
+    };
+    forThose(step, world.contacts.size(), mayBegin, [&](std::uint32_t i) {
         const PairKey key = pairKey(world.contacts[i].shapeA, world.contacts[i].shapeB);
         const auto hit = std::lower_bound(order.begin(), order.end(), std::pair{key, std::size_t{0}});
         if (hit != order.end() && hit->first == key) begin(i, work.madeHits[hit->second]);
-    }
+    });
     for (const auto& [pair, place] : order) {
         if (work.pairs.has(pair)) continue;
         work.pairs.add(pair);
@@ -264,12 +260,11 @@ void placeHitBodies(StepContext& step) {
     for (const SweptBody& swept : step.work.swept) {
         if (swept.hits == 0) continue;
         world.bodies.pose[swept.body] = swept.sweep.at(1.0f);
-        for (std::uint32_t s = world.bodies.info[swept.body].firstShape; s != kNone;
-             s = shapes.info[s].next) {
+        forShapesOf(world, swept.body, [&](std::uint32_t s) {
             shapes.bounds[s] = grown(tightBounds(world, s), shapes.info[s].margin);
             noteChanged(world, s);
             noteMoved(world, s);
-        }
+        });
     }
 }
 
@@ -284,16 +279,14 @@ void fillSwept(StepContext& step, bool hasKinematics, bool hasBullets) {
     proxies.bounds.assign(searched, {});
     proxies.filters.assign(searched, {});
     proxies.motions.assign(searched, ProxyMotion::Gone);
-    forPieces(step, static_cast<int>(work.swept.size()), kFillGrain, [&](int begin, int end, int) {
-        for (auto i = static_cast<std::uint32_t>(begin); i < static_cast<std::uint32_t>(end); ++i) {
-            work.bodyScratch[work.fastBodies[i]] = i;
-            work.swept[i] = sweptBodyOf(step, work.fastBodies[i]);
-            const std::uint32_t layer = layerOf(step.world, work.fastBodies[i]);
-            if (searched == 0 || (!hasBullets && layer == kFastLayer)) continue;
-            proxies.bounds[i] = pathBounds(step, work.swept[i]);
-            proxies.filters[i].layers = layer;
-            proxies.motions[i] = ProxyMotion::Awake;
-        }
+    forEach(step.pool, work.swept.size(), kFillGrain, [&](std::size_t i) {
+        work.bodyScratch[work.fastBodies[i]] = static_cast<std::uint32_t>(i);
+        work.swept[i] = sweptBodyOf(step, work.fastBodies[i]);
+        const std::uint32_t layer = layerOf(step.world, work.fastBodies[i]);
+        if (searched == 0 || (!hasBullets && layer == kFastLayer)) return;
+        proxies.bounds[i] = pathBounds(step, work.swept[i]);
+        proxies.filters[i].layers = layer;
+        proxies.motions[i] = ProxyMotion::Awake;
     });
     if (searched == 0) return;
     if (proxies.search == nullptr) proxies.search = makeBroadPhase(BroadPhaseKind::Tree);
@@ -317,15 +310,15 @@ void addPassedBodies(StepContext& step) {
         work.candidates.clear();
         work.broadPhase->cast(toVec2(path.start), path.displacement, {info.reach, info.reach}, 0xffffffffu,
                               work.candidates, Among::All);
-        collectIf(step, work.candidates.size(), work.pieceFound, [&](std::size_t i) {
-            const std::uint32_t other = world.shapes.info[work.candidates[i]].body;
+        const auto bodyAt = [&](std::size_t i) { return world.shapes.info[work.candidates[i]].body; };
+        const auto isPassed = [&](std::size_t i) {
+            const std::uint32_t other = bodyAt(i);
             return known[other] == kNone && isDynamic(world, other) && work.slots[other] >= 0 &&
                    isFastBeside(pathOf(step, other), path, world.bodies.info[other]);
+        };
+        forThose(step, work.candidates.size(), isPassed, [&](std::uint32_t i) {
+            if (std::exchange(known[bodyAt(i)], 0) == kNone) passed.push_back(bodyAt(i));
         });
-        for (const std::uint32_t i : work.pieceFound) {
-            const std::uint32_t other = world.shapes.info[work.candidates[i]].body;
-            if (std::exchange(known[other], 0) == kNone) passed.push_back(other);
-        }
     }
     work.fastBodies.insert(work.fastBodies.end(), passed.begin(), passed.end());
     if (!passed.empty()) std::sort(work.fastBodies.begin(), work.fastBodies.end());
@@ -359,17 +352,11 @@ void sweepFastBodies(StepContext& step) {
     const bool hasBullets = some([&](std::uint32_t body) { return layerOf(world, body) == kBulletLayer; });
     if (moving > 0 || hasBullets) updateBroadPhase(world, work);
     fillSwept(step, moving > 0, hasBullets);
-    const int count = static_cast<int>(work.swept.size());
-    const auto pieces = static_cast<std::size_t>(piecesOf(count, kGrain));
-    if (work.sweptPast.size() < pieces) work.sweptPast.resize(pieces);
-    if (work.countsOfPiece.size() < pieces) work.countsOfPiece.resize(pieces);
-    std::fill(work.countsOfPiece.begin(), work.countsOfPiece.end(), DetectionCounts{});
-    forPieces(step, count, kGrain, [&](int begin, int end, int piece) {
-        const auto p = static_cast<std::size_t>(piece);
-        for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i)
-            findNextHit(step, i, work.sweptPast[p], work.countsOfPiece[p]);
-    });
-    for (const DetectionCounts& counts : work.countsOfPiece) work.counts += counts;
+    forPieces(step.pool, work.swept.size(), kGrain, work.sweepFindings,
+              [&](std::size_t begin, std::size_t end, SweepFindings& found) {
+                  for (std::size_t i = begin; i < end; ++i) findNextHit(step, i, found.shapes, found.counts);
+              });
+    for (const SweepFindings& found : work.sweepFindings) work.counts += found.counts;
     goThroughHits(step);
     placeHitBodies(step);
     beginHits(step);

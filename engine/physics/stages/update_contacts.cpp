@@ -2,10 +2,7 @@
 #include <span>
 #include <utility>
 
-#include "physics/contacts/chain_events.hpp"
 #include "physics/contacts/contacts.hpp"
-#include "physics/contacts/initial_overlaps.hpp"
-#include "physics/contacts/seams.hpp"
 #include "physics/islands/sleeping.hpp"
 #include "physics/model/joints.hpp"
 #include "physics/stages.hpp"
@@ -15,7 +12,7 @@ namespace plumb::physics {
 namespace {
 
 constexpr int kGrain = 256;
-constexpr int kAtOnce = 128;  // contacts: as many as the fastest cache holds beside their shapes
+constexpr std::size_t kAtOnce = 128;  // contacts: as many as the fastest cache holds beside their shapes
 
 bool touches(const Contact& contact) {
     if (contact.count == 0) return false;
@@ -28,61 +25,43 @@ bool mayCollide(const World& world, const Contact& contact) {
            !keptApart(world, contact.bodyA, contact.bodyB);
 }
 
-/// What one piece of work looks with.
-struct Look {
-    StepContext& step;
-    std::vector<std::uint32_t>& changed;  // those that began, ended or are gone
-    std::vector<FixedPair>& fixed;
-    DetectionCounts& counts;
-    bool asked;  // filters have changed: who may meet is asked again
-};
-
-void lookAt(Look& look, std::size_t first, std::size_t count) {
-    World& world = look.step.world;
+/// @param asked  filters have changed: which may meet is asked again
+void lookAt(StepContext& step, std::size_t first, std::size_t count, bool asked, ContactFindings& found) {
+    World& world = step.world;
     const std::span<Contact> contacts = std::span{world.contacts}.subspan(first, count);
-    findTouches(world, contacts, look.step.dt, look.counts);
-    std::uint16_t* keys = look.step.work.contactKeys.data() + first;
-    Strips& strips = look.step.work.strips;  // of the last step
+    findTouches(world, contacts, step.dt, found.counts);
+    std::uint16_t* keys = step.work.contactKeys.data() + first;
+    Strips& strips = step.work.strips;  // of the last step
     for (std::size_t i = 0; i < count; ++i) {
         Contact& contact = contacts[i];
         if (strips.areUsed && contact.bodyB < strips.ofBody.size())
             strips.ofContact[first + i] = strips.ofBody[contact.bodyB];
-        if (look.asked && !mayCollide(world, contact)) contact.flags |= kGone;
+        if (asked && !mayCollide(world, contact)) contact.flags |= kGone;
         if ((contact.flags & (kFixedA | kTriggered | kPassing | kGone)) == kFixedA)
-            look.fixed.push_back({contact.bodyB, static_cast<std::uint32_t>(first + i)});
+            found.fixed.push_back({contact.bodyB, static_cast<std::uint32_t>(first + i)});
         const bool before = (contact.flags & kTouching) != 0;
         if ((contact.flags & kGone) != 0 || touches(contact) != before) {
-            look.changed.push_back(static_cast<std::uint32_t>(first + i));
+            found.changed.push_back(static_cast<std::uint32_t>(first + i));
         } else {
             keys[i] = keyOf(contact);
         }
     }
 }
 
-/// Looks at every contact; lists those that began, ended or are gone.
+/// Looks at every contact: Workspace::contactFindings.
 void lookAtAll(StepContext& step) {
     World& world = step.world;
     Workspace& work = step.work;
-    const int count = static_cast<int>(world.contacts.size());
-    const auto pieces = static_cast<std::size_t>(std::max(1, piecesOf(count, kGrain)));
-    if (work.changedContacts.size() < pieces) work.changedContacts.resize(pieces);
-    if (work.countsOfPiece.size() < pieces) work.countsOfPiece.resize(pieces);
-    if (work.fixedOfPiece.size() < pieces) work.fixedOfPiece.resize(pieces);
-    for (std::vector<FixedPair>& list : work.fixedOfPiece) list.clear();
-    for (std::vector<std::uint32_t>& list : work.changedContacts) list.clear();
-    std::fill(work.countsOfPiece.begin(), work.countsOfPiece.end(), DetectionCounts{});
     work.contactKeys.resize(world.contacts.size());
     if (work.strips.areUsed) work.strips.ofContact.resize(world.contacts.size());
     const bool asked = std::exchange(world.filtersStale, false);
-    forPieces(step, count, kGrain, [&](int begin, int end, int piece) {
-        const auto p = static_cast<std::size_t>(piece);
-        Look look{step, work.changedContacts[p], work.fixedOfPiece[p], work.countsOfPiece[p], asked};
-        for (int first = begin; first < end; first += kAtOnce)
-            lookAt(look, static_cast<std::size_t>(first),
-                   static_cast<std::size_t>(std::min(end - first, kAtOnce)));
-    });
+    forPieces(step.pool, world.contacts.size(), kGrain, work.contactFindings,
+              [&](std::size_t begin, std::size_t end, ContactFindings& found) {
+                  for (std::size_t first = begin; first < end; first += kAtOnce)
+                      lookAt(step, first, std::min(end - first, kAtOnce), asked, found);
+              });
     work.counts = {};
-    for (const DetectionCounts& counts : work.countsOfPiece) work.counts += counts;
+    for (const ContactFindings& found : work.contactFindings) work.counts += found.counts;
 }
 
 std::uint32_t pushableA(const Contact& contact) {
@@ -101,7 +80,7 @@ void end(World& world, Workspace& work, Contact& contact) {
     world.islandsStale = true;
     report(world, work, contact, ContactPhase::Ended);
     if ((contact.flags & kTriggered) != 0) return;
-    // Who sleeps against something that goes away has to notice. That may move the contacts.
+    // What sleeps against something that goes away has to wake. That may move the contacts.
     for (const std::uint32_t body : {contact.bodyA, contact.bodyB}) {
         if (world.sleepers.islandOf[body] != kNone) wake(world, body);
     }
@@ -110,8 +89,8 @@ void end(World& world, Workspace& work, Contact& contact) {
 /// Contacts whose bounds parted, or whose shapes are gone, make room. From the last on, so that the others
 /// keep their numbers until they are looked at.
 void removeGone(World& world, Workspace& work) {
-    for (std::size_t piece = work.changedContacts.size(); piece-- > 0;) {
-        const std::vector<std::uint32_t>& changed = work.changedContacts[piece];
+    for (std::size_t piece = work.contactFindings.size(); piece-- > 0;) {
+        const std::vector<std::uint32_t>& changed = work.contactFindings[piece].changed;
         for (std::size_t i = changed.size(); i-- > 0;) {
             Contact& contact = world.contacts[changed[i]];
             if ((contact.flags & kGone) == 0) continue;
@@ -195,8 +174,8 @@ void updateContacts(StepContext& step) {
     work.approaches.clear();
     lookAtAll(step);
     correctSeams(step);
-    for (const std::vector<std::uint32_t>& changed : work.changedContacts) {
-        for (const std::uint32_t i : changed) {
+    for (const ContactFindings& found : work.contactFindings) {
+        for (const std::uint32_t i : found.changed) {
             Contact& contact = world.contacts[i];
             if ((contact.flags & kGone) != 0 || !touches(contact)) {
                 end(world, work, contact);

@@ -1,8 +1,4 @@
-#include "physics/trees/joint_tree_builder.hpp"
-
 #include <algorithm>
-#include <optional>
-#include <span>
 
 #include "physics/model/edits.hpp"
 #include "physics/trees/joint_tree_solver.hpp"
@@ -11,21 +7,14 @@ namespace plumb::physics {
 
 namespace {
 
-/// Constraint that a joint contributes to a tree; none for joints with a limit, motor or spring, for soft
-/// joints and for bodies locked along an axis.
-std::optional<TreeJointKind> kindOf(const World& world, const Joint& joint) {
-    if (joint.place == kNone || (joint.flags & (kSoft | kLimited | kDriven | kSprung)) != 0) return {};
+/// False for joints with a limit, motor or spring, for soft joints and for bodies locked along an axis.
+bool canBeInTree(const World& world, const Joint& joint) {
+    if (joint.place == kNone || (joint.flags & (kSoft | kLimited | kDriven | kSprung)) != 0) return false;
     for (const std::uint32_t body : {joint.bodyA, joint.bodyB}) {
-        const BodyInfo& info = world.bodies.info[body];
-        if (info.kind == BodyKind::Dynamic && (info.flags & (kLockX | kLockY)) != 0) return {};
+        if (isDynamic(world, body) && (world.bodies.info[body].flags & (kLockX | kLockY)) != 0) return false;
     }
-    switch (joint.kind) {
-        case JointKind::Revolute: return TreeJointKind::Point;
-        case JointKind::Weld: return TreeJointKind::Weld;
-        case JointKind::Distance: return TreeJointKind::Rod;
-        case JointKind::Prismatic: return TreeJointKind::Slider;
-        default: return {};
-    }
+    return joint.kind == JointKind::Revolute || joint.kind == JointKind::Weld ||
+           joint.kind == JointKind::Distance || joint.kind == JointKind::Prismatic;
 }
 
 class Grower {
@@ -43,12 +32,11 @@ public:
         for (const bool hanging : {true, false}) {
             for (const std::uint32_t index : joints) {
                 const Joint& joint = world_.joints.hot[index];
-                const auto kind = kindOf(world_, joint);
-                if (!kind) continue;
+                if (!canBeInTree(world_, joint)) continue;
                 const bool a = isDynamic(world_, joint.bodyA), b = isDynamic(world_, joint.bodyB);
                 if (hanging == (a && b)) continue;
                 const std::uint32_t root = a ? joint.bodyA : joint.bodyB;
-                if (trees_.reached[root] == 0) grow({root, -1, hanging ? index : kNone, *kind});
+                if (trees_.reached[root] == 0) grow({root, -1, hanging ? index : kNone});
             }
         }
     }
@@ -65,9 +53,8 @@ private:
 
     /// Adds the bodies that are joined to one that was reached.
     /// @return false if a joint closes a loop, or cannot be solved in a tree. Solved in turn with a tree,
-    /// which is
-    ///     rigid at once, a motor, limit or spring in SIMD lanes would see only the inertia of its two
-    ///     bodies: linkages tear, and arms shake.
+    /// which is rigid at once, a motor, limit or spring in SIMD lanes would see only the inertia of its two
+    /// bodies: linkages tear, and arms shake.
     bool reachFrom(std::int32_t place) {
         const ReachedBody from = reached_[static_cast<std::size_t>(place)];
         bool isTree = true;
@@ -75,14 +62,14 @@ private:
             const Joint& joint = world_.joints.hot[index];
             const std::uint32_t other = joint.bodyA == from.body ? joint.bodyB : joint.bodyA;
             if (index == from.joint || joint.place == kNone) return;  // a filter, or to a disabled body
-            const auto kind = kindOf(world_, joint);
-            if (kind && !isDynamic(world_, other)) {
-                held_.push_back({other, place, index, *kind});
-            } else if (!kind || trees_.reached[other] != 0) {
+            const bool can = canBeInTree(world_, joint);
+            if (can && !isDynamic(world_, other)) {
+                held_.push_back({other, place, index});
+            } else if (!can || trees_.reached[other] != 0) {
                 isTree = false;
             } else {
                 trees_.reached[other] = 1;
-                reached_.push_back({other, place, index, *kind});
+                reached_.push_back({other, place, index});
             }
         });
         return isTree;
@@ -92,22 +79,22 @@ private:
     /// makes the system singular. The root has one of them already.
     [[nodiscard]] bool canBeHeld() const {
         int freedom = 0;
-        for (const ReachedBody& body : reached_) freedom += body.joint == kNone ? 3 : 3 - rowsOf(body.kind);
+        const auto rows = [&](std::uint32_t joint) { return rowsOf(world_.joints.hot[joint].kind); };
+        for (const ReachedBody& body : reached_) freedom += body.joint == kNone ? 3 : 3 - rows(body.joint);
         for (const ReachedBody& held : held_) {
             if (held.parent == 0) return false;
-            freedom -= rowsOf(held.kind);
+            freedom -= rows(held.joint);
         }
         return held_.empty() || freedom > 0;
     }
 
-    Link linkOf(std::uint32_t index, TreeJointKind kind, std::uint32_t body) {
+    Link linkOf(std::uint32_t index, std::uint32_t body) {
         const Joint& joint = world_.joints.hot[index];
         Link link;
         link.joint = index;
-        link.kind = kind;
+        link.kind = joint.kind;
         link.treeBodyIsB = joint.bodyB == body;
         link.ground = link.treeBodyIsB ? joint.bodyA : joint.bodyB;
-        link.byArms = kind == TreeJointKind::Point;
         trees_.isDirect[index] = 1;
         return link;
     }
@@ -122,14 +109,13 @@ private:
             Link& link = trees_.links.emplace_back();
             link.joint = kNone;
             if (it->joint == kNone) continue;
-            link = linkOf(it->joint, it->kind, it->body);
+            link = linkOf(it->joint, it->body);
             link.treeBody = static_cast<std::int32_t>(trees_.treeBodies.size()) - 1;
             link.parent = it->parent < 0 ? -1 : tree.end - 1 - it->parent;
         }
         tree.holdBegin = static_cast<std::int32_t>(trees_.holds.size());
         for (const ReachedBody& held : held_) {
-            trees_.holds.push_back(
-                linkOf(held.joint, held.kind, reached_[static_cast<std::size_t>(held.parent)].body));
+            trees_.holds.push_back(linkOf(held.joint, reached_[static_cast<std::size_t>(held.parent)].body));
             trees_.holds.back().treeBody = tree.end - 1 - held.parent;
         }
         tree.holdEnd = static_cast<std::int32_t>(trees_.holds.size());
@@ -151,10 +137,6 @@ void noteColours(const World& world, JointTrees& trees) {
             if (colour < kColours) treeBody.colours |= 1u << colour;
         });
     }
-}
-
-bool touches(const Workspace& work, const TreeBody& treeBody) {
-    return treeBody.colours != work.colourMasks[treeBody.body];
 }
 
 bool isHeld(const JointTree& tree) { return tree.holdBegin < tree.holdEnd; }
@@ -195,10 +177,10 @@ void choose(World& world, Workspace& work) {
     trees.some = false;
     trees.freeMasks.resize(trees.trees.empty() ? 0 : world.bodies.size());
     for (JointTree& tree : trees.trees) {
-        const auto treeBodies = std::span{trees.treeBodies}.subspan(
-            static_cast<std::size_t>(tree.begin), static_cast<std::size_t>(tree.end - tree.begin));
-        const bool touching = std::any_of(treeBodies.begin(), treeBodies.end(),
-                                          [&](const TreeBody& treeBody) { return touches(work, treeBody); });
+        const auto treeBodies = trees.bodiesOf(tree);
+        const bool touching = std::any_of(
+            treeBodies.begin(), treeBodies.end(),
+            [&](const TreeBody& treeBody) { return treeBody.colours != work.colourMasks[treeBody.body]; });
         if (touching) leave(world, trees, tree);
         tree.direct = !touching && comeBack(world, trees, tree);
         trees.some = trees.some || tree.direct;

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <span>
 
 #include "physics/joints/joint_types.hpp"
 #include "physics/trees/tree_joints.hpp"
@@ -27,17 +26,9 @@ struct Trees {
     [[nodiscard]] TreeBody& treeBody(std::int32_t i) const {
         return all.treeBodies[static_cast<std::size_t>(i)];
     }
-    [[nodiscard]] std::span<TreeBody> bodiesOf(const JointTree& tree) const {
-        return std::span{all.treeBodies}.subspan(static_cast<std::size_t>(tree.begin),
-                                                 static_cast<std::size_t>(tree.end - tree.begin));
-    }
     [[nodiscard]] Link& link(std::int32_t i) const { return all.links[static_cast<std::size_t>(i)]; }
     [[nodiscard]] TreeBody* parentOf(const Link& link) const {
         return link.parent >= 0 ? &treeBody(link.parent) : nullptr;
-    }
-    [[nodiscard]] std::span<Link> holdsOf(const JointTree& tree) const {
-        return std::span{all.holds}.subspan(static_cast<std::size_t>(tree.holdBegin),
-                                            static_cast<std::size_t>(tree.holdEnd - tree.holdBegin));
     }
 };
 
@@ -45,14 +36,11 @@ Triple wide(const Float4& v) {
     return {static_cast<double>(v.x), static_cast<double>(v.y), static_cast<double>(v.z)};
 }
 
-TreePose groundPose(const Link& link, double elapsed) {
+TreePose parentPose(const Link& link, const TreeBody* parent, double elapsed) {
+    if (parent != nullptr) return parent->pose;
     const Triple& v = link.groundVelocity;
     const TreePose moved{v.x * elapsed, v.y * elapsed, 0.0, 0.0};
     return v.turn == 0.0 ? moved : turnedBy(moved, v.turn * elapsed);
-}
-
-TreePose parentPose(const Link& link, const TreeBody* parent, double elapsed) {
-    return parent != nullptr ? parent->pose : groundPose(link, elapsed);
 }
 
 // Assembly.
@@ -72,7 +60,7 @@ void soften(const TreeBody& treeBody, Link& link, const TreeBody* parent) {
             offered(treeBody, onTreeBody) + (parent != nullptr ? offered(*parent, onParent) : 0.0);
         return all > 0.0 ? kTreeSoftness * all : kNoAnswer;
     };
-    if (link.byArms) {
+    if (link.byArms()) {
         link.softness = {softness(0, {1.0, 0.0, link.limbY}, {1.0, 0.0, link.parentY}),
                          softness(1, {0.0, 1.0, link.limbX}, {0.0, 1.0, link.parentX}), 1.0};
     } else {
@@ -84,7 +72,7 @@ void soften(const TreeBody& treeBody, Link& link, const TreeBody* parent) {
 
 void strain(TreeBody& treeBody, const Link& link, TreeBody* parent) {
     // Only joints that hold a point have these arms.
-    if (link.kind != TreeJointKind::Point && link.kind != TreeJointKind::Weld) return;
+    if (link.kind != JointKind::Revolute && link.kind != JointKind::Weld) return;
     treeBody.straining += link.force.x * link.limbX + link.force.y * link.limbY;
     if (parent != nullptr) parent->straining -= link.force.x * link.parentX + link.force.y * link.parentY;
 }
@@ -107,32 +95,29 @@ void takeMotion(const Trees& trees, TreeBody& treeBody) {
     treeBody.impulse = {};
 }
 
-/// Factors one limb. To be called from the leaves to the root.
-void factorLimb(const Trees& trees, const JointTree& tree, std::int32_t i) {
-    TreeBody& treeBody = trees.treeBody(i);
-    treeBody.own = treeBody.turns ? inverse(treeBody.own) : inverseUnturned(treeBody.own);
-    if (hasLink(tree, i)) stiffen(treeBody, trees.link(i), trees.parentOf(trees.link(i)));
-}
-
 /// Updates motions, rows and gaps to the current poses, and factors the system.
 void setTree(const Trees& trees, const JointTree& tree) {
-    for (TreeBody& treeBody : trees.bodiesOf(tree)) {
+    for (TreeBody& treeBody : trees.all.bodiesOf(tree)) {
         takeMotion(trees, treeBody);
         treeBody.straining = 0.0;
     }
     forLinks(trees.all, tree, [&](Link& link) { setLink(trees, link); });
-    for (TreeBody& treeBody : trees.bodiesOf(tree)) {
+    for (TreeBody& treeBody : trees.all.bodiesOf(tree)) {
         const double inertia = std::max(treeBody.inertia, kCalm * trees.h * trees.h * treeBody.straining);
         treeBody.own = {treeBody.mass, 0.0, treeBody.mass, 0.0, 0.0, inertia};
     }
-    for (Link& hold : trees.holdsOf(tree)) {
+    for (Link& hold : trees.all.holdsOf(tree)) {
         hold.stiffness = {1.0 / hold.softness.x,   0.0, 1.0 / hold.softness.y, 0.0, 0.0,
                           1.0 / hold.softness.turn};
         Symmetric& own = trees.treeBody(hold.treeBody).own;
-        hold.byArms ? addPoint(hold.limbX, hold.limbY, hold.stiffness, own)
-                    : addRows(hold.onTreeBody, hold.stiffness, own);
+        hold.byArms() ? addPoint(hold.limbX, hold.limbY, hold.stiffness, own)
+                      : addRows(hold.onTreeBody, hold.stiffness, own);
     }
-    for (std::int32_t i = tree.begin; i < tree.end; ++i) factorLimb(trees, tree, i);
+    for (std::int32_t i = tree.begin; i < tree.end; ++i) {
+        TreeBody& treeBody = trees.treeBody(i);
+        treeBody.own = treeBody.turns ? inverse(treeBody.own) : inverseUnturned(treeBody.own);
+        if (hasLink(tree, i)) stiffen(treeBody, trees.link(i), trees.parentOf(trees.link(i)));
+    }
 }
 
 // Errors.
@@ -166,16 +151,6 @@ void findSpeeds(const Trees& trees, Link& link) {
 
 // Solution.
 
-void answerHold(const Trees& trees, Link& hold) {
-    hold.answer = -1.0 * (hold.stiffness * hold.error);
-    trees.treeBody(hold.treeBody).impulse += onTreeBody(hold, hold.answer);
-}
-
-void giveHold(const Trees& trees, Link& hold) {
-    hold.given += hold.answer;
-    hold.given += -1.0 * (hold.stiffness * seenFromLimb(hold, trees.treeBody(hold.treeBody).impulse));
-}
-
 /// Not warm started: the next substep computes tree impulses anew, along the arms of then.
 void addChange(const Trees& trees, const TreeBody& treeBody, const Triple& change) {
     const auto slot = static_cast<std::size_t>(treeBody.slot);
@@ -205,7 +180,10 @@ void giveTree(const Trees& trees, JointTree& tree) {
         addChange(trees, treeBody, treeBody.impulse);
         tree.gain += gainOf(treeBody, treeBody.impulse);
     }
-    for (Link& hold : trees.holdsOf(tree)) giveHold(trees, hold);
+    for (Link& hold : trees.all.holdsOf(tree)) {
+        hold.given += hold.answer;
+        hold.given += -1.0 * (hold.stiffness * seenFromLimb(hold, trees.treeBody(hold.treeBody).impulse));
+    }
 }
 
 /// True if a body that a tree hangs on moves, which does work.
@@ -223,7 +201,7 @@ bool isDriven(const Trees& trees, const JointTree& tree) {
 void calmTree(const Trees& trees, JointTree& tree) {
     Triple middle;
     double mass = 0.0, energy = 0.0;
-    for (TreeBody& treeBody : trees.bodiesOf(tree)) {
+    for (TreeBody& treeBody : trees.all.bodiesOf(tree)) {
         treeBody.velocity += treeBody.impulse;
         energy += -gainOf(treeBody, -1.0 * treeBody.velocity);
         middle += treeBody.mass * Triple{treeBody.velocity.x, treeBody.velocity.y, 0.0};
@@ -234,7 +212,7 @@ void calmTree(const Trees& trees, JointTree& tree) {
     middle = tree.rooted ? Triple{} : 1.0 / mass * middle;
     const double own = energy - 0.5 * mass * (middle.x * middle.x + middle.y * middle.y);
     const double less = own > excess ? 1.0 - std::sqrt(1.0 - excess / own) : 1.0;
-    for (const TreeBody& treeBody : trees.bodiesOf(tree)) {
+    for (const TreeBody& treeBody : trees.all.bodiesOf(tree)) {
         Triple change = treeBody.velocity;
         change += -1.0 * middle;
         change = -less * change;
@@ -246,9 +224,10 @@ void calmTree(const Trees& trees, JointTree& tree) {
 /// Removes the errors of all links, which `find` writes to Link::error.
 template <class Find>
 void solveTree(const Trees& trees, JointTree& tree, Find&& find) {
-    for (Link& hold : trees.holdsOf(tree)) {
+    for (Link& hold : trees.all.holdsOf(tree)) {
         find(trees, hold);
-        answerHold(trees, hold);
+        hold.answer = -1.0 * (hold.stiffness * hold.error);
+        trees.treeBody(hold.treeBody).impulse += onTreeBody(hold, hold.answer);
     }
     for (std::int32_t i = tree.begin; i < tree.end; ++i) {
         if (!hasLink(tree, i)) continue;
@@ -265,7 +244,7 @@ void pushTree(const Trees& trees, JointTree& tree, bool again) {
         if (trees.elapsed == 0.0) setTree(trees, tree);  // later substeps reuse the factors of the relax pass
         forLinks(trees.all, tree, [](Link& link) { link.given = {}; });
     }
-    for (TreeBody& treeBody : trees.bodiesOf(tree)) {
+    for (TreeBody& treeBody : trees.all.bodiesOf(tree)) {
         takeMotion(trees, treeBody);
         lookAhead(trees, treeBody);
     }
@@ -274,7 +253,7 @@ void pushTree(const Trees& trees, JointTree& tree, bool again) {
 
 void relaxTree(const Trees& trees, JointTree& tree, bool again) {
     if (again) {
-        for (TreeBody& treeBody : trees.bodiesOf(tree)) takeMotion(trees, treeBody);
+        for (TreeBody& treeBody : trees.all.bodiesOf(tree)) takeMotion(trees, treeBody);
     } else {
         setTree(trees, tree);
     }
@@ -282,19 +261,9 @@ void relaxTree(const Trees& trees, JointTree& tree, bool again) {
     if (tree.gain > 0.0) calmTree(trees, tree);
     forLinks(trees.all, tree, [&](Link& link) {
         link.force = trees.rate * onTreeBody(link, link.given);
-        if (link.kind != TreeJointKind::Weld && link.kind != TreeJointKind::Slider) link.force.turn = 0.0;
-        if (link.kind == TreeJointKind::Weld) link.force.turn = trees.rate * link.given.turn;
-        if (link.kind == TreeJointKind::Slider) link.force.turn = trees.rate * link.given.y;
-    });
-}
-
-template <class Act>
-void forTrees(StepContext& step, const SolveGroup& group, Act&& act) {
-    JointTrees& all = step.work.joints.trees;
-    forPieces(step, static_cast<int>(all.trees.size()), kGrain, [&](int begin, int end, int) {
-        for (auto t = static_cast<std::size_t>(begin); t < static_cast<std::size_t>(end); ++t) {
-            if (all.trees[t].direct && &step.work.groups[all.trees[t].group] == &group) act(all.trees[t]);
-        }
+        if (link.kind != JointKind::Weld && link.kind != JointKind::Prismatic) link.force.turn = 0.0;
+        if (link.kind == JointKind::Weld) link.force.turn = trees.rate * link.given.turn;
+        if (link.kind == JointKind::Prismatic) link.force.turn = trees.rate * link.given.y;
     });
 }
 
@@ -309,13 +278,12 @@ void prepareArms(const World& world, Link& link) {
     link.parentArm = link.treeBodyIsB ? parts.armA : parts.armB;
     link.apart = sign * parts.apart;
     link.reach = 0.25f * (length(parts.armA) + length(parts.armB));
-    if (link.kind == TreeJointKind::Rod) {
+    if (link.kind == JointKind::Distance) {
         link.rest = view.definition.length;
         link.reach += 0.25f * view.definition.length;
     }
-    if (link.kind == TreeJointKind::Weld || link.kind == TreeJointKind::Slider)
-        link.angle = sign * angleOf(view);
-    if (link.kind == TreeJointKind::Slider) link.axis = rotate(view.turnA, view.definition.axis);
+    if (link.kind == JointKind::Weld || link.kind == JointKind::Prismatic) link.angle = sign * angleOf(view);
+    if (link.kind == JointKind::Prismatic) link.axis = rotate(view.turnA, view.definition.axis);
     const Vec2 force = sign * view.joint.force;
     link.force = {static_cast<double>(force.x), static_cast<double>(force.y), 0.0};
 }
@@ -350,29 +318,28 @@ void prepareTrees(StepContext& step) {
     JointTrees& all = step.work.joints.trees;
     for (JointTree& tree : all.trees) {
         if (!tree.direct) continue;
-        for (std::int32_t i = tree.begin; i < tree.end; ++i)
-            prepareLimb(world, step.work, all.treeBodies[static_cast<std::size_t>(i)]);
+        for (TreeBody& treeBody : all.bodiesOf(tree)) prepareLimb(world, step.work, treeBody);
         tree.powered = false;
         forLinks(all, tree, [&](Link& link) {
             prepareLink(world, step.work, link);
             tree.powered |= (world.joints.hot[link.joint].flags & kDefinitionChanged) != 0;
         });
-        const std::int32_t slot = all.treeBodies[static_cast<std::size_t>(tree.begin)].slot;
+        const std::int32_t slot = all.bodiesOf(tree).front().slot;
         tree.group = 0;
         while (slot >= step.work.groups[tree.group].end) ++tree.group;
     }
 }
 
-void pushTrees(StepContext& step, const SolveGroup& group, float h, int substep, bool again) {
+void solveTrees(StepContext& step, const SolveGroup& group, PassKind kind, float h, int substep, bool again) {
+    JointTrees& all = step.work.joints.trees;
     const auto dt = static_cast<double>(h);
-    const Trees trees{step.work, step.work.joints.trees, dt, 1.0 / dt, dt * substep};
-    forTrees(step, group, [&](JointTree& tree) { pushTree(trees, tree, again); });
-}
-
-void relaxTrees(StepContext& step, const SolveGroup& group, float h, int substep, bool again) {
-    const auto dt = static_cast<double>(h);
-    const Trees trees{step.work, step.work.joints.trees, dt, 1.0 / dt, dt * (substep + 1)};
-    forTrees(step, group, [&](JointTree& tree) { relaxTree(trees, tree, again); });
+    const bool relaxes = kind == PassKind::Relax;
+    const Trees trees{step.work, all, dt, 1.0 / dt, dt * (relaxes ? substep + 1 : substep)};
+    forEach(step.pool, all.trees.size(), kGrain, [&](std::size_t t) {
+        JointTree& tree = all.trees[t];
+        if (!tree.direct || &step.work.groups[tree.group] != &group) return;
+        relaxes ? relaxTree(trees, tree, again) : pushTree(trees, tree, again);
+    });
 }
 
 JointForce forceOf(const Link& link) {
@@ -394,9 +361,9 @@ void storeTrees(StepContext& step) {
             // Warm starting in SIMD lanes, in case the tree is left to them in the next step.
             const float sign = link.treeBodyIsB ? rate : -rate;
             const auto row = [&](double given) { return static_cast<float>(given) * sign; };
-            if (link.kind == TreeJointKind::Weld) joint.rows[0] = row(link.given.turn);
-            if (link.kind == TreeJointKind::Rod) joint.rows[0] = rate * static_cast<float>(link.given.x);
-            if (link.kind == TreeJointKind::Slider)
+            if (link.kind == JointKind::Weld) joint.rows[0] = row(link.given.turn);
+            if (link.kind == JointKind::Distance) joint.rows[0] = rate * static_cast<float>(link.given.x);
+            if (link.kind == JointKind::Prismatic)
                 joint.rows[4] = row(link.given.x), joint.rows[5] = row(link.given.y);
         });
     }

@@ -13,6 +13,25 @@ namespace plumb::physics {
 // velocities consistent there: H. Andersen, "RATTLE", Journal of Computational Physics 52, 1983, which
 // neither gains nor loses energy.
 
+// joint_tree_builder.cpp
+
+/// Decides which awake joints are solved directly and in which order: builds trees of bodies, outwards from
+/// the static or kinematic body that they hang on. The trees depend on the joints alone, so a restored world
+/// has the same ones.
+void growTrees(World& world, Workspace& work);
+
+/// True if some tree is solved directly in this step.
+inline bool solvesTrees(const World& world, const Workspace& work) {
+    return work.joints.trees.some && world.manifest.runs(Effect::Joints);
+}
+/// True if all constraints of a body are joints that are solved directly in this step.
+inline bool isInTree(const World& world, const Workspace& work, std::uint32_t body) {
+    return solvesTrees(world, work) && work.colourMasks[body] != 0 &&
+           work.colourMasks[body] == work.joints.trees.freeMasks[body];
+}
+
+// joint_tree_solver.cpp
+
 /// Computes masses, arms and gaps at the start of the step. After gatherBodies.
 void prepareTrees(StepContext& step);
 
@@ -20,12 +39,11 @@ void prepareTrees(StepContext& step);
 /// @param held  its tree is held at several ends
 bool isClosed(const World& world, Link& link, bool held);
 
-/// Biased pass: velocities that close all gaps within a substep of h seconds.
+/// Biased pass: velocities that close all gaps within a substep of h seconds. Relax pass, after the bodies
+/// have moved: velocities that open no gap.
 /// @param substep  its index
 /// @param again  a further iteration in the same substep, after other constraints changed velocities
-void pushTrees(StepContext& step, const SolveGroup& group, float h, int substep, bool again);
-/// Relax pass, after the bodies have moved: velocities that open no gap.
-void relaxTrees(StepContext& step, const SolveGroup& group, float h, int substep, bool again);
+void solveTrees(StepContext& step, const SolveGroup& group, PassKind kind, float h, int substep, bool again);
 
 /// Force (N) and torque (N m) of a joint on B in the last substep.
 struct JointForce {

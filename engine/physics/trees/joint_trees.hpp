@@ -1,9 +1,11 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "math/vec2.hpp"
+#include "physics/model/joint.hpp"
 #include "physics/trees/symmetric.hpp"
 
 namespace plumb::physics {
@@ -11,10 +13,6 @@ namespace plumb::physics {
 // Data of the direct solver for trees of joints, see joint_tree_solver.hpp. A limb is a body of a tree; a
 // link is a joint between a limb and its parent; a hold is a further joint to a static or kinematic body,
 // which closes a loop.
-
-/// What a joint of a tree constrains, as rows: a point (2), a point and an angle (3), a length (1), the
-/// position across an axis and an angle (2).
-enum class TreeJointKind : std::uint8_t { Point, Weld, Rod, Slider };
 
 /// Motion of a body since the start of the step: m, m, sine and (cosine - 1) of its rotation.
 struct TreePose {
@@ -43,9 +41,8 @@ struct TreeBody {
 /// the parent: a gap grows with the velocity of the limb, and an impulse acts on the limb.
 struct Link {
     std::uint32_t joint = 0;  ///< kNone at the root of a floating tree
-    TreeJointKind kind = TreeJointKind::Point;
+    JointKind kind = JointKind::Revolute;
     bool treeBodyIsB = true;
-    bool byArms = false;        ///< a point constraint, computed from its arms instead of rows
     std::int32_t treeBody = 0;  ///< in JointTrees::treeBodies
     std::int32_t parent = -1;   ///< in JointTrees::treeBodies; -1 for a static or kinematic body
     std::uint32_t ground = 0;   ///< in that case: the body
@@ -73,6 +70,9 @@ struct Link {
     Triple groundVelocity;
     Triple onTreeBody[3];  ///< by row: Jacobian of the limb, and of its parent
     Triple onParent[3];
+
+    /// Whether it is a point constraint, computed from its arms instead of rows.
+    [[nodiscard]] bool byArms() const { return kind == JointKind::Revolute; }
 };
 
 /// A tree: its treeBodies, ordered from the leaves to the root.
@@ -94,7 +94,6 @@ struct ReachedBody {
     std::uint32_t body = 0;
     std::int32_t parent = -1;  ///< index among the bodies found, or -1
     std::uint32_t joint = 0;   ///< to the parent or the ground; kNone at the root of a floating tree
-    TreeJointKind kind = TreeJointKind::Point;
 };
 
 /// All trees. Link i connects limb i to its parent.
@@ -112,10 +111,21 @@ struct JointTrees {
     std::vector<std::uint8_t> reached;  ///< by body
     std::vector<ReachedBody> reachedBodies;
     std::vector<ReachedBody> heldJoints;
+
+    [[nodiscard]] std::span<TreeBody> bodiesOf(const JointTree& tree) {
+        return std::span{treeBodies}.subspan(static_cast<std::size_t>(tree.begin),
+                                             static_cast<std::size_t>(tree.end - tree.begin));
+    }
+    [[nodiscard]] std::span<Link> holdsOf(const JointTree& tree) {
+        return std::span{holds}.subspan(static_cast<std::size_t>(tree.holdBegin),
+                                        static_cast<std::size_t>(tree.holdEnd - tree.holdBegin));
+    }
 };
 
-constexpr int rowsOf(TreeJointKind kind) {
-    return kind == TreeJointKind::Rod ? 1 : kind == TreeJointKind::Weld ? 3 : 2;
+/// What a joint of a tree constrains: a length (1), a point and an angle (3), a point or the position across
+/// an axis and an angle (2).
+constexpr int rowsOf(JointKind kind) {
+    return kind == JointKind::Distance ? 1 : kind == JointKind::Weld ? 3 : 2;
 }
 
 /// True if a limb has a link: all but the root of a floating tree.
@@ -129,8 +139,7 @@ void forLinks(JointTrees& trees, const JointTree& tree, Act&& act) {
     for (std::int32_t i = tree.begin; i < tree.end; ++i) {
         if (hasLink(tree, i)) act(trees.links[static_cast<std::size_t>(i)]);
     }
-    for (std::int32_t n = tree.holdBegin; n < tree.holdEnd; ++n)
-        act(trees.holds[static_cast<std::size_t>(n)]);
+    for (Link& hold : trees.holdsOf(tree)) act(hold);
 }
 
 /// A pose, rotated further by an angle (rad).

@@ -58,7 +58,7 @@ inline void addRows(const Triple (&rows)[3], const Symmetric& k, Symmetric& own)
 
 /// Adds the subtree behind a link to the mass matrix of the parent.
 inline void stiffen(const TreeBody& treeBody, Link& link, TreeBody* parent) {
-    if (link.byArms) {
+    if (link.byArms()) {
         stiffenPoint(treeBody, link);
         if (parent != nullptr) addPoint(link.parentX, link.parentY, link.stiffness, parent->own);
     } else {
@@ -72,11 +72,11 @@ inline Triple seenBy(const Triple (&rows)[3], const Triple& v) {
     return {dot(rows[0], v), dot(rows[1], v), dot(rows[2], v)};
 }
 inline Triple seenFromLimb(const Link& link, const Triple& v) {
-    if (link.byArms) return {v.x - link.limbY * v.turn, v.y + link.limbX * v.turn, 0.0};
+    if (link.byArms()) return {v.x - link.limbY * v.turn, v.y + link.limbX * v.turn, 0.0};
     return seenBy(link.onTreeBody, v);
 }
 inline Triple seenFromParent(const Link& link, const Triple& v) {
-    if (link.byArms) return {link.parentY * v.turn - v.x, -(v.y + link.parentX * v.turn), 0.0};
+    if (link.byArms()) return {link.parentY * v.turn - v.x, -(v.y + link.parentX * v.turn), 0.0};
     return seenBy(link.onParent, v);
 }
 
@@ -88,11 +88,11 @@ inline Triple sumOf(const Triple (&rows)[3], const Triple& impulse) {
     return sum;
 }
 inline Triple onParent(const Link& link, const Triple& impulse) {
-    if (link.byArms) return {-impulse.x, -impulse.y, link.parentY * impulse.x - link.parentX * impulse.y};
+    if (link.byArms()) return {-impulse.x, -impulse.y, link.parentY * impulse.x - link.parentX * impulse.y};
     return sumOf(link.onParent, impulse);
 }
 inline Triple onTreeBody(const Link& link, const Triple& impulse) {
-    if (link.byArms) return {impulse.x, impulse.y, link.limbX * impulse.y - link.limbY * impulse.x};
+    if (link.byArms()) return {impulse.x, impulse.y, link.limbX * impulse.y - link.limbY * impulse.x};
     return sumOf(link.onTreeBody, impulse);
 }
 
@@ -100,7 +100,7 @@ inline Triple onTreeBody(const Link& link, const Triple& impulse) {
 inline void answer(const TreeBody& treeBody, Link& link, TreeBody* parent) {
     Triple wanted{-link.error.x - dot(link.across[0], treeBody.impulse),
                   -link.error.y - dot(link.across[1], treeBody.impulse), 0.0};
-    if (link.byArms) {
+    if (link.byArms()) {
         const Symmetric& k = link.stiffness;
         link.answer = {k.xx * wanted.x + k.xy * wanted.y, k.xy * wanted.x + k.yy * wanted.y, 0.0};
     } else {
@@ -117,7 +117,7 @@ inline void give(TreeBody& treeBody, Link& link, const TreeBody* parent) {
     if (parent != nullptr) {
         const Triple seen = seenFromParent(link, parent->impulse);
         const Symmetric& k = link.stiffness;
-        if (link.byArms) {
+        if (link.byArms()) {
             impulse.x -= k.xx * seen.x + k.xy * seen.y;
             impulse.y -= k.xy * seen.x + k.yy * seen.y;
         } else {
@@ -128,7 +128,7 @@ inline void give(TreeBody& treeBody, Link& link, const TreeBody* parent) {
     treeBody.impulse = treeBody.own * treeBody.impulse;
     treeBody.impulse += impulse.x * link.across[0];
     treeBody.impulse += impulse.y * link.across[1];
-    if (!link.byArms) treeBody.impulse += impulse.turn * link.across[2];
+    if (!link.byArms()) treeBody.impulse += impulse.turn * link.across[2];
 }
 
 }  // namespace plumb::physics

@@ -72,7 +72,7 @@ void setPoint(Link& link, const Anchors& at) {
     link.limbY = at.treeBodyArm.y;
     link.parentX = at.parentArm.x;
     link.parentY = at.parentArm.y;
-    if (link.byArms) return;
+    if (link.byArms()) return;
     setLine(link, 0, {1.0, 0.0}, at.treeBodyArm, at.parentArm);
     setLine(link, 1, {0.0, 1.0}, at.treeBodyArm, at.parentArm);
 }
@@ -96,13 +96,14 @@ void setSlider(Link& link, const Anchors& at, Double2 across) {
 
 Triple gapsAt(const Link& link, const Anchors& at, const TreePose& treeBody, const TreePose& parent) {
     switch (link.kind) {
-        case TreeJointKind::Weld: return {at.apart.x, at.apart.y, angleAt(link, treeBody, parent)};
-        case TreeJointKind::Point: return {at.apart.x, at.apart.y, 0.0};
-        case TreeJointKind::Rod: return {std::sqrt(dot(at.apart, at.apart)) - static_cast<double>(link.rest)};
-        case TreeJointKind::Slider:
+        case JointKind::Weld: return {at.apart.x, at.apart.y, angleAt(link, treeBody, parent)};
+        case JointKind::Revolute: return {at.apart.x, at.apart.y, 0.0};
+        case JointKind::Distance:
+            return {std::sqrt(dot(at.apart, at.apart)) - static_cast<double>(link.rest)};
+        case JointKind::Prismatic:
             return {dot(at.apart, acrossOf(link, treeBody, parent)), angleAt(link, treeBody, parent)};
+        default: return {};  // not in trees
     }
-    return {};
 }
 
 }  // namespace
@@ -125,10 +126,11 @@ TreePose turnedBy(const TreePose& pose, double angle) {
 Triple setRows(Link& link, const TreePose& treeBody, const TreePose& parent) {
     const Anchors at = anchorsAt(link, treeBody, parent);
     switch (link.kind) {
-        case TreeJointKind::Weld: setAngle(link, 2); [[fallthrough]];
-        case TreeJointKind::Point: setPoint(link, at); break;
-        case TreeJointKind::Rod: setRod(link, at); break;
-        case TreeJointKind::Slider: setSlider(link, at, acrossOf(link, treeBody, parent)); break;
+        case JointKind::Weld: setAngle(link, 2); [[fallthrough]];
+        case JointKind::Revolute: setPoint(link, at); break;
+        case JointKind::Distance: setRod(link, at); break;
+        case JointKind::Prismatic: setSlider(link, at, acrossOf(link, treeBody, parent)); break;
+        default: break;  // not in trees
     }
     return gapsAt(link, at, treeBody, parent);
 }
