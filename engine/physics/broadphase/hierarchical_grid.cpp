@@ -1,6 +1,5 @@
 #include "physics/broadphase/hierarchical_grid.hpp"
 
-#include <array>
 #include <bit>
 #include <cmath>
 #include <cstring>
@@ -12,9 +11,10 @@ namespace {
 constexpr float kCoarser = 4.0f;  // ratio of the cell sizes of successive levels
 constexpr float kMinCell = 0.1f;  // ratio to the spacing: smaller cells would not separate boxes better
 
-/// The left, top, right and bottom side of a box in cells, rounded down and clamped to 2^30. The compiler's
-/// vectors handle all four at once; cellAt() says the same of one.
-std::array<std::int32_t, 4> cellsOf(const AABB& box, float perMetre) {
+}  // namespace
+
+// The compiler's vectors handle all four at once.
+std::array<std::int32_t, 4> HierarchicalGrid::cellsOf(const AABB& box, float perMetre) {
     using Four [[gnu::vector_size(16)]] = float;
     using Cells = decltype(Four{} < Four{});
     static_assert(sizeof(Four) == sizeof(AABB));
@@ -28,8 +28,6 @@ std::array<std::int32_t, 4> cellsOf(const AABB& box, float perMetre) {
     return std::bit_cast<std::array<std::int32_t, 4>>(
         cells + (sides < __builtin_convertvector(cells, Four)));  // true is -1
 }
-
-}  // namespace
 
 HierarchicalGrid::Cell HierarchicalGrid::cellOf(const AABB& box) const {
     for (std::uint32_t level = 0; level + 1 < kLevels; ++level) {
@@ -149,16 +147,6 @@ std::uint32_t HierarchicalGrid::placeIn(const Cell& cell) {
     return addPlace();
 }
 
-void HierarchicalGrid::add(const Proxies& proxies, std::span<const std::uint32_t> order,
-                           const PlaceList& list) {
-    for (const std::uint32_t id : order) {
-        const AABB box = usable(proxies.bounds[id]);
-        const std::uint32_t place = placeIn(cellOf(box));
-        write(proxies, place, id, box);
-        list.set(id, place);
-    }
-}
-
 std::uint32_t HierarchicalGrid::move(const Proxies& proxies, std::uint32_t place) {
     const std::uint32_t id = idAt(place);
     const AABB box = usable(proxies.bounds[id]);
@@ -169,13 +157,6 @@ std::uint32_t HierarchicalGrid::move(const Proxies& proxies, std::uint32_t place
     }
     write(proxies, place, id, box);
     return place;
-}
-
-void HierarchicalGrid::find(const BoxSearches& searches, const AABB& box, const LineSweep* sweep,
-                            std::uint32_t mask, std::vector<std::uint32_t>& found) const {
-    visitNear(box, sweep, 0, [&](std::uint32_t begin, std::uint32_t end) {
-        searches.findInRows(*this, {begin, end}, box, sweep, mask, found);
-    });
 }
 
 }  // namespace plumb::physics

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <algorithm>
-#include <cstdint>
+#include <array>
 #include <span>
 #include <vector>
 
@@ -16,20 +16,18 @@ namespace plumb::physics {
 /// are told apart by their bounds. Cells may have a spare slot; a box that finds none in its new cell is
 /// stored after all cells. Source: C. Ericson, "Real-Time Collision Detection", 2005, 7.1.3 (hashed storage)
 /// and 7.2 (hierarchical grids)
-class HierarchicalGrid : public BoxRows {
+class HierarchicalGrid : public SortedRows<HierarchicalGrid> {
 public:
-    HierarchicalGrid() : BoxRows{4} {}
+    HierarchicalGrid() : SortedRows{4} {}
 
     // Interface for PartitionedBroadPhase.
     void sort(const Proxies& proxies, std::span<const std::uint32_t> order, std::uint32_t moving,
               const PlaceList& list);
-    void add(const Proxies& proxies, std::span<const std::uint32_t> order, const PlaceList& list);
     std::uint32_t move(const Proxies& proxies, std::uint32_t place);
-    void find(const BoxSearches& searches, const AABB& box, const LineSweep* sweep, std::uint32_t mask,
-              std::vector<std::uint32_t>& found) const;
     void visitRegions(const std::function<void(const AABB&)>& visit) const;
 
-    // Interface for RowBroadPhase.
+    // Interface for SortedRows and RowBroadPhase.
+    std::uint32_t freePlace(const AABB& box) { return placeIn(cellOf(box)); }
     [[nodiscard]] bool areNear(std::uint32_t a, std::uint32_t b) const {
         return b < sorted_ && cells_[a].level == cells_[b].level && cells_[a].y == cells_[b].y &&
                static_cast<std::uint32_t>(cells_[b].x) - static_cast<std::uint32_t>(cells_[a].x) <=
@@ -57,7 +55,8 @@ private:
         std::uint32_t count = 0;      ///< number of boxes
     };
 
-    static std::int32_t cellAt(float x, float perMetre);
+    /// The left, top, right and bottom side of a box in cells, rounded down and clamped to 2^30.
+    static std::array<std::int32_t, 4> cellsOf(const AABB& box, float perMetre);
     [[nodiscard]] Cell cellOf(const AABB& box) const;
     [[nodiscard]] std::uint32_t indexOf(const Cell& cell) const;
     /// Calls visit with the slots of `wide` cells of a row, beginning at column `left`.
@@ -81,15 +80,6 @@ private:
     std::vector<AABB> orderBoxes_;  ///< of the ids that are sorted
     std::vector<Cell> orderCells_;
 };
-
-inline std::int32_t HierarchicalGrid::cellAt(float x, float perMetre) {
-    constexpr float kMost = 0x1p30f;
-    float scaled = x * perMetre;
-    scaled = scaled < kMost ? scaled : kMost;
-    scaled = scaled > -kMost ? scaled : -kMost;
-    const auto cell = static_cast<std::int32_t>(scaled);
-    return cell - static_cast<std::int32_t>(scaled < static_cast<float>(cell));
-}
 
 /// The number of cells from `first` to `last`, which may differ by more than an int can hold.
 inline std::uint32_t cellsFrom(std::int32_t first, std::int32_t last) {
@@ -120,10 +110,11 @@ void HierarchicalGrid::visitLevel(const Level& level, const AABB& box, const Lin
     const std::uint32_t end = starts_[level.firstCell + level.columns * level.rows];
     if (end <= from) return;
     // A box spans at most two cells, so one that begins in the next cell to the left or above may reach in.
-    std::int32_t left = cellAt(box.min.x, level.perMetre) - 1;
-    const std::int32_t top = cellAt(box.min.y, level.perMetre) - 1;
-    std::uint32_t wide = cellsFrom(left, cellAt(box.max.x, level.perMetre));
-    const std::uint32_t high = cellsFrom(top, cellAt(box.max.y, level.perMetre));
+    const auto sides = cellsOf(box, level.perMetre);
+    std::int32_t left = sides[0] - 1;
+    const std::int32_t top = sides[1] - 1;
+    std::uint32_t wide = cellsFrom(left, sides[2]);
+    const std::uint32_t high = cellsFrom(top, sides[3]);
     if (high > level.rows || high > level.count / 8 + 2) return visit(std::max(begin, from), end);
     for (std::uint32_t i = 0; i < high; ++i) {
         const std::int32_t row = top + static_cast<std::int32_t>(i);
@@ -132,8 +123,9 @@ void HierarchicalGrid::visitLevel(const Level& level, const AABB& box, const Lin
             const Vec2 span = alongRow(*sweep, (row - 1.0) * size, (row + 3.0) * size);
             if (span.x > span.y) continue;
             // One more cell on each side to allow for rounding.
-            left = cellAt(span.x, level.perMetre) - 2;
-            wide = cellsFrom(left, cellAt(span.y, level.perMetre) + 1);
+            const auto ends = cellsOf({{span.x, 0.0f}, {span.y, 0.0f}}, level.perMetre);
+            left = ends[0] - 2;
+            wide = cellsFrom(left, ends[2] + 1);
         }
         visitRow(level, row, left, wide,
                  [&](std::uint32_t a, std::uint32_t b) { visit(std::max(a, from), b); });

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "physics/broadphase/partitioned_broad_phase.hpp"
+#include "physics/model/side_table.hpp"
 
 namespace plumb::physics {
 
@@ -57,7 +58,7 @@ void LooseQuadtree::makeChildren(std::uint32_t node) {
 
 /// Doubles the root until it holds the goal: the former root becomes a quarter of the new one, and so on.
 void LooseQuadtree::growRoot(const Goal& goal) {
-    if (root_ == kNobody) {
+    if (root_ == kNone) {
         root_ = static_cast<std::uint32_t>(nodes_.size());
         const float size = goal.half * 2.0f;
         const Vec2 corner{std::floor(goal.middle.x / size) * size, std::floor(goal.middle.y / size) * size};
@@ -74,9 +75,9 @@ void LooseQuadtree::growRoot(const Goal& goal) {
             nodes_[root_].children + ((displacement.x < 0.0f ? 1u : 0u) | (displacement.y < 0.0f ? 2u : 0u));
         old.parent = root_;
         nodes_[quarter] = old;
-        for (std::uint32_t place = old.firstItem; place != kNobody; place = items_[place].next)
+        for (std::uint32_t place = old.firstItem; place != kNone; place = items_[place].next)
             items_[place].node = quarter;
-        for (std::uint32_t i = 0; i < 4 && old.children != kNobody; ++i)
+        for (std::uint32_t i = 0; i < 4 && old.children != kNone; ++i)
             nodes_[old.children + i].parent = quarter;
     }
 }
@@ -89,8 +90,7 @@ std::uint32_t LooseQuadtree::childFor(std::uint32_t node, const Goal& goal) cons
 
 /// Enlarges the bounds of a node and of those above it by a box.
 void LooseQuadtree::reachOut(std::uint32_t node, const AABB& box) {
-    for (; node != kNobody && merged(nodes_[node].reach, box) != nodes_[node].reach;
-         node = nodes_[node].parent)
+    for (; node != kNone && merged(nodes_[node].reach, box) != nodes_[node].reach; node = nodes_[node].parent)
         nodes_[node].reach = merged(nodes_[node].reach, box);
 }
 
@@ -102,28 +102,28 @@ void LooseQuadtree::leave(std::uint32_t node) {
 void LooseQuadtree::link(std::uint32_t place, std::uint32_t node) {
     Item& item = items_[place];
     item.node = node;
-    item.previous = kNobody;
+    item.previous = kNone;
     item.next = nodes_[node].firstItem;
-    if (item.next != kNobody) items_[item.next].previous = place;
+    if (item.next != kNone) items_[item.next].previous = place;
     nodes_[node].firstItem = place;
     if (node != kOutside) reachOut(node, item.box);
 }
 
 void LooseQuadtree::unlink(std::uint32_t place) {
     const Item& item = items_[place];
-    if (item.previous != kNobody) {
+    if (item.previous != kNone) {
         items_[item.previous].next = item.next;
     } else {
         nodes_[item.node].firstItem = item.next;
     }
-    if (item.next != kNobody) items_[item.next].previous = item.previous;
+    if (item.next != kNone) items_[item.next].previous = item.previous;
 }
 
 /// Creates the four quarters and moves down the items that they can hold.
 void LooseQuadtree::split(std::uint32_t node) {
     makeChildren(node);
-    std::uint32_t next = kNobody;
-    for (std::uint32_t place = nodes_[node].firstItem; place != kNobody; place = next) {
+    std::uint32_t next = kNone;
+    for (std::uint32_t place = nodes_[node].firstItem; place != kNone; place = next) {
         next = items_[place].next;
         const Goal goal = goalOf(items_[place].box);
         if (goal.half >= nodes_[node].half) continue;
@@ -134,18 +134,18 @@ void LooseQuadtree::split(std::uint32_t node) {
     }
 }
 
-/// Inserts an item below the node `from`, which must hold it; kNobody: below the root.
+/// Inserts an item below the node `from`, which must hold it; kNone: below the root.
 void LooseQuadtree::insert(std::uint32_t place, std::uint32_t from) {
     if (isOutside(items_[place].box)) return link(place, kOutside);
     const Goal goal = goalOf(items_[place].box);
     std::uint32_t node = from;
-    if (node == kNobody) {
+    if (node == kNone) {
         growRoot(goal);
         node = root_;
         ++nodes_[node].count;
     }
     while (nodes_[node].half > goal.half) {
-        if (nodes_[node].children == kNobody) {
+        if (nodes_[node].children == kNone) {
             if (nodes_[node].count <= kMany) break;
             split(node);
         }
@@ -166,10 +166,10 @@ void LooseQuadtree::read(const Proxies& proxies, std::uint32_t place, std::uint3
 
 void LooseQuadtree::erase(std::uint32_t place) {
     unlink(place);
-    for (std::uint32_t node = items_[place].node; node != kNobody && node != kOutside;
+    for (std::uint32_t node = items_[place].node; node != kNone && node != kOutside;
          node = nodes_[node].parent)
         leave(node);
-    items_[place].node = kNobody;
+    items_[place].node = kNone;
     free_.push_back(place);
 }
 
@@ -180,15 +180,9 @@ bool LooseQuadtree::isDue(std::size_t arrivals, std::uint32_t) const {
 
 void LooseQuadtree::add(const Proxies& proxies, std::span<const std::uint32_t> ids, const PlaceList& list) {
     for (const std::uint32_t id : ids) {
-        std::uint32_t place = places();
-        if (free_.empty()) {
-            items_.emplace_back();
-        } else {
-            place = free_.back();
-            free_.pop_back();
-        }
+        const std::uint32_t place = takeIndex(free_, items_);
         read(proxies, place, id);
-        insert(place, kNobody);
+        insert(place, kNone);
         list.set(id, place);
     }
 }
@@ -198,7 +192,7 @@ void LooseQuadtree::sort(const Proxies& proxies, std::span<std::uint32_t> ids, s
     nodes_.assign(1, {});
     items_.clear();
     free_.clear();
-    root_ = kNobody;
+    root_ = kNone;
     all_ = {};
     curve_.sort(proxies.bounds, ids);
     add(proxies, ids, list);
@@ -219,21 +213,17 @@ std::uint32_t LooseQuadtree::move(const Proxies& proxies, std::uint32_t place) {
     read(proxies, place, items_[place].id);
     const Item& item = items_[place];
     const std::uint32_t old = item.node;
-    if (old == kOutside || isOutside(item.box)) {
-        erase(place);
-        free_.pop_back();
-        insert(place, kNobody);
-        return place;
-    }
+    const bool isFar = isOutside(item.box);
     const Goal goal = goalOf(item.box);
-    if (holds(nodes_[old], goal) && (nodes_[old].children == kNobody || nodes_[old].half == goal.half)) {
+    const auto fits = [&](std::uint32_t node) { return !isFar && holds(nodes_[node], goal); };
+    if (old != kOutside && fits(old) && (nodes_[old].children == kNone || nodes_[old].half == goal.half)) {
         reachOut(old, item.box);
         return place;
     }
     // Goes up to the first square that holds the box, and down again from there.
     unlink(place);
-    std::uint32_t node = old;
-    while (node != kNobody && !holds(nodes_[node], goal)) {
+    std::uint32_t node = old != kOutside ? old : kNone;
+    while (node != kNone && !fits(node)) {
         leave(node);
         node = nodes_[node].parent;
     }

@@ -6,7 +6,8 @@
 #include <vector>
 
 #include "physics/broadphase/hilbert_order.hpp"
-#include "physics/broadphase/line_sweep.hpp"
+#include "physics/broadphase/overlap.hpp"
+#include "physics/ids.hpp"
 
 namespace plumb::physics {
 
@@ -25,9 +26,9 @@ public:
         AABB box;
         Filter filter;
         std::uint32_t id = 0;
-        std::uint32_t node = kNobody;  ///< kNobody: the item is free
-        std::uint32_t next = kNobody;  ///< next item of the same node
-        std::uint32_t previous = kNobody;
+        std::uint32_t node = kNone;  ///< kNone: the item is free
+        std::uint32_t next = kNone;  ///< next item of the same node
+        std::uint32_t previous = kNone;
         bool awake = false;
     };
 
@@ -43,7 +44,7 @@ public:
     [[nodiscard]] bool isDue(std::size_t arrivals, std::uint32_t moving) const;
     [[nodiscard]] std::uint32_t places() const { return static_cast<std::uint32_t>(items_.size()); }
     [[nodiscard]] std::uint32_t size() const { return places() - static_cast<std::uint32_t>(free_.size()); }
-    [[nodiscard]] bool isFree(std::uint32_t place) const { return items_[place].node == kNobody; }
+    [[nodiscard]] bool isFree(std::uint32_t place) const { return items_[place].node == kNone; }
     [[nodiscard]] std::uint32_t idAt(std::uint32_t place) const { return items_[place].id; }
     void find(const BoxSearches& searches, const AABB& box, const LineSweep* sweep, std::uint32_t mask,
               std::vector<std::uint32_t>& found) const;
@@ -57,7 +58,6 @@ public:
     void visitNear(const AABB& box, const LineSweep* sweep, const Visit& visit) const;
 
 private:
-    static constexpr std::uint32_t kNobody = 0xffffffffu;
     static constexpr std::uint32_t kOutside = 0;  ///< node of boxes too far away or too large for squares
     static constexpr int kMaxLevels = 64;
 
@@ -65,10 +65,10 @@ private:
         AABB reach = kNowhere;  ///< union of all boxes that were in it or below since it was last empty
         Vec2 middle;            ///< m
         float half = 0.0f;      ///< m
-        std::uint32_t parent = kNobody;
+        std::uint32_t parent = kNone;
         std::uint32_t children =
-            kNobody;  ///< the first of four; a node with children keeps only the boxes that these cannot hold
-        std::uint32_t firstItem = kNobody;
+            kNone;  ///< the first of four; a node with children keeps only the boxes that these cannot hold
+        std::uint32_t firstItem = kNone;
         std::uint32_t count = 0;  ///< number of items in it and below
     };
 
@@ -95,7 +95,7 @@ private:
     std::vector<Node> nodes_;  ///< node 0 is kOutside
     std::vector<Item> items_;
     std::vector<std::uint32_t> free_;
-    std::uint32_t root_ = kNobody;
+    std::uint32_t root_ = kNone;
     FilterUnion all_;
     HilbertOrder curve_;
 };
@@ -105,13 +105,13 @@ void LooseQuadtree::visitNear(const AABB& box, const LineSweep* sweep, const Vis
     std::array<std::uint32_t, 3 * kMaxLevels + 2> stack;
     std::size_t depth = 0;
     stack[depth++] = kOutside;
-    if (root_ != kNobody) stack[depth++] = root_;
+    if (root_ != kNone) stack[depth++] = root_;
     while (depth > 0) {
         const Node& node = nodes_[stack[--depth]];
-        for (std::uint32_t place = node.firstItem; place != kNobody; place = items_[place].next) {
+        for (std::uint32_t place = node.firstItem; place != kNone; place = items_[place].next) {
             if (touch(items_[place].box, box)) visit(place);
         }
-        if (node.children == kNobody) continue;
+        if (node.children == kNone) continue;
         for (std::uint32_t child = node.children; child < node.children + 4; ++child) {
             const AABB& reach = nodes_[child].reach;
             if (!touch(reach, box)) continue;

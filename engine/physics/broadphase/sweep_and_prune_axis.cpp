@@ -4,8 +4,6 @@
 #include <bit>
 #include <cmath>
 
-#include "physics/tuning.hpp"
-
 namespace plumb::physics {
 
 namespace {
@@ -33,18 +31,6 @@ bool sortNearlySorted(std::vector<std::uint64_t>& keys) {
         left -= i - at;
     }
     return true;
-}
-
-/// Radix sort by the four bytes of the upper half; stable for equal upper halves.
-void sortByByte(std::vector<std::uint64_t>& keys, std::vector<std::uint64_t>& spare) {
-    spare.resize(keys.size());
-    for (int shift = 32; shift < 64; shift += 8) {
-        std::uint32_t counts[257] = {};
-        for (const std::uint64_t key : keys) ++counts[(key >> shift & 255) + 1];
-        for (int i = 1; i < 257; ++i) counts[i] += counts[i - 1];
-        for (const std::uint64_t key : keys) spare[counts[key >> shift & 255]++] = key;
-        keys.swap(spare);
-    }
 }
 
 }  // namespace
@@ -95,7 +81,7 @@ void SweepAndPruneAxis::sort(const Proxies& proxies, std::span<const std::uint32
     starts_.resize(order.size());
     std::uint32_t place = 0;
     for (std::uint32_t i = 0; i < kSegments; ++i) {
-        if (!sortNearlySorted(keys_[i])) sortByByte(keys_[i], spare_);
+        if (!sortNearlySorted(keys_[i])) sorter_.sort(keys_[i], 4, 8);
         segments_[i].begin = place;
         for (const Key key : keys_[i]) {
             const std::uint32_t id = order[key & 0xffffffffu];
@@ -136,15 +122,6 @@ Stretch SweepAndPruneAxis::findStarts(const Segment& segment, const AABB& box, s
     return {begin, firstAbove(upper, begin, segment.end)};
 }
 
-void SweepAndPruneAxis::add(const Proxies& proxies, std::span<const std::uint32_t> order,
-                            const PlaceList& list) {
-    for (const std::uint32_t id : order) {
-        const std::uint32_t place = addPlace();
-        write(proxies, place, id, usable(proxies.bounds[id]));
-        list.set(id, place);
-    }
-}
-
 std::uint32_t SweepAndPruneAxis::move(const Proxies& proxies, std::uint32_t place) {
     const std::uint32_t id = idAt(place);
     const AABB box = usable(proxies.bounds[id]);
@@ -159,13 +136,6 @@ std::uint32_t SweepAndPruneAxis::move(const Proxies& proxies, std::uint32_t plac
     }
     write(proxies, place, id, box);
     return place;
-}
-
-void SweepAndPruneAxis::find(const BoxSearches& searches, const AABB& box, const LineSweep* sweep,
-                             std::uint32_t mask, std::vector<std::uint32_t>& found) const {
-    visitNear(box, sweep, 0, [&](std::uint32_t begin, std::uint32_t end) {
-        searches.findInRows(*this, {begin, end}, box, sweep, mask, found);
-    });
 }
 
 }  // namespace plumb::physics

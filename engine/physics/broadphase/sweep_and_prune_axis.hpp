@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -14,20 +13,18 @@ namespace plumb::physics {
 /// begin. A box may move a little from where it was sorted to; one that moves further is stored after all
 /// segments. Source: D. Baraff, "Dynamic Simulation of Non-Penetrating Rigid Bodies", thesis, 1992 (sorted
 /// intervals that stay nearly sorted); C. Ericson, "Real-Time Collision Detection", 2005, 7.5
-class SweepAndPruneAxis : public BoxRows {
+class SweepAndPruneAxis : public SortedRows<SweepAndPruneAxis> {
 public:
-    SweepAndPruneAxis() : BoxRows{2} {}
+    SweepAndPruneAxis() : SortedRows{2} {}
 
     // Interface for PartitionedBroadPhase.
     void sort(const Proxies& proxies, std::span<const std::uint32_t> order, std::uint32_t moving,
               const PlaceList& list);
-    void add(const Proxies& proxies, std::span<const std::uint32_t> order, const PlaceList& list);
     std::uint32_t move(const Proxies& proxies, std::uint32_t place);
-    void find(const BoxSearches& searches, const AABB& box, const LineSweep* sweep, std::uint32_t mask,
-              std::vector<std::uint32_t>& found) const;
     void visitRegions(const std::function<void(const AABB&)>& visit) const;
 
-    // Interface for RowBroadPhase.
+    // Interface for SortedRows and RowBroadPhase.
+    std::uint32_t freePlace(const AABB&) { return addPlace(); }
     [[nodiscard]] bool areNear(std::uint32_t a, std::uint32_t b) const {
         return b - a < kNear && b < sorted_;
     }
@@ -61,7 +58,7 @@ private:
 
     std::vector<AABB> boxes_;  ///< of the ids that are sorted
     std::vector<Key> keys_[kSegments];
-    std::vector<Key> spare_;
+    RadixSort sorter_;
 };
 
 template <class Visit>

@@ -30,11 +30,6 @@ AABB boxAlong(const AABB& bounds, WorldPosition from, Vec2 displacement, float g
 
 }  // namespace
 
-float reachAlong(const Convex& outline, Vec2 direction) {
-    const auto corner = static_cast<std::size_t>(farthest(outline.corners(), direction));
-    return dot(outline.corners()[corner].point, direction) + outline.radius;
-}
-
 CharacterProbe::CharacterProbe(World& world, const CharacterDefinition& definition, float dt)
     : filter{definition.filter}, world_{world}, definition_{definition}, dt_{dt} {}
 

@@ -1,5 +1,3 @@
-#include <algorithm>
-
 #include "physics/debug/picture.hpp"
 #include "physics/model/bodies.hpp"
 
@@ -45,11 +43,8 @@ void drawRegion(const Picture& picture, const FieldDefinition& field) {
 
 /// m: arrow of a flow or acceleration.
 Vec2 arrowOf(const FieldDefinition& field) {
-    const Vec2 displacement = field.kind == FieldKind::AreaGravity
-                                  ? kArrowPerAcceleration * field.acceleration
-                                  : kFlowLength * field.velocity;
-    const float size = length(displacement);
-    return size > kLongestArrow ? (kLongestArrow / size) * displacement : displacement;
+    return limited(field.kind == FieldKind::AreaGravity ? kArrowPerAcceleration * field.acceleration
+                                                        : kFlowLength * field.velocity);
 }
 
 /// Four arrows towards the center of an attractor, or away from it.

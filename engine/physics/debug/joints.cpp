@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <cmath>
 #include <numbers>
 
 #include "physics/debug/picture.hpp"
@@ -80,7 +79,8 @@ void drawLimits(const Picture& picture, const JointPlace& at) {
 
 /// From a body to its anchor. Not for static bodies, which may be far away.
 void drawArm(const Picture& picture, std::uint32_t body, Vec2 to) {
-    if (!picture.isStatic(body)) picture.canvas.line(picture.centre(body), to, DebugRole::Joint);
+    if (picture.world.bodies.info[body].kind != BodyKind::Static)
+        picture.canvas.line(picture.centre(body), to, DebugRole::Joint);
 }
 
 void drawTies(const Picture& picture, const JointPlace& at) {
@@ -133,10 +133,8 @@ void drawJointForces(const Picture& picture) {
         const float lightest =
             std::max(masses[at.joint.bodyA].inverseMass, masses[at.joint.bodyB].inverseMass);
         const Vec2 displacement = (kArrowPerAcceleration * lightest) * at.joint.force;
-        const float size = length(displacement);
-        if (!(size > 0.0f)) return;
-        picture.canvas.arrow(at.b, at.b + std::min(1.0f, kLongestArrow / size) * displacement,
-                             DebugRole::JointForce);
+        if (length(displacement) > 0.0f)
+            picture.canvas.arrow(at.b, at.b + limited(displacement), DebugRole::JointForce);
     });
 }
 

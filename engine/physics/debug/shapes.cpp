@@ -8,10 +8,6 @@ namespace plumb::physics {
 
 namespace {
 
-bool isTrigger(const World& world, std::uint32_t shape) {
-    return (world.shapes.info[shape].flags & kTrigger) != 0;
-}
-
 DebugRole roleOf(ProxyMotion motion) {
     switch (motion) {
         case ProxyMotion::Kinematic: return DebugRole::Driven;
@@ -43,37 +39,39 @@ std::uint32_t headOfIsland(const World& world, std::uint32_t body) {
     return body;
 }
 
-}  // namespace
+Vec2 middleOf(const Picture& picture, std::uint32_t shape, std::uint32_t body) {
+    return apply(picture.frame(body), picture.outline(shape).centre);
+}
 
-void drawShapes(const Picture& picture) {
+/// The outlines of all shapes that are triggers, or that are not; of small ones the bounds.
+void drawOutlines(const Picture& picture, bool triggers) {
     const Shapes& shapes = picture.world.shapes;
-    const auto stops = [&](std::uint32_t s) { return !isTrigger(picture.world, s); };
-    picture.forShapesThat(stops, [&](std::uint32_t s, std::uint32_t body, const AABB& box) {
-        const DebugRole role = roleOf(shapes.motion[s]);
-        if (picture.isDot(box)) return picture.canvas.box(box, role);
+    picture.forShapes([&](std::uint32_t s, std::uint32_t body) {
+        const std::uint8_t flags = shapes.info[s].flags;
+        if (((flags & kTrigger) != 0) != triggers) return;
+        const DebugRole role = triggers ? DebugRole::Trigger : roleOf(shapes.motion[s]);
+        if (const AABB box = picture.box(s); picture.isDot(box)) return picture.canvas.box(box, role);
         const Frame frame = picture.frame(body);
-        const Convex outline = picture.outline(s);
-        drawOutline(picture.canvas, outline, frame, role);
-        if ((shapes.info[s].flags & kOneWay) == 0) return;
-        const Vec2 from = apply(frame, outline.centre);
+        drawOutline(picture.canvas, picture.outline(s), frame, role);
+        if (triggers || (flags & kOneWay) == 0) return;
+        const Vec2 from = middleOf(picture, s, body);
         picture.canvas.arrow(
             from, from + kOneWayArrow * rotate(frame.rotation, shapes.extrasOf(s).oneWayDirection), role);
     });
+}
+
+}  // namespace
+
+void drawShapes(const Picture& picture) {
+    drawOutlines(picture, false);
     drawSoftBodies(picture);
 }
 
 void drawTriggers(const Picture& picture) {
-    const auto triggers = [&](std::uint32_t s) { return isTrigger(picture.world, s); };
-    picture.forShapesThat(triggers, [&](std::uint32_t s, std::uint32_t body, const AABB& box) {
-        if (picture.isDot(box)) return picture.canvas.box(box, DebugRole::Trigger);
-        drawOutline(picture.canvas, picture.outline(s), picture.frame(body), DebugRole::Trigger);
-    });
-    const auto middle = [&](std::uint32_t shape, std::uint32_t body) {
-        return apply(picture.frame(body), picture.outline(shape).centre);
-    };
+    drawOutlines(picture, true);
     picture.forContacts(true, [&](const Contact& contact) {
-        picture.canvas.line(middle(contact.shapeA, contact.bodyA), middle(contact.shapeB, contact.bodyB),
-                            DebugRole::Visitor);
+        picture.canvas.line(middleOf(picture, contact.shapeA, contact.bodyA),
+                            middleOf(picture, contact.shapeB, contact.bodyB), DebugRole::Visitor);
     });
 }
 
@@ -98,7 +96,7 @@ void drawBroadPhase(const Picture& picture) {
 
 void drawIslands(const Picture& picture) {
     picture.forShapes([&](std::uint32_t s, std::uint32_t body) {
-        if (!picture.isDynamic(body)) return;
+        if (!isDynamic(picture.world, body)) return;
         drawOutline(picture.canvas, picture.outline(s), picture.frame(body),
                     {DebugRole::Island, headOfIsland(picture.world, body)});
     });
@@ -107,7 +105,7 @@ void drawIslands(const Picture& picture) {
 void drawRest(const Picture& picture) {
     const Settings& settings = picture.world.settings;
     picture.forShapes([&](std::uint32_t s, std::uint32_t body) {
-        if (!picture.isDynamic(body)) return;
+        if (!isDynamic(picture.world, body)) return;
         const bool asleep = picture.world.shapes.motion[s] == ProxyMotion::Asleep;
         const float restTime = picture.world.bodies.motion[body].restTime;
         const float part = asleep ? 1.0f : std::min(restTime / std::max(settings.sleepTime, 1e-6f), 1.0f);

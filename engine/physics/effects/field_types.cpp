@@ -1,8 +1,8 @@
 #include "physics/effects/field_types.hpp"
 
-#include <algorithm>
 #include <cmath>
 
+#include "physics/model/edits.hpp"
 #include "physics/shapes/convex.hpp"
 
 namespace plumb::physics {
@@ -10,15 +10,10 @@ namespace plumb::physics {
 namespace {
 
 bool isInRegion(const FieldDefinition& field, Vec2 displacement, float reach) {
-    switch (field.region) {
-        case RegionKind::Box:
-            return std::fabs(displacement.x) <= field.half.x + reach &&
-                   std::fabs(displacement.y) <= field.half.y + reach;
-        case RegionKind::Circle: return length(displacement) <= field.radius + reach;
-        case RegionKind::Everywhere:
-        case RegionKind::Count: break;
-    }
-    return true;
+    const RegionKind region = regionOf(field);
+    if (region == RegionKind::Circle) return length(displacement) <= field.radius + reach;
+    return region != RegionKind::Box || (std::fabs(displacement.x) <= field.half.x + reach &&
+                                         std::fabs(displacement.y) <= field.half.y + reach);
 }
 
 }  // namespace
@@ -44,7 +39,6 @@ bool actsOn(const World& world, const FieldDefinition& field, std::uint32_t body
     // Fluids and explosions act on outlines, all other fields on centers of mass.
     const bool byOutline = field.kind == FieldKind::Buoyancy || field.kind == FieldKind::Explosion;
     const float reach = byOutline ? world.bodies.info[body].reach : 0.0f;
-    if (field.kind == FieldKind::Explosion) return length(displacement) <= field.radius + reach;
     return isInRegion(field, displacement, reach);
 }
 
@@ -90,10 +84,10 @@ float widthAcross(const Geometry& geometry, std::span<const Corner> corners, Vec
 float widthAcross(const World& world, std::uint32_t body, Rot rotation, Vec2 direction) {
     const Vec2 local = unrotate(rotation, direction);
     float width = 0.0f;
-    for (std::uint32_t s = world.bodies.info[body].firstShape; s != kNone; s = world.shapes.info[s].next) {
+    forShapesOf(world, body, [&](std::uint32_t s) {
         if ((world.shapes.info[s].flags & kTrigger) == 0)
             width += widthAcross(world.shapes.geometry[s], world.shapes.corners, local);
-    }
+    });
     return width;
 }
 

@@ -53,6 +53,10 @@ const FieldType& fieldTypeOf(FieldKind kind);
 [[nodiscard]] bool actsOn(const World& world, const FieldDefinition& field, std::uint32_t body);
 /// m: center of the region of a field. That of an Attractor moves with its body.
 [[nodiscard]] WorldPosition centreOf(const World& world, const FieldDefinition& field);
+/// The shape of the region of a field; that of an explosion is always a circle.
+constexpr RegionKind regionOf(const FieldDefinition& field) {
+    return field.kind == FieldKind::Explosion ? RegionKind::Circle : field.region;
+}
 /// True if a position lies in the region of a field.
 [[nodiscard]] bool isInRegion(const FieldDefinition& field, WorldPosition place);
 /// m/s: velocity of the air of a Wind in a given step, gusts included.

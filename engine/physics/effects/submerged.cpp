@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "math/portable.hpp"
-#include "physics/shapes/convex.hpp"
 #include "physics/shapes/shape_types.hpp"
 
 namespace plumb::physics {
@@ -164,13 +163,12 @@ Submerged submergedPart(const Geometry& geometry, std::span<const Corner> corner
         bounds.min.x >= fluid.half) {
         return {};
     }
-    const Convex convex = convexOf(geometry, corners);
     if (bounds.min.y >= 0.0f && bounds.max.y <= fluid.depth && bounds.min.x >= -fluid.half &&
         bounds.max.x <= fluid.half) {
-        const MassProperties whole = massOf(convex, 1.0f);
+        const MassProperties whole = massProperties(geometry, corners, 1.0f);
         return {whole.mass, apply(toFluid, whole.centre)};
     }
-    const Sums sums = alongEdge(convex, toFluid, fluid);
+    const Sums sums = alongEdge(convexOf(geometry, corners), toFluid, fluid);
     const double area = std::fabs(sums.area);
     if (!(area > 1.0e-12)) return {};
     return {static_cast<float>(area),

@@ -2,7 +2,7 @@
 
 #include "physics/islands/substep_controller.hpp"
 #include "physics/islands/substep_estimate.hpp"
-#include "physics/measure/constraint_errors.hpp"
+#include "physics/measure/measures.hpp"
 #include "physics/model/edits.hpp"
 
 namespace plumb::physics {

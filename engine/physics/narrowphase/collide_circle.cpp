@@ -1,5 +1,5 @@
 #include "physics/narrowphase/collide.hpp"
-#include "physics/shapes/probe.hpp"
+#include "physics/shapes/shape_types.hpp"
 
 namespace plumb::physics {
 
@@ -65,7 +65,7 @@ Manifold collideCircleBox(const Geometry& circle, const Geometry& box, std::span
 
 Manifold collideCircleConvex(const Geometry& circle, const Geometry& other, std::span<const Corner> corners,
                              const Frame& bInA, float speculative) {
-    const ClosestPoint closest = closestPointOf(convexOf(other, corners), applyInverse(bInA, circle.a));
+    const ClosestPoint closest = closestPoint(other, corners, applyInverse(bInA, circle.a));
     const float separation = closest.distance - circle.radius;
     if (!(separation <= speculative)) return {};
     return onePoint(circle, -rotate(bInA.rotation, closest.normal), separation,

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "physics/shapes/probe.hpp"
+#include "physics/shapes/shape_types.hpp"
 #include "physics/tuning.hpp"
 
 namespace plumb::physics {

@@ -1,10 +1,9 @@
 #include "physics/queries/candidates.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 #include "physics/broadphase/broadphase_update.hpp"
-#include "physics/model/checks.hpp"
+#include "physics/ranges.hpp"
 #include "physics/shapes/shape_types.hpp"
 #include "physics/tuning.hpp"
 
@@ -63,12 +62,6 @@ std::span<const std::uint32_t> candidatesAlong(World& world, WorldPosition from,
     work.broadPhase->cast(start, displacement, half + Vec2{margin, margin}, filter.mask, work.candidates,
                           Among::All);
     return choose(world, filter);
-}
-
-void sortByFraction(std::vector<CastHit>& hits) {
-    std::sort(hits.begin(), hits.end(), [](const CastHit& a, const CastHit& b) {
-        return a.fraction != b.fraction ? a.fraction < b.fraction : a.shape.index < b.shape.index;
-    });
 }
 
 Vec2 seenFrom(const BodyPose& body, WorldPosition place) {

@@ -1,8 +1,5 @@
 #include "physics/queries/overlap.hpp"
 
-#include <cmath>
-
-#include "physics/model/checks.hpp"
 #include "physics/model/shapes.hpp"
 #include "physics/narrowphase/distance.hpp"
 #include "physics/queries/candidates.hpp"

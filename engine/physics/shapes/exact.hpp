@@ -15,12 +15,4 @@ inline double areaOf(Vec2 a, Vec2 b, Vec2 c) {
     return abx * acy - aby * acx;
 }
 
-/// m: distance of `point` from the line through a and b; from a if both are equal.
-inline double heightOver(Vec2 a, Vec2 b, Vec2 point) {
-    const double x = static_cast<double>(b.x) - static_cast<double>(a.x);
-    const double y = static_cast<double>(b.y) - static_cast<double>(a.y);
-    const double size = std::sqrt(x * x + y * y);
-    return size > 0.0 ? std::fabs(areaOf(a, b, point)) / size : static_cast<double>(distance(a, point));
-}
-
 }  // namespace plumb::physics

@@ -35,6 +35,14 @@ std::vector<Vec2> loopAround(std::vector<Vec2> points) {
     return loop;
 }
 
+/// m: distance of `point` from the line through a and b; from a if both are equal.
+double heightOver(Vec2 a, Vec2 b, Vec2 point) {
+    const double x = static_cast<double>(b.x) - static_cast<double>(a.x);
+    const double y = static_cast<double>(b.y) - static_cast<double>(a.y);
+    const double size = std::sqrt(x * x + y * y);
+    return size > 0.0 ? std::fabs(areaOf(a, b, point)) / size : static_cast<double>(distance(a, point));
+}
+
 /// Removes the flattest corner repeatedly, as long as it protrudes by less than `height`.
 void dropFlat(std::vector<Vec2>& loop, double height) {
     while (loop.size() >= 3) {

@@ -1,4 +1,4 @@
-#include "physics/shapes/probe.hpp"
+#include "physics/shapes/shape_types.hpp"
 
 namespace plumb::physics {
 
@@ -119,7 +119,14 @@ ClosestPoint closestPointOf(const Convex& convex, Vec2 place) {
             along < 1.0f ? face.index : after};
 }
 
-std::optional<RayHit> castRayAt(const Convex& convex, const Ray& ray) {
+ClosestPoint closestPoint(const Geometry& geometry, std::span<const Corner> corners, Vec2 place) {
+    return closestPointOf(convexOf(geometry, corners), place);
+}
+
+std::optional<RayHit> castRay(const Geometry& geometry, std::span<const Corner> corners, const Ray& ray) {
+    const bool isChain = geometry.kind == ShapeKind::ChainSegment;
+    if (isChain && !(dot(ray.displacement, normalOfChain(geometry)) < 0.0f)) return std::nullopt;
+    const Convex convex = convexOf(geometry, corners);
     const ClosestPoint start = closestPointOf(convex, ray.from);
     if (convex.radius > 0.0f || convex.count > 2) {
         if (start.distance <= 0.0f) return RayHit{0.0f, start.normal};

@@ -51,10 +51,6 @@ static_assert(std::size(kShapeTypes) == static_cast<std::size_t>(ShapeKind::Coun
 
 const ShapeType& shapeTypeOf(ShapeKind kind) { return kShapeTypes[static_cast<std::size_t>(kind)]; }
 
-MassProperties massProperties(const Geometry& geometry, Corners corners, float density) {
-    return massOf(convexOf(geometry, corners), density);
-}
-
 AABB boundsOf(const Geometry& geometry, Corners corners, const Frame& frame) {
     return shapeTypeOf(geometry.kind).bounds(geometry, corners, frame);
 }
@@ -76,16 +72,6 @@ float coreOf(const Geometry& geometry, Corners corners, Vec2 at) {
 
 bool containsPoint(const Geometry& geometry, Corners corners, Vec2 point) {
     return shapeTypeOf(geometry.kind).solid && closestPoint(geometry, corners, point).distance <= 0.0f;
-}
-
-ClosestPoint closestPoint(const Geometry& geometry, Corners corners, Vec2 place) {
-    return closestPointOf(convexOf(geometry, corners), place);
-}
-
-std::optional<RayHit> castRay(const Geometry& geometry, Corners corners, const Ray& ray) {
-    const bool isChain = geometry.kind == ShapeKind::ChainSegment;
-    if (isChain && !(dot(ray.displacement, normalOfChain(geometry)) < 0.0f)) return std::nullopt;
-    return castRayAt(convexOf(geometry, corners), ray);
 }
 
 }  // namespace plumb::physics
