@@ -222,8 +222,8 @@ class SortedRows : public BoxRows {
 public:
     using BoxRows::BoxRows;
 
-    void add(const Proxies& proxies, std::span<const std::uint32_t> ids, const PlaceList& list) {
-        for (const std::uint32_t id : ids) {
+    void add(const Proxies& proxies, std::span<const std::uint32_t> order, const PlaceList& list) {
+        for (const std::uint32_t id : order) {
             const AABB box = usable(proxies.bounds[id]);
             const std::uint32_t place = static_cast<Rows&>(*this).freePlace(box);
             write(proxies, place, id, box);

@@ -1,6 +1,5 @@
 #include "physics/effects/submerged.hpp"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "physics/contacts/contacts.hpp"
+#include "physics/model/edits.hpp"
 #include "physics/shapes/shape_types.hpp"
 #include "physics/tuning.hpp"
 #include "physics/workspace.hpp"
@@ -57,9 +58,7 @@ void setBounds(World& world, std::uint32_t shape) {
 }
 
 void refreshBounds(World& world, std::uint32_t body) {
-    for (std::uint32_t s = world.bodies.info[body].firstShape; s != kNone; s = world.shapes.info[s].next) {
-        setBounds(world, s);
-    }
+    forShapesOf(world, body, [&](std::uint32_t s) { setBounds(world, s); });
 }
 
 void alter(World& world, std::uint32_t shape) {
@@ -69,11 +68,6 @@ void alter(World& world, std::uint32_t shape) {
     if ((flags & kAltered) != 0) return;
     flags |= kAltered;
     world.altered.push_back(shape);
-}
-
-void alterAll(World& world, std::uint32_t body) {
-    for (std::uint32_t s = world.bodies.info[body].firstShape; s != kNone; s = world.shapes.info[s].next)
-        alter(world, s);
 }
 
 void noteChanged(World& world, std::uint32_t shape) {

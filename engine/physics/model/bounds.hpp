@@ -24,7 +24,6 @@ void refreshBounds(World& world, std::uint32_t body);
 
 /// What a shape is changed: its contacts end at the start of the next step, which finds them anew.
 void alter(World& world, std::uint32_t shape);
-void alterAll(World& world, std::uint32_t body);
 
 /// The broad phase has to update its copy of the shape.
 void noteChanged(World& world, std::uint32_t shape);

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "physics/model/geometry.hpp"
 #include "physics/narrowphase/manifold.hpp"
 #include "physics/tuning.hpp"
 

@@ -26,8 +26,7 @@ std::uint16_t featureTowards(Vec2 out) {
 
 }  // namespace
 
-Manifold collideCircles(const Geometry& a, const Geometry& b, std::span<const Corner>, const Frame& bInA,
-                        float speculative) {
+Manifold collideCircles(const Geometry& a, const Geometry& b, const Frame& bInA, float speculative) {
     const Vec2 displacement = apply(bInA, b.a) - a.a;
     const float radii = a.radius + b.radius;
     const float reach = radii + speculative;
@@ -38,8 +37,7 @@ Manifold collideCircles(const Geometry& a, const Geometry& b, std::span<const Co
     return onePoint(a, normal, distance - radii, b.radius, 0);
 }
 
-Manifold collideCircleBox(const Geometry& circle, const Geometry& box, std::span<const Corner>,
-                          const Frame& bInA, float speculative) {
+Manifold collideCircleBox(const Geometry& circle, const Geometry& box, const Frame& bInA, float speculative) {
     const Rot turn = bInA.rotation * box.turn;
     const Vec2 place = unrotate(turn, circle.a - apply(bInA, box.a));
     const Vec2 inside = max(-box.b, min(place, box.b));

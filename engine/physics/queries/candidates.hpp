@@ -3,14 +3,15 @@
 #include <algorithm>
 #include <optional>
 
+#include "physics/model/bodies.hpp"
 #include "physics/queries/query.hpp"
 
 namespace plumb::physics {
 
 // Common parts of all queries: selecting the shapes to test, and transforming between world and body space.
 
+/// True for a position or a displacement that is within range.
 [[nodiscard]] bool isUsable(WorldPosition place);
-[[nodiscard]] bool isUsable(Vec2 displacement);
 
 /// The shapes that pass the filter and whose bounds overlap the box from `low` to `high` (m), in ascending
 /// order of their indices. Valid until the next query.
@@ -45,13 +46,8 @@ void allHits(std::span<const std::uint32_t> shapes, HitOf&& hitOf, std::vector<C
     });
 }
 
-/// A position in the frame of a body's shapes. The difference of positions is taken first, so that the result
-/// is as accurate far from the origin.
-[[nodiscard]] Vec2 seenFrom(const BodyPose& body, WorldPosition place);
 /// A frame relative to that of a body's shapes.
 [[nodiscard]] Frame seenFrom(const BodyPose& body, WorldPosition position, Rot rotation);
-/// The inverse of seenFrom().
-[[nodiscard]] WorldPosition placeOf(const BodyPose& body, Vec2 point);
 
 [[nodiscard]] ShapeId idOf(const World& world, std::uint32_t shape);
 

@@ -18,7 +18,7 @@ std::optional<CastHit> hitOf(const World& world, std::uint32_t shape, WorldPosit
     const BodyPose& pose = poseOf(world, shape);
     const std::optional<RayHit> hit =
         castRay(world.shapes.geometry[shape], world.shapes.corners,
-                Ray{seenFrom(pose, from), unrotate(pose.rotation, displacement)});
+                Ray{localPoint(pose, from), unrotate(pose.rotation, displacement)});
     if (!hit) return std::nullopt;
     return CastHit{.shape = idOf(world, shape),
                    .body = bodyOf(world, idOf(world, shape)),

@@ -73,7 +73,7 @@ std::optional<CastHit> meet(const World& world, std::uint32_t shape, const BodyP
     if (!hit) return std::nullopt;
     hit->shape = idOf(world, shape);
     hit->body = bodyOf(world, hit->shape);
-    hit->point = placeOf(pose, toVec2(hit->point));
+    hit->point = worldPoint(pose, toVec2(hit->point));
     // The direction of minimum penetration of a chain segment may point to its back.
     hit->normal = rotate(pose.rotation, isChain && hit->separation < 0.0f ? front : hit->normal);
     hit->distance = hit->fraction * length(moving.displacement);
