@@ -211,31 +211,10 @@ private:
     std::array<std::vector<std::uint64_t>, kParts> marks_;  ///< bits, by slot; all 0 between calls
 };
 
-/// The common part of partitions that store their boxes in rows. Rows has
-///
-///   uint32 freePlace(box)  a free slot for a box
-///   void visitNear(box, sweep, from, visit)  calls visit(begin, end) with ranges, none before `from`, that
-///                          contain all boxes that may overlap `box`, each slot once; if `sweep` is not null,
-///                          those that it may hit suffice
-template <class Rows>
-class SortedRows : public BoxRows {
-public:
-    using BoxRows::BoxRows;
-
-    void add(const Proxies& proxies, std::span<const std::uint32_t> order, const PlaceList& list) {
-        for (const std::uint32_t id : order) {
-            const AABB box = usable(proxies.bounds[id]);
-            const std::uint32_t place = static_cast<Rows&>(*this).freePlace(box);
-            write(proxies, place, id, box);
-            list.set(id, place);
-        }
-    }
-    void find(const BoxSearches& searches, const AABB& box, const LineSweep* sweep, std::uint32_t mask,
-              std::vector<std::uint32_t>& found) const {
-        static_cast<const Rows&>(*this).visitNear(box, sweep, 0, [&](std::uint32_t begin, std::uint32_t end) {
-            searches.findInRows(*this, {begin, end}, box, sweep, mask, found);
-        });
-    }
-};
+// The broad phases, for the table in broad_phase.cpp.
+std::unique_ptr<BroadPhase> makeTree();
+std::unique_ptr<BroadPhase> makeGrid();
+std::unique_ptr<BroadPhase> makeSweepAndPrune();
+std::unique_ptr<BroadPhase> makeQuadtree();
 
 }  // namespace plumb::physics
