@@ -39,7 +39,7 @@ struct FieldView {
     bool withSteady = true;        ///< false skips fields for which isConstant() holds
 };
 
-/// One kind of field: a row of the table in field_kinds.cpp.
+/// One kind of field: a row of the table in field_types.cpp.
 struct FieldType {
     Effect effect;
     /// Acceleration that the field gives a body in a state; null if it is not a smooth force (explosions).

@@ -17,7 +17,7 @@ namespace plumb::physics {
 /// order of their indices. Valid until the next query.
 std::span<const std::uint32_t> candidatesIn(World& world, WorldPosition low, WorldPosition high,
                                             const QueryFilter& filter);
-/// The same for a box with these half sizes that moves from `from` by `way`.
+/// The same for a box with these half sizes that moves from `from` by a displacement.
 std::span<const std::uint32_t> candidatesAlong(World& world, WorldPosition from, Vec2 displacement, Vec2 half,
                                                const QueryFilter& filter);
 

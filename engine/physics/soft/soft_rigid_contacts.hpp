@@ -66,7 +66,7 @@ struct SoftGroup {
 struct SoftSurroundings {
     std::vector<std::uint32_t> shapes;  ///< near soft bodies, in the order of these
     std::vector<std::uint32_t> ends;    ///< by soft body: end of its shapes
-    /// Islands near soft bodies that can push them: root and index in SoftBodies::all, sorted.
+    /// Islands near soft bodies that can push them: root and index in World::softBodies, sorted.
     std::vector<std::pair<std::uint32_t, std::uint32_t>> neighbours;
     std::vector<SoftObstacle> obstacles;  ///< by group, then by body
     std::vector<SoftContact> contacts;    ///< by group and soft body, then by shape and particle

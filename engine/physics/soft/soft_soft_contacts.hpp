@@ -19,7 +19,7 @@ struct SoftBox {
 
 /// A particle that an edge of another soft body may touch in this step.
 struct SoftSoftContact {
-    std::uint32_t body = 0;  ///< in SoftBodies::all: body of the particle
+    std::uint32_t body = 0;  ///< in World::softBodies: body of the particle
     std::uint32_t particle = 0;
     std::uint32_t other = 0;  ///< body of the edge
     std::uint32_t a = 0;      ///< ends of the edge: particles of `other`

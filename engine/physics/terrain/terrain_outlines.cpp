@@ -43,11 +43,6 @@ Geometry geometryOf(const TerrainSegment& segment, Vec2 cellSize, GridPoint orig
     return chainSegment(place(segment.before), place(segment.a), place(segment.b), place(segment.after));
 }
 
-void OutlineBuilder::findPlaces() {
-    places_.resize(own_);
-    for (std::uint32_t i = 0; i < own_; ++i) places_[i] = {links_.before(i), links_.after(i)};
-}
-
 /// True if the next edge belongs to the same chain.
 bool OutlineBuilder::joinsNext(std::uint32_t edge) const {
     const std::uint32_t next = places_[edge].after.outline;
@@ -100,7 +95,8 @@ void OutlineBuilder::build(const TileMask& mask, CellRect rect, TerrainOutline& 
     if (own_ == 0) return;
     appendBorder(mask.palette, window_, rect, edges_);
     links_.connect(edges_, rect.grown(2));
-    findPlaces();
+    places_.resize(own_);
+    for (std::uint32_t i = 0; i < own_; ++i) places_[i] = {links_.before(i), links_.after(i)};
     firstEdge_.clear();
     lastEdge_.clear();
     for (std::uint32_t i = 0; i < own_; ++i) {
@@ -130,16 +126,14 @@ CellRect TerrainOutlines::cellsOf(std::uint32_t chunk) const {
     return {x, y, std::min(x + chunkCells_, mask_.width()), std::min(y + chunkCells_, mask_.height())};
 }
 
-void TerrainOutlines::markDirty(int x, int y) {
-    if (!mask_.cells().has(x, y)) return;
-    const auto chunk = static_cast<std::uint32_t>(y / chunkCells_ * columns_ + x / chunkCells_);
-    if (std::exchange(isDirty_[chunk], std::uint8_t{1}) == 0) dirty_.push_back(chunk);
-}
-
 void TerrainOutlines::set(int x, int y, MaskCell cell) {
     if (!mask_.set(x, y, cell)) return;
-    for (int dy = -1; dy <= 1; ++dy) {
-        for (int dx = -1; dx <= 1; ++dx) markDirty(x + dx, y + dy);
+    for (int ny = y - 1; ny <= y + 1; ++ny) {
+        for (int nx = x - 1; nx <= x + 1; ++nx) {
+            if (!mask_.cells().has(nx, ny)) continue;
+            const auto chunk = static_cast<std::uint32_t>(ny / chunkCells_ * columns_ + nx / chunkCells_);
+            if (std::exchange(isDirty_[chunk], std::uint8_t{1}) == 0) dirty_.push_back(chunk);
+        }
     }
 }
 

@@ -49,7 +49,6 @@ private:
         std::uint32_t segment = kNone;
     };
 
-    void findPlaces();
     [[nodiscard]] bool joinsNext(std::uint32_t edge) const;
     [[nodiscard]] bool isStraightAfter(std::uint32_t edge) const;
     void walk(std::uint32_t start, TerrainOutline& outline);
@@ -98,7 +97,6 @@ private:
         TerrainOutline fresh;
     };
 
-    void markDirty(int x, int y);
     /// @return true if the chunk's outline changed
     bool makeChunk(std::uint32_t chunk, Maker& maker);
 
