@@ -54,12 +54,7 @@ void destroyBody(World& world, BodyId body);
 [[nodiscard]] inline float massOf(const World& world, BodyId body) {
     return readOf(world, world.bodies.mass, body).mass;
 }
-/// Mass properties. The center of mass is in the frame of the shapes, the inertia about it.
-struct MassData {
-    float mass = 0.0f;     ///< kg
-    Vec2 centre;           ///< m
-    float inertia = 0.0f;  ///< kg m2; 0: cannot rotate
-};
+using MassData = MassProperties;
 [[nodiscard]] inline MassData massDataOf(const World& world, BodyId body) {
     const BodyMass& mass = readOf(world, world.bodies.mass, body);
     return {mass.mass, readOf(world, world.bodies.pose, body).localCentre, mass.inertia};

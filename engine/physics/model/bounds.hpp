@@ -30,6 +30,10 @@ void noteChanged(World& world, std::uint32_t shape);
 /// The broad phase has to search for pairs of the shape in the next step.
 void noteMoved(World& world, std::uint32_t shape);
 
+/// Updates the broad phase with all changes since the last update; refills the workspace after the world was
+/// overwritten. Steps and queries begin with it. The result of a step does not depend on it.
+void updateBroadPhase(World& world, Workspace& work);
+
 /// Updates the properties that contacts copied from the shape.
 void refreshContacts(World& world, std::uint32_t shape);
 /// The same for all shapes of a body whose rotation, or ability to rotate, changed.

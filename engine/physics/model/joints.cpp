@@ -64,11 +64,9 @@ Result<Done> check(const World& world, const JointDefinition& d) {
     if (d.kind >= JointKind::Count)
         return wrong("JointDefinition.kind", "expected a kind of joint, found another number",
                      "use a JointKind");
-    if (const auto a =
-            firstOf(checkAlive("JointDefinition.a", world, d.a), checkAlive("JointDefinition.b", world, d.b));
-        !a) {
-        return a;
-    }
+    const auto living =
+        firstOf(checkAlive("JointDefinition.a", world, d.a), checkAlive("JointDefinition.b", world, d.b));
+    if (!living) return living;
     if (d.a == d.b) {
         return wrong("createJoint", "expected two bodies, found the same one twice",
                      "connect it to another body, such as a static one");

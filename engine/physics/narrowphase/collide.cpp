@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "physics/shapes/shape_types.hpp"
 #include "physics/solver/kernels.hpp"
 
 namespace plumb::physics {
@@ -37,6 +38,60 @@ Manifold manifoldOf(const BoxTouches& touches, int lane, const Geometry& a) {
 
 namespace {
 
+/// m: two centres closer than this have no direction from one to the other.
+constexpr float kNoDistance = 1.0e-9f;
+
+/// A manifold with a single point.
+/// @param normal   from the circle to the other outline
+/// @param feature  of the other outline
+Manifold onePoint(const Geometry& circle, Vec2 normal, float separation, float roundB,
+                  std::uint16_t feature) {
+    Manifold manifold{.normal = normal, .count = 1, .roundA = circle.radius, .roundB = roundB};
+    manifold.points[0] = {circle.a + normal * (circle.radius + 0.5f * separation), separation, feature};
+    return manifold;
+}
+
+/// The face or corner of a box that is on that side of it.
+std::uint16_t featureTowards(Vec2 out) {
+    const auto side = [](float way) { return way < 0.0f ? 0 : (way > 0.0f ? 2 : 1); };
+    return static_cast<std::uint16_t>(side(out.x) + 3 * side(out.y));
+}
+
+Manifold collideCircles(const Geometry& a, const Geometry& b, const Frame& bInA, float speculative) {
+    const Vec2 displacement = apply(bInA, b.a) - a.a;
+    const float radii = a.radius + b.radius;
+    const float reach = radii + speculative;
+    const float square = lengthSquared(displacement);
+    if (!(square <= reach * reach)) return {};
+    const float distance = std::sqrt(square);
+    const Vec2 normal = distance > kNoDistance ? displacement / distance : kAnyNormal;
+    return onePoint(a, normal, distance - radii, b.radius, 0);
+}
+
+Manifold collideCircleBox(const Geometry& circle, const Geometry& box, const Frame& bInA, float speculative) {
+    const Rot turn = bInA.rotation * box.turn;
+    const Vec2 place = unrotate(turn, circle.a - apply(bInA, box.a));
+    const Vec2 inside = max(-box.b, min(place, box.b));
+    const Vec2 out = place - inside;
+    const float square = lengthSquared(out);
+    const float radii = circle.radius + box.radius;
+    const float reach = radii + speculative;
+    if (!(square <= reach * reach)) return {};
+
+    const float distance = std::sqrt(square);
+    if (distance > kNoDistance) {
+        const bool atCorner = out.x != 0.0f && out.y != 0.0f;
+        return onePoint(circle, rotate(turn, -out / distance), distance - radii, atCorner ? box.radius : 0.0f,
+                        featureTowards(out));
+    }
+    const Vec2 depth{box.b.x - std::fabs(place.x), box.b.y - std::fabs(place.y)};
+    const bool byX = depth.x < depth.y;
+    const Vec2 face =
+        byX ? Vec2{place.x < 0.0f ? -1.0f : 1.0f, 0.0f} : Vec2{0.0f, place.y < 0.0f ? -1.0f : 1.0f};
+    return onePoint(circle, rotate(turn, -face), -(byX ? depth.x : depth.y) - radii, 0.0f,
+                    featureTowards(face));
+}
+
 Manifold collideBoxes(const Geometry& a, const Geometry& b, const Frame& bInA, float speculative) {
     constexpr float kFar =
         1.0e9f;  // m: lanes without a pair are apart, so the kernel may skip what others need
@@ -49,6 +104,16 @@ Manifold collideBoxes(const Geometry& a, const Geometry& b, const Frame& bInA, f
 }
 
 }  // namespace
+
+Manifold collideCircleConvex(const Geometry& circle, const Geometry& other, std::span<const Corner> corners,
+                             const Frame& bInA, float speculative) {
+    const ClosestPoint closest = closestPoint(other, corners, applyInverse(bInA, circle.a));
+    const float separation = closest.distance - circle.radius;
+    if (!(separation <= speculative)) return {};
+    return onePoint(circle, -rotate(bInA.rotation, closest.normal), separation,
+                    closest.atCorner ? other.radius : 0.0f,
+                    static_cast<std::uint16_t>(2 * closest.index + (closest.atCorner ? 1 : 0)));
+}
 
 Manifold collide(const Geometry& a, const Geometry& b, std::span<const Corner> corners, const Frame& bInA,
                  float speculative) {

@@ -20,8 +20,6 @@ Manifold collide(const Geometry& a, const Geometry& b, std::span<const Corner> c
 Manifold swapped(const Manifold& manifold, const Frame& aInB);
 
 // The parts of collide().
-Manifold collideCircles(const Geometry& a, const Geometry& b, const Frame& bInA, float speculative);
-Manifold collideCircleBox(const Geometry& circle, const Geometry& box, const Frame& bInA, float speculative);
 /// A circle and any convex outline.
 Manifold collideCircleConvex(const Geometry& circle, const Geometry& other, std::span<const Corner> corners,
                              const Frame& bInA, float speculative);

@@ -2,10 +2,11 @@
 
 #include <cmath>
 
-#include "physics/broadphase/broadphase_update.hpp"
+#include "physics/model/bounds.hpp"
 #include "physics/ranges.hpp"
 #include "physics/shapes/shape_types.hpp"
 #include "physics/tuning.hpp"
+#include "physics/workspace.hpp"
 
 namespace plumb::physics {
 

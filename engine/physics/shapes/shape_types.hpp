@@ -8,13 +8,6 @@
 
 namespace plumb::physics {
 
-/// The mass properties of an outline filled with material.
-struct MassProperties {
-    float mass = 0.0f;     ///< kg
-    Vec2 centre;           ///< m: the centre of mass; the geometric centre if there is no area
-    float inertia = 0.0f;  ///< kg m2, about the centre of mass
-};
-
 /// The functions that differ between kinds of outlines. `corners` is Shapes::corners everywhere.
 struct ShapeType {
     std::string_view name;

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "physics/model/geometry.hpp"
-#include "physics/terrain/edge_links.hpp"
+#include "physics/terrain/tile_edges.hpp"
 
 namespace plumb {
 class TaskPool;
