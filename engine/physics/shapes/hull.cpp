@@ -104,32 +104,30 @@ void measure(Hull& hull) {
 }  // namespace
 
 Result<Hull> makeHull(std::span<const Vec2> points) {
-    const auto error = [](std::string what, const char* remedy) {
-        return Error{"hull", std::move(what), remedy};
-    };
     for (std::size_t i = 0; i < points.size(); ++i) {
         const Vec2 point = points[i];
         if (std::fabs(point.x) <= kLargest && std::fabs(point.y) <= kLargest) continue;
-        return error(format("point {} is ({}, {}), not within {} m", i, point.x, point.y, kLargest),
-                     "use metres, not pixels, relative to the origin of the body");
+        return Error{"hull", format("point {} is ({}, {}), not within {} m", i, point.x, point.y, kLargest),
+                     "use metres, not pixels, relative to the origin of the body"};
     }
     Loop loop = loopAround({points.begin(), points.end()});
     if (loop.size() < 3) {
-        return error(format("the {} points form no area", points.size()),
-                     "pass at least 3 that are not on one line");
+        return Error{"hull", format("the {} points form no area", points.size()),
+                     "pass at least 3 that are not on one line"};
     }
     constexpr std::size_t kAbsurd = 4096;
     AABB box{loop[0], loop[0]};
     for (const Vec2 point : loop) box = merged(box, {point, point});
     const float size = std::max(box.size().x, box.size().y);
     if (!(size >= kSmallest)) {
-        return error(format("it is only {} m large", size), "make it at least 0.1 mm large");
+        return Error{"hull", format("it is only {} m large", size), "make it at least 0.1 mm large"};
     }
     if (loop.size() <= kAbsurd) dropFlat(loop, static_cast<double>(kBlur * size));
-    if (loop.size() < 3) return error("it is too thin to have an inside", "use a segment or a capsule");
+    if (loop.size() < 3)
+        return Error{"hull", "it is too thin to have an inside", "use a segment or a capsule"};
     if (loop.size() > kMaxCorners) {
-        return error(format("it has {} corners, the maximum is {}", loop.size(), kMaxCorners),
-                     "remove some, use a circle, or decompose()");
+        return Error{"hull", format("it has {} corners, the maximum is {}", loop.size(), kMaxCorners),
+                     "remove some, use a circle, or decompose()"};
     }
     Hull hull;
     for (std::size_t i = 0; i < loop.size(); ++i) {
@@ -150,8 +148,6 @@ Geometry polygon(const Hull& hull, std::uint32_t first, float radius) {
 }
 
 namespace {
-
-Error decomposeError(std::string what, const char* remedy) { return {"decompose", std::move(what), remedy}; }
 
 std::string text(Vec2 v) { return format("({}, {})", v.x, v.y); }
 
@@ -203,14 +199,14 @@ std::optional<Error> findCrossing(const Loop& loop) {
         const Vec2 b = loop[(i + 1) % n];
         const Vec2 c = loop[(i + 2) % n];
         if (areaOf(a, b, c) == 0.0) {
-            return decomposeError(format("turns back on itself at {}", text(b)), "remove the spike");
+            return Error{"decompose", format("turns back on itself at {}", text(b)), "remove the spike"};
         }
         for (std::size_t k = i + 2; k < n; ++k) {
             if (i == 0 && k == n - 1) continue;  // neighbours
             if (!meet(a, b, loop[k], loop[(k + 1) % n])) continue;
-            return decomposeError(
-                format("the sides from {} and from {} cross or touch", text(a), text(loop[k])),
-                "move a point, or cut the outline in two");
+            return Error{"decompose",
+                         format("the sides from {} and from {} cross or touch", text(a), text(loop[k])),
+                         "move a point, or cut the outline in two"};
         }
     }
     return std::nullopt;
@@ -295,26 +291,27 @@ void joinPieces(std::vector<Loop>& pieces) {
 
 Result<std::vector<Hull>> decompose(std::span<const Vec2> outline) {
     if (outline.size() > kMaxOutline) {
-        return decomposeError(
-            format("the outline has {} points, the maximum is {}", outline.size(), kMaxOutline),
-            "remove some");
+        return Error{"decompose",
+                     format("the outline has {} points, the maximum is {}", outline.size(), kMaxOutline),
+                     "remove some"};
     }
     for (const Vec2 point : outline) {
         if (std::fabs(point.x) <= kLargest && std::fabs(point.y) <= kLargest) continue;
-        return decomposeError(format("the point {} is not within {} m", text(point), kLargest),
-                              "use metres, not pixels");
+        return Error{"decompose", format("the point {} is not within {} m", text(point), kLargest),
+                     "use metres, not pixels"};
     }
     Loop loop = cleaned(outline);
     if (loop.size() < 3)
-        return decomposeError("the outline has no area", "pass at least 3 points that are not on one line");
+        return Error{"decompose", "the outline has no area",
+                     "pass at least 3 points that are not on one line"};
     if (auto crossing = findCrossing(loop)) return *crossing;
     const double area = 0.5 * twiceArea(loop);
     if (area < 0.0) std::reverse(loop.begin(), loop.end());
 
     auto pieces = triangles(std::move(loop));
     if (!pieces)
-        return decomposeError("the outline could not be triangulated",
-                              "move points away from sides that they nearly touch");
+        return Error{"decompose", "the outline could not be triangulated",
+                     "move points away from sides that they nearly touch"};
     joinPieces(*pieces);
 
     std::vector<Hull> hulls;
@@ -325,7 +322,7 @@ Result<std::vector<Hull>> decompose(std::span<const Vec2> outline) {
         if (hull) hulls.push_back(*hull);
     }
     if (hulls.empty())
-        return decomposeError("the outline is too thin to have an inside", "use segments or a capsule");
+        return Error{"decompose", "the outline is too thin to have an inside", "use segments or a capsule"};
     return hulls;
 }
 
