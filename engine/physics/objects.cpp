@@ -15,15 +15,6 @@ void put(std::vector<std::unique_ptr<T>>& list, std::uint32_t index, std::unique
     list[index] = std::move(thing);
 }
 
-ShapeDefinition definitionOf(const ColliderSettings& settings) {
-    ShapeDefinition definition;
-    definition.density = settings.density;
-    definition.friction = settings.friction;
-    definition.bounciness = settings.bounciness;
-    definition.isTrigger = settings.isTrigger;
-    return definition;
-}
-
 }  // namespace
 
 Physics::Physics() { world_.settings.stayEvents = true; }
@@ -52,7 +43,11 @@ Result<Done> Physics::add(std::unique_ptr<Collider> collider, RigidBody* body) {
         collider->own_ = *ground;
     }
     const BodyId owner = body != nullptr ? body->id_ : collider->own_;
-    const Result<ShapeId> shape = createShape(world_, owner, collider->geometry_, definitionOf(settings));
+    const Result<ShapeId> shape = createShape(world_, owner, collider->geometry_,
+                                              {.density = settings.density,
+                                               .friction = settings.friction,
+                                               .bounciness = settings.bounciness,
+                                               .isTrigger = settings.isTrigger});
     if (!shape) {
         destroyBody(world_, collider->own_);
         return shape.error();

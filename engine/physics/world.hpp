@@ -249,15 +249,10 @@ struct Sleepers {
     std::vector<std::uint32_t> islandOf;  ///< by body index; kNone for an awake body
 };
 
-/// The fields, indexed by FieldId::index.
-struct Fields {
-    std::vector<Field> all;
-    std::vector<std::uint32_t> free;
-};
-
-/// Ropes, cloth and soft bodies, indexed by SoftBodyId::index.
-struct SoftBodies {
-    std::vector<SoftBody> all;
+/// Objects by the index of their ids.
+template <class Object>
+struct Slots {
+    std::vector<Object> all;
     std::vector<std::uint32_t> free;
 };
 
@@ -274,8 +269,8 @@ struct World {
     Bodies bodies;
     Shapes shapes;
     Joints joints;
-    Fields fields;
-    SoftBodies softBodies;
+    Slots<Field> fields;
+    Slots<SoftBody> softBodies;          ///< ropes, cloth and soft bodies
     std::vector<std::uint32_t> awake;    ///< bodies that may move
     std::vector<std::uint32_t> moved;    ///< shapes whose pairs have to be searched: those with kLeftBounds
     std::vector<std::uint32_t> altered;  ///< shapes whose contacts end, and are found anew, in the next step

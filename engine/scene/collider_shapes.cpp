@@ -5,7 +5,7 @@
 #include <cmath>
 #include <vector>
 
-#include "physics/shapes/decompose.hpp"
+#include "physics/shapes/hull.hpp"
 #include "scene/components/box_collider.hpp"
 #include "scene/components/capsule_collider.hpp"
 #include "scene/components/chain_collider.hpp"

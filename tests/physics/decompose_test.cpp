@@ -1,4 +1,4 @@
-#include "physics/shapes/decompose.hpp"
+#include "physics/shapes/hull.hpp"
 
 #include <algorithm>
 #include <limits>

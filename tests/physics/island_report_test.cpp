@@ -1,6 +1,6 @@
 #include "physics/islands/island_report.hpp"
 
-#include "physics/measure/constraint_errors.hpp"
+#include "physics/measure/measures.hpp"
 #include "tests/physics/world_of_bodies.hpp"
 
 namespace plumb::physics {

@@ -1,4 +1,4 @@
-#include "physics/terrain/outlines.hpp"
+#include "physics/terrain/terrain_outlines.hpp"
 
 #include <gtest/gtest.h>
 

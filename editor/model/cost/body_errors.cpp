@@ -5,7 +5,7 @@
 
 #include "physics/contacts/contacts.hpp"
 #include "physics/islands/quality.hpp"
-#include "physics/measure/constraint_errors.hpp"
+#include "physics/measure/measures.hpp"
 
 namespace plumb::editor {
 namespace {

@@ -2,11 +2,7 @@
 
 #include <array>
 
-#include "physics/broadphase/hierarchical_grid.hpp"
-#include "physics/broadphase/quadtree.hpp"
-#include "physics/broadphase/row_broad_phase.hpp"
-#include "physics/broadphase/sweep_and_prune_axis.hpp"
-#include "physics/broadphase/tree.hpp"
+#include "physics/broadphase/partitioned_broad_phase.hpp"
 
 namespace plumb::physics {
 
@@ -17,16 +13,11 @@ struct Kind {
     std::unique_ptr<BroadPhase> (*make)();
 };
 
-template <class Phase>
-std::unique_ptr<BroadPhase> make() {
-    return std::make_unique<Phase>();
-}
-
 constexpr std::array<Kind, static_cast<std::size_t>(BroadPhaseKind::Count)> kKinds{{
-    {"tree", &make<TreeBroadPhase>},
-    {"grid", &make<RowBroadPhase<HierarchicalGrid>>},
-    {"sweep and prune", &make<RowBroadPhase<SweepAndPruneAxis>>},
-    {"quadtree", &make<QuadtreeBroadPhase>},
+    {"tree", makeTree},
+    {"grid", makeGrid},
+    {"sweep and prune", makeSweepAndPrune},
+    {"quadtree", makeQuadtree},
 }};
 
 const Kind& entryOf(BroadPhaseKind kind) {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "physics/broadphase/hilbert_order.hpp"
-#include "physics/broadphase/line_sweep.hpp"
+#include "physics/broadphase/overlap.hpp"
 
 namespace plumb::physics {
 

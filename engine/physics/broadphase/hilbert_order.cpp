@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <numeric>
+#include <utility>
 
 namespace plumb::physics {
 
@@ -61,31 +63,16 @@ std::uint32_t idOf(std::uint64_t entry) { return static_cast<std::uint32_t>(entr
 
 }  // namespace
 
-void HilbertOrder::sortByKey(std::span<Entry> entries, int digitBits) {
-    if (entries.size() <= kFew) {
-        std::sort(entries.begin(), entries.end());
-        return;
-    }
-    const std::size_t buckets = std::size_t{1} << digitBits;
-    const std::uint64_t low = buckets - 1;
-    counts_.assign(2 * buckets, 0);
-    for (const Entry entry : entries) {
-        ++counts_[entry >> 32 & low];
-        ++counts_[buckets + (entry >> 32 >> digitBits)];
-    }
-    for (std::size_t pass = 0; pass < 2; ++pass) {
-        std::uint32_t before = 0;
-        for (std::size_t i = pass * buckets; i < (pass + 1) * buckets; ++i) {
-            const std::uint32_t count = counts_[i];
-            counts_[i] = before;
-            before += count;
-        }
-    }
-    spare_.resize(std::max(spare_.size(), entries.size()));
-    for (const Entry entry : entries) spare_[counts_[entry >> 32 & low]++] = entry;
-    for (std::size_t i = 0; i < entries.size(); ++i) {
-        const Entry entry = spare_[i];
-        entries[counts_[buckets + (entry >> 32 >> digitBits)]++] = entry;
+void RadixSort::sort(std::span<std::uint64_t> keys, int digits, int bits) {
+    spare_.resize(std::max(spare_.size(), keys.size()));
+    std::span<std::uint64_t> to = std::span{spare_}.first(keys.size());
+    const std::size_t last = (std::size_t{1} << bits) - 1;
+    for (int shift = 32; shift < 32 + digits * bits; shift += bits) {
+        counts_.assign(last + 2, 0);
+        for (const std::uint64_t key : keys) ++counts_[(key >> shift & last) + 1];
+        std::partial_sum(counts_.begin(), counts_.end(), counts_.begin());
+        for (const std::uint64_t key : keys) to[counts_[key >> shift & last]++] = key;
+        std::swap(keys, to);
     }
 }
 
@@ -110,7 +97,11 @@ void HilbertOrder::sortRange(std::span<const AABB> bounds, std::span<Entry> entr
         const auto y = static_cast<std::uint32_t>(std::min(cell.y, last));
         entry = Entry{placeOnCurve(x, y, digits)} << 32 | idOf(entry);
     }
-    sortByKey(entries, 4 * digits);
+    if (entries.size() <= kFew) {
+        std::sort(entries.begin(), entries.end());
+    } else {
+        sorter_.sort(entries, 2, 4 * digits);
+    }
 
     if (depth == kDeepest) return;
     for (std::size_t first = 0, i = 1; i <= entries.size(); ++i) {

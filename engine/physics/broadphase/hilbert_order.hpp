@@ -8,6 +8,18 @@
 
 namespace plumb::physics {
 
+/// Sorts keys by their upper half, digit by digit; stable. Keeps its memory from one sort to the next.
+class RadixSort {
+public:
+    /// @param digits  of the upper half, from its lowest on; an even number
+    /// @param bits    of a digit
+    void sort(std::span<std::uint64_t> keys, int digits, int bits);
+
+private:
+    std::vector<std::uint64_t> spare_;
+    std::vector<std::uint32_t> counts_;
+};
+
 /// Sorts boxes along a Hilbert curve through their centres, so that neighbours in the list are neighbours in
 /// the plane. Dense cells of the curve get a finer curve of their own, so that a single box far away does not
 /// degrade the order of the others.
@@ -21,11 +33,9 @@ private:
     using Entry = std::uint64_t;  // index on the curve << 32 | id
 
     void sortRange(std::span<const AABB> bounds, std::span<Entry> entries, int depth);
-    void sortByKey(std::span<Entry> entries, int digitBits);
 
     std::vector<Entry> entries_;
-    std::vector<Entry> spare_;
-    std::vector<std::uint32_t> counts_;
+    RadixSort sorter_;
 };
 
 }  // namespace plumb::physics

@@ -25,6 +25,9 @@ constexpr bool allCanPair(std::uint32_t own, std::uint32_t other) {
     return own == kAsleepPart || other == kAsleepPart;
 }
 
+/// The first partition that proxies of one can pair with: resting ones pair with moving ones only.
+constexpr std::uint32_t firstPartner(std::uint32_t own) { return own == kMovingPart ? 0u : kMovingPart; }
+
 /// The location of a proxy: the partition in the high 2 bits, its slot there in the others.
 using ProxyPlace = std::uint32_t;
 inline constexpr ProxyPlace kNoPlace = 0xffffffffu;
@@ -57,17 +60,17 @@ struct PlaceList {
 /// Keeps proxies in three partitions of one type and tracks the location of each: all of a broad phase but
 /// findPairs(). A Part has numbered slots and
 ///
-///   bool isDue(arrivals, moving)        true if sorting costs less than to add `arrivals` proxies and to
-///   move
-///                                       `moving` others, and than the disorder that they would leave
-///   void sort(proxies, ids, moving, list)  stores these proxies, and no others; sets their places
-///   void add(proxies, ids, list)        stores more proxies; sets their places
-///   void erase(place)
-///   uint32 move(proxies, place)         reads the box and filter of the proxy again; returns its new slot
-///   void settle(searches)               called after all of these; adds up what disorder costs future
-///   searches uint32 places()                     upper limit of the slots bool isFree(place) uint32
-///   idAt(place) uint32 size()                       number of proxies void find(searches, box, sweep, mask,
-///   found)  query(), or cast() if `sweep` is not null: of its bounds void visitRegions(visit)
+///   bool isDue(arrivals, moving)   true if sorting costs less than to add `arrivals` proxies and to move
+///                                  `moving` others, and than the disorder that they would leave
+///   sort(proxies, ids, moving, list)  stores these proxies, and no others; sets their places
+///   add(proxies, ids, list)        stores more proxies; sets their places
+///   erase(place)
+///   move(proxies, place)           reads the box and filter of the proxy again; returns its new slot
+///   settle(searches)               after all of these; adds up what disorder costs future searches
+///   places(), size()               upper limit of the slots, number of proxies
+///   isFree(place), idAt(place)
+///   find(searches, box, sweep, mask, found)  query(), or cast() if `sweep` is not null: of its bounds
+///   visitRegions(visit)
 template <class Part>
 class PartitionedBroadPhase : public BroadPhase {
 public:
@@ -207,5 +210,11 @@ private:
     std::array<std::vector<std::uint32_t>, kParts> arrivals_;
     std::array<std::vector<std::uint64_t>, kParts> marks_;  ///< bits, by slot; all 0 between calls
 };
+
+// The broad phases, for the table in broad_phase.cpp.
+std::unique_ptr<BroadPhase> makeTree();
+std::unique_ptr<BroadPhase> makeGrid();
+std::unique_ptr<BroadPhase> makeSweepAndPrune();
+std::unique_ptr<BroadPhase> makeQuadtree();
 
 }  // namespace plumb::physics

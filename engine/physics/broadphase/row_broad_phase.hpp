@@ -1,27 +1,49 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
 
 #include "physics/broadphase/partitioned_broad_phase.hpp"
 
 namespace plumb::physics {
 
-/// A broad phase that stores boxes in rows, such that boxes near each other lie in few ranges of slots, which
-/// are compared eight at a time. In addition to what PartitionedBroadPhase needs, a Part is a BoxRows and has
+/// The common part of partitions that store their boxes in rows. Rows has
 ///
-///   bool areNear(a, b)     true if the proxies in slots a < b should be searched for together
+///   uint32 freePlace(box)  a free slot for a box
 ///   void visitNear(box, sweep, from, visit)  calls visit(begin, end) with ranges, none before `from`, that
 ///                          contain all boxes that may overlap `box`, each slot once; if `sweep` is not null,
 ///                          those that it may hit suffice
+template <class Rows>
+class SortedRows : public BoxRows {
+public:
+    using BoxRows::BoxRows;
+
+    void add(const Proxies& proxies, std::span<const std::uint32_t> order, const PlaceList& list) {
+        for (const std::uint32_t id : order) {
+            const AABB box = usable(proxies.bounds[id]);
+            const std::uint32_t place = static_cast<Rows&>(*this).freePlace(box);
+            write(proxies, place, id, box);
+            list.set(id, place);
+        }
+    }
+    void find(const BoxSearches& searches, const AABB& box, const LineSweep* sweep, std::uint32_t mask,
+              std::vector<std::uint32_t>& found) const {
+        static_cast<const Rows&>(*this).visitNear(box, sweep, 0, [&](std::uint32_t begin, std::uint32_t end) {
+            searches.findInRows(*this, {begin, end}, box, sweep, mask, found);
+        });
+    }
+};
+
+/// Boxes in rows, such that boxes near each other lie in few ranges of slots, which are compared eight at a
+/// time. In addition to what PartitionedBroadPhase needs, a Part is a SortedRows and has
+///
+///   bool areNear(a, b)     true if the proxies in slots a < b should be searched for together
 template <class Part>
 class RowBroadPhase final : public PartitionedBroadPhase<Part> {
 public:
     void findPairs(std::span<const std::uint32_t> moved, std::span<const std::uint8_t> isMoved,
                    std::vector<PairKey>& pairs) const override {
         for (std::uint32_t own = 0; own < kParts; ++own) {
-            // Resting proxies pair with moving ones only.
-            for (std::uint32_t other = own == kMovingPart ? 0u : kMovingPart; other < kParts; ++other) {
+            for (std::uint32_t other = firstPartner(own); other < kParts; ++other) {
                 RowSearch search;
                 search.own = &parts_[own];
                 search.others = &parts_[other];

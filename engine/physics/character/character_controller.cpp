@@ -1,7 +1,6 @@
 #include "physics/character/character_controller.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <type_traits>
 
 #include "physics/model/bodies.hpp"
@@ -66,11 +65,6 @@ CharacterTouch caughtBy(CharacterMover& mover, const CharacterProbe::Pushes& pus
         mover.setPosition(place);
     }
     return {};
-}
-
-/// m/s along the conveyor, positive to the right of the ground's normal.
-float conveyorSpeed(const World& world, const CharacterTouch& ground) {
-    return world.shapes.extrasOf(ground.shape.index).surfaceSpeed;
 }
 
 }  // namespace
@@ -201,7 +195,8 @@ CharacterMotion CharacterController::update(World& world, float dt) {
     const Vec2 taken = held - position_;
     groundVelocity_ = stood ? taken / dt : Vec2{};
     const Vec2 right = perpendicular(definition_.up);
-    const float dx = walks ? (along(velocity_) + conveyorSpeed(world, ground_)) * dt : 0.0f;
+    const auto conveyorSpeed = [&] { return world.shapes.extrasOf(ground_.shape.index).surfaceSpeed; };
+    const float dx = walks ? (along(velocity_) + conveyorSpeed()) * dt : 0.0f;
     Vec2 own = walks ? right * dx : velocity_ * dt + gravity * (0.5f * dt * dt);
     mover.probe().floor = ground_.shape;
     const CharacterProbe::Pushes pushes = mover.probe().pushesAt(position_, taken, own, ground_.body);

@@ -244,23 +244,19 @@ CharacterMotion CharacterMover::snapDown(float reach) {
     return motion;
 }
 
-/// Follows the ground down after walking.
-CharacterMotion CharacterMover::followDown(float walked, float climbed) {
-    const float maximum = std::max(definition_.snap, std::fabs(walked) * steepestSlope());
-    return snapDown(maximum + std::max(climbed, 0.0f) + 2.0f * definition_.gap);
-}
-
 CharacterMotion CharacterMover::walkOnGround(float dx, Vec2 groundNormal) {
     CharacterMotion motion;
     const float pieces = std::ceil(std::fabs(dx) * steepestSlope() / std::max(definition_.snap, 1.0e-3f));
     const int count = static_cast<int>(std::clamp(pieces, 1.0f, kMaxPieces));
     const float piece = dx / static_cast<float>(count);
+    const float drop = std::max(definition_.snap, std::fabs(piece) * steepestSlope());
     Vec2 normal = groundNormal;
     for (int i = 0; i < count; ++i) {
         const WorldPosition before = position_;
         motion = walk(piece, normal);
         const bool stopped = motion.wall || motion.slope || motion.ceiling;
-        motion.ground = followDown(piece, rise(position_ - before)).ground;
+        const float climbed = std::max(rise(position_ - before), 0.0f);
+        motion.ground = snapDown(drop + climbed + 2.0f * definition_.gap).ground;
         if (!motion.ground && !stopped) {
             return fly(right_ * (piece * static_cast<float>(count - 1 - i)));
         }

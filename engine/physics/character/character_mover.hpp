@@ -60,7 +60,6 @@ private:
     void shift(Vec2 displacement) { position_ = position_ + displacement; }
     std::optional<CastHit> advance(Vec2 displacement);
     [[nodiscard]] float steepestSlope() const;
-    CharacterMotion followDown(float walked, float climbed);
     bool stepUp(float dx);
     bool passCorner(Vec2 displacement);
 

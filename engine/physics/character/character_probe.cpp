@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "physics/effects/one_way.hpp"
 #include "physics/model/shapes.hpp"
 #include "physics/narrowphase/collide.hpp"
 #include "physics/narrowphase/distance.hpp"
@@ -29,11 +28,6 @@ AABB boxAlong(const AABB& bounds, WorldPosition from, Vec2 displacement, float g
 }
 
 }  // namespace
-
-float reachAlong(const Convex& outline, Vec2 direction) {
-    const auto corner = static_cast<std::size_t>(farthest(outline.corners(), direction));
-    return dot(outline.corners()[corner].point, direction) + outline.radius;
-}
 
 CharacterProbe::CharacterProbe(World& world, const CharacterDefinition& definition, float dt)
     : filter{definition.filter}, world_{world}, definition_{definition}, dt_{dt} {}
@@ -136,7 +130,7 @@ std::optional<CastHit> CharacterProbe::apart(std::uint32_t shape, WorldPosition 
     if (!(apart.distance < within)) return std::nullopt;
     hit.separation = apart.distance;
     hit.normal = rotate(pose.rotation, apart.normal);
-    hit.point = placeOf(pose, apart.pointA);
+    hit.point = worldPoint(pose, apart.pointA);
     return hit;
 }
 
@@ -161,7 +155,7 @@ CharacterProbe::Pushes CharacterProbe::pushesAt(WorldPosition at, Vec2 ride, Vec
         const std::uint32_t body = world_.shapes.info[shape].body;
         if (ignores(shape) || !isCarried(body) || (except && except.index == body)) continue;
         const BodyPose& pose = world_.bodies.pose[body];
-        const Vec2 taken = placeOf(poseOf(body), seenFrom(pose, at)) - at;
+        const Vec2 taken = worldPoint(poseOf(body), localPoint(pose, at)) - at;
         moving.displacement = ride + own - taken;
         const auto hit = meet(world_, shape, pose, moving);
         const bool meets =

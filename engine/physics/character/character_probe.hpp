@@ -13,9 +13,6 @@ namespace plumb::physics {
     return {hit.shape, hit.body, hit.normal, hit.point};
 }
 
-/// m: extent of an outline along a direction, from its own origin.
-[[nodiscard]] float reachAlong(const Convex& outline, Vec2 direction);
-
 /// The world as a character collides with it: kinematic bodies up to 60 m/s are where the next step takes
 /// them, and one-way shapes stop only what is in front of them.
 class CharacterProbe {

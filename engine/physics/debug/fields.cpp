@@ -1,5 +1,3 @@
-#include <algorithm>
-
 #include "physics/debug/picture.hpp"
 #include "physics/model/bodies.hpp"
 
@@ -28,28 +26,19 @@ void drawSpring(const Picture& picture, const FieldDefinition& field) {
 
 void drawRegion(const Picture& picture, const FieldDefinition& field) {
     const Vec2 middle = picture.seen(field.place);
-    switch (field.region) {
-        case RegionKind::Box:
-            picture.canvas.box({middle - field.half, middle + field.half}, DebugRole::Field);
-            break;
-        case RegionKind::Circle: picture.canvas.circle(middle, field.radius, DebugRole::Field); break;
-        case RegionKind::Everywhere:
-            if (field.kind == FieldKind::Buoyancy) {
-                const Vec2 side{kLevelWidth, 0.0f};
-                picture.canvas.line(middle - side, middle + side, DebugRole::Field);
-            }
-            break;
-        case RegionKind::Count: break;
-    }
+    const Vec2 side{kLevelWidth, 0.0f};
+    if (field.region == RegionKind::Box)
+        picture.canvas.box({middle - field.half, middle + field.half}, DebugRole::Field);
+    else if (field.region == RegionKind::Circle)
+        picture.canvas.circle(middle, field.radius, DebugRole::Field);
+    else if (field.kind == FieldKind::Buoyancy)
+        picture.canvas.line(middle - side, middle + side, DebugRole::Field);
 }
 
 /// m: arrow of a flow or acceleration.
 Vec2 arrowOf(const FieldDefinition& field) {
-    const Vec2 displacement = field.kind == FieldKind::AreaGravity
-                                  ? kArrowPerAcceleration * field.acceleration
-                                  : kFlowLength * field.velocity;
-    const float size = length(displacement);
-    return size > kLongestArrow ? (kLongestArrow / size) * displacement : displacement;
+    return limited(field.kind == FieldKind::AreaGravity ? kArrowPerAcceleration * field.acceleration
+                                                        : kFlowLength * field.velocity);
 }
 
 /// Four arrows towards the center of an attractor, or away from it.

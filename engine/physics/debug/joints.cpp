@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <cmath>
 #include <numbers>
 
 #include "physics/debug/picture.hpp"
@@ -30,6 +29,7 @@ void drawTick(const Picture& picture, Vec2 at, Vec2 along) {
 /// The angles that a hinge's limits allow for B's center.
 void drawFan(const Picture& picture, const JointPlace& at) {
     const JointLimit& limit = at.definition.limit;
+    if (!limit.on) return;
     const bool hasArm = at.joint.anchorB != Vec2{};
     const Vec2 arm = hasArm ? normalized(-at.joint.anchorB) : Vec2{1.0f, 0.0f};
     const Rot zero = picture.pose(at.joint.bodyA).rotation * rotFromAngle(at.definition.referenceAngle) *
@@ -57,30 +57,27 @@ void drawWay(const Picture& picture, const JointPlace& at) {
 /// Minimum and maximum length of a rod.
 void drawReach(const Picture& picture, const JointPlace& at) {
     const Vec2 displacement = at.b - at.a;
-    if (displacement == Vec2{}) return;
-    const Vec2 along = normalized(displacement);
     const JointLimit& limit = at.definition.limit;
+    if (!limit.on || displacement == Vec2{}) return;
+    const Vec2 along = normalized(displacement);
     if (limit.lower > 0.0f) drawTick(picture, at.a + limit.lower * along, along);
     drawTick(picture, at.a + limit.upper * along, along);
 }
 
 void drawLimits(const Picture& picture, const JointPlace& at) {
     switch (at.joint.kind) {
-        case JointKind::Revolute:
-            if (at.definition.limit.on) drawFan(picture, at);
-            break;
+        case JointKind::Revolute: return drawFan(picture, at);
         case JointKind::Prismatic:
-        case JointKind::Wheel: drawWay(picture, at); break;
-        case JointKind::Distance:
-            if (at.definition.limit.on) drawReach(picture, at);
-            break;
-        default: break;
+        case JointKind::Wheel: return drawWay(picture, at);
+        case JointKind::Distance: return drawReach(picture, at);
+        default: return;
     }
 }
 
 /// From a body to its anchor. Not for static bodies, which may be far away.
 void drawArm(const Picture& picture, std::uint32_t body, Vec2 to) {
-    if (!picture.isStatic(body)) picture.canvas.line(picture.centre(body), to, DebugRole::Joint);
+    if (picture.world.bodies.info[body].kind != BodyKind::Static)
+        picture.canvas.line(picture.centre(body), to, DebugRole::Joint);
 }
 
 void drawTies(const Picture& picture, const JointPlace& at) {
@@ -133,10 +130,8 @@ void drawJointForces(const Picture& picture) {
         const float lightest =
             std::max(masses[at.joint.bodyA].inverseMass, masses[at.joint.bodyB].inverseMass);
         const Vec2 displacement = (kArrowPerAcceleration * lightest) * at.joint.force;
-        const float size = length(displacement);
-        if (!(size > 0.0f)) return;
-        picture.canvas.arrow(at.b, at.b + std::min(1.0f, kLongestArrow / size) * displacement,
-                             DebugRole::JointForce);
+        if (length(displacement) > 0.0f)
+            picture.canvas.arrow(at.b, at.b + limited(displacement), DebugRole::JointForce);
     });
 }
 

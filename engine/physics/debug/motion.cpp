@@ -27,7 +27,7 @@ void drawPaths(const Picture& picture) {
     const World& world = picture.world;
     picture.forBodies([&](std::uint32_t body) {
         const Vec2 velocity = world.bodies.motion[body].velocity;
-        if (!picture.isDynamic(body) || length(velocity) < world.bodies.info[body].sleepSpeed) return;
+        if (!isDynamic(world, body) || length(velocity) < world.bodies.info[body].sleepSpeed) return;
         const Vec2 start = picture.centre(body);
         Vec2 from = start;
         for (int i = 1; i <= kPathLines; ++i) {
@@ -41,7 +41,7 @@ void drawPaths(const Picture& picture) {
 
 void drawCentres(const Picture& picture) {
     picture.forBodies([&](std::uint32_t body) {
-        if (picture.isDynamic(body))
+        if (isDynamic(picture.world, body))
             picture.canvas.circle(picture.centre(body), kPointRadius, DebugRole::Centre);
     });
 }
@@ -52,10 +52,11 @@ void drawSweeps(const Picture& picture) {
     if (work == nullptr || world.awake.empty()) return;
     for (const SweptBody& swept : work->swept) {
         const std::uint32_t body = swept.body;
-        if (!picture.isDynamic(body) || !picture.shows(body)) continue;
+        if (!isDynamic(world, body) || !picture.shows(body)) continue;
         const BodyPose from = swept.sweep.at(swept.sweep.begin);
-        for (std::uint32_t s = world.bodies.info[body].firstShape; s != kNone; s = world.shapes.info[s].next)
+        forShapesOf(world, body, [&](std::uint32_t s) {
             drawOutline(picture.canvas, picture.outline(s), picture.frame(from), DebugRole::Sweep);
+        });
         const Vec2 start = picture.seen(from.centre);
         picture.canvas.line(start, picture.seen(swept.sweep.at(1.0f).centre), DebugRole::Sweep);
         if (swept.hits > 0) picture.canvas.circle(start, kPointRadius, DebugRole::Impact);

@@ -34,8 +34,7 @@ struct Picture {
         return pose;
     }
     [[nodiscard]] bool moves(std::uint32_t body) const {
-        const BodyInfo& info = world.bodies.info[body];
-        return info.kind == BodyKind::Kinematic || (info.kind == BodyKind::Dynamic && info.place != kNone);
+        return world.bodies.info[body].kind == BodyKind::Kinematic || isUp(world, body);
     }
     [[nodiscard]] Vec2 seen(WorldPosition place) const { return place - choice.origin; }
     [[nodiscard]] Vec2 centre(std::uint32_t body) const { return seen(pose(body).centre); }
@@ -50,12 +49,6 @@ struct Picture {
     [[nodiscard]] Frame frame(std::uint32_t body) const { return frame(pose(body)); }
     [[nodiscard]] Convex outline(std::uint32_t shape) const {
         return convexOf(world.shapes.geometry[shape], world.shapes.corners);
-    }
-    [[nodiscard]] bool isDynamic(std::uint32_t body) const {
-        return world.bodies.info[body].kind == BodyKind::Dynamic;
-    }
-    [[nodiscard]] bool isStatic(std::uint32_t body) const {
-        return world.bodies.info[body].kind == BodyKind::Static;
     }
     /// The enlarged bounds of a shape that the broad phase keeps.
     [[nodiscard]] AABB box(std::uint32_t shape) const {
@@ -92,16 +85,10 @@ struct Picture {
     /// Calls draw(shape, body) for all shapes that are shown.
     template <class Draw>
     void forShapes(Draw&& draw) const {
-        forShapesThat([](std::uint32_t) { return true; },
-                      [&](std::uint32_t s, std::uint32_t body, const AABB&) { draw(s, body); });
-    }
-    /// Calls draw(shape, body, box) for all shapes that are shown and for which wanted(shape) is true.
-    template <class Wanted, class Draw>
-    void forShapesThat(Wanted&& wanted, Draw&& draw) const {
         for (std::uint32_t s = 0; s < world.shapes.size(); ++s) {
             const std::uint32_t body = world.shapes.info[s].body;
-            if (world.shapes.motion[s] == ProxyMotion::Gone || !wanted(s) || !shows(body)) continue;
-            if (const AABB around = box(s); isInSight(around, body)) draw(s, body, around);
+            if (world.shapes.motion[s] != ProxyMotion::Gone && shows(body) && isInSight(box(s), body))
+                draw(s, body);
         }
     }
     /// Calls draw(contact) for all touching contacts that are shown: those with a trigger, or those without.
@@ -112,6 +99,12 @@ struct Picture {
         });
     }
 };
+
+/// An arrow that is no longer than kLongestArrow.
+inline Vec2 limited(Vec2 arrow) {
+    const float size = length(arrow);
+    return size > kLongestArrow ? (kLongestArrow / size) * arrow : arrow;
+}
 
 /// An outline as a polygon, a circle with a spoke, or a line.
 void drawOutline(DebugCanvas& canvas, const Convex& convex, const Frame& frame, DebugInk ink);

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 
 #include "physics/debug/picture.hpp"
 #include "physics/shapes/shape_types.hpp"
@@ -8,9 +9,74 @@ namespace plumb::physics {
 
 namespace {
 
-bool isTrigger(const World& world, std::uint32_t shape) {
-    return (world.shapes.info[shape].flags & kTrigger) != 0;
+constexpr int kArcHalvings = 3;
+constexpr int kArcPoints = 1 << kArcHalvings;
+
+/// Directions between two outward normals, in the order of the corners.
+void fillArc(Vec2* directions, Vec2 from, Vec2 to, int halvings) {
+    if (halvings == 0) {
+        *directions = from;
+        return;
+    }
+    // At the ends of a capsule the normals are opposite, and their sum is zero.
+    const Vec2 side{to.y - from.y, from.x - to.x};
+    const Vec2 middle = normalized(dot(from, to) < 0.0f ? side : from + to);
+    fillArc(directions, from, middle, halvings - 1);
+    fillArc(directions + (1 << (halvings - 1)), middle, to, halvings - 1);
 }
+
+/// The faces, offset by the radius, with arcs between them.
+void drawRounded(DebugCanvas& canvas, std::span<const Corner> corners, const Frame& frame, float radius,
+                 DebugInk ink) {
+    std::array<Vec2, kMaxCorners*(kArcPoints + 1)> points;
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        const Vec2 before = corners[i > 0 ? i - 1 : corners.size() - 1].normal;
+        std::array<Vec2, kArcPoints + 1> arc;
+        fillArc(arc.data(), before, corners[i].normal, kArcHalvings);
+        arc.back() = corners[i].normal;
+        for (const Vec2 out : arc) points[count++] = apply(frame, corners[i].point + radius * out);
+    }
+    canvas.polygon({points.data(), count}, ink);
+}
+
+/// With a spoke that shows its rotation.
+void drawDisc(DebugCanvas& canvas, Vec2 centre, const Frame& frame, float radius, DebugInk ink) {
+    const Vec2 place = apply(frame, centre);
+    canvas.circle(place, radius, ink);
+    canvas.line(place, place + rotate(frame.rotation, {radius, 0.0f}), ink);
+}
+
+}  // namespace
+
+void drawOutline(DebugCanvas& canvas, const Convex& convex, const Frame& frame, DebugInk ink) {
+    const std::span<const Corner> corners = convex.corners();
+    if (corners.size() == 1) return drawDisc(canvas, corners[0].point, frame, convex.radius, ink);
+    if (convex.radius > 0.0f) return drawRounded(canvas, corners, frame, convex.radius, ink);
+    if (corners.size() == 2)
+        return canvas.line(apply(frame, corners[0].point), apply(frame, corners[1].point), ink);
+    std::array<Vec2, kMaxCorners> points;
+    for (std::size_t i = 0; i < corners.size(); ++i) points[i] = apply(frame, corners[i].point);
+    canvas.polygon({points.data(), corners.size()}, ink);
+}
+
+void DebugCanvas::box(const AABB& box, DebugInk ink) {
+    const std::array<Vec2, 4> corners{box.min, Vec2{box.max.x, box.min.y}, box.max,
+                                      Vec2{box.min.x, box.max.y}};
+    polygon(corners, ink);
+}
+
+void drawArc(DebugCanvas& canvas, Vec2 centre, float radius, Rot from, float angle, DebugInk ink) {
+    constexpr int kLines = 2 * kArcPoints;
+    const Rot turn = rotFromAngle(angle / static_cast<float>(kLines));
+    for (int i = 0; i < kLines; ++i) {
+        const Rot to = normalized(turn * from);
+        canvas.line(centre + radius * Vec2{from.cos, from.sin}, centre + radius * Vec2{to.cos, to.sin}, ink);
+        from = to;
+    }
+}
+
+namespace {
 
 DebugRole roleOf(ProxyMotion motion) {
     switch (motion) {
@@ -43,37 +109,39 @@ std::uint32_t headOfIsland(const World& world, std::uint32_t body) {
     return body;
 }
 
-}  // namespace
+Vec2 middleOf(const Picture& picture, std::uint32_t shape, std::uint32_t body) {
+    return apply(picture.frame(body), picture.outline(shape).centre);
+}
 
-void drawShapes(const Picture& picture) {
+/// The outlines of all shapes that are triggers, or that are not; of small ones the bounds.
+void drawOutlines(const Picture& picture, bool triggers) {
     const Shapes& shapes = picture.world.shapes;
-    const auto stops = [&](std::uint32_t s) { return !isTrigger(picture.world, s); };
-    picture.forShapesThat(stops, [&](std::uint32_t s, std::uint32_t body, const AABB& box) {
-        const DebugRole role = roleOf(shapes.motion[s]);
-        if (picture.isDot(box)) return picture.canvas.box(box, role);
+    picture.forShapes([&](std::uint32_t s, std::uint32_t body) {
+        const std::uint8_t flags = shapes.info[s].flags;
+        if (((flags & kTrigger) != 0) != triggers) return;
+        const DebugRole role = triggers ? DebugRole::Trigger : roleOf(shapes.motion[s]);
+        if (const AABB box = picture.box(s); picture.isDot(box)) return picture.canvas.box(box, role);
         const Frame frame = picture.frame(body);
-        const Convex outline = picture.outline(s);
-        drawOutline(picture.canvas, outline, frame, role);
-        if ((shapes.info[s].flags & kOneWay) == 0) return;
-        const Vec2 from = apply(frame, outline.centre);
+        drawOutline(picture.canvas, picture.outline(s), frame, role);
+        if (triggers || (flags & kOneWay) == 0) return;
+        const Vec2 from = middleOf(picture, s, body);
         picture.canvas.arrow(
             from, from + kOneWayArrow * rotate(frame.rotation, shapes.extrasOf(s).oneWayDirection), role);
     });
+}
+
+}  // namespace
+
+void drawShapes(const Picture& picture) {
+    drawOutlines(picture, false);
     drawSoftBodies(picture);
 }
 
 void drawTriggers(const Picture& picture) {
-    const auto triggers = [&](std::uint32_t s) { return isTrigger(picture.world, s); };
-    picture.forShapesThat(triggers, [&](std::uint32_t s, std::uint32_t body, const AABB& box) {
-        if (picture.isDot(box)) return picture.canvas.box(box, DebugRole::Trigger);
-        drawOutline(picture.canvas, picture.outline(s), picture.frame(body), DebugRole::Trigger);
-    });
-    const auto middle = [&](std::uint32_t shape, std::uint32_t body) {
-        return apply(picture.frame(body), picture.outline(shape).centre);
-    };
+    drawOutlines(picture, true);
     picture.forContacts(true, [&](const Contact& contact) {
-        picture.canvas.line(middle(contact.shapeA, contact.bodyA), middle(contact.shapeB, contact.bodyB),
-                            DebugRole::Visitor);
+        picture.canvas.line(middleOf(picture, contact.shapeA, contact.bodyA),
+                            middleOf(picture, contact.shapeB, contact.bodyB), DebugRole::Visitor);
     });
 }
 
@@ -98,7 +166,7 @@ void drawBroadPhase(const Picture& picture) {
 
 void drawIslands(const Picture& picture) {
     picture.forShapes([&](std::uint32_t s, std::uint32_t body) {
-        if (!picture.isDynamic(body)) return;
+        if (!isDynamic(picture.world, body)) return;
         drawOutline(picture.canvas, picture.outline(s), picture.frame(body),
                     {DebugRole::Island, headOfIsland(picture.world, body)});
     });
@@ -107,7 +175,7 @@ void drawIslands(const Picture& picture) {
 void drawRest(const Picture& picture) {
     const Settings& settings = picture.world.settings;
     picture.forShapes([&](std::uint32_t s, std::uint32_t body) {
-        if (!picture.isDynamic(body)) return;
+        if (!isDynamic(picture.world, body)) return;
         const bool asleep = picture.world.shapes.motion[s] == ProxyMotion::Asleep;
         const float restTime = picture.world.bodies.motion[body].restTime;
         const float part = asleep ? 1.0f : std::min(restTime / std::max(settings.sleepTime, 1e-6f), 1.0f);

@@ -1,10 +1,180 @@
+#include "physics/effects/buoyancy.hpp"
+
 #include <algorithm>
+#include <array>
 #include <cmath>
 
+#include "math/portable.hpp"
 #include "physics/effects/field_types.hpp"
-#include "physics/effects/submerged.hpp"
+#include "physics/shapes/shape_types.hpp"
 
 namespace plumb::physics {
+
+namespace {
+
+// By Green's theorem the area under the surface is the integral of the depth along the outline. The depth is
+// 0 above the surface and that of the bottom below it; the vertical sides of the fluid contribute nothing. So
+// each piece of the outline is integrated by itself, cut where it crosses a border of the fluid.
+
+struct Sums {
+    double area = 0.0;     // integral of d ds
+    double momentS = 0.0;  // integral of s d ds
+    double momentD = 0.0;  // integral of d^2 / 2 ds
+};
+
+/// Up to eight crossings of a piece of the outline, sorted.
+class Cuts {
+public:
+    void add(double t) {
+        if (!(t > 0.0 && t < 1.0) || count_ == at_.size()) return;
+        std::size_t place = count_++;
+        for (; place > 0 && at_[place - 1] > t; --place) at_[place] = at_[place - 1];
+        at_[place] = t;
+    }
+    template <class Act>
+    void forPieces(Act&& act) {
+        double from = 0.0;
+        for (std::size_t i = 0; i <= count_; ++i) {
+            const double to = i < count_ ? at_[i] : 1.0;
+            if (to > from) act(from, to);
+            from = to;
+        }
+    }
+
+private:
+    std::array<double, 8> at_{};
+    std::size_t count_ = 0;
+};
+
+void addAlongBottom(Sums& sums, double sa, double sb, double depth) {
+    sums.area += depth * (sb - sa);
+    sums.momentS += depth * 0.5 * (sb * sb - sa * sa);
+    sums.momentD += 0.5 * depth * depth * (sb - sa);
+}
+
+void addStraight(Sums& sums, Vec2 a, Vec2 b, const FluidBox& fluid) {
+    const double s0 = a.x, d0 = a.y, ds = static_cast<double>(b.x) - s0, dd = static_cast<double>(b.y) - d0;
+    const double half = fluid.half, depth = fluid.depth;
+    Cuts cuts;
+    if (dd != 0.0) cuts.add(-d0 / dd), cuts.add((depth - d0) / dd);
+    if (ds != 0.0) cuts.add((half - s0) / ds), cuts.add((-half - s0) / ds);
+    cuts.forPieces([&](double from, double to) {
+        const double middle = 0.5 * (from + to), dm = d0 + middle * dd;
+        if (std::fabs(s0 + middle * ds) > half || dm <= 0.0) return;
+        const double sa = s0 + from * ds, sb = s0 + to * ds;
+        if (dm >= depth) return addAlongBottom(sums, sa, sb, depth);
+        const double da = d0 + from * dd, db = d0 + to * dd;
+        sums.area += (sb - sa) * 0.5 * (da + db);
+        sums.momentS += (sb - sa) * (sa * (2.0 * da + db) + sb * (da + 2.0 * db)) / 6.0;
+        sums.momentD += (sb - sa) * (da * da + da * db + db * db) / 6.0;
+    });
+}
+
+/// Circular arc from `start` (rad) over `sweep` (rad).
+struct Arc {
+    Vec2 centre;
+    float radius;
+    float start;
+    float sweep;
+};
+
+/// Adds a cut at an angle if the arc contains it.
+void cutAt(Cuts& cuts, const Arc& arc, float angle) {
+    float displacement = angle - arc.start;
+    const float sign = arc.sweep < 0.0f ? -1.0f : 1.0f;
+    while (sign * displacement < 0.0f) displacement += sign * kTau;
+    while (sign * displacement >= kTau) displacement -= sign * kTau;
+    cuts.add(static_cast<double>(displacement) / static_cast<double>(arc.sweep));
+}
+
+/// Adds cuts where an arc crosses a line along or across the surface.
+/// @param offset  m: of the line from the center
+void cutAtLine(Cuts& cuts, const Arc& arc, float offset, bool isAcross) {
+    const float part = offset / arc.radius;
+    if (!(part > -1.0f && part < 1.0f)) return;
+    const float other = std::sqrt(1.0f - part * part);
+    for (const float side : {other, -other})
+        cutAt(cuts, arc, isAcross ? arcTangent(side, part) : arcTangent(part, side));
+}
+
+/// Adds the part of an arc from angle a to b (rad), in closed form.
+void addRound(Sums& sums, const Arc& arc, double a, double b) {
+    const SinCos at = sinCos(static_cast<float>(a)), bt = sinCos(static_cast<float>(b));
+    const double sinA = at.sin, cosA = at.cos, sinB = bt.sin, cosB = bt.cos;
+    const double r = arc.radius, cs = arc.centre.x, cd = arc.centre.y;
+    const double sin1 = cosA - cosB;
+    const double sin2 = 0.5 * ((b - a) - (sinB * cosB - sinA * cosA));
+    const double sin3 = sin1 - (cosA * cosA * cosA - cosB * cosB * cosB) / 3.0;
+    const double cosSin = 0.5 * (sinB * sinB - sinA * sinA);
+    const double cosSin2 = (sinB * sinB * sinB - sinA * sinA * sinA) / 3.0;
+    // s = cs + r cos, d = cd + r sin, ds = -r sin.
+    sums.area -= r * (cd * sin1 + r * sin2);
+    sums.momentS -= r * (cs * cd * sin1 + cs * r * sin2 + r * cd * cosSin + r * r * cosSin2);
+    sums.momentD -= 0.5 * r * (cd * cd * sin1 + 2.0 * cd * r * sin2 + r * r * sin3);
+}
+
+void addArc(Sums& sums, const Arc& arc, const FluidBox& fluid) {
+    if (arc.sweep == 0.0f) return;
+    Cuts cuts;
+    cutAtLine(cuts, arc, 0.0f - arc.centre.y, false);
+    cutAtLine(cuts, arc, fluid.depth - arc.centre.y, false);
+    cutAtLine(cuts, arc, fluid.half - arc.centre.x, true);
+    cutAtLine(cuts, arc, -fluid.half - arc.centre.x, true);
+    const double start = arc.start, sweep = arc.sweep, half = fluid.half, depth = fluid.depth;
+    cuts.forPieces([&](double from, double to) {
+        const double a = start + from * sweep, b = start + to * sweep;
+        const SinCos middle = sinCos(static_cast<float>(0.5 * (a + b)));
+        const Vec2 point = arc.centre + arc.radius * Vec2{middle.cos, middle.sin};
+        if (std::fabs(static_cast<double>(point.x)) > half || point.y <= 0.0f) return;
+        if (static_cast<double>(point.y) < depth) return addRound(sums, arc, a, b);
+        const double cosA = cosine(static_cast<float>(a)), cosB = cosine(static_cast<float>(b));
+        const double cs = arc.centre.x, r = arc.radius;
+        addAlongBottom(sums, cs + r * cosA, cs + r * cosB, depth);
+    });
+}
+
+Sums alongEdge(const Convex& convex, const Frame& toFluid, const FluidBox& fluid) {
+    Sums sums;
+    if (convex.count == 1) {
+        addArc(sums, {apply(toFluid, convex.corners()[0].point), convex.radius, -kPi, kTau}, fluid);
+        return sums;
+    }
+    const auto count = static_cast<std::size_t>(convex.count);
+    for (std::size_t i = 0; i < count; ++i) {
+        const Corner here = apply(toFluid, convex.corners()[i]);
+        const Corner next = apply(toFluid, convex.corners()[(i + 1) % count]);
+        const Vec2 out = convex.radius * here.normal;
+        addStraight(sums, here.point + out, next.point + out, fluid);
+        if (convex.radius == 0.0f) continue;
+        const float turn = arcTangent(cross(here.normal, next.normal), dot(here.normal, next.normal));
+        // The ends of a capsule are half circles, for which the sign of the angle is undefined.
+        const float sweep = count == 2 ? kPi : turn;
+        addArc(sums, {next.point, convex.radius, arcTangent(here.normal.y, here.normal.x), sweep}, fluid);
+    }
+    return sums;
+}
+
+}  // namespace
+
+Submerged submergedPart(const Geometry& geometry, std::span<const Corner> corners, const Frame& toFluid,
+                        const FluidBox& fluid) {
+    if (!shapeTypeOf(geometry.kind).solid) return {};
+    const AABB bounds = boundsOf(geometry, corners, toFluid);
+    if (bounds.max.y <= 0.0f || bounds.min.y >= fluid.depth || bounds.max.x <= -fluid.half ||
+        bounds.min.x >= fluid.half) {
+        return {};
+    }
+    if (bounds.min.y >= 0.0f && bounds.max.y <= fluid.depth && bounds.min.x >= -fluid.half &&
+        bounds.max.x <= fluid.half) {
+        const MassProperties whole = massProperties(geometry, corners, 1.0f);
+        return {whole.mass, apply(toFluid, whole.centre)};
+    }
+    const Sums sums = alongEdge(convexOf(geometry, corners), toFluid, fluid);
+    const double area = std::fabs(sums.area);
+    if (!(area > 1.0e-12)) return {};
+    return {static_cast<float>(area),
+            {static_cast<float>(sums.momentS / sums.area), static_cast<float>(sums.momentD / sums.area)}};
+}
 
 namespace {
 

@@ -24,9 +24,10 @@ AABB boxAround(WorldPosition place, Vec2 half) {
 
 AABB boundsOf(const World& world, const FieldDefinition& field) {
     constexpr float kEndless = std::numeric_limits<float>::max();
-    const bool isCircle = field.kind == FieldKind::Explosion || field.region == RegionKind::Circle;
-    if (!isCircle && field.region != RegionKind::Box) return {{-kEndless, -kEndless}, {kEndless, kEndless}};
-    return boxAround(centreOf(world, field), isCircle ? Vec2{field.radius, field.radius} : field.half);
+    const RegionKind region = regionOf(field);
+    if (region == RegionKind::Everywhere) return {{-kEndless, -kEndless}, {kEndless, kEndless}};
+    const Vec2 half = region == RegionKind::Circle ? Vec2{field.radius, field.radius} : field.half;
+    return boxAround(centreOf(world, field), half);
 }
 
 }  // namespace

@@ -1,27 +1,140 @@
 #include "physics/effects/field_types.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
+#include "core/hash.hpp"
+#include "physics/model/edits.hpp"
 #include "physics/shapes/convex.hpp"
+#include "physics/tuning.hpp"
+
+// The fields, and the accelerations that their kinds give. Fluids and explosions, which act on outlines, have
+// files of their own.
 
 namespace plumb::physics {
 
 namespace {
 
 bool isInRegion(const FieldDefinition& field, Vec2 displacement, float reach) {
-    switch (field.region) {
-        case RegionKind::Box:
-            return std::fabs(displacement.x) <= field.half.x + reach &&
-                   std::fabs(displacement.y) <= field.half.y + reach;
-        case RegionKind::Circle: return length(displacement) <= field.radius + reach;
-        case RegionKind::Everywhere:
-        case RegionKind::Count: break;
-    }
-    return true;
+    const RegionKind region = regionOf(field);
+    if (region == RegionKind::Circle) return length(displacement) <= field.radius + reach;
+    return region != RegionKind::Box || (std::fabs(displacement.x) <= field.half.x + reach &&
+                                         std::fabs(displacement.y) <= field.half.y + reach);
 }
 
+Acceleration areaGravity(const FieldView& view, const FieldDefinition& field, std::uint32_t body,
+                         const BodyState& state) {
+    const float scale = view.world.bodies.driveOf(body).gravityScale;
+    Vec2 pull = field.acceleration;
+    if (field.strength != 0.0f) pull += field.strength * normalized(field.place - state.centre);
+    if (field.replacesGravity && view.world.manifest.runs(Effect::Gravity))
+        pull -= view.world.settings.gravity;
+    return {scale * pull, 0.0f};
+}
+
+/// -1..1: gust number `turn` of a seed.
+float gustAt(std::uint32_t seed, std::uint64_t turn) {
+    const auto bits = static_cast<std::uint32_t>(mixBits(mixBits(seed) ^ turn) >> 40);
+    return static_cast<float>(bits) * 0x1p-23f - 1.0f;
+}
+
+/// -1..1: smooth interpolation between consecutive gusts. Depends only on the step number, so a repeated step
+/// gets the same wind.
+float gustiness(const FieldDefinition& field, std::uint64_t step) {
+    const std::uint64_t turn = step / field.gustSteps;
+    const float t = static_cast<float>(step % field.gustSteps) / static_cast<float>(field.gustSteps);
+    const float smooth = t * t * (3.0f - 2.0f * t);
+    return lerp(gustAt(field.seed, turn), gustAt(field.seed, turn + 1), smooth);
+}
+
+/// F = density * width * speed^2, along the apparent wind.
+Acceleration wind(const FieldView& view, const FieldDefinition& field, std::uint32_t body,
+                  const BodyState& state) {
+    const Vec2 felt = airOf(field, view.world.steps) - state.velocity;
+    const float speed = length(felt);
+    if (speed == 0.0f) return {};
+    const float width = widthAcross(view.world, body, state.rotation, felt / speed);
+    const float rate = field.density * width * speed * view.world.bodies.mass[body].inverseMass;  // 1/s
+    return {std::min(rate, 1.0f / view.h) * felt, 0.0f};
+}
+
+/// a = strength / distance^2 (Newton), or strength * distance. Softened as by H. Plummer, 1911.
+Acceleration attractor(const FieldView& view, const FieldDefinition& field, std::uint32_t,
+                       const BodyState& state) {
+    const WorldPosition centre = field.a ? view.stateOf(view, field.a.index).centre : field.place;
+    const Vec2 displacement = centre - state.centre;
+    if (field.linear) return {field.strength * displacement, 0.0f};
+    const float square = lengthSquared(displacement) + field.length * field.length;
+    if (square <= 1.0e-12f) return {};
+    return {(field.strength / (square * std::sqrt(square))) * displacement, 0.0f};
+}
+
+/// One end of a spring, with the inverse mass and inertia of its body.
+struct End {
+    WorldPosition place;  // m
+    Vec2 velocity;
+    Vec2 arm;  // m, from the center of mass
+    float inverseMass = 0.0f;
+    float inverseInertia = 0.0f;
+};
+
+End endOf(const World& world, std::uint32_t body, const BodyState& state, Vec2 anchor) {
+    const Vec2 arm = rotate(state.rotation, anchor - world.bodies.pose[body].localCentre);
+    const BodyMass& mass = world.bodies.mass[body];
+    return {state.centre + arm, state.velocity + cross(state.angularVelocity, arm), arm, mass.inverseMass,
+            mass.inverseInertia};
+}
+
+float easeOf(const End& end, Vec2 along) {
+    const float lever = cross(end.arm, along);
+    return end.inverseMass + end.inverseInertia * lever * lever;
+}
+
+/// F = strength * (length - rest) + damping * speed. A spring that is too stiff for the step is softened to
+/// what the step can follow; otherwise it would gain energy without bound.
+Acceleration spring(const FieldView& view, const FieldDefinition& field, std::uint32_t body,
+                    const BodyState& state) {
+    const bool isA = field.a.index == body;
+    const End here = endOf(view.world, body, state, isA ? field.anchorA : field.anchorB);
+    End there{field.place, {}, {}, 0.0f, 0.0f};
+    if (field.b) {
+        const std::uint32_t other = isA ? field.b.index : field.a.index;
+        there = endOf(view.world, other, view.stateOf(view, other), isA ? field.anchorB : field.anchorA);
+    }
+    const Vec2 displacement = there.place - here.place;
+    const float size = length(displacement);
+    if (size == 0.0f) return {};
+    const Vec2 along = displacement / size;
+    const float ease = easeOf(here, along) + easeOf(there, along);
+    if (ease == 0.0f) return {};
+    const float damping = std::min(field.damping, 1.0f / (ease * view.h));
+    const float stiffest = kStiffest * (4.0f / view.h - 2.0f * damping * ease) / (ease * view.h);
+    const float pull = std::min(field.strength, stiffest) * (size - field.length) +
+                       damping * dot(along, there.velocity - here.velocity);
+    const Vec2 force = pull * along;
+    return {here.inverseMass * force, here.inverseInertia * cross(here.arm, force)};
+}
+
+/// In the order of FieldKind.
+constexpr std::array<FieldType, static_cast<std::size_t>(FieldKind::Count)> kFieldTypes{{
+    {Effect::AreaGravity, areaGravity},
+    {Effect::Wind, wind},
+    {Effect::Buoyancy, buoyancy},
+    {Effect::Attractor, attractor},
+    {Effect::Explosion, nullptr},
+    {Effect::Springs, spring},
+}};
+
 }  // namespace
+
+const FieldType& fieldTypeOf(FieldKind kind) { return kFieldTypes[static_cast<std::size_t>(kind)]; }
+
+Vec2 airOf(const FieldDefinition& field, std::uint64_t step) {
+    if (!(field.gust > 0.0f)) return field.velocity;
+    const Vec2 along = lengthSquared(field.velocity) > 0.0f ? normalized(field.velocity) : Vec2{1.0f, 0.0f};
+    return field.velocity + (field.gust * gustiness(field, step)) * along;
+}
 
 bool isOnLayers(const World& world, std::uint32_t layers, std::uint32_t body) {
     if (layers == 0xffffffffu) return true;
@@ -44,7 +157,6 @@ bool actsOn(const World& world, const FieldDefinition& field, std::uint32_t body
     // Fluids and explosions act on outlines, all other fields on centers of mass.
     const bool byOutline = field.kind == FieldKind::Buoyancy || field.kind == FieldKind::Explosion;
     const float reach = byOutline ? world.bodies.info[body].reach : 0.0f;
-    if (field.kind == FieldKind::Explosion) return length(displacement) <= field.radius + reach;
     return isInRegion(field, displacement, reach);
 }
 
@@ -90,10 +202,10 @@ float widthAcross(const Geometry& geometry, std::span<const Corner> corners, Vec
 float widthAcross(const World& world, std::uint32_t body, Rot rotation, Vec2 direction) {
     const Vec2 local = unrotate(rotation, direction);
     float width = 0.0f;
-    for (std::uint32_t s = world.bodies.info[body].firstShape; s != kNone; s = world.shapes.info[s].next) {
+    forShapesOf(world, body, [&](std::uint32_t s) {
         if ((world.shapes.info[s].flags & kTrigger) == 0)
             width += widthAcross(world.shapes.geometry[s], world.shapes.corners, local);
-    }
+    });
     return width;
 }
 

@@ -39,7 +39,7 @@ struct FieldView {
     bool withSteady = true;        ///< false skips fields for which isConstant() holds
 };
 
-/// One kind of field: a row of the table in field_kinds.cpp.
+/// One kind of field: a row of the table in field_types.cpp.
 struct FieldType {
     Effect effect;
     /// Acceleration that the field gives a body in a state; null if it is not a smooth force (explosions).
@@ -53,6 +53,10 @@ const FieldType& fieldTypeOf(FieldKind kind);
 [[nodiscard]] bool actsOn(const World& world, const FieldDefinition& field, std::uint32_t body);
 /// m: center of the region of a field. That of an Attractor moves with its body.
 [[nodiscard]] WorldPosition centreOf(const World& world, const FieldDefinition& field);
+/// The shape of the region of a field; that of an explosion is always a circle.
+constexpr RegionKind regionOf(const FieldDefinition& field) {
+    return field.kind == FieldKind::Explosion ? RegionKind::Circle : field.region;
+}
 /// True if a position lies in the region of a field.
 [[nodiscard]] bool isInRegion(const FieldDefinition& field, WorldPosition place);
 /// m/s: velocity of the air of a Wind in a given step, gusts included.

@@ -2,7 +2,7 @@
 
 #include "physics/islands/quality.hpp"
 #include "physics/islands/substep_controller.hpp"
-#include "physics/measure/constraint_errors.hpp"
+#include "physics/measure/measures.hpp"
 #include "physics/model/edits.hpp"
 #include "physics/workspace.hpp"
 

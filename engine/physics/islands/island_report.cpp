@@ -4,7 +4,7 @@
 #include <numeric>
 
 #include "physics/islands/sleeping.hpp"
-#include "physics/measure/constraint_errors.hpp"
+#include "physics/measure/measures.hpp"
 #include "physics/workspace.hpp"
 
 namespace plumb::physics {

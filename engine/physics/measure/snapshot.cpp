@@ -12,7 +12,13 @@ namespace plumb::physics {
 
 namespace {
 
-using Parts = std::vector<std::vector<std::uint8_t>>;
+using Bytes = std::vector<std::uint8_t>;
+using Parts = std::vector<Bytes>;
+
+void append(Bytes& to, const void* from, std::size_t count) {
+    const auto* at = static_cast<const std::uint8_t*>(from);
+    to.insert(to.end(), at, at + count);
+}
 
 /// Hands the whole state to an archive, in the order of the hash. The bindings name every member: a new one
 /// does not compile. What is not exact has a part less: worlds keep the hash that they had before it existed.
@@ -168,15 +174,14 @@ private:
     LaneHasher hash_;
 };
 
-class Writer {
-public:
+struct Writer {
     static constexpr bool kIsExact = true;
     Parts parts;
 
     template <class... T>
     void values(const T&... all) {
         parts.emplace_back();
-        (append(&all, sizeof all), ...);
+        (append(parts.back(), &all, sizeof all), ...);
     }
     template <class T>
     void resize(const std::vector<T>& list) {
@@ -185,13 +190,7 @@ public:
     template <class... T>
     void lists(const std::vector<T>&... all) {
         static_assert((std::is_trivially_copyable_v<T> && ...));
-        ((parts.emplace_back(), append(all.data(), all.size() * sizeof(T))), ...);
-    }
-
-private:
-    void append(const void* from, std::size_t bytes) {
-        const auto* at = static_cast<const std::uint8_t*>(from);
-        parts.back().insert(parts.back().end(), at, at + bytes);
+        (append(parts.emplace_back(), all.data(), all.size() * sizeof(T)), ...);
     }
 };
 
@@ -223,8 +222,8 @@ public:
     }
 
 private:
-    const std::vector<std::uint8_t>& next() {
-        static const std::vector<std::uint8_t> kEmpty;
+    const Bytes& next() {
+        static const Bytes kEmpty;
         ok_ = ok_ && next_ < parts_.size();
         return ok_ ? parts_[next_++] : kEmpty;
     }
@@ -272,17 +271,13 @@ std::uint64_t versionOf() {
 }
 
 /// Version, the parts with their sizes, and a checksum.
-std::vector<std::uint8_t> joined(const Parts& parts) {
-    std::vector<std::uint8_t> bytes;
-    const auto add = [&](const void* from, std::size_t count) {
-        const auto* at = static_cast<const std::uint8_t*>(from);
-        bytes.insert(bytes.end(), at, at + count);
-    };
-    const auto addNumber = [&](std::uint64_t number) { add(&number, sizeof number); };
+Bytes joined(const Parts& parts) {
+    Bytes bytes;
+    const auto addNumber = [&](std::uint64_t number) { append(bytes, &number, sizeof number); };
     addNumber(versionOf());
     for (const auto& part : parts) {
         addNumber(part.size());
-        add(part.data(), part.size());
+        append(bytes, part.data(), part.size());
     }
     LaneHasher hasher;
     hasher.addBytes(bytes.data(), bytes.size());

@@ -17,14 +17,19 @@ void destroyBody(World& world, BodyId body);
 // Getters. Of a body that was destroyed or never made they say that it is at the origin, rests, weighs
 // nothing and is neither awake nor enabled.
 
-/// m: a point that is given in the frame of the body's shapes, and the inverse.
-[[nodiscard]] inline WorldPosition worldPoint(const World& world, BodyId body, Vec2 point) {
-    const BodyPose& pose = readOf(world, world.bodies.pose, body);
+/// m: a point that is given in the frame of the body's shapes, and the inverse. The difference of positions
+/// is taken first, so that the result is as accurate far from the origin.
+[[nodiscard]] inline WorldPosition worldPoint(const BodyPose& pose, Vec2 point) {
     return pose.centre + rotate(pose.rotation, point - pose.localCentre);
 }
-[[nodiscard]] inline Vec2 localPoint(const World& world, BodyId body, WorldPosition point) {
-    const BodyPose& pose = readOf(world, world.bodies.pose, body);
+[[nodiscard]] inline Vec2 localPoint(const BodyPose& pose, WorldPosition point) {
     return pose.localCentre + unrotate(pose.rotation, point - pose.centre);
+}
+[[nodiscard]] inline WorldPosition worldPoint(const World& world, BodyId body, Vec2 point) {
+    return worldPoint(readOf(world, world.bodies.pose, body), point);
+}
+[[nodiscard]] inline Vec2 localPoint(const World& world, BodyId body, WorldPosition point) {
+    return localPoint(readOf(world, world.bodies.pose, body), point);
 }
 [[nodiscard]] inline WorldPosition positionOf(const World& world, BodyId body) {
     return worldPoint(world, body, {});  ///< m, of the frame of its shapes
@@ -49,12 +54,7 @@ void destroyBody(World& world, BodyId body);
 [[nodiscard]] inline float massOf(const World& world, BodyId body) {
     return readOf(world, world.bodies.mass, body).mass;
 }
-/// Mass properties. The center of mass is in the frame of the shapes, the inertia about it.
-struct MassData {
-    float mass = 0.0f;     ///< kg
-    Vec2 centre;           ///< m
-    float inertia = 0.0f;  ///< kg m2; 0: cannot rotate
-};
+using MassData = MassProperties;
 [[nodiscard]] inline MassData massDataOf(const World& world, BodyId body) {
     const BodyMass& mass = readOf(world, world.bodies.mass, body);
     return {mass.mass, readOf(world, world.bodies.pose, body).localCentre, mass.inertia};

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "physics/contacts/contacts.hpp"
+#include "physics/model/edits.hpp"
 #include "physics/shapes/shape_types.hpp"
 #include "physics/tuning.hpp"
 #include "physics/workspace.hpp"
@@ -57,9 +58,7 @@ void setBounds(World& world, std::uint32_t shape) {
 }
 
 void refreshBounds(World& world, std::uint32_t body) {
-    for (std::uint32_t s = world.bodies.info[body].firstShape; s != kNone; s = world.shapes.info[s].next) {
-        setBounds(world, s);
-    }
+    forShapesOf(world, body, [&](std::uint32_t s) { setBounds(world, s); });
 }
 
 void alter(World& world, std::uint32_t shape) {
@@ -69,11 +68,6 @@ void alter(World& world, std::uint32_t shape) {
     if ((flags & kAltered) != 0) return;
     flags |= kAltered;
     world.altered.push_back(shape);
-}
-
-void alterAll(World& world, std::uint32_t body) {
-    for (std::uint32_t s = world.bodies.info[body].firstShape; s != kNone; s = world.shapes.info[s].next)
-        alter(world, s);
 }
 
 void noteChanged(World& world, std::uint32_t shape) {
@@ -90,6 +84,45 @@ void noteMoved(World& world, std::uint32_t shape) {
     if ((info.flags & kLeftBounds) != 0) return;
     info.flags |= kLeftBounds;
     world.moved.push_back(shape);
+}
+
+namespace {
+
+/// Recomputes what follows from a world that was created or overwritten.
+void refill(World& world, Workspace& work) {
+    work.pairs.clear();
+    countSurfaces(world, work);
+    forContacts(world,
+                [&](const Contact& contact) { work.pairs.add(pairKey(contact.shapeA, contact.shapeB)); });
+}
+
+/// The shapes of a world as the broad phase reads them.
+Proxies proxiesOf(const World& world) {
+    return {world.shapes.bounds, world.shapes.filter, world.shapes.motion};
+}
+
+}  // namespace
+
+void updateBroadPhase(World& world, Workspace& work) {
+    refreshColours(world, work);  // before the flag is reset
+    const bool stale = world.work.takeStale();
+    work.isChanged.resize(world.shapes.size());
+    work.isMoved.resize(world.shapes.size());
+    if (stale) {
+        refill(world, work);
+        work.joints.trees.stale = true;
+    }
+    if (stale || work.broadPhaseKind != world.settings.broadPhase) {
+        if (work.broadPhase == nullptr || work.broadPhaseKind != world.settings.broadPhase)
+            work.broadPhase = makeBroadPhase(world.settings.broadPhase);
+        work.broadPhaseKind = world.settings.broadPhase;
+        work.broadPhase->rebuild(proxiesOf(world));
+        std::fill(work.isChanged.begin(), work.isChanged.end(), std::uint8_t{0});
+    } else if (!work.changedProxies.empty()) {
+        work.broadPhase->update(proxiesOf(world), work.changedProxies);
+        for (const std::uint32_t shape : work.changedProxies) work.isChanged[shape] = 0;
+    }
+    work.changedProxies.clear();
 }
 
 namespace {

@@ -24,12 +24,15 @@ void refreshBounds(World& world, std::uint32_t body);
 
 /// What a shape is changed: its contacts end at the start of the next step, which finds them anew.
 void alter(World& world, std::uint32_t shape);
-void alterAll(World& world, std::uint32_t body);
 
 /// The broad phase has to update its copy of the shape.
 void noteChanged(World& world, std::uint32_t shape);
 /// The broad phase has to search for pairs of the shape in the next step.
 void noteMoved(World& world, std::uint32_t shape);
+
+/// Updates the broad phase with all changes since the last update; refills the workspace after the world was
+/// overwritten. Steps and queries begin with it. The result of a step does not depend on it.
+void updateBroadPhase(World& world, Workspace& work);
 
 /// Updates the properties that contacts copied from the shape.
 void refreshContacts(World& world, std::uint32_t shape);

@@ -1,7 +1,5 @@
 #include "physics/model/checks.hpp"
 
-#include <cmath>
-
 #include "core/text.hpp"
 
 namespace plumb::physics {

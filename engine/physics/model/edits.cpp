@@ -48,7 +48,7 @@ Result<Done> setKind(World& world, BodyId id, BodyKind kind) {
     if (kind == BodyKind::Dynamic && (info.flags & kFixedRotation) != 0) motion.angularVelocity = 0.0f;
     motion.restTime = 0.0f;
     if (kind != BodyKind::Static && isEnabled(world, id)) addAwake(world, body);
-    alterAll(world, body);
+    forShapesOf(world, body, [&](std::uint32_t s) { alter(world, s); });
     forJointsOf(world, body, [&](std::uint32_t j) { joinIslandsOf(world, world.joints.hot[j]); });
     world.islandsStale |= info.firstJoint != kNone;
     return Done{};
@@ -64,7 +64,7 @@ void setEnabled(World& world, BodyId id, bool enabled) {
     info.owned ^= kBodyOff;
     forShapesOf(world, body, [&](std::uint32_t s) { world.shapes.info[s].flags ^= kShapeOff; });
     if (enabled && info.kind != BodyKind::Static) addAwake(world, body);
-    alterAll(world, body);
+    forShapesOf(world, body, [&](std::uint32_t s) { alter(world, s); });
     world.islandsStale |= info.firstJoint != kNone;
     if (!enabled) return;
     forJointsOf(world, body, [&](std::uint32_t j) {

@@ -7,7 +7,7 @@
 
 namespace plumb::physics {
 
-/// The kinds of fields. Each has a row in effects/field_kinds.cpp.
+/// The kinds of fields. Each has a row in effects/field_types.cpp.
 enum class FieldKind : std::uint8_t {
     AreaGravity,  ///< gravity of its own in a region, along a direction or towards a point
     Wind,         ///< moving air: drag proportional to the square of the relative speed, with gusts

@@ -30,6 +30,13 @@ constexpr Frame operator*(const Frame& a, const Frame& b) {
     return {apply(a, b.position), a.rotation * b.rotation};
 }
 
+/// The mass properties of an outline filled with material, or of a body in the frame of its shapes.
+struct MassProperties {
+    float mass = 0.0f;     ///< kg
+    Vec2 centre;           ///< m: the centre of mass; the geometric centre if there is no area
+    float inertia = 0.0f;  ///< kg m2, about the centre of mass; 0: cannot rotate
+};
+
 /// The kinds of outlines. Each has a row in shapes/shape_types.cpp.
 enum class ShapeKind : std::uint8_t { Circle, Capsule, Box, Polygon, Segment, ChainSegment, Count };
 

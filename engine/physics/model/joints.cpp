@@ -64,11 +64,9 @@ Result<Done> check(const World& world, const JointDefinition& d) {
     if (d.kind >= JointKind::Count)
         return wrong("JointDefinition.kind", "expected a kind of joint, found another number",
                      "use a JointKind");
-    if (const auto a =
-            firstOf(checkAlive("JointDefinition.a", world, d.a), checkAlive("JointDefinition.b", world, d.b));
-        !a) {
-        return a;
-    }
+    const auto living =
+        firstOf(checkAlive("JointDefinition.a", world, d.a), checkAlive("JointDefinition.b", world, d.b));
+    if (!living) return living;
     if (d.a == d.b) {
         return wrong("createJoint", "expected two bodies, found the same one twice",
                      "connect it to another body, such as a static one");
@@ -115,7 +113,8 @@ std::uint8_t flagsOf(const JointDefinition& d) {
     const bool breaks = std::min({d.breakForce, d.breakTorque, d.reportForce, d.reportTorque}) < kEndless;
     return static_cast<std::uint8_t>((d.limit.on ? kLimited : 0) | (d.motor.on ? kDriven : 0) |
                                      (d.spring.on ? kSprung : 0) | (d.hertz > 0.0f ? kSoft : 0) |
-                                     (breaks ? kBreakable : 0) | (d.collideConnected || d.kind == JointKind::Mouse ? 0 : kKeepsApart));
+                                     (breaks ? kBreakable : 0) |
+                                     (d.collideConnected || d.kind == JointKind::Mouse ? 0 : kKeepsApart));
 }
 
 /// Takes what a new definition says, except the bodies.
@@ -229,10 +228,6 @@ Result<Done> setDefinition(World& world, JointId id, const JointDefinition& defi
         std::fill(std::begin(joint.rows), std::end(joint.rows), 0.0f);
     return Done{};
 }
-
-Vec2 jointForce(const World& world, JointId joint) { return readOf(world, world.joints.hot, joint).force; }
-
-float jointTorque(const World& world, JointId joint) { return readOf(world, world.joints.hot, joint).torque; }
 
 Result<Done> setMotorSpeed(World& world, JointId joint, float speed) {
     if (alive(world, joint) && !jointType(definitionOf(world, joint).kind).hasMotor) {

@@ -36,8 +36,12 @@ struct JointReading {
 [[nodiscard]] JointReading readingOf(const World& world, JointId joint);
 
 /// The force (N, on B) and the torque (N m) that held the joint in the last step.
-[[nodiscard]] Vec2 jointForce(const World& world, JointId joint);
-[[nodiscard]] float jointTorque(const World& world, JointId joint);
+[[nodiscard]] inline Vec2 jointForce(const World& world, JointId joint) {
+    return readOf(world, world.joints.hot, joint).force;
+}
+[[nodiscard]] inline float jointTorque(const World& world, JointId joint) {
+    return readOf(world, world.joints.hot, joint).torque;
+}
 
 /// @error a joint of a kind without a motor, or without a target
 Result<Done> setMotorSpeed(World& world, JointId joint, float speed);       ///< rad/s or m/s

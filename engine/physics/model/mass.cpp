@@ -1,4 +1,3 @@
-
 #include <algorithm>
 
 #include "physics/model/bounds.hpp"
@@ -11,25 +10,19 @@ namespace plumb::physics {
 namespace {
 
 /// The mass properties of all shapes together, in the body's frame.
-struct Sum {
-    float mass = 0.0f;
-    Vec2 centre;
-    float inertia = 0.0f;  // about `centre`
-};
-
-Sum sumOfShapes(const World& world, std::uint32_t body) {
+MassProperties sumOfShapes(const World& world, std::uint32_t body) {
     const Shapes& shapes = world.shapes;
-    Sum sum;
+    MassProperties sum;
     Vec2 moment;
     float aboutOrigin = 0.0f;
-    for (std::uint32_t s = world.bodies.info[body].firstShape; s != kNone; s = shapes.info[s].next) {
-        if (shapes.info[s].density == 0.0f) continue;
+    forShapesOf(world, body, [&](std::uint32_t s) {
+        if (shapes.info[s].density == 0.0f) return;
         const MassProperties part =
             massProperties(shapes.geometry[s], shapes.corners, shapes.info[s].density);
         sum.mass += part.mass;
         moment += part.mass * part.centre;
         aboutOrigin += part.inertia + part.mass * lengthSquared(part.centre);
-    }
+    });
     if (sum.mass == 0.0f) return {};
     sum.centre = moment / sum.mass;
     sum.inertia = std::max(aboutOrigin - sum.mass * lengthSquared(sum.centre), 0.0f);
@@ -38,7 +31,7 @@ Sum sumOfShapes(const World& world, std::uint32_t body) {
 
 constexpr float kMinInertia = 1.0e-20f;  // kg m2: the solver cannot use the inverse of a smaller one
 
-void setMassOf(BodyMass& mass, const Sum& sum, const BodyInfo& info) {
+void setMassOf(BodyMass& mass, const MassProperties& sum, const BodyInfo& info) {
     const float ofShapes = sum.mass > 0.0f ? sum.mass : 1.0f;
     mass.mass = std::max(kLightest, (info.owned & kSetMass) != 0 ? mass.mass : ofShapes);
     if ((info.owned & kSetMassData) == 0)
@@ -107,7 +100,7 @@ void updateMass(World& world, std::uint32_t body) {
         mass = {};
         if (world.bodies.pose[body].localCentre != Vec2{}) moveCentre(world, body, {});
     } else {
-        const Sum sum = sumOfShapes(world, body);
+        const MassProperties sum = sumOfShapes(world, body);
         setMassOf(mass, sum, info);
         if ((info.owned & kSetMassData) == 0) moveCentre(world, body, sum.centre);
     }

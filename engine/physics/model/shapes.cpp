@@ -5,7 +5,6 @@
 #include <tuple>
 #include <vector>
 
-#include "core/text.hpp"
 #include "physics/islands/sleeping.hpp"
 #include "physics/model/bodies.hpp"
 #include "physics/model/bounds.hpp"
@@ -166,8 +165,8 @@ void segmentsOf(const World& world, ShapeId chain, std::vector<ShapeId>& found) 
 
 Result<ShapeId> createShape(World& world, BodyId body, const Geometry& geometry,
                             const ShapeDefinition& definition) {
-    if (const auto checked = checkAlive("createShape", world, body); !checked) return checked.error();
-    if (const auto checked = firstOf(check(geometry), check(definition)); !checked) return checked.error();
+    const auto checked = firstOf(checkAlive("createShape", world, body), check(geometry), check(definition));
+    if (!checked) return checked.error();
     const ShapeId shape = add(world, body, geometry, definition);
     updateMass(world, body.index);
     return shape;
@@ -175,12 +174,9 @@ Result<ShapeId> createShape(World& world, BodyId body, const Geometry& geometry,
 
 Result<ShapeId> createPolygon(World& world, BodyId body, std::span<const Vec2> points, float radius,
                               const ShapeDefinition& definition) {
-    if (const auto checked = checkAlive("createShape", world, body); !checked) return checked.error();
-    if (const auto checked =
-            firstOf(check(definition), checkNumber("createPolygon radius", radius, 0.0, kLargest));
-        !checked) {
-        return checked.error();
-    }
+    const auto checked = firstOf(checkAlive("createShape", world, body), check(definition),
+                                 checkNumber("createPolygon radius", radius, 0.0, kLargest));
+    if (!checked) return checked.error();
     const Result<Hull> hull = makeHull(points);
     if (!hull) return hull.error();
     const ShapeId shape = add(world, body, storePolygon(world.shapes, *hull, radius), definition);
@@ -354,18 +350,6 @@ Result<Done> setDefinition(World& world, ShapeId shape, const ShapeDefinition& d
     };
     atBegin(definition) != atBegin(before) ? alter(world, shape.index) : refreshContacts(world, shape.index);
     return Done{};
-}
-
-Result<Done> setFriction(World& world, ShapeId shape, float friction) {
-    return change(world, shape, [&](ShapeDefinition& definition) { definition.friction = friction; });
-}
-
-Result<Done> setBounciness(World& world, ShapeId shape, float bounciness) {
-    return change(world, shape, [&](ShapeDefinition& definition) { definition.bounciness = bounciness; });
-}
-
-Result<Done> setSurfaceSpeed(World& world, ShapeId shape, float speed) {
-    return change(world, shape, [&](ShapeDefinition& definition) { definition.surfaceSpeed = speed; });
 }
 
 void setFilter(World& world, ShapeId shape, std::uint32_t layers, std::uint32_t mask, std::int32_t group) {

@@ -64,9 +64,15 @@ Result<Done> change(World& world, Id<Thing> id, Change&& change) {
     return setDefinition(world, id, definition);
 }
 
-Result<Done> setFriction(World& world, ShapeId shape, float friction);      ///< 0..100
-Result<Done> setBounciness(World& world, ShapeId shape, float bounciness);  ///< 0..1
-Result<Done> setSurfaceSpeed(World& world, ShapeId shape, float speed);     ///< m/s
+inline Result<Done> setFriction(World& world, ShapeId shape, float friction) {  ///< 0..100
+    return change(world, shape, [&](ShapeDefinition& definition) { definition.friction = friction; });
+}
+inline Result<Done> setBounciness(World& world, ShapeId shape, float bounciness) {  ///< 0..1
+    return change(world, shape, [&](ShapeDefinition& definition) { definition.bounciness = bounciness; });
+}
+inline Result<Done> setSurfaceSpeed(World& world, ShapeId shape, float speed) {  ///< m/s
+    return change(world, shape, [&](ShapeDefinition& definition) { definition.surfaceSpeed = speed; });
+}
 void setFilter(World& world, ShapeId shape, std::uint32_t layers, std::uint32_t mask, std::int32_t group);
 
 }  // namespace plumb::physics

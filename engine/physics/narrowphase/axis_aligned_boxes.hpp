@@ -3,14 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
-#include "physics/model/geometry.hpp"
 #include "physics/narrowphase/manifold.hpp"
 #include "physics/tuning.hpp"
 
 namespace plumb::physics {
 
 /// m: separation of two axis-aligned boxes along x and along y; below 0: overlap.
-/// @param way  m, from A's centre to B's
+/// @param displacement  m, from A's centre to B's
 inline Vec2 gapOf(Vec2 halfA, Vec2 halfB, Vec2 displacement) {
     return {std::fabs(displacement.x) - halfA.x - halfB.x, std::fabs(displacement.y) - halfA.y - halfB.y};
 }
@@ -22,8 +21,55 @@ inline bool goesAlongY(Vec2 halfA, Vec2 halfB, Vec2 gap) {
     return gap.y > gap.x + std::min(kMaxFaceTie, kFaceTie * smallest);
 }
 
+/// The features that touch, as the id of the point.
+enum UprightFeature : std::uint16_t { kFaceX = 0, kFaceY = 2, kCorner = 4 };
+
+/// The boxes are separated along both axes: corner to corner.
+inline Manifold collideUprightCorners(Vec2 halfA, Vec2 gap, Vec2 side, Vec2 displacement, float speculative) {
+    const float square = lengthSquared(gap);
+    if (square > speculative * speculative || square <= kBlur * kBlur * lengthSquared(displacement))
+        return {};
+    Manifold manifold;
+    const float distance = std::sqrt(square);
+    manifold.normal = {side.x * (gap.x / distance), side.y * (gap.y / distance)};
+    const Vec2 corner{side.x * halfA.x, side.y * halfA.y};
+    const int quadrant = (side.x < 0.0f ? 1 : 0) + (side.y < 0.0f ? 2 : 0);
+    manifold.points[0] = {corner + (0.5f * distance) * manifold.normal, distance,
+                          static_cast<std::uint16_t>(kCorner + quadrant)};
+    manifold.count = 1;
+    return manifold;
+}
+
+/// The middle of the intersection of two intervals, centred at 0 and at a displacement.
+inline float middleOfOverlap(float halfA, float halfB, float displacement) {
+    return 0.5f * (std::max(-halfA, displacement - halfB) + std::min(halfA, displacement + halfB));
+}
+
 /// Collides two axis-aligned boxes without rounded corners: a single contact point, in a frame at A's centre.
-/// @param way  m, from A's centre to B's
-[[nodiscard]] Manifold collideUpright(Vec2 halfA, Vec2 halfB, Vec2 displacement, float speculative);
+/// @param displacement  m, from A's centre to B's
+[[nodiscard]] inline Manifold collideUpright(Vec2 halfA, Vec2 halfB, Vec2 displacement, float speculative) {
+    const Vec2 gap = gapOf(halfA, halfB, displacement);
+    if (std::max(gap.x, gap.y) > speculative) return {};
+    const Vec2 side{displacement.x < 0.0f ? -1.0f : 1.0f, displacement.y < 0.0f ? -1.0f : 1.0f};
+    if (gap.x > 0.0f && gap.y > 0.0f)
+        return collideUprightCorners(halfA, gap, side, displacement, speculative);
+    const bool alongY = goesAlongY(halfA, halfB, gap);
+    Manifold manifold;
+    manifold.count = 1;
+    if (alongY) {
+        manifold.normal = {0.0f, side.y};
+        manifold.points[0] = {
+            {middleOfOverlap(halfA.x, halfB.x, displacement.x), side.y * (halfA.y + 0.5f * gap.y)},
+            gap.y,
+            static_cast<std::uint16_t>(kFaceY + (side.y < 0.0f ? 1 : 0))};
+    } else {
+        manifold.normal = {side.x, 0.0f};
+        manifold.points[0] = {
+            {side.x * (halfA.x + 0.5f * gap.x), middleOfOverlap(halfA.y, halfB.y, displacement.y)},
+            gap.x,
+            static_cast<std::uint16_t>(kFaceX + (side.x < 0.0f ? 1 : 0))};
+    }
+    return manifold;
+}
 
 }  // namespace plumb::physics

@@ -1,43 +1,134 @@
 #include "physics/narrowphase/collide.hpp"
 
+#include <algorithm>
+
+#include "physics/shapes/shape_types.hpp"
+#include "physics/solver/kernels.hpp"
+
 namespace plumb::physics {
+
+void putPair(BoxPairs& pairs, int lane, const Geometry& a, const Geometry& b, const Frame& bInA) {
+    const Vec2 displacement = unrotate(a.turn, apply(bInA, b.a) - a.a);
+    const Rot turn = between(a.turn, bInA.rotation * b.turn);
+    pairs.halfAx[lane] = a.b.x;
+    pairs.halfAy[lane] = a.b.y;
+    pairs.halfBx[lane] = b.b.x;
+    pairs.halfBy[lane] = b.b.y;
+    pairs.x[lane] = displacement.x;
+    pairs.y[lane] = displacement.y;
+    pairs.cosine[lane] = turn.cos;
+    pairs.sine[lane] = turn.sin;
+    pairs.radiusA[lane] = a.radius;
+    pairs.radiusB[lane] = b.radius;
+}
+
+Manifold manifoldOf(const BoxTouches& touches, int lane, const Geometry& a) {
+    Manifold manifold;
+    if (!(touches.count[lane] > 0.0f)) return manifold;
+    manifold.count = static_cast<int>(touches.count[lane]);
+    manifold.normal = rotate(a.turn, {touches.normalX[lane], touches.normalY[lane]});
+    manifold.roundA = touches.roundA[lane];
+    manifold.roundB = touches.roundB[lane];
+    for (int i = 0; i < manifold.count; ++i) {
+        manifold.points[i] = {a.a + rotate(a.turn, {touches.pointX[i][lane], touches.pointY[i][lane]}),
+                              touches.separation[i][lane], static_cast<std::uint16_t>(touches.id[i][lane])};
+    }
+    return manifold;
+}
 
 namespace {
 
-template <Collide function>
-Manifold turned(const Geometry& a, const Geometry& b, std::span<const Corner> corners, const Frame& bInA,
-                float speculative) {
-    return swapped(function(b, a, corners, inverse(bInA), speculative), bInA);
+/// m: two centres closer than this have no direction from one to the other.
+constexpr float kNoDistance = 1.0e-9f;
+
+/// A manifold with a single point.
+/// @param normal   from the circle to the other outline
+/// @param feature  of the other outline
+Manifold onePoint(const Geometry& circle, Vec2 normal, float separation, float roundB,
+                  std::uint16_t feature) {
+    Manifold manifold{.normal = normal, .count = 1, .roundA = circle.radius, .roundB = roundB};
+    manifold.points[0] = {circle.a + normal * (circle.radius + 0.5f * separation), separation, feature};
+    return manifold;
 }
 
-Manifold collideNothing(const Geometry&, const Geometry&, std::span<const Corner>, const Frame&, float) {
-    return {};
+/// The face or corner of a box that is on that side of it.
+std::uint16_t featureTowards(Vec2 out) {
+    const auto side = [](float way) { return way < 0.0f ? 0 : (way > 0.0f ? 2 : 1); };
+    return static_cast<std::uint16_t>(side(out.x) + 3 * side(out.y));
 }
 
-constexpr std::size_t kKinds = static_cast<std::size_t>(ShapeKind::Count);
+Manifold collideCircles(const Geometry& a, const Geometry& b, const Frame& bInA, float speculative) {
+    const Vec2 displacement = apply(bInA, b.a) - a.a;
+    const float radii = a.radius + b.radius;
+    const float reach = radii + speculative;
+    const float square = lengthSquared(displacement);
+    if (!(square <= reach * reach)) return {};
+    const float distance = std::sqrt(square);
+    const Vec2 normal = distance > kNoDistance ? displacement / distance : kAnyNormal;
+    return onePoint(a, normal, distance - radii, b.radius, 0);
+}
 
-// Rows: kind of A, columns: kind of B, in the order of ShapeKind.
-constexpr Collide kCollide[kKinds][kKinds] = {
-    // circle
-    {collideCircles, collideCircleConvex, collideCircleBox, collideCircleConvex, collideCircleConvex,
-     collideChain},
-    // capsule
-    {turned<collideCircleConvex>, collideConvex, collideConvex, collideConvex, collideConvex, collideChain},
-    // box
-    {turned<collideCircleBox>, collideConvex, collideBoxes, collideConvex, collideConvex, collideChain},
-    // polygon
-    {turned<collideCircleConvex>, collideConvex, collideConvex, collideConvex, collideConvex, collideChain},
-    // segment
-    {turned<collideCircleConvex>, collideConvex, collideConvex, collideConvex, collideConvex, collideChain},
-    // chain segment
-    {turned<collideChain>, turned<collideChain>, turned<collideChain>, turned<collideChain>,
-     turned<collideChain>, collideNothing},
-};
+Manifold collideCircleBox(const Geometry& circle, const Geometry& box, const Frame& bInA, float speculative) {
+    const Rot turn = bInA.rotation * box.turn;
+    const Vec2 place = unrotate(turn, circle.a - apply(bInA, box.a));
+    const Vec2 inside = max(-box.b, min(place, box.b));
+    const Vec2 out = place - inside;
+    const float square = lengthSquared(out);
+    const float radii = circle.radius + box.radius;
+    const float reach = radii + speculative;
+    if (!(square <= reach * reach)) return {};
+
+    const float distance = std::sqrt(square);
+    if (distance > kNoDistance) {
+        const bool atCorner = out.x != 0.0f && out.y != 0.0f;
+        return onePoint(circle, rotate(turn, -out / distance), distance - radii, atCorner ? box.radius : 0.0f,
+                        featureTowards(out));
+    }
+    const Vec2 depth{box.b.x - std::fabs(place.x), box.b.y - std::fabs(place.y)};
+    const bool byX = depth.x < depth.y;
+    const Vec2 face =
+        byX ? Vec2{place.x < 0.0f ? -1.0f : 1.0f, 0.0f} : Vec2{0.0f, place.y < 0.0f ? -1.0f : 1.0f};
+    return onePoint(circle, rotate(turn, -face), -(byX ? depth.x : depth.y) - radii, 0.0f,
+                    featureTowards(face));
+}
+
+Manifold collideBoxes(const Geometry& a, const Geometry& b, const Frame& bInA, float speculative) {
+    constexpr float kFar =
+        1.0e9f;  // m: lanes without a pair are apart, so the kernel may skip what others need
+    BoxPairs pairs{};
+    std::fill_n(pairs.x, kLanes, kFar);
+    BoxTouches touches;
+    putPair(pairs, 0, a, b, bInA);
+    solverKernels().collideBoxes(pairs, speculative, touches);
+    return manifoldOf(touches, 0, a);
+}
 
 }  // namespace
 
-Collide collideOf(ShapeKind a, ShapeKind b) {
-    return kCollide[static_cast<std::size_t>(a)][static_cast<std::size_t>(b)];
+Manifold collideCircleConvex(const Geometry& circle, const Geometry& other, std::span<const Corner> corners,
+                             const Frame& bInA, float speculative) {
+    const ClosestPoint closest = closestPoint(other, corners, applyInverse(bInA, circle.a));
+    const float separation = closest.distance - circle.radius;
+    if (!(separation <= speculative)) return {};
+    return onePoint(circle, -rotate(bInA.rotation, closest.normal), separation,
+                    closest.atCorner ? other.radius : 0.0f,
+                    static_cast<std::uint16_t>(2 * closest.index + (closest.atCorner ? 1 : 0)));
+}
+
+Manifold collide(const Geometry& a, const Geometry& b, std::span<const Corner> corners, const Frame& bInA,
+                 float speculative) {
+    const auto both = [&](ShapeKind kind) { return a.kind == kind && b.kind == kind; };
+    if (both(ShapeKind::ChainSegment)) return {};
+    if (both(ShapeKind::Circle)) return collideCircles(a, b, bInA, speculative);
+    if (b.kind == ShapeKind::ChainSegment) return collideChain(a, b, corners, bInA, speculative);
+    if (a.kind == ShapeKind::ChainSegment || b.kind == ShapeKind::Circle)
+        return swapped(collide(b, a, corners, inverse(bInA), speculative), bInA);
+    if (a.kind == ShapeKind::Circle) {
+        return b.kind == ShapeKind::Box ? collideCircleBox(a, b, bInA, speculative)
+                                        : collideCircleConvex(a, b, corners, bInA, speculative);
+    }
+    return both(ShapeKind::Box) ? collideBoxes(a, b, bInA, speculative)
+                                : collideConvex(a, b, corners, bInA, speculative);
 }
 
 Manifold swapped(const Manifold& manifold, const Frame& aInB) {

@@ -8,35 +8,21 @@
 namespace plumb::physics {
 
 /// Computes the contact manifold of two outlines. Points with a separation above `speculative` (m) are
-/// omitted.
+/// omitted. Two chain segments never collide.
 /// @param corners  Shapes::corners
 /// @param bInA     B's frame relative to A's
 /// @return         in A's frame
-using Collide = Manifold (*)(const Geometry& a, const Geometry& b, std::span<const Corner> corners,
-                             const Frame& bInA, float speculative);
-
-/// The function for a pair of kinds; two chain segments never collide.
-Collide collideOf(ShapeKind a, ShapeKind b);
-
-inline Manifold collide(const Geometry& a, const Geometry& b, std::span<const Corner> corners,
-                        const Frame& bInA, float speculative) {
-    return collideOf(a.kind, b.kind)(a, b, corners, bInA, speculative);
-}
+Manifold collide(const Geometry& a, const Geometry& b, std::span<const Corner> corners, const Frame& bInA,
+                 float speculative);
 
 /// A manifold with A and B exchanged.
 /// @param aInB  the frame of the former A relative to the former B
 Manifold swapped(const Manifold& manifold, const Frame& aInB);
 
-// The functions of the table. B is of the last kind in the function's name, or of a later one.
-Manifold collideCircles(const Geometry& a, const Geometry& b, std::span<const Corner>, const Frame& bInA,
-                        float speculative);
-Manifold collideCircleBox(const Geometry& circle, const Geometry& box, std::span<const Corner>,
-                          const Frame& bInA, float speculative);
+// The parts of collide().
 /// A circle and any convex outline.
 Manifold collideCircleConvex(const Geometry& circle, const Geometry& other, std::span<const Corner> corners,
                              const Frame& bInA, float speculative);
-Manifold collideBoxes(const Geometry& a, const Geometry& b, std::span<const Corner>, const Frame& bInA,
-                      float speculative);
 /// Any two convex outlines, neither of them a circle.
 Manifold collideConvex(const Geometry& a, const Geometry& b, std::span<const Corner> corners,
                        const Frame& bInA, float speculative);

@@ -1,5 +1,7 @@
 #include "physics/narrowphase/distance.hpp"
 
+#include <algorithm>
+
 #include "physics/tuning.hpp"
 
 namespace plumb::physics {
@@ -25,13 +27,9 @@ struct Displacements {
     const Frame& bInA;
 
     [[nodiscard]] Way at(int indexA, int indexB) const {
-        Way displacement;
-        displacement.a = a.corners()[static_cast<std::size_t>(indexA)].point;
-        displacement.b = apply(bInA, b.corners()[static_cast<std::size_t>(indexB)].point);
-        displacement.displacement = displacement.b - displacement.a;
-        displacement.indexA = static_cast<std::uint8_t>(indexA);
-        displacement.indexB = static_cast<std::uint8_t>(indexB);
-        return displacement;
+        const Vec2 inA = a.corners()[static_cast<std::size_t>(indexA)].point;
+        const Vec2 inB = apply(bInA, b.corners()[static_cast<std::size_t>(indexB)].point);
+        return {inB - inA, inA, inB, static_cast<std::uint8_t>(indexA), static_cast<std::uint8_t>(indexB)};
     }
     [[nodiscard]] Way farthestAlong(Vec2 direction) const {
         return at(farthest(a.corners(), -direction),
@@ -52,10 +50,21 @@ struct DisplacementBetween {
 /// More than any pair of outlines with kMaxCorners needs; a safeguard against endless loops due to rounding.
 constexpr int kMaxIterations = 2 * kMaxCorners;
 
-/// A simplex of up to three points of the Minkowski difference.
-struct Simplex {
-    Way displacements[3];
+float largestOf(Vec2 v) { return std::max(std::fabs(v.x), std::fabs(v.y)); }
+
+/// Points of the Minkowski difference.
+template <int kCapacity>
+struct Points {
+    Way displacements[kCapacity];
     int count = 0;
+
+    [[nodiscard]] bool has(const Way& displacement) const {
+        return std::find(displacements, displacements + count, displacement) != displacements + count;
+    }
+};
+
+/// A simplex of up to three points.
+struct Simplex : Points<3> {
     float part = 0.0f;  ///< of two points: where between them is the point nearest to the origin
 
     void keep(int i) {
@@ -87,7 +96,7 @@ void reduceThree(Simplex& simplex) {
     const float sign = area < 0.0f ? -1.0f : 1.0f;
     bool inside = area != 0.0f;
     for (int i = 0; i < 3; ++i) {
-        Simplex side{{simplex.displacements[i], simplex.displacements[(i + 1) % 3], {}}, 2, 0.0f};
+        Simplex side{{{simplex.displacements[i], simplex.displacements[(i + 1) % 3], {}}, 2}, 0.0f};
         inside = inside &&
                  sign * cross(side.displacements[0].displacement, side.displacements[1].displacement) > 0.0f;
         reduceTwo(side);
@@ -109,9 +118,7 @@ Simplex startFrom(const Displacements& displacements, const SimplexCache* cache)
         for (int i = 0; i < cache->count; ++i) {
             if (cache->a[i] >= displacements.a.count || cache->b[i] >= displacements.b.count) continue;
             const Way displacement = displacements.at(cache->a[i], cache->b[i]);
-            bool known = false;
-            for (int k = 0; k < simplex.count; ++k) known = known || simplex.displacements[k] == displacement;
-            if (!known) simplex.displacements[simplex.count++] = displacement;
+            if (!simplex.has(displacement)) simplex.displacements[simplex.count++] = displacement;
         }
     }
     if (simplex.count == 0) {
@@ -123,12 +130,8 @@ Simplex startFrom(const Displacements& displacements, const SimplexCache* cache)
 
 float sizeOf(const Simplex& simplex) {
     float size = 0.0f;
-    for (int i = 0; i < simplex.count; ++i) {
-        size = std::max(
-            size, std::max(std::fabs(simplex.displacements[i].a.x), std::fabs(simplex.displacements[i].a.y)));
-        size = std::max(
-            size, std::max(std::fabs(simplex.displacements[i].b.x), std::fabs(simplex.displacements[i].b.y)));
-    }
+    for (int i = 0; i < simplex.count; ++i)
+        size = std::max({size, largestOf(simplex.displacements[i].a), largestOf(simplex.displacements[i].b)});
     return size;
 }
 
@@ -172,10 +175,7 @@ DisplacementBetween nearestWay(const Displacements& displacements, Simplex& simp
             return nearest;
         const Way displacement = displacements.farthestAlong(-nearest.normal);
         const float nearer = nearest.distance - dot(displacement.displacement, nearest.normal);
-        if (nearer <= kSimplexPrecision * nearest.distance) return nearest;
-        for (int i = 0; i < simplex.count; ++i) {
-            if (simplex.displacements[i] == displacement) return nearest;
-        }
+        if (nearer <= kSimplexPrecision * nearest.distance || simplex.has(displacement)) return nearest;
         simplex.displacements[simplex.count++] = displacement;
     }
 }
@@ -185,23 +185,14 @@ constexpr int kMaxWays = 2 * kMaxCorners + 4;
 
 /// A polygon inside the Minkowski difference that is expanded towards its boundary. Its vertices are in the
 /// order in which normals rotate.
-struct Polytope {
-    Way displacements[kMaxWays];
-    int count = 0;
+struct Polytope : Points<kMaxWays> {
     float size = 0.0f;  ///< m: maximum coordinate of its vertices
 
-    bool contains(const Way& displacement) const {
-        for (int i = 0; i < count; ++i) {
-            if (displacements[i] == displacement) return true;
-        }
-        return false;
-    }
     void insert(int place, const Way& displacement) {
-        for (int i = count; i > place; --i) displacements[i] = displacements[i - 1];
+        std::copy_backward(displacements + place, displacements + count, displacements + count + 1);
         displacements[place] = displacement;
         ++count;
-        size = std::max(
-            size, std::max(std::fabs(displacement.displacement.x), std::fabs(displacement.displacement.y)));
+        size = std::max(size, largestOf(displacement.displacement));
     }
 };
 
@@ -211,11 +202,11 @@ Polytope polytopeOf(const Displacements& set) {
     Polytope polytope;
     for (const Vec2 direction : {Vec2{1, 0}, Vec2{0, 1}, Vec2{-1, 0}, Vec2{0, -1}}) {
         const Way displacement = set.farthestAlong(direction);
-        bool known = false;
-        for (int i = 0; i < polytope.count; ++i) {
-            known = known || distance(polytope.displacements[i].displacement, displacement.displacement) <=
-                                 kSimplexPrecision * polytope.size;
-        }
+        const bool known = std::any_of(polytope.displacements, polytope.displacements + polytope.count,
+                                       [&](const Way& other) {
+                                           return distance(other.displacement, displacement.displacement) <=
+                                                  kSimplexPrecision * polytope.size;
+                                       });
         if (!known) polytope.insert(polytope.count, displacement);
     }
     return polytope;
@@ -252,7 +243,7 @@ DisplacementBetween deepestOverlap(const Displacements& displacements) {
         ++result.iterations;
         const Way displacement = displacements.farthestAlong(side.normal);
         const float out = dot(displacement.displacement, side.normal) - side.distance;
-        if (!(out > kSimplexPrecision * polytope.size) || polytope.contains(displacement)) break;
+        if (!(out > kSimplexPrecision * polytope.size) || polytope.has(displacement)) break;
         polytope.insert(side.index + 1, displacement);
         side = nearestSide(polytope);
     }
@@ -265,7 +256,7 @@ DisplacementBetween deepestOverlap(const Displacements& displacements) {
     const Vec2 edge = result.second.displacement - result.first.displacement;
     const float square = lengthSquared(edge);
     result.part = square > 0.0f ? -dot(result.first.displacement, edge) / square : 0.0f;
-    result.part = result.part < 0.0f ? 0.0f : result.part > 1.0f ? 1.0f : result.part;
+    result.part = std::clamp(result.part, 0.0f, 1.0f);
     return result;
 }
 

@@ -7,7 +7,6 @@
 #include "physics/contacts/contacts.hpp"
 #include "physics/effects/one_way.hpp"
 #include "physics/model/joints.hpp"
-#include "physics/shapes/shape_types.hpp"
 #include "physics/tuning.hpp"
 
 namespace plumb::physics {

@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "physics/narrowphase/collide.hpp"
 #include "physics/tuning.hpp"
 
 namespace plumb::physics {
@@ -166,6 +167,11 @@ Manifold touchFace(const Side& a, std::size_t face, const Side& b, float specula
     return manifold;
 }
 
+namespace {
+
+/// Collides any two convex sides with at least two corners.
+/// Source: separating axes after C. Ericson, "Real-Time Collision Detection", 2005, 4.4; clipping of edges
+/// after E. Catto, "Contact Manifolds", GDC 2007
 Manifold collideSides(const Side& a, const Side& b, float speculative) {
     const float reach = speculative + a.radius + b.radius;
     const FaceGap gapA = widestGap(a.corners, b.corners);
@@ -185,6 +191,24 @@ Manifold collideSides(const Side& a, const Side& b, float speculative) {
         }
     }
     return touchEdge(edges, reference, other, isB, speculative);
+}
+
+}  // namespace
+
+Manifold collideConvex(const Geometry& a, const Geometry& b, std::span<const Corner> corners,
+                       const Frame& bInA, float speculative) {
+    const Convex convexA = convexOf(a, corners);
+    const Convex convexB = convexOf(b, corners);
+    if (convexA.count == 1) {  // a capsule so short that it is a disc
+        return collideCircleConvex(circle(a.radius, convexA.centre), b, corners, bInA, speculative);
+    }
+    if (convexB.count == 1) {
+        const Frame aInB = inverse(bInA);
+        return swapped(collideCircleConvex(circle(b.radius, convexB.centre), a, corners, aInB, speculative),
+                       bInA);
+    }
+    MovedCorners moved;
+    return collideSides(sideOf(convexA), moved.moved(convexB, bInA), speculative);
 }
 
 }  // namespace plumb::physics

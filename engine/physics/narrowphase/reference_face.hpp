@@ -89,9 +89,4 @@ Manifold touchEdge(const EdgeOnEdge& edges, const Side& reference, const Side& o
 /// @param beyond  m: by how much the face is longer at its start and at its end
 Manifold touchFace(const Side& a, std::size_t face, const Side& b, float speculative, Vec2 beyond);
 
-/// Collides any two convex sides with at least two corners.
-/// Source: separating axes after C. Ericson, "Real-Time Collision Detection", 2005, 4.4; clipping of edges
-/// after E. Catto, "Contact Manifolds", GDC 2007
-Manifold collideSides(const Side& a, const Side& b, float speculative);
-
 }  // namespace plumb::physics

@@ -1,12 +1,12 @@
 #include "physics/queries/candidates.hpp"
 
-#include <algorithm>
 #include <cmath>
 
-#include "physics/broadphase/broadphase_update.hpp"
-#include "physics/model/checks.hpp"
+#include "physics/model/bounds.hpp"
+#include "physics/ranges.hpp"
 #include "physics/shapes/shape_types.hpp"
 #include "physics/tuning.hpp"
+#include "physics/workspace.hpp"
 
 namespace plumb::physics {
 
@@ -37,10 +37,6 @@ std::span<const std::uint32_t> choose(World& world, const QueryFilter& filter) {
 bool isUsable(WorldPosition place) {
     return std::fabs(place.x) <= kFarthest && std::fabs(place.y) <= kFarthest;
 }
-bool isUsable(Vec2 displacement) {
-    return std::fabs(displacement.x) <= static_cast<float>(kFarthest) &&
-           std::fabs(displacement.y) <= static_cast<float>(kFarthest);
-}
 
 std::span<const std::uint32_t> candidatesIn(World& world, WorldPosition low, WorldPosition high,
                                             const QueryFilter& filter) {
@@ -65,20 +61,8 @@ std::span<const std::uint32_t> candidatesAlong(World& world, WorldPosition from,
     return choose(world, filter);
 }
 
-void sortByFraction(std::vector<CastHit>& hits) {
-    std::sort(hits.begin(), hits.end(), [](const CastHit& a, const CastHit& b) {
-        return a.fraction != b.fraction ? a.fraction < b.fraction : a.shape.index < b.shape.index;
-    });
-}
-
-Vec2 seenFrom(const BodyPose& body, WorldPosition place) {
-    return body.localCentre + unrotate(body.rotation, place - body.centre);
-}
 Frame seenFrom(const BodyPose& body, WorldPosition position, Rot rotation) {
-    return {seenFrom(body, position), between(body.rotation, rotation)};
-}
-WorldPosition placeOf(const BodyPose& body, Vec2 point) {
-    return body.centre + rotate(body.rotation, point - body.localCentre);
+    return {localPoint(body, position), between(body.rotation, rotation)};
 }
 
 ShapeId idOf(const World& world, std::uint32_t shape) { return {shape, world.shapes.info[shape].generation}; }

@@ -1,35 +1,53 @@
 #pragma once
 
+#include <algorithm>
+#include <optional>
+
+#include "physics/model/bodies.hpp"
 #include "physics/queries/query.hpp"
 
 namespace plumb::physics {
 
 // Common parts of all queries: selecting the shapes to test, and transforming between world and body space.
 
+/// True for a position or a displacement that is within range.
 [[nodiscard]] bool isUsable(WorldPosition place);
-[[nodiscard]] bool isUsable(Vec2 displacement);
 
 /// The shapes that pass the filter and whose bounds overlap the box from `low` to `high` (m), in ascending
 /// order of their indices. Valid until the next query.
 std::span<const std::uint32_t> candidatesIn(World& world, WorldPosition low, WorldPosition high,
                                             const QueryFilter& filter);
-/// The same for a box with these half sizes that moves from `from` by `way`.
+/// The same for a box with these half sizes that moves from `from` by a displacement.
 std::span<const std::uint32_t> candidatesAlong(World& world, WorldPosition from, Vec2 displacement, Vec2 half,
                                                const QueryFilter& filter);
 
 [[nodiscard]] inline const BodyPose& poseOf(const World& world, std::uint32_t shape) {
     return world.bodies.pose[world.shapes.info[shape].body];
 }
-/// Nearest first; at equal distances the lowest index first.
-void sortByFraction(std::vector<CastHit>& hits);
+/// The first hit among some shapes; at equal distances that of the lowest index.
+/// @param hitOf  the hit of a shape, if there is one
+template <class HitOf>
+std::optional<CastHit> firstHit(std::span<const std::uint32_t> shapes, HitOf&& hitOf) {
+    std::optional<CastHit> first;
+    for (const std::uint32_t shape : shapes) {
+        const std::optional<CastHit> hit = hitOf(shape);
+        if (hit && (!first || hit->fraction < first->fraction)) first = hit;
+    }
+    return first;
+}
+/// All hits: nearest first; at equal distances the lowest index first.
+template <class HitOf>
+void allHits(std::span<const std::uint32_t> shapes, HitOf&& hitOf, std::vector<CastHit>& hits) {
+    for (const std::uint32_t shape : shapes) {
+        if (const std::optional<CastHit> hit = hitOf(shape)) hits.push_back(*hit);
+    }
+    std::sort(hits.begin(), hits.end(), [](const CastHit& a, const CastHit& b) {
+        return a.fraction != b.fraction ? a.fraction < b.fraction : a.shape.index < b.shape.index;
+    });
+}
 
-/// A position in the frame of a body's shapes. The difference of positions is taken first, so that the result
-/// is as accurate far from the origin.
-[[nodiscard]] Vec2 seenFrom(const BodyPose& body, WorldPosition place);
 /// A frame relative to that of a body's shapes.
 [[nodiscard]] Frame seenFrom(const BodyPose& body, WorldPosition position, Rot rotation);
-/// The inverse of seenFrom().
-[[nodiscard]] WorldPosition placeOf(const BodyPose& body, Vec2 point);
 
 [[nodiscard]] ShapeId idOf(const World& world, std::uint32_t shape);
 

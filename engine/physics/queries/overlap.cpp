@@ -1,11 +1,9 @@
 #include "physics/queries/overlap.hpp"
 
-#include <cmath>
-
-#include "physics/model/checks.hpp"
 #include "physics/model/shapes.hpp"
 #include "physics/narrowphase/distance.hpp"
 #include "physics/queries/candidates.hpp"
+#include "physics/ranges.hpp"
 #include "physics/shapes/shape_types.hpp"
 
 namespace plumb::physics {
@@ -39,7 +37,7 @@ void overlapPoint(World& world, WorldPosition point, const QueryFilter& filter, 
     found.clear();
     if (!isUsable(point)) return;
     for (const std::uint32_t shape : candidatesIn(world, point, point, filter)) {
-        const Vec2 seen = seenFrom(poseOf(world, shape), point);
+        const Vec2 seen = localPoint(poseOf(world, shape), point);
         if (containsPoint(world.shapes.geometry[shape], world.shapes.corners, seen))
             found.push_back(idOf(world, shape));
     }
@@ -54,9 +52,9 @@ std::optional<ClosestHit> closestPoint(World& world, WorldPosition place, float 
     for (const std::uint32_t shape : candidatesIn(world, place + -reach, place + reach, filter)) {
         const BodyPose& pose = poseOf(world, shape);
         const ClosestPoint near =
-            closestPoint(world.shapes.geometry[shape], world.shapes.corners, seenFrom(pose, place));
+            closestPoint(world.shapes.geometry[shape], world.shapes.corners, localPoint(pose, place));
         if (near.distance > within || (best && near.distance >= best->distance)) continue;
-        best = ClosestHit{idOf(world, shape), bodyOf(world, idOf(world, shape)), placeOf(pose, near.point),
+        best = ClosestHit{idOf(world, shape), bodyOf(world, idOf(world, shape)), worldPoint(pose, near.point),
                           rotate(pose.rotation, near.normal), near.distance};
     }
     return best;

@@ -1,7 +1,5 @@
 #include "physics/queries/ray_cast.hpp"
 
-#include <algorithm>
-
 #include "physics/model/shapes.hpp"
 #include "physics/queries/candidates.hpp"
 #include "physics/shapes/shape_types.hpp"
@@ -16,38 +14,26 @@ std::span<const std::uint32_t> candidatesOf(World& world, WorldPosition from, Ve
     return candidatesAlong(world, from, displacement, {}, filter);
 }
 
-std::optional<RayHit> hitOf(const World& world, std::uint32_t shape, WorldPosition from, Vec2 displacement) {
+std::optional<CastHit> hitOf(const World& world, std::uint32_t shape, WorldPosition from, Vec2 displacement) {
     const BodyPose& pose = poseOf(world, shape);
-    return castRay(world.shapes.geometry[shape], world.shapes.corners,
-                   Ray{seenFrom(pose, from), unrotate(pose.rotation, displacement)});
-}
-
-CastHit describe(const World& world, std::uint32_t shape, WorldPosition from, Vec2 displacement,
-                 const RayHit& hit) {
-    CastHit answer;
-    answer.shape = idOf(world, shape);
-    answer.body = bodyOf(world, answer.shape);
-    answer.point = from + displacement * hit.fraction;
-    answer.normal = rotate(poseOf(world, shape).rotation, hit.normal);
-    answer.fraction = hit.fraction;
-    answer.distance = hit.fraction * length(displacement);
-    return answer;
+    const std::optional<RayHit> hit =
+        castRay(world.shapes.geometry[shape], world.shapes.corners,
+                Ray{localPoint(pose, from), unrotate(pose.rotation, displacement)});
+    if (!hit) return std::nullopt;
+    return CastHit{.shape = idOf(world, shape),
+                   .body = bodyOf(world, idOf(world, shape)),
+                   .point = from + displacement * hit->fraction,
+                   .normal = rotate(pose.rotation, hit->normal),
+                   .fraction = hit->fraction,
+                   .distance = hit->fraction * length(displacement)};
 }
 
 }  // namespace
 
 std::optional<CastHit> castRay(World& world, WorldPosition from, Vec2 displacement,
                                const QueryFilter& filter) {
-    std::optional<RayHit> first;
-    std::uint32_t firstShape = kNone;
-    for (const std::uint32_t shape : candidatesOf(world, from, displacement, filter)) {
-        const std::optional<RayHit> hit = hitOf(world, shape, from, displacement);
-        if (!hit || (first && hit->fraction >= first->fraction)) continue;
-        first = hit;
-        firstShape = shape;
-    }
-    if (!first) return std::nullopt;
-    return describe(world, firstShape, from, displacement, *first);
+    return firstHit(candidatesOf(world, from, displacement, filter),
+                    [&](std::uint32_t shape) { return hitOf(world, shape, from, displacement); });
 }
 
 bool isRayBlocked(World& world, WorldPosition from, Vec2 displacement, const QueryFilter& filter) {
@@ -60,11 +46,9 @@ bool isRayBlocked(World& world, WorldPosition from, Vec2 displacement, const Que
 void castRayAll(World& world, WorldPosition from, Vec2 displacement, const QueryFilter& filter,
                 std::vector<CastHit>& hits) {
     hits.clear();
-    for (const std::uint32_t shape : candidatesOf(world, from, displacement, filter)) {
-        if (const auto hit = hitOf(world, shape, from, displacement))
-            hits.push_back(describe(world, shape, from, displacement, *hit));
-    }
-    sortByFraction(hits);
+    allHits(
+        candidatesOf(world, from, displacement, filter),
+        [&](std::uint32_t shape) { return hitOf(world, shape, from, displacement); }, hits);
 }
 
 }  // namespace plumb::physics

@@ -1,8 +1,9 @@
 #include "physics/queries/shape_cast.hpp"
 
 #include "physics/model/shapes.hpp"
-#include "physics/narrowphase/shape_cast.hpp"
+#include "physics/narrowphase/distance.hpp"
 #include "physics/queries/candidates.hpp"
+#include "physics/tuning.hpp"
 
 namespace plumb::physics {
 
@@ -19,6 +20,41 @@ MovingOutline outlineOf(const World& world, const QueryShape& shape, Vec2 displa
     return {convexOf(shape.geometry, cornersOf(world, shape)), shape.position, shape.rotation, displacement};
 }
 
+/// m: distance that counts as a hit: the accuracy of floats at this distance from the origin.
+float touchOf(const Convex& a, const Frame& bInA) {
+    const Vec2 far = bInA.position;
+    const Vec2 own = a.centre;
+    return kTouchDistance +
+           4.0f * kRounding * (std::fabs(far.x) + std::fabs(far.y) + std::fabs(own.x) + std::fabs(own.y));
+}
+
+/// Moves B by a displacement, without rotation, until it touches A. In A's frame. An initial overlap is a hit
+/// at 0; an initial touch is no hit if the displacement leads away or along the surface.
+/// Source: conservative advancement, see sweep.hpp; for a straight path it converges quadratically
+std::optional<CastHit> castShape(const Convex& a, const Convex& b, const Frame& bInA, Vec2 displacement) {
+    SimplexCache cache;
+    CastHit hit;
+    for (int iteration = 0; iteration < kMaxRounds; ++iteration) {
+        const Frame frame{bInA.position + displacement * hit.fraction, bInA.rotation};
+        const Distance apart = distanceBetween(a, b, frame, &cache);
+        hit.normal = apart.normal;
+        hit.point = apart.pointA;
+        if (iteration == 0) hit.separation = apart.distance;
+        const float speed = -dot(displacement, apart.normal);
+        const float touch = touchOf(a, frame);
+        if (!(apart.distance > touch)) {
+            const bool slides = apart.distance >= -touch && speed <= kAlong * length(displacement);
+            return slides ? std::nullopt : std::optional{hit};
+        }
+        if (!(speed > 0.0f)) return std::nullopt;
+        const float next = hit.fraction + apart.distance / speed;
+        if (!(next <= 1.0f)) return std::nullopt;
+        if (next == hit.fraction) return hit;
+        hit.fraction = next;
+    }
+    return std::nullopt;  // it misses narrowly
+}
+
 }  // namespace
 
 std::optional<CastHit> meet(const World& world, std::uint32_t shape, const BodyPose& pose,
@@ -33,17 +69,14 @@ std::optional<CastHit> meet(const World& world, std::uint32_t shape, const BodyP
         if (height < 0.0f || dot(front, displacement) >= 0.0f) return std::nullopt;
     }
     const Convex theirs = convexOf(geometry, world.shapes.corners);
-    const auto met = castShape(theirs, moving.outline, frame, displacement);
-    if (!met) return std::nullopt;
-    CastHit hit;
-    hit.shape = idOf(world, shape);
-    hit.body = bodyOf(world, hit.shape);
-    hit.point = placeOf(pose, met->point);
+    std::optional<CastHit> hit = castShape(theirs, moving.outline, frame, displacement);
+    if (!hit) return std::nullopt;
+    hit->shape = idOf(world, shape);
+    hit->body = bodyOf(world, hit->shape);
+    hit->point = worldPoint(pose, toVec2(hit->point));
     // The direction of minimum penetration of a chain segment may point to its back.
-    hit.normal = rotate(pose.rotation, isChain && met->separation < 0.0f ? front : met->normal);
-    hit.fraction = met->fraction;
-    hit.distance = met->fraction * length(moving.displacement);
-    hit.separation = met->separation;
+    hit->normal = rotate(pose.rotation, isChain && hit->separation < 0.0f ? front : hit->normal);
+    hit->distance = hit->fraction * length(moving.displacement);
     return hit;
 }
 
@@ -51,12 +84,8 @@ std::optional<CastHit> castShape(World& world, const QueryShape& shape, Vec2 dis
                                  const QueryFilter& filter) {
     if (!isUsable(world, shape) || !isUsable(displacement)) return std::nullopt;
     const MovingOutline moving = outlineOf(world, shape, displacement);
-    std::optional<CastHit> first;
-    for (const std::uint32_t other : candidatesOf(world, shape, displacement, filter)) {
-        const auto hit = meet(world, other, poseOf(world, other), moving);
-        if (hit && (!first || hit->fraction < first->fraction)) first = hit;
-    }
-    return first;
+    return firstHit(candidatesOf(world, shape, displacement, filter),
+                    [&](std::uint32_t other) { return meet(world, other, poseOf(world, other), moving); });
 }
 
 void castShapeAll(World& world, const QueryShape& shape, Vec2 displacement, const QueryFilter& filter,
@@ -64,10 +93,9 @@ void castShapeAll(World& world, const QueryShape& shape, Vec2 displacement, cons
     hits.clear();
     if (!isUsable(world, shape) || !isUsable(displacement)) return;
     const MovingOutline moving = outlineOf(world, shape, displacement);
-    for (const std::uint32_t other : candidatesOf(world, shape, displacement, filter)) {
-        if (const auto hit = meet(world, other, poseOf(world, other), moving)) hits.push_back(*hit);
-    }
-    sortByFraction(hits);
+    allHits(
+        candidatesOf(world, shape, displacement, filter),
+        [&](std::uint32_t other) { return meet(world, other, poseOf(world, other), moving); }, hits);
 }
 
 }  // namespace plumb::physics

@@ -24,7 +24,7 @@ struct MovingOutline {
     Convex outline;
     WorldPosition position;  ///< m
     Rot rotation;
-    Vec2 displacement;  ///< m: displacement
+    Vec2 displacement;  ///< m
 };
 
 /// The first contact with a shape, if the shape's body is at `pose`.

@@ -33,6 +33,11 @@ int farthest(std::span<const Corner> corners, Vec2 direction) {
     return best;
 }
 
+float reachAlong(const Convex& outline, Vec2 direction) {
+    const auto corner = static_cast<std::size_t>(farthest(outline.corners(), direction));
+    return dot(outline.corners()[corner].point, direction) + outline.radius;
+}
+
 ScaledConvex::ScaledConvex(const Convex& outline, Vec2 about, float part) : convex_{outline} {
     const auto scaled = [&](Vec2 point) { return about + part * (point - about); };
     std::transform(outline.corners().begin(), outline.corners().end(), room_.corners,

@@ -55,6 +55,8 @@ std::array<Corner, 4> cornersOfBox(Vec2 centre, Vec2 half, Rot turn);
 
 /// The support point: the index of the corner that is farthest along a direction; the first of equal ones.
 int farthest(std::span<const Corner> corners, Vec2 direction);
+/// m: extent of an outline along a direction of unit length, from the origin of its frame.
+float reachAlong(const Convex& outline, Vec2 direction);
 
 /// A corner in another frame.
 constexpr Corner apply(const Frame& frame, const Corner& corner) {

@@ -1,19 +1,31 @@
 #include "physics/shapes/hull.hpp"
 
 #include <algorithm>
-#include <vector>
+#include <optional>
 
 #include "core/text.hpp"
 #include "physics/ranges.hpp"
-#include "physics/shapes/exact.hpp"
 #include "physics/tuning.hpp"
 
 namespace plumb::physics {
 
 namespace {
 
+using Loop = std::vector<Vec2>;
+
+/// Twice the signed area of a triangle: positive if c is on the side of a-b towards which normals rotate.
+/// Computed in double precision: differences of floats and their products fit, so the sign is correct and
+/// zero is exact.
+double areaOf(Vec2 a, Vec2 b, Vec2 c) {
+    const double abx = static_cast<double>(b.x) - static_cast<double>(a.x);
+    const double aby = static_cast<double>(b.y) - static_cast<double>(a.y);
+    const double acx = static_cast<double>(c.x) - static_cast<double>(a.x);
+    const double acy = static_cast<double>(c.y) - static_cast<double>(a.y);
+    return abx * acy - aby * acx;
+}
+
 /// The part of the hull below all points, or above them if the points are sorted in descending order.
-void appendChain(std::span<const Vec2> sorted, std::vector<Vec2>& loop) {
+void appendChain(std::span<const Vec2> sorted, Loop& loop) {
     const std::size_t start = loop.size();
     for (const Vec2 point : sorted) {
         while (loop.size() >= start + 2 && areaOf(loop[loop.size() - 2], loop.back(), point) <= 0.0)
@@ -23,11 +35,11 @@ void appendChain(std::span<const Vec2> sorted, std::vector<Vec2>& loop) {
     loop.pop_back();  // it is the first corner of the other part
 }
 
-std::vector<Vec2> loopAround(std::vector<Vec2> points) {
+Loop loopAround(std::vector<Vec2> points) {
     std::sort(points.begin(), points.end(),
               [](Vec2 a, Vec2 b) { return a.x != b.x ? a.x < b.x : a.y < b.y; });
     points.erase(std::unique(points.begin(), points.end()), points.end());
-    std::vector<Vec2> loop;
+    Loop loop;
     if (points.size() < 3) return loop;
     appendChain(points, loop);
     std::reverse(points.begin(), points.end());
@@ -35,8 +47,16 @@ std::vector<Vec2> loopAround(std::vector<Vec2> points) {
     return loop;
 }
 
+/// m: distance of `point` from the line through a and b; from a if both are equal.
+double heightOver(Vec2 a, Vec2 b, Vec2 point) {
+    const double x = static_cast<double>(b.x) - static_cast<double>(a.x);
+    const double y = static_cast<double>(b.y) - static_cast<double>(a.y);
+    const double size = std::sqrt(x * x + y * y);
+    return size > 0.0 ? std::fabs(areaOf(a, b, point)) / size : static_cast<double>(distance(a, point));
+}
+
 /// Removes the flattest corner repeatedly, as long as it protrudes by less than `height`.
-void dropFlat(std::vector<Vec2>& loop, double height) {
+void dropFlat(Loop& loop, double height) {
     while (loop.size() >= 3) {
         std::size_t flattest = 0;
         double minimum = height;
@@ -84,32 +104,30 @@ void measure(Hull& hull) {
 }  // namespace
 
 Result<Hull> makeHull(std::span<const Vec2> points) {
-    const auto error = [](std::string what, const char* remedy) {
-        return Error{"hull", std::move(what), remedy};
-    };
     for (std::size_t i = 0; i < points.size(); ++i) {
         const Vec2 point = points[i];
         if (std::fabs(point.x) <= kLargest && std::fabs(point.y) <= kLargest) continue;
-        return error(format("point {} is ({}, {}), not within {} m", i, point.x, point.y, kLargest),
-                     "use metres, not pixels, relative to the origin of the body");
+        return Error{"hull", format("point {} is ({}, {}), not within {} m", i, point.x, point.y, kLargest),
+                     "use metres, not pixels, relative to the origin of the body"};
     }
-    std::vector<Vec2> loop = loopAround({points.begin(), points.end()});
+    Loop loop = loopAround({points.begin(), points.end()});
     if (loop.size() < 3) {
-        return error(format("the {} points form no area", points.size()),
-                     "pass at least 3 that are not on one line");
+        return Error{"hull", format("the {} points form no area", points.size()),
+                     "pass at least 3 that are not on one line"};
     }
     constexpr std::size_t kAbsurd = 4096;
     AABB box{loop[0], loop[0]};
     for (const Vec2 point : loop) box = merged(box, {point, point});
     const float size = std::max(box.size().x, box.size().y);
     if (!(size >= kSmallest)) {
-        return error(format("it is only {} m large", size), "make it at least 0.1 mm large");
+        return Error{"hull", format("it is only {} m large", size), "make it at least 0.1 mm large"};
     }
     if (loop.size() <= kAbsurd) dropFlat(loop, static_cast<double>(kBlur * size));
-    if (loop.size() < 3) return error("it is too thin to have an inside", "use a segment or a capsule");
+    if (loop.size() < 3)
+        return Error{"hull", "it is too thin to have an inside", "use a segment or a capsule"};
     if (loop.size() > kMaxCorners) {
-        return error(format("it has {} corners, the maximum is {}", loop.size(), kMaxCorners),
-                     "remove some, use a circle, or decompose()");
+        return Error{"hull", format("it has {} corners, the maximum is {}", loop.size(), kMaxCorners),
+                     "remove some, use a circle, or decompose()"};
     }
     Hull hull;
     for (std::size_t i = 0; i < loop.size(); ++i) {
@@ -127,6 +145,185 @@ Geometry polygon(const Hull& hull, std::uint32_t first, float radius) {
             .radius = radius,
             .a = hull.centroid,
             .b = {}};
+}
+
+namespace {
+
+std::string text(Vec2 v) { return format("({}, {})", v.x, v.y); }
+
+/// The points without duplicates and without those in the middle of a straight side.
+Loop cleaned(std::span<const Vec2> outline) {
+    Loop loop;
+    for (const Vec2 point : outline) {
+        if (loop.empty() || !(loop.back() == point)) loop.push_back(point);
+    }
+    while (loop.size() > 1 && loop.back() == loop.front()) loop.pop_back();
+    for (std::size_t i = 0; i < loop.size() && loop.size() > 3;) {
+        const Vec2 before = loop[i > 0 ? i - 1 : loop.size() - 1];
+        const Vec2 after = loop[i + 1 < loop.size() ? i + 1 : 0];
+        const bool straight =
+            areaOf(before, loop[i], after) == 0.0 && dot(after - loop[i], loop[i] - before) > 0.0f;
+        if (straight) {
+            loop.erase(loop.begin() + static_cast<std::ptrdiff_t>(i));
+            i = i > 0 ? i - 1 : 0;
+        } else {
+            ++i;
+        }
+    }
+    return loop;
+}
+
+bool isBetween(Vec2 a, Vec2 b, Vec2 point) {
+    return std::min(a.x, b.x) <= point.x && point.x <= std::max(a.x, b.x) && std::min(a.y, b.y) <= point.y &&
+           point.y <= std::max(a.y, b.y);
+}
+
+/// True if two sides cross or touch.
+bool meet(Vec2 a, Vec2 b, Vec2 c, Vec2 d) {
+    const double abc = areaOf(a, b, c);
+    const double abd = areaOf(a, b, d);
+    const double cda = areaOf(c, d, a);
+    const double cdb = areaOf(c, d, b);
+    if (((abc > 0.0) != (abd > 0.0)) && ((cda > 0.0) != (cdb > 0.0)) && abc != 0.0 && abd != 0.0 &&
+        cda != 0.0 && cdb != 0.0) {
+        return true;
+    }
+    return (abc == 0.0 && isBetween(a, b, c)) || (abd == 0.0 && isBetween(a, b, d)) ||
+           (cda == 0.0 && isBetween(c, d, a)) || (cdb == 0.0 && isBetween(c, d, b));
+}
+
+std::optional<Error> findCrossing(const Loop& loop) {
+    const std::size_t n = loop.size();
+    for (std::size_t i = 0; i < n; ++i) {
+        const Vec2 a = loop[i];
+        const Vec2 b = loop[(i + 1) % n];
+        const Vec2 c = loop[(i + 2) % n];
+        if (areaOf(a, b, c) == 0.0) {
+            return Error{"decompose", format("turns back on itself at {}", text(b)), "remove the spike"};
+        }
+        for (std::size_t k = i + 2; k < n; ++k) {
+            if (i == 0 && k == n - 1) continue;  // neighbours
+            if (!meet(a, b, loop[k], loop[(k + 1) % n])) continue;
+            return Error{"decompose",
+                         format("the sides from {} and from {} cross or touch", text(a), text(loop[k])),
+                         "move a point, or cut the outline in two"};
+        }
+    }
+    return std::nullopt;
+}
+
+double twiceArea(const Loop& loop) {
+    double sum = 0.0;
+    for (std::size_t i = 1; i + 1 < loop.size(); ++i) sum += areaOf(loop[0], loop[i], loop[i + 1]);
+    return sum;
+}
+
+bool isEar(const Loop& loop, std::size_t i) {
+    const std::size_t n = loop.size();
+    const Vec2 a = loop[(i + n - 1) % n];
+    const Vec2 b = loop[i];
+    const Vec2 c = loop[(i + 1) % n];
+    if (areaOf(a, b, c) <= 0.0) return false;
+    return std::none_of(loop.begin(), loop.end(), [&](Vec2 p) {
+        if (p == a || p == b || p == c) return false;
+        return areaOf(a, b, p) >= 0.0 && areaOf(b, c, p) >= 0.0 && areaOf(c, a, p) >= 0.0;
+    });
+}
+
+/// Ear clipping. It continues after each ear with the next corner but one, so that the triangles do not all
+/// share one corner.
+std::optional<std::vector<Loop>> triangles(Loop loop) {
+    std::vector<Loop> pieces;
+    std::size_t i = 0;
+    std::size_t misses = 0;
+    while (loop.size() > 3) {
+        const std::size_t n = loop.size();
+        i %= n;
+        if (isEar(loop, i)) {
+            pieces.push_back({loop[(i + n - 1) % n], loop[i], loop[(i + 1) % n]});
+            loop.erase(loop.begin() + static_cast<std::ptrdiff_t>(i));
+            misses = 0;
+        } else if (++misses > n) {
+            return std::nullopt;
+        }
+        ++i;
+    }
+    pieces.push_back(std::move(loop));
+    return pieces;
+}
+
+/// The union of two loops, if they share a side and the union is convex.
+std::optional<Loop> joined(const Loop& a, const Loop& b) {
+    if (a.size() + b.size() - 2 > kMaxCorners) return std::nullopt;
+    for (std::size_t i = 0; i < a.size(); ++i) {
+        const Vec2 start = a[i];
+        const Vec2 end = a[(i + 1) % a.size()];
+        for (std::size_t k = 0; k < b.size(); ++k) {
+            if (!(b[k] == end && b[(k + 1) % b.size()] == start)) continue;
+            Loop whole;
+            for (std::size_t m = 1; m <= a.size(); ++m) whole.push_back(a[(i + m) % a.size()]);
+            for (std::size_t m = 2; m < b.size(); ++m) whole.push_back(b[(k + m) % b.size()]);
+            for (std::size_t m = 0; m < whole.size(); ++m) {
+                const Vec2 next = whole[(m + 1) % whole.size()];
+                if (areaOf(whole[m], next, whole[(m + 2) % whole.size()]) < 0.0) return std::nullopt;
+            }
+            return whole;
+        }
+    }
+    return std::nullopt;
+}
+
+void joinPieces(std::vector<Loop>& pieces) {
+    for (std::size_t i = 0; i < pieces.size(); ++i) {
+        for (std::size_t k = i + 1; k < pieces.size();) {
+            if (auto whole = joined(pieces[i], pieces[k])) {
+                pieces[i] = std::move(*whole);
+                pieces.erase(pieces.begin() + static_cast<std::ptrdiff_t>(k));
+                k = i + 1;  // pieces that could not be joined before may be joined now
+            } else {
+                ++k;
+            }
+        }
+    }
+}
+
+}  // namespace
+
+Result<std::vector<Hull>> decompose(std::span<const Vec2> outline) {
+    if (outline.size() > kMaxOutline) {
+        return Error{"decompose",
+                     format("the outline has {} points, the maximum is {}", outline.size(), kMaxOutline),
+                     "remove some"};
+    }
+    for (const Vec2 point : outline) {
+        if (std::fabs(point.x) <= kLargest && std::fabs(point.y) <= kLargest) continue;
+        return Error{"decompose", format("the point {} is not within {} m", text(point), kLargest),
+                     "use metres, not pixels"};
+    }
+    Loop loop = cleaned(outline);
+    if (loop.size() < 3)
+        return Error{"decompose", "the outline has no area",
+                     "pass at least 3 points that are not on one line"};
+    if (auto crossing = findCrossing(loop)) return *crossing;
+    const double area = 0.5 * twiceArea(loop);
+    if (area < 0.0) std::reverse(loop.begin(), loop.end());
+
+    auto pieces = triangles(std::move(loop));
+    if (!pieces)
+        return Error{"decompose", "the outline could not be triangulated",
+                     "move points away from sides that they nearly touch"};
+    joinPieces(*pieces);
+
+    std::vector<Hull> hulls;
+    for (const Loop& piece : *pieces) {
+        auto hull = makeHull(piece);
+        // A triangle that is too thin to be a shape may remain; its area is negligible.
+        if (!hull && twiceArea(piece) > 1.0e-4 * std::fabs(area)) return hull.error();
+        if (hull) hulls.push_back(*hull);
+    }
+    if (hulls.empty())
+        return Error{"decompose", "the outline is too thin to have an inside", "use segments or a capsule"};
+    return hulls;
 }
 
 }  // namespace plumb::physics

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <span>
+#include <vector>
 
 #include "core/fixed_list.hpp"
 #include "core/result.hpp"
@@ -21,6 +22,17 @@ struct Hull {
 /// @error   fewer than 3 corners, no area, NaN, a size out of range, more than kMaxCorners corners
 /// Source:  A. M. Andrew, "Another efficient algorithm for convex hulls in two dimensions", 1979
 Result<Hull> makeHull(std::span<const Vec2> points);
+
+inline constexpr std::size_t kMaxOutline = 2048;  ///< maximum number of points for decompose()
+
+/// Splits the inside of an outline into convex pieces: at most four times as many as necessary, each with at
+/// most kMaxCorners corners. The outline is closed implicitly and may be clockwise or counter-clockwise.
+/// @error   it crosses or touches itself, turns back on itself, has no area, contains NaN or a size out of
+/// range
+/// Source:  S. Hertel, K. Mehlhorn, "Fast triangulation of simple polygons", 1983; ear clipping after G.
+/// Meisters, 1975
+/// Cost:    grows with the square of the number of points
+Result<std::vector<Hull>> decompose(std::span<const Vec2> outline);
 
 /// The geometry of a hull whose corners are in Shapes::corners from `first` on.
 Geometry polygon(const Hull& hull, std::uint32_t first, float radius = 0.0f);

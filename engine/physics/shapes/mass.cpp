@@ -1,6 +1,5 @@
-#include "physics/shapes/mass.hpp"
-
 #include "math/portable.hpp"
+#include "physics/shapes/shape_types.hpp"
 
 namespace plumb::physics {
 
@@ -54,6 +53,7 @@ double turnBetween(Vec2 from, Vec2 to) {
     return static_cast<double>(arcTangent(std::fabs(cross(from, to)), dot(from, to)));
 }
 
+/// The sum of the core, a strip along each face and a sector at each corner.
 Moments momentsOf(const Convex& convex) {
     const std::span<const Corner> corners = convex.corners();
     const Wide origin = wide(corners[0].point);
@@ -80,7 +80,8 @@ Moments momentsOf(const Convex& convex) {
 
 }  // namespace
 
-MassProperties massOf(const Convex& convex, float density) {
+MassProperties massProperties(const Geometry& geometry, std::span<const Corner> corners, float density) {
+    const Convex convex = convexOf(geometry, corners);
     const Moments sum = momentsOf(convex);
     MassProperties mass{.centre = convex.centre};
     if (!(sum.area > 0.0)) return mass;

@@ -37,6 +37,99 @@ AABB aroundPolygon(const Geometry& geometry, Corners pool, const Frame& frame) {
     return grown({frame.position + box.min, frame.position + box.max}, geometry.radius);
 }
 
+/// m: the square of a smaller distance loses its digits.
+constexpr float kNoDistance = 1.0e-18f;
+
+/// The face from which a point has the maximum signed distance.
+struct Face {
+    std::size_t index = 0;
+    float distance = 0.0f;
+};
+
+Face faceTowards(Corners corners, Vec2 place) {
+    Face best{0, dot(corners[0].normal, place - corners[0].point)};
+    for (std::size_t i = 1; i < corners.size(); ++i) {
+        const float distance = dot(corners[i].normal, place - corners[i].point);
+        if (distance > best.distance) best = {i, distance};
+    }
+    return best;
+}
+
+/// The point of a segment that is nearest: 0 at its start, 1 at its end.
+float nearestOn(Vec2 start, Vec2 end, Vec2 place) {
+    const Vec2 displacement = end - start;
+    const float along = dot(place - start, displacement);
+    const float square = lengthSquared(displacement);
+    if (!(along > 0.0f)) return 0.0f;
+    return along < square ? along / square : 1.0f;
+}
+
+/// Keeps the earliest of several hits.
+void keep(std::optional<RayHit>& first, float fraction, Vec2 normal) {
+    if (fraction >= 0.0f && fraction <= 1.0f && (!first || fraction < first->fraction))
+        first = RayHit{fraction, normal};
+}
+
+/// Computed relative to the point of the ray that is nearest to the centre, so that a long ray does not miss
+/// a small disc due to rounding.
+void castAtDisc(const Ray& ray, Vec2 centre, float radius, std::optional<RayHit>& first) {
+    const float length = plumb::length(ray.displacement);
+    if (!(length > 0.0f)) return;
+    const Vec2 direction = ray.displacement / length;
+    const float along = dot(centre - ray.from, direction);
+    const Vec2 aside = ray.from + direction * along - centre;
+    const float square = radius * radius - lengthSquared(aside);
+    if (!(square >= 0.0f)) return;
+    const float half = std::sqrt(square);
+    keep(first, (along - half) / length, normalized(aside - direction * half));
+}
+
+void castAtFace(const Ray& ray, const Corner& corner, Vec2 next, float radius, std::optional<RayHit>& first) {
+    const float speed = dot(ray.displacement, corner.normal);
+    if (!(speed < 0.0f)) return;
+    const float fraction = (dot(corner.point - ray.from, corner.normal) + radius) / speed;
+    const Vec2 edge = next - corner.point;
+    const float along = dot(ray.from + ray.displacement * fraction - corner.point, edge);
+    if (along >= 0.0f && along <= lengthSquared(edge)) keep(first, fraction, corner.normal);
+}
+
+/// Faces and the discs at the corners overlap, so no ray passes between them.
+std::optional<RayHit> castAtRounded(const Convex& convex, const Ray& ray) {
+    const Corners corners = convex.corners();
+    std::optional<RayHit> first;
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        const Vec2 next = corners[i + 1 < corners.size() ? i + 1 : 0].point;
+        if (corners.size() > 1) castAtFace(ray, corners[i], next, convex.radius, first);
+        if (convex.radius > 0.0f) castAtDisc(ray, corners[i].point, convex.radius, first);
+    }
+    return first;
+}
+
+/// Clips the ray to the half-planes behind all faces.
+/// Source: M. Cyrus, J. Beck, "Generalized two- and three-dimensional clipping", 1978.
+std::optional<RayHit> castAtSharp(Corners corners, const Ray& ray) {
+    float enter = 0.0f;
+    float leave = 1.0f;
+    std::optional<Vec2> normal;
+    for (const Corner& corner : corners) {
+        const float depth = dot(corner.normal, corner.point - ray.from);
+        const float speed = dot(corner.normal, ray.displacement);
+        if (speed < 0.0f) {
+            if (depth < enter * speed) {
+                enter = depth / speed;
+                normal = corner.normal;
+            }
+        } else if (speed > 0.0f) {
+            if (depth < leave * speed) leave = depth / speed;
+        } else if (depth < 0.0f) {
+            return std::nullopt;
+        }
+        if (leave < enter) return std::nullopt;
+    }
+    if (!normal) return std::nullopt;
+    return RayHit{enter, *normal};
+}
+
 constexpr ShapeType kShapeTypes[] = {
     {"circle", true, aroundCircle},
     {"capsule", true, aroundTwoPoints},
@@ -50,10 +143,6 @@ static_assert(std::size(kShapeTypes) == static_cast<std::size_t>(ShapeKind::Coun
 }  // namespace
 
 const ShapeType& shapeTypeOf(ShapeKind kind) { return kShapeTypes[static_cast<std::size_t>(kind)]; }
-
-MassProperties massProperties(const Geometry& geometry, Corners corners, float density) {
-    return massOf(convexOf(geometry, corners), density);
-}
 
 AABB boundsOf(const Geometry& geometry, Corners corners, const Frame& frame) {
     return shapeTypeOf(geometry.kind).bounds(geometry, corners, frame);
@@ -78,6 +167,26 @@ bool containsPoint(const Geometry& geometry, Corners corners, Vec2 point) {
     return shapeTypeOf(geometry.kind).solid && closestPoint(geometry, corners, point).distance <= 0.0f;
 }
 
+ClosestPoint closestPointOf(const Convex& convex, Vec2 place) {
+    const Corners corners = convex.corners();
+    const Face face = faceTowards(corners, place);
+    const Corner& corner = corners[face.index];
+    if (convex.count > 2 && face.distance <= 0.0f) {
+        const float distance = face.distance - convex.radius;
+        return {place - corner.normal * distance, corner.normal, distance, false, face.index};
+    }
+    // Outside a convex core, the nearest feature is on the face with the maximum signed distance, or one of
+    // its corners.
+    const std::size_t after = face.index + 1 < corners.size() ? face.index + 1 : 0;
+    const Vec2 next = corners[after].point;
+    const float along = nearestOn(corner.point, next, place);
+    const Vec2 nearest = along < 1.0f ? corner.point + (next - corner.point) * along : next;
+    const float gap = distance(nearest, place);
+    const Vec2 normal = gap > kNoDistance ? (place - nearest) / gap : corner.normal;
+    return {nearest + normal * convex.radius, normal, gap - convex.radius, along == 0.0f || along == 1.0f,
+            along < 1.0f ? face.index : after};
+}
+
 ClosestPoint closestPoint(const Geometry& geometry, Corners corners, Vec2 place) {
     return closestPointOf(convexOf(geometry, corners), place);
 }
@@ -85,7 +194,13 @@ ClosestPoint closestPoint(const Geometry& geometry, Corners corners, Vec2 place)
 std::optional<RayHit> castRay(const Geometry& geometry, Corners corners, const Ray& ray) {
     const bool isChain = geometry.kind == ShapeKind::ChainSegment;
     if (isChain && !(dot(ray.displacement, normalOfChain(geometry)) < 0.0f)) return std::nullopt;
-    return castRayAt(convexOf(geometry, corners), ray);
+    const Convex convex = convexOf(geometry, corners);
+    const ClosestPoint start = closestPointOf(convex, ray.from);
+    if (convex.radius > 0.0f || convex.count > 2) {
+        if (start.distance <= 0.0f) return RayHit{0.0f, start.normal};
+    }
+    if (convex.radius > 0.0f || convex.count < 3) return castAtRounded(convex, ray);
+    return castAtSharp(convex.corners(), ray);
 }
 
 }  // namespace plumb::physics

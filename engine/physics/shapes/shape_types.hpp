@@ -1,10 +1,10 @@
 #pragma once
 
+#include <optional>
 #include <string_view>
 
 #include "core/result.hpp"
-#include "physics/shapes/mass.hpp"
-#include "physics/shapes/probe.hpp"
+#include "physics/shapes/convex.hpp"
 
 namespace plumb::physics {
 
@@ -20,6 +20,7 @@ const ShapeType& shapeTypeOf(ShapeKind kind);
 /// @error  a member is NaN, infinite or out of range; a polygon is not convex, or not in the pool
 Result<Done> checkGeometry(const Geometry& geometry, std::span<const Corner> corners);
 
+/// Exact, rounded corners included.
 /// @param density  kg/m2; negative values and NaN count as 0
 MassProperties massProperties(const Geometry& geometry, std::span<const Corner> corners, float density);
 
@@ -35,7 +36,28 @@ float coreOf(const Geometry& geometry, std::span<const Corner> corners, Vec2 at)
 /// The boundary counts as inside; a segment has no inside.
 bool containsPoint(const Geometry& geometry, std::span<const Corner> corners, Vec2 point);
 
+/// The point on the boundary of an outline that is nearest to a given point.
+struct ClosestPoint {
+    Vec2 point;             ///< m
+    Vec2 normal;            ///< unit length, outward at that point
+    float distance = 0.0f;  ///< m; negative inside
+    bool atCorner = false;  ///< the nearest feature is a corner, rounded or sharp, not a face
+    std::size_t index = 0;  ///< of that corner, or of the one at which the face starts
+};
+
+ClosestPoint closestPointOf(const Convex& convex, Vec2 place);
 ClosestPoint closestPoint(const Geometry& geometry, std::span<const Corner> corners, Vec2 place);
+
+/// A line segment from `from` to `from + displacement`.
+struct Ray {
+    Vec2 from;          ///< m
+    Vec2 displacement;  ///< m
+};
+
+struct RayHit {
+    float fraction = 0.0f;  ///< fraction of the displacement, 0..1
+    Vec2 normal;            ///< unit length, outward
+};
 
 /// The point at which a ray enters; fraction 0 if it starts inside. A chain segment is only hit on its solid
 /// side.

@@ -66,7 +66,7 @@ struct SoftGroup {
 struct SoftSurroundings {
     std::vector<std::uint32_t> shapes;  ///< near soft bodies, in the order of these
     std::vector<std::uint32_t> ends;    ///< by soft body: end of its shapes
-    /// Islands near soft bodies that can push them: root and index in SoftBodies::all, sorted.
+    /// Islands near soft bodies that can push them: root and index in World::softBodies, sorted.
     std::vector<std::pair<std::uint32_t, std::uint32_t>> neighbours;
     std::vector<SoftObstacle> obstacles;  ///< by group, then by body
     std::vector<SoftContact> contacts;    ///< by group and soft body, then by shape and particle
@@ -109,7 +109,7 @@ struct SoftBox {
 
 /// A particle that an edge of another soft body may touch in this step.
 struct SoftSoftContact {
-    std::uint32_t body = 0;  ///< in SoftBodies::all: body of the particle
+    std::uint32_t body = 0;  ///< in World::softBodies: body of the particle
     std::uint32_t particle = 0;
     std::uint32_t other = 0;  ///< body of the edge
     std::uint32_t a = 0;      ///< ends of the edge: particles of `other`

@@ -62,7 +62,7 @@ void sortByColor(SoftBody& body) {
 
 SoftBodyId take(World& world, SoftBody&& body) {
     sortByColor(body);
-    SoftBodies& soft = world.softBodies;
+    Slots<SoftBody>& soft = world.softBodies;
     const std::uint32_t index = takeIndex(soft.free, soft.all);
     body.generation = soft.all[index].generation + 1;
     body.isAlive = true;

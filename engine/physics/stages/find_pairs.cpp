@@ -1,8 +1,8 @@
 #include <algorithm>
 
-#include "physics/broadphase/broadphase_update.hpp"
 #include "physics/contacts/contacts.hpp"
 #include "physics/islands/sleeping.hpp"
+#include "physics/model/bounds.hpp"
 #include "physics/model/joints.hpp"
 #include "physics/narrowphase/sweep.hpp"
 #include "physics/stages.hpp"

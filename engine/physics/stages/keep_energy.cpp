@@ -3,7 +3,8 @@
 
 #include "physics/islands/quality.hpp"
 #include "physics/islands/sleeping.hpp"
-#include "physics/measure/constraint_errors.hpp"
+#include "physics/joints/joint_types.hpp"
+#include "physics/measure/measures.hpp"
 #include "physics/solver/joint_lanes.hpp"
 #include "physics/solver/passes.hpp"
 #include "physics/stages.hpp"

@@ -3,7 +3,6 @@
 #include <functional>
 #include <utility>
 
-#include "physics/broadphase/broadphase_update.hpp"
 #include "physics/contacts/contacts.hpp"
 #include "physics/continuous/swept_bodies.hpp"
 #include "physics/model/bounds.hpp"

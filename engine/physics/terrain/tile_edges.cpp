@@ -1,6 +1,9 @@
 #include "physics/terrain/tile_edges.hpp"
 
 #include <algorithm>
+#include <utility>
+
+#include "core/fixed_list.hpp"
 
 namespace plumb::physics {
 
@@ -82,6 +85,101 @@ private:
     std::ptrdiff_t toNeighbour_[4];
 };
 
+/// The angle from `from` to `to`, clockwise on screen: less than 180 degrees, 180, more, 360.
+enum class Turn : std::uint8_t { Less, Half, More, Full };
+
+Turn turnOf(GridPoint from, GridPoint to) {
+    const std::int64_t side = cross(from, to);
+    if (side != 0) return side > 0 ? Turn::Less : Turn::More;
+    return dot(from, to) < 0 ? Turn::Half : Turn::Full;
+}
+
+/// The edges that may follow an edge at one of its ends. At its end, a clockwise rotation from the reversed
+/// edge sweeps the open side first. At its start the order is opposite; the coordinates are then mirrored, so
+/// that both cases look the same.
+class Vertex {
+public:
+    struct Candidate {
+        std::uint32_t edge = kNone;
+        GridPoint displacement;
+        EdgeKind kind;
+    };
+
+    explicit Vertex(GridPoint back) : back_{back} {}
+
+    /// Each of the four cells at a grid point has at most one edge there.
+    void add(const Candidate& candidate) {
+        if (!candidates_.full()) candidates_.push(candidate);
+    }
+
+    /// The first wanted edge when rotating through the open side; edge kNone if there is none.
+    template <class Wanted>
+    [[nodiscard]] Candidate first(const Wanted& wanted) const {
+        return best(wanted, [this](const Candidate& a, const Candidate& b) { return isEarlier(a, b); });
+    }
+    /// The first wanted edge when rotating through the solid side.
+    template <class Wanted>
+    [[nodiscard]] Candidate last(const Wanted& wanted) const {
+        return best(wanted, [this](const Candidate& a, const Candidate& b) { return isEarlier(b, a); });
+    }
+    template <class Wanted>
+    [[nodiscard]] std::ptrdiff_t count(const Wanted& wanted) const {
+        return std::count_if(candidates_.begin(), candidates_.end(),
+                             [&](const Candidate& candidate) { return wanted(candidate.kind); });
+    }
+    [[nodiscard]] Turn turnTo(const Candidate& candidate) const {
+        return turnOf(back_, candidate.displacement);
+    }
+    /// True if a clockwise rotation reaches `a` before `b`.
+    [[nodiscard]] bool isEarlier(const Candidate& a, const Candidate& b) const {
+        const Turn turnA = turnTo(a), turnB = turnTo(b);
+        return turnA != turnB ? turnA < turnB : cross(a.displacement, b.displacement) > 0;
+    }
+
+private:
+    template <class Wanted, class Better>
+    [[nodiscard]] Candidate best(const Wanted& wanted, const Better& better) const {
+        Candidate found;
+        for (const Candidate& next : candidates_) {
+            if (wanted(next.kind) && (found.edge == kNone || better(next, found))) found = next;
+        }
+        return found;
+    }
+
+    GridPoint back_;
+    FixedList<Candidate, 4> candidates_;
+};
+
+bool isPlain(EdgeKind kind) { return kind.isPlain(); }
+bool isOneWay(EdgeKind kind) { return kind.oneWay != OneWay::No; }
+
+/// @param joined  solids that touch in this point count as one
+EdgeLink linkOfPlain(const Vertex& vertex, bool joined) {
+    const Vertex::Candidate outline = joined ? vertex.first(isPlain) : vertex.last(isPlain);
+    if (vertex.turnTo(outline) != Turn::More) return {outline.edge, outline.edge};
+    const Vertex::Candidate joint = vertex.first(isOneWay);
+    const bool goesOn = joint.edge != kNone && vertex.isEarlier(joint, outline);
+    return {outline.edge, goesOn ? joint.edge : outline.edge};
+}
+
+EdgeLink linkOfOneWay(const Vertex& vertex, OneWay side) {
+    const Vertex::Candidate like = vertex.first([side](EdgeKind kind) { return kind.oneWay == side; });
+    if (like.edge != kNone) return {like.edge, like.edge};
+    const Vertex::Candidate solid = vertex.first(isPlain);
+    const bool goesOn = solid.edge != kNone && vertex.turnTo(solid) <= Turn::Half;
+    return {kNone, goesOn ? solid.edge : kNone};
+}
+
+EdgeLink linkOfInner(const Vertex& vertex, std::uint8_t layers) {
+    const Vertex::Candidate own =
+        vertex.last([layers](EdgeKind kind) { return kind.layers == layers && !isOneWay(kind); });
+    return {own.edge, own.edge};
+}
+
+constexpr GridPoint mirroredIf(bool mirror, GridPoint displacement) {
+    return mirror ? GridPoint{-displacement.x, displacement.y} : displacement;
+}
+
 }  // namespace
 
 void CellWindow::read(const TileMask& mask, CellRect rect) {
@@ -108,6 +206,58 @@ void appendEdges(const TilePalette& palette, const CellWindow& window, CellRect 
             if (maskCellOf(*number).form != TileForm::Empty) cells.append(number, cornerOfCell(x, y));
         }
     }
+}
+
+std::size_t EdgeLinks::bucketOf(GridPoint point) const {
+    const GridPoint from = point - cornerOfCell(cells_.x0, cells_.y0);
+    const auto row = static_cast<std::size_t>(from.y / kCellUnits);
+    return row * rowLength_ + static_cast<std::size_t>(from.x / kCellUnits);
+}
+
+template <class Visit>
+void EdgeLinks::forEdgesAt(GridPoint place, std::size_t end, const Visit& visit) const {
+    for (std::uint32_t i = first_[end][bucketOf(place)]; i != kNone; i = next_[end][i]) {
+        if ((*edges_)[i].end(end) == place) visit(i, (*edges_)[i]);
+    }
+}
+
+void EdgeLinks::connect(const std::vector<TileEdge>& edges, CellRect cells) {
+    edges_ = &edges;
+    cells_ = cells;
+    rowLength_ = static_cast<std::size_t>(cells.width()) + 1;
+    for (std::size_t end = 0; end < 2; ++end) {
+        first_[end].assign(rowLength_ * (static_cast<std::size_t>(cells.height()) + 1), kNone);
+        next_[end].resize(edges.size());
+        for (std::uint32_t i = 0; i < edges.size(); ++i)
+            next_[end][i] = std::exchange(first_[end][bucketOf(edges[i].end(end))], i);
+    }
+}
+
+/// True if all plain edges at a vertex have the same layers.
+bool EdgeLinks::hasOneLayer(GridPoint place) const {
+    int layers = -1;
+    bool same = true;
+    for (std::size_t end = 0; end < 2; ++end) {
+        forEdgesAt(place, end, [&](std::uint32_t, const TileEdge& edge) {
+            if (!edge.kind.isPlain()) return;
+            same = same && (layers < 0 || layers == edge.kind.layers);
+            layers = edge.kind.layers;
+        });
+    }
+    return same;
+}
+
+EdgeLink EdgeLinks::find(std::uint32_t number, std::size_t end) const {
+    const TileEdge& edge = (*edges_)[number];
+    const GridPoint place = edge.end(end);
+    const auto seen = [&](GridPoint far) { return mirroredIf(end == 0, far - place); };
+    Vertex vertex{seen(edge.end(1 - end))};
+    forEdgesAt(place, 1 - end, [&](std::uint32_t other, const TileEdge& candidate) {
+        vertex.add({other, seen(candidate.end(end)), candidate.kind});
+    });
+    if (edge.kind.oneWay != OneWay::No) return linkOfOneWay(vertex, edge.kind.oneWay);
+    if (edge.kind.isInner()) return linkOfInner(vertex, edge.kind.layers);
+    return linkOfPlain(vertex, vertex.count(isPlain) == 1 || hasOneLayer(place));
 }
 
 }  // namespace plumb::physics
