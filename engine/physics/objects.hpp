@@ -172,7 +172,9 @@ public:
     [[nodiscard]] bool isTouching(const Collider& a, const Collider& b) const;
 
     /// The collider of a shape, e.g. of a query's hit; null if it no longer exists.
-    [[nodiscard]] Collider* colliderOf(ShapeId shape) const { return find(shape); }
+    [[nodiscard]] Collider* colliderOf(ShapeId shape) const {
+        return alive(world_, shape) ? find(shape) : nullptr;
+    }
     /// For everything without an object here: joints, queries, fields, …
     [[nodiscard]] World& world() { return world_; }
 

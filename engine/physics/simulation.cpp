@@ -178,7 +178,7 @@ bool isWorthThreads(const World& world, const StepOptions& options) {
 }
 
 void step(World& world, float dt, const StepOptions& options) {
-    if (world.isAsking) return;  // called by a callback
+    if (world.work.isAsking) return;  // called by a callback
     world.events.clear();
     world.brokenJoints.clear();
     world.strainedJoints.clear();

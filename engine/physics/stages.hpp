@@ -41,10 +41,12 @@ struct StepContext {
 /// Calls back the owner of the world, who must not change it meanwhile.
 template <class Call>
 auto ask(World& world, Call&& call) {
-    world.isAsking = true;
-    const auto answer = call();
-    world.isAsking = false;
-    return answer;
+    struct Asking {  // ends when the callback throws, too
+        bool& flag;
+        ~Asking() { flag = false; }
+    };
+    const Asking asking{world.work.isAsking = true};
+    return call();
 }
 
 /// Whether the owner of the world lets these two shapes meet.

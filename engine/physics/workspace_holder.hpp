@@ -29,6 +29,8 @@ public:
     /// True once after the world was created or overwritten.
     bool takeStale() { return stale() && (state_ = State::Refilled, true); }
     [[nodiscard]] bool stale() const { return workspace_ == nullptr || state_ == State::Stale; }
+    /// A callback of StepOptions::hooks runs: setters refuse to work. Not so in a copy that it makes.
+    bool isAsking = false;
 
 private:
     /// A query refills what it needs, such as the broad phase, and leaves the rest as it was.

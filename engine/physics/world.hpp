@@ -292,7 +292,6 @@ struct World {
     Vec2 gravityOfLastStep;  ///< m/s2: a change of Settings::gravity wakes all bodies
     std::uint64_t steps = 0;
     float stepLength = 1.0f / 60.0f;  ///< s: length of the step that the impulses in `contacts` belong to
-    bool isAsking = false;            ///< a callback of StepOptions::hooks runs: setters refuse to work
     WorkspaceHolder work;             ///< derived from the rest: neither copied nor hashed
 };
 

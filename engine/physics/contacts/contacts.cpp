@@ -387,10 +387,11 @@ bool comesTo(const World& world, std::uint32_t shapeA, std::uint32_t shapeB) {
     const BodyInfo& a = world.bodies.info[shapes.info[shapeA].body];
     const BodyInfo& b = world.bodies.info[shapes.info[shapeB].body];
     if (a.kind != BodyKind::Dynamic || b.kind != BodyKind::Dynamic) {
-        // What cannot be pushed comes to triggers only, and one of the two has to be awake.
+        // What cannot be pushed comes to triggers only. One of the two is awake, or a trigger wakes it.
         const bool trigger = ((shapes.info[shapeA].flags | shapes.info[shapeB].flags) & kTrigger) != 0;
         const bool pushed = a.kind == BodyKind::Dynamic || b.kind == BodyKind::Dynamic;
-        if ((!pushed && !trigger) || (a.place == kNone && b.place == kNone)) return false;
+        const bool someAwake = a.place != kNone || b.place != kNone;
+        if (!(pushed ? trigger || someAwake : trigger && someAwake)) return false;
     }
     return !isStopped(shapes.extrasOf(shapeA), shapes.filter[shapeB]) &&
            !isStopped(shapes.extrasOf(shapeB), shapes.filter[shapeA]);

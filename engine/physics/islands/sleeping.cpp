@@ -43,8 +43,12 @@ void putInIsland(Sleepers& sleepers, std::uint32_t island, const Contact& contac
 }
 
 /// A kinematic body can begin or end a contact while the other body sleeps, unless that rests on it: then it
-/// wakes the sleeper when it starts to move (wakeForMotion).
+/// wakes the sleeper when it starts to move (wakeForMotion). What a destroyed shape touched is ended by the
+/// next step.
 bool staysInStep(const World& world, const Contact& contact) {
+    for (const std::uint32_t shape : {contact.shapeA, contact.shapeB}) {
+        if (world.shapes.motion[shape] == ProxyMotion::Gone) return true;
+    }
     if ((contact.flags & (kTouching | kTriggered)) == kTouching) return false;
     return world.bodies.info[contact.bodyA].kind == BodyKind::Kinematic ||
            world.bodies.info[contact.bodyB].kind == BodyKind::Kinematic;
@@ -201,7 +205,14 @@ void sleepNow(World& world, std::uint32_t body) {
     if (!isUp(world, body)) return;
     std::vector<std::uint32_t> roots(world.bodies.size(), kNone);
     rebuildIslands(world);
-    roots[islandOf(world, body)] = kIslandToBe;
+    const std::uint32_t root = islandOf(world, body);
+    // An edit may have ended one of its contacts: the next step says so, and wakes it.
+    const auto mayEnd = [&](const Contact& contact) {
+        if ((contact.flags & kFixedA) == 0 || islandOf(world, contact.bodyB) != root) return false;
+        return world.filtersStale || (world.shapes.info[contact.shapeA].flags & kLeftBounds) != 0;
+    };
+    if (std::any_of(world.contacts.begin(), world.contacts.end(), mayEnd)) return;
+    roots[root] = kIslandToBe;
     sleepIslands(world, roots);
 }
 

@@ -27,7 +27,7 @@ void visit(Archive& archive, AnyWorld& world) {
     auto& [settings, bodies, shapes, joints, fields, softBodies, awake, moved, altered, contacts, sleepers,
            initialOverlaps, events, brokenJoints, strainedJoints, fellAsleep, quarantined, quarantinedSoft,
            qualityCallers, newJoints, filtersStale, islandsStale, islandsAge, manifest, gravityOfLastStep,
-           steps, stepLength, isAsking, work] = world;
+           steps, stepLength, work] = world;
     archive.values(settings);
     auto& [pose, motion, mass, info, controllers, energies, drives, freeBodies, dyingBodies] = bodies;
     archive.lists(pose, motion, mass, info, drives.rows, drives.free, freeBodies, dyingBodies);

@@ -113,12 +113,13 @@ void clearForces(World& world, BodyId body);  ///< forces and torques that were 
 /// Gives a kinematic body the velocity that reaches the target within dt (s), as far as Settings::maxSpeed
 /// allows; it stops after that step, and then reads 0.
 Result<Done> moveTo(World& world, BodyId body, WorldPosition position, float angle, float dt);
+/// Where an edit may have ended a contact of the island since the last step, it stays awake.
 void setAwake(World& world, BodyId body, bool awake);
 void setFixedRotation(World& world, BodyId body, bool fixed);
 void setBullet(World& world, BodyId body, bool bullet);
 Result<Done> setSleepSpeed(World& world, BodyId body, float speed);  ///< m/s
 inline void setUser(World& world, BodyId body, std::uint64_t user) {
-    if (!world.isAsking && alive(world, body)) world.bodies.info[body.index].user = user;
+    if (!world.work.isAsking && alive(world, body)) world.bodies.info[body.index].user = user;
 }
 void setCanSleep(World& world, BodyId body, bool canSleep);
 void setLocks(World& world, BodyId body, bool lockX, bool lockY);  ///< its velocity along an axis stays 0

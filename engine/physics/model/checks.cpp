@@ -43,7 +43,7 @@ Result<Done> checkQuality(const char* where, int quality) {
 }
 
 Result<Done> checkOutside(const char* where, const World& world) {
-    if (!world.isAsking) return Done{};
+    if (!world.work.isAsking) return Done{};
     return wrong(where, "called from a callback within a step", "note it there, and do it after the step");
 }
 

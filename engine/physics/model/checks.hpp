@@ -36,7 +36,7 @@ Result<Done> checkAlive(const char* where, const World& world, Id<Thing> id) {
 /// The same for functions that return no Error.
 template <class Thing>
 [[nodiscard]] bool mayChange(const World& world, Id<Thing> id) {
-    return !world.isAsking && alive(world, id);
+    return !world.work.isAsking && alive(world, id);
 }
 
 /// The first Error of several checks, or Done.
