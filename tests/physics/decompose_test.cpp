@@ -1,10 +1,9 @@
-#include "physics/shapes/hull.hpp"
-
 #include <algorithm>
 #include <limits>
 
 #include <gtest/gtest.h>
 
+#include "physics/shapes/hull.hpp"
 #include "tests/physics/random_shapes.hpp"
 
 namespace plumb::physics {

@@ -4,8 +4,8 @@
 #include <limits>
 
 #include "core/random.hpp"
-#include "physics/effects/field_types.hpp"
 #include "physics/effects/buoyancy.hpp"
+#include "physics/effects/field_types.hpp"
 #include "physics/shapes/shape_types.hpp"
 #include "tests/physics/effect_worlds.hpp"
 #include "tests/physics/random_shapes.hpp"

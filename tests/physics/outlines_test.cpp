@@ -1,7 +1,6 @@
-#include "physics/terrain/terrain_outlines.hpp"
-
 #include <gtest/gtest.h>
 
+#include "physics/terrain/terrain_outlines.hpp"
 #include "tests/physics/random_terrain.hpp"
 
 namespace plumb::physics {

@@ -16,7 +16,7 @@ Error badPlace(const char* where, Vec2 found) {
             "use metres, not pixels, and move the body rather than its shapes"};
 }
 
-/// @param least  m; 0 for an optional size
+/// @param minimum  m; 0 for an optional size
 Result<Done> checkSize(const char* where, float found, float minimum) {
     if (found >= minimum && found <= kLargest) return Done{};
     return Error{where, format("expected {} to {} m, found {}", minimum, kLargest, found),
