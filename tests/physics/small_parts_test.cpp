@@ -5,11 +5,12 @@
 #include <gtest/gtest.h>
 
 #include "physics/broadphase/box_rows.hpp"
-#include "physics/tuning.hpp"
 #include "physics/contacts/pair_set.hpp"
 #include "physics/islands/quality.hpp"
 #include "physics/queries/lists.hpp"
 #include "physics/shapes/convex.hpp"
+#include "physics/tuning.hpp"
+#include "physics/workspace.hpp"
 #include "proxy_world.hpp"
 #include "random_shapes.hpp"
 #include "world_of_bodies.hpp"

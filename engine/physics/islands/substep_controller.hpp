@@ -18,7 +18,7 @@ namespace plumb::physics {
 
 /// State after a step that left an error.
 /// @param error  m: largest overlap or joint error of the island
-/// @param least  minimum quality that its bodies and joints ask for
+/// @param minimum  quality that its bodies and joints ask for
 [[nodiscard]] SubstepController judged(SubstepController controller, float error, float tolerance,
                                        Quality minimum, float dt);
 

@@ -126,8 +126,7 @@ inline void exchange(MoverA& a, MoverB& b, Float8 impulse, Two8 direction, ArmA 
 template <bool kHasFriction, class Block, class Mover>
 auto torqueOn(const Mover& mover, const Block& block) {
     auto torque = load(block.points[0].impulse) * mover.arm(0);
-    for (int p = 1; p < Block::kPoints; ++p)
-        torque = torque + load(block.points[p].impulse) * mover.arm(p);
+    for (int p = 1; p < Block::kPoints; ++p) torque = torque + load(block.points[p].impulse) * mover.arm(p);
     if constexpr (kHasFriction) torque = torque + load(block.slideImpulse) * mover.slideArm();
     return torque;
 }

@@ -154,8 +154,8 @@ void answerJoints(const SolverBodies& bodies, const JointPass& pass, const Joint
         } else if (pass.first) {
             noteLack(block.carry, carryOf(place, block));
         }
-        answerRows<kPush>(block.along, pass, load(block.along.value), inverseOrZero(place.along.inverseMass()),
-                          place.along);
+        const Float8 mass = inverseOrZero(place.along.inverseMass());
+        answerRows<kPush>(block.along, pass, load(block.along.value), mass, place.along);
         if constexpr (Block::kSlides) {
             if (block.spins != 0) spin(block, couple);
             keepOnWay(block, couple, place, pass, kPush ? pass.rigid : kRelaxed);

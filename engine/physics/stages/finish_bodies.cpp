@@ -21,18 +21,9 @@ bool isFinite(const Float4& a) { return 0.0f * a.x + 0.0f * a.y + 0.0f * a.z == 
 /// Which of the two zeros a speed of nothing is says how it was worked out: make it the one.
 Vec2 unsigned0(Vec2 a) { return a + Vec2{}; }
 
-void limitSpeed(BodyMotion& motion, float maximum) {
-    const float square = lengthSquared(motion.velocity);
-    if (square > maximum * maximum) motion.velocity *= maximum / std::sqrt(square);
-}
-
-/// Substeps may be faster than the speed that is left at the end of the step, and would carry a body as far.
-void limitDisplacement(Float4& deltaPosition, float maximum) {
-    const float square = deltaPosition.x * deltaPosition.x + deltaPosition.y * deltaPosition.y;
-    if (square <= maximum * maximum) return;
-    const float part = maximum / std::sqrt(square);
-    deltaPosition.x *= part;
-    deltaPosition.y *= part;
+Vec2 shortened(Vec2 a, float maximum) {
+    const float square = lengthSquared(a);
+    return square > maximum * maximum ? (maximum / std::sqrt(square)) * a : a;
 }
 
 /// No point of a body is faster than bodies may be. Spins that nothing limits would grow until they are no
@@ -101,14 +92,16 @@ bool takeAlong(StepContext& step, std::size_t slot, std::uint32_t body) {
         motion.angularVelocity = 0.0f;
         return false;
     }
-    limitDisplacement(deltaPosition, step.world.settings.maxSpeed * step.dt);
+    const float maxSpeed = step.world.settings.maxSpeed;
+    // Substeps may be faster than the speed that is left at the end of the step, and would carry a body as
+    // far.
+    Vec2 displacement = shortened({deltaPosition.x, deltaPosition.y}, maxSpeed * step.dt);
+    deltaPosition.x = displacement.x, deltaPosition.y = displacement.y;
     const Vec2 before = motion.velocity;
-    motion.velocity = unsigned0({velocity.x, velocity.y});
+    motion.velocity = shortened(unsigned0({velocity.x, velocity.y}), maxSpeed);
     motion.angularVelocity = velocity.z + 0.0f;
-    limitSpeed(motion, step.world.settings.maxSpeed);
-    limitSpin(motion, bodies.info[body].reach, step.world.settings.maxSpeed);
-    const Vec2 displacement =
-        Vec2{deltaPosition.x, deltaPosition.y} - overshoot(step, slot, body, before, motion.velocity);
+    limitSpin(motion, bodies.info[body].reach, maxSpeed);
+    displacement -= overshoot(step, slot, body, before, motion.velocity);
     BodyPose& pose = bodies.pose[body];
     pose.centre = pose.centre + unsigned0(displacement);
     if (deltaPosition.z != 0.0f || deltaPosition.w != 0.0f)

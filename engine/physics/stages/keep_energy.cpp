@@ -148,19 +148,24 @@ void noteHolders(StepContext& step) {
     const auto drives = [&](const Contact& contact) {
         return hasDrivers(step) && (contact.surfaceSpeed != 0.0f || moves(world, contact.bodyA));
     };
-    const auto isFixed = [&](std::size_t i) { return (work.contactKeys[i] & kKeyFixed) != 0; };
-    const auto accountAt = [&](std::size_t i) -> EnergyAccount& {
-        return accountOf(world, work, world.contacts[i].bodyA, world.contacts[i].bodyB);
-    };
-    const bool conveys = step.runs(Effect::Conveyor);
-    const auto matters = [&](std::size_t i) {
-        if (!(conveys || isFixed(i)) || !pushes(work.contactKeys[i])) return false;
-        const EnergyAccount& account = accountAt(i);
-        return (isFixed(i) && !account.isRooted) || (!account.isDriven && drives(world.contacts[i]));
-    };
-    forThose(step, work.contactKeys.size(), matters, [&](std::uint32_t i) {
-        accountAt(i).isRooted |= isFixed(i);
-        accountAt(i).isDriven |= drives(world.contacts[i]);
+    forStores(work, blocksOf(work, false), [&](const auto& store, BlockRange range) {
+        constexpr bool kFixed = decltype(store.blocks[0].a)::kFixed;
+        if (!kFixed && !step.runs(Effect::Conveyor)) return;
+        const auto contactAt = [&](std::size_t i) -> const Contact& {
+            return world.contacts[static_cast<std::size_t>(store.lanes[i / kLanes].contact[i % kLanes])];
+        };
+        const auto accountAt = [&](std::size_t i) -> EnergyAccount& {
+            return accountOf(world, work, contactAt(i).bodyA, contactAt(i).bodyB);
+        };
+        const auto matters = [&](std::size_t i) {
+            if (static_cast<std::int32_t>(i % kLanes) >= store.lanes[i / kLanes].count) return false;
+            const EnergyAccount& account = accountAt(i);
+            return (kFixed && !account.isRooted) || (!account.isDriven && drives(contactAt(i)));
+        };
+        forThose(step, static_cast<std::size_t>(range.end) * kLanes, matters, [&](std::uint32_t i) {
+            accountAt(i).isRooted |= kFixed;
+            accountAt(i).isDriven |= drives(contactAt(i));
+        });
     });
 }
 

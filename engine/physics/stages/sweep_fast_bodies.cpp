@@ -125,13 +125,6 @@ Contact contactOf(StepContext& step, const PathHit& hit, std::uint32_t own, std:
     return contact;
 }
 
-void addProxy(const StepContext& step, const SweptBody& swept) {
-    BoxProxies& proxies = step.work.sweptProxies;
-    proxies.bounds.push_back(pathBounds(step, swept));
-    proxies.filters.push_back({.layers = layerOf(step.world, swept.body)});
-    proxies.motions.push_back(ProxyMotion::Awake);
-}
-
 /// Whether the owner of the world lets these two pass each other.
 bool isRefused(const StepContext& step, const PathHit& hit, const Contact& contact) {
     const ContactHooks& hooks = step.hooks;
@@ -161,7 +154,9 @@ void hitNext(StepContext& step, std::uint32_t own, std::uint32_t met, const Path
     if (work.bodyScratch[met] == kNone && !fixed) {
         work.bodyScratch[met] = static_cast<std::uint32_t>(work.swept.size());
         work.swept.push_back(sweptBodyOf(step, met));
-        addProxy(step, work.swept.back());
+        work.sweptProxies.bounds.push_back(pathBounds(step, work.swept.back()));
+        work.sweptProxies.filters.push_back({.layers = layerOf(step.world, met)});
+        work.sweptProxies.motions.push_back(ProxyMotion::Awake);
     }
     const SweptBody& swept = work.swept[work.bodyScratch[own]];
     float left = (1.0f - hit.part) * step.dt;

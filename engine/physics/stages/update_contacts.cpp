@@ -12,7 +12,7 @@ namespace plumb::physics {
 namespace {
 
 constexpr int kGrain = 256;
-constexpr std::size_t kAtOnce = 128;  // contacts: as many as the fastest cache holds beside their shapes
+constexpr int kAtOnce = 128;  // contacts: as many as the fastest cache holds beside their shapes
 
 bool touches(const Contact& contact) {
     if (contact.count == 0) return false;
@@ -58,7 +58,7 @@ void lookAtAll(StepContext& step) {
     forPieces(step.pool, world.contacts.size(), kGrain, work.contactFindings,
               [&](std::size_t begin, std::size_t end, ContactFindings& found) {
                   for (std::size_t first = begin; first < end; first += kAtOnce)
-                      lookAt(step, first, std::min(end - first, kAtOnce), asked, found);
+                      lookAt(step, first, std::min(end - first, std::size_t{kAtOnce}), asked, found);
               });
     work.counts = {};
     for (const ContactFindings& found : work.contactFindings) work.counts += found.counts;

@@ -163,8 +163,7 @@ bool comeBack(World& world, JointTrees& trees, const JointTree& tree) {
     forLinks(trees, tree, [&](Link& link) { closed = closed && isClosed(world, link, isHeld(tree)); });
     if (!closed) return false;
     forLinks(trees, tree, [&](const Link& link) {
-        Joint& joint = world.joints.hot[link.joint];
-        joint.flags = static_cast<std::uint8_t>(joint.flags & ~kStretched);
+        world.joints.hot[link.joint].flags &= static_cast<std::uint8_t>(~kStretched);
     });
     return true;
 }
