@@ -57,7 +57,9 @@ ShapeId putTrigger(Beside& scene, BodyKind kind, Way way) {
     scene.run(120);
     EXPECT_FALSE(isAwake(world, scene.crate));
     if (!isThere) trigger = cover(make(0.0), true);
-    if (way == Way::Moved) EXPECT_TRUE(setPosition(world, body, {0.0, 0.5}, 0.0f).ok());
+    if (way == Way::Moved) {
+        EXPECT_TRUE(setPosition(world, body, {0.0, 0.5}, 0.0f).ok());
+    }
     if (way == Way::TurnedInto) {
         EXPECT_TRUE(
             change(world, trigger, [](ShapeDefinition& d) { d.isTrigger = true, d.mask = ~0u; }).ok());
