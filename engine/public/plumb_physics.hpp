@@ -13,7 +13,6 @@
 #include "physics/model/fields.hpp"
 #include "physics/narrowphase/collide.hpp"
 #include "physics/narrowphase/distance.hpp"
-#include "physics/narrowphase/shape_cast.hpp"
 #include "physics/narrowphase/sweep.hpp"
 #include "physics/objects.hpp"
 #include "physics/queries/lists.hpp"

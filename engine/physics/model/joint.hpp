@@ -8,7 +8,7 @@
 
 namespace plumb::physics {
 
-/// The kinds of joints. Each has a row in joints/joint_kinds.cpp.
+/// The kinds of joints. Each has a row in joints/joint_types.cpp.
 enum class JointKind : std::uint8_t {
     Distance,   ///< keeps two points at a distance: a rod, a rope (only an upper limit) or a spring
     Revolute,   ///< a hinge: two points coincide; angle with spring, limit and motor
