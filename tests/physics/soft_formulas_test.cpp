@@ -151,6 +151,7 @@ TEST(SoftFormulas, noTwoNeighbouringLinksOfTheListShareAParticle) {
 TEST(SoftFormulas, rangesOfCountsEndWhereTheyEnd) {
     World world;
     EXPECT_FALSE(createRope(world, {}, {1.0, 0.0}, 1).ok());
+    EXPECT_FALSE(createRope(world, {1.0, 2.0}, {1.0, 2.0}, 5).ok()) << "without a length";
     EXPECT_TRUE(createRope(world, {}, {1.0, 0.0}, 2).ok());
     EXPECT_TRUE(createRope(world, {}, {1.0, 0.0}, 10000).ok());
     EXPECT_FALSE(createRope(world, {}, {1.0, 0.0}, 10001).ok());

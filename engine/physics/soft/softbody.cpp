@@ -94,6 +94,8 @@ Result<SoftBodyId> createRope(World& world, WorldPosition from, WorldPosition to
         firstOf(checkOutside("createRope", world), check(material), checkPlace("createRope from", from),
                 checkPlace("createRope to", to), checkNumber("createRope count", count, 2.0, 10000.0));
     if (!checked) return checked.error();
+    if (from.x == to.x && from.y == to.y)
+        return wrong("createRope", "expected two ends, found one place twice", "let them differ");
     SoftBody body = bodyOf(material);
     const double parts = count - 1;
     for (int i = 0; i < count; ++i) {
