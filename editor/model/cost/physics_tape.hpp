@@ -101,7 +101,7 @@ private:
     // After the tick before.
     physics::Bodies bodies_;
     physics::Joints joints_;
-    physics::Fields fields_;
+    physics::Slots<physics::Field> fields_;
 };
 
 }  // namespace plumb::editor
