@@ -248,6 +248,20 @@ void settleJoints(EnergyAccount& account, float pushSpeed, float dt) {
     if (fading > 0.0f) account.credit = maximum + fading * fade(dt, kMemory);
 }
 
+/// What joints had to close in this step whips nothing.
+void allowClosing(StepContext& step) {
+    const World& world = step.world;
+    const float maximum = kJointPushing * world.settings.pushSpeed * step.dt;
+    for (const std::uint32_t j : world.joints.awake) {
+        EnergyAccount& account =
+            accountOf(world, step.work, world.joints.hot[j].bodyA, world.joints.hot[j].bodyB);
+        if (account.part == 1.0f) continue;
+        const float closed = std::min(openingOf(world, j), maximum);
+        const float more = 0.5f * account.mass * closed * closed / account.displacement;
+        account.part = std::min(std::sqrt(account.part * account.part + more), 1.0f);
+    }
+}
+
 /// What of a body's energy can be taken, and what it may keep in any case.
 void bookOwn(const World& world, const Workspace& work, std::uint32_t body, EnergyAccount& account) {
     const Float4& velocity = work.velocity[static_cast<std::size_t>(work.slots[body])];
@@ -413,14 +427,16 @@ void keepEnergy(StepContext& step) {
     noteSoft(step);
     findBooked(step);
     bookAll(step);
-    bool wild = false, tooMuch = false;
+    bool wild = false, tooMuch = false, far = false;
     for (const std::uint32_t root : work.openAccounts) {
         EnergyAccount& account = work.accounts[root];
         account.isJointed ? settleJoints(account, world.settings.pushSpeed, step.dt)
                           : settleContacts(account);
         wild |= account.isWild;
         tooMuch |= exceeds(account);
+        far |= account.part < 1.0f;
     }
+    if (far) allowClosing(step);
     if (tooMuch) {
         if (!asksFirst) noteHolders(step);
         noteBounces(step);

@@ -1,0 +1,85 @@
+#include <algorithm>
+
+#include <gtest/gtest.h>
+
+#include "joint_world.hpp"
+
+// How joints close that were created open, or whose bodies were moved away: no faster than they may, to the
+// end, and without a velocity that is left.
+
+namespace plumb::physics {
+namespace {
+
+constexpr float kTimes = 10.0f;  // closing speed, in Settings::pushSpeed
+
+/// A disc of 1 kg at rest, joined to the ground by its middle, `gap` away along x.
+struct Open {
+    JointWorld scene;
+    BodyId disc;
+    JointId joint;
+
+    Open(JointKind kind, float gap) {
+        disc = scene.disc({static_cast<double>(gap), 0.0});
+        joint = scene.join({.kind = kind, .a = scene.ground, .b = disc, .axis = {0.0f, 1.0f}});
+    }
+};
+
+float fastestIn(JointWorld& scene, BodyId body, int steps) {
+    float fastest = 0.0f;
+    for (int i = 0; i < steps; ++i) {
+        step(scene.world, JointWorld::kDt);
+        fastest = std::max(fastest, length(velocityOf(scene.world, body)));
+    }
+    return fastest;
+}
+
+TEST(JointClosing, goesOnToTheEndBeforeItSleeps) {
+    for (const bool direct : {true, false}) {
+        for (const JointKind kind : {JointKind::Revolute, JointKind::Weld, JointKind::Prismatic}) {
+            for (const float gap : {0.5f, 5.0f, 40.0f}) {
+                SCOPED_TRACE(testing::Message() << direct << static_cast<int>(kind) << " " << gap);
+                Open open{kind, gap};
+                World& world = open.scene.world;
+                world.settings.gravity = {};
+                world.settings.sleeping = true;
+                world.settings.directJoints = direct;
+                const float most = kTimes * world.settings.pushSpeed * JointWorld::kDt;  // m in a step
+                int steps = 0;
+                for (float left = gap; left > world.settings.slop && steps < 600; ++steps) {
+                    step(world, JointWorld::kDt);
+                    const float now = length(open.scene.gapOf(open.joint));
+                    ASSERT_LE(left - now, 1.01f * most) << steps;
+                    left = now;
+                }
+                EXPECT_LE(steps, static_cast<int>(gap / most) + 30);
+                open.scene.run(2.0f);
+                EXPECT_FALSE(isAwake(world, open.disc));
+            }
+        }
+    }
+}
+
+TEST(JointClosing, isOverWhereJointsContradictEachOther) {
+    Open open{JointKind::Revolute, 2.0f};
+    open.scene.world.settings.sleeping = true;
+    (void)open.scene.join(
+        {.kind = JointKind::Revolute, .a = open.scene.ground, .b = open.disc, .anchorA = {4.0f, 0.0f}});
+    open.scene.run(5.0f);
+    EXPECT_FALSE(isAwake(open.scene.world, open.disc));
+    EXPECT_GT(length(open.scene.gapOf(open.joint)), 1.0f);
+}
+
+TEST(JointClosing, leavesASliderToGravityAlongItsAxis) {
+    for (const bool direct : {true, false}) {
+        SCOPED_TRACE(direct);
+        Open open{JointKind::Prismatic, 12.0f};
+        open.scene.world.settings.directJoints = direct;
+        open.scene.run(0.5f);
+        const float speed = 0.5f * JointWorld::kGravity;
+        EXPECT_NEAR(velocityOf(open.scene.world, open.disc).y, -speed, 0.01f * speed);
+        EXPECT_NEAR(open.scene.place(open.disc).y, -0.25f * speed, 0.02f * 0.25f * speed);
+    }
+}
+
+}  // namespace
+}  // namespace plumb::physics
