@@ -81,5 +81,26 @@ TEST(JointClosing, leavesASliderToGravityAlongItsAxis) {
     }
 }
 
+// It left 537 m/s.
+TEST(JointClosing, leavesNoVelocityWhenTheJointBreaks) {
+    for (const float gap : {5.0f, 15.0f, 40.0f}) {
+        SCOPED_TRACE(gap);
+        JointWorld scene;
+        (void)*createShape(scene.world, scene.ground, box({0.35f, 0.21f}, {}, rotFromAngle(2.3f)));
+        const BodyId a =
+            *createBody(scene.world, {.position = {1.0, 0.9}, .angle = 0.58f, .velocity = {2.0f, -7.0f}});
+        (void)*createShape(scene.world, a, segment({-0.55f, 0.0f}, {0.87f, 0.06f}));
+        const WorldPosition far = WorldPosition{1.0, 0.9} + gap * Vec2{-0.7f, -0.7f};
+        const BodyId b =
+            *createBody(scene.world, {.position = far, .velocity = {-4.0f, -8.0f}, .angularVelocity = 4.0f});
+        (void)*createShape(scene.world, b, circle(0.5f));
+        (void)scene.join({.kind = JointKind::Weld, .a = a, .b = b, .breakForce = 30.0f});
+        step(scene.world, JointWorld::kDt);
+        EXPECT_EQ(scene.world.brokenJoints.size(), 1u);
+        const float most = std::sqrt(4.0f * 4.0f + 8.0f * 8.0f) + JointWorld::kGravity * JointWorld::kDt;
+        for (const BodyId body : {a, b}) EXPECT_LT(length(velocityOf(scene.world, body)), 1.5f * most);
+    }
+}
+
 }  // namespace
 }  // namespace plumb::physics

@@ -6,6 +6,7 @@
 #include "physics/narrowphase/sweep.hpp"
 #include "physics/ranges.hpp"
 #include "physics/shapes/shape_types.hpp"
+#include "physics/solver/joint_lanes.hpp"
 #include "physics/stages.hpp"
 #include "physics/tuning.hpp"
 
@@ -166,6 +167,7 @@ void finishBodies(StepContext& step) {
         for (const std::uint32_t body : found.broken)
             world.quarantined.push_back({body, world.bodies.info[body].generation});
     }
+    if (step.runs(Effect::Joints)) breakJoints(step);  // last: it may wake bodies that were in no step
 }
 
 }  // namespace plumb::physics
