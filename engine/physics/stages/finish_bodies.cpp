@@ -1,11 +1,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "physics/continuous/swept_bodies.hpp"
 #include "physics/model/bounds.hpp"
 #include "physics/model/edits.hpp"
 #include "physics/narrowphase/sweep.hpp"
-#include "physics/ranges.hpp"
 #include "physics/shapes/shape_types.hpp"
+#include "physics/solver/contact_extras.hpp"
 #include "physics/solver/joint_lanes.hpp"
 #include "physics/stages.hpp"
 #include "physics/tuning.hpp"
@@ -19,13 +20,12 @@ constexpr int kGrain = 256;
 /// Only of what is not finite no part is nothing.
 bool isFinite(const Float4& a) { return 0.0f * a.x + 0.0f * a.y + 0.0f * a.z == 0.0f; }
 
+bool isSound(const Workspace& work, std::size_t slot) {
+    return isFinite(work.velocity[slot]) && isFinite(work.deltaPosition[slot]);
+}
+
 /// Which of the two zeros a speed of nothing is says how it was worked out: make it the one.
 Vec2 unsigned0(Vec2 a) { return a + Vec2{}; }
-
-void limitSpeed(BodyMotion& motion, float maximum) {
-    const float square = lengthSquared(motion.velocity);
-    if (square > maximum * maximum) motion.velocity *= maximum / std::sqrt(square);
-}
 
 /// Substeps may be faster than the speed that is left at the end of the step, and would carry a body as far.
 void limitDisplacement(Float4& deltaPosition, float maximum) {
@@ -34,14 +34,6 @@ void limitDisplacement(Float4& deltaPosition, float maximum) {
     const float part = maximum / std::sqrt(square);
     deltaPosition.x *= part;
     deltaPosition.y *= part;
-}
-
-/// No point of a body is faster than bodies may be. Spins that nothing limits would grow until they are no
-/// numbers, where joints have arms of many times a body's size.
-void limitSpin(BodyMotion& motion, float reach, float maximum) {
-    const float spin = std::fabs(motion.angularVelocity);
-    if (spin * reach <= maximum && spin <= kFastest) return;
-    motion.angularVelocity = std::copysign(std::min(maximum / reach, kFastest), motion.angularVelocity);
 }
 
 /// Whether some point of the body is too fast to rest, about.
@@ -97,7 +89,7 @@ bool takeAlong(StepContext& step, std::size_t slot, std::uint32_t body) {
     BodyMotion& motion = bodies.motion[body];
     const Float4& velocity = step.work.velocity[slot];
     Float4& deltaPosition = step.work.deltaPosition[slot];
-    if (!isFinite(velocity) || !isFinite(deltaPosition)) {
+    if (!isSound(step.work, slot)) {
         motion.velocity = {};
         motion.angularVelocity = 0.0f;
         return false;
@@ -106,8 +98,7 @@ bool takeAlong(StepContext& step, std::size_t slot, std::uint32_t body) {
     const Vec2 before = motion.velocity;
     motion.velocity = unsigned0({velocity.x, velocity.y});
     motion.angularVelocity = velocity.z + 0.0f;
-    limitSpeed(motion, step.world.settings.maxSpeed);
-    limitSpin(motion, bodies.info[body].reach, step.world.settings.maxSpeed);
+    limitMotion(step.world, body);
     const Vec2 displacement =
         Vec2{deltaPosition.x, deltaPosition.y} - overshoot(step, slot, body, before, motion.velocity);
     BodyPose& pose = bodies.pose[body];
@@ -167,6 +158,12 @@ void finishBodies(StepContext& step) {
         for (const std::uint32_t body : found.broken)
             world.quarantined.push_back({body, world.bodies.info[body].generation});
     }
+    // What pushed them is no number either, and would be given again.
+    const auto isBroken = [&](std::uint32_t body) {
+        return work.slots[body] >= 0 && !isSound(work, static_cast<std::size_t>(work.slots[body]));
+    };
+    if (!world.quarantined.empty())
+        forgetImpulses(step, [&](std::uint32_t a, std::uint32_t b) { return isBroken(a) || isBroken(b); });
     if (step.runs(Effect::Joints)) breakJoints(step);  // last: it may wake bodies that were in no step
 }
 

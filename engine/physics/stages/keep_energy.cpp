@@ -5,6 +5,7 @@
 #include "physics/islands/sleeping.hpp"
 #include "physics/joints/joint_types.hpp"
 #include "physics/measure/measures.hpp"
+#include "physics/solver/contact_extras.hpp"
 #include "physics/solver/joint_lanes.hpp"
 #include "physics/solver/passes.hpp"
 #include "physics/stages.hpp"
@@ -309,24 +310,6 @@ void hold(const World& world, Workspace& work, std::uint32_t body) {
     work.deltaPosition[slot] = {};
 }
 
-/// Which starts from nothing: it went wild by what was given again.
-void forgetImpulses(World& world, Workspace& work) {
-    for (const std::uint32_t j : world.joints.awake) {
-        Joint& joint = world.joints.hot[j];
-        if (!accountOf(world, work, joint.bodyA, joint.bodyB).isWild) continue;
-        joint.force = {};
-        joint.torque = 0.0f;
-        std::fill(std::begin(joint.rows), std::end(joint.rows), 0.0f);
-    }
-    for (std::size_t i = 0; i < work.contactKeys.size(); ++i) {
-        if (!pushes(work.contactKeys[i])) continue;
-        Contact& contact = world.contacts[i];
-        if (!accountOf(world, work, contact.bodyA, contact.bodyB).isWild) continue;
-        contact.impulse0 = contact.impulse1 = contact.frictionImpulse = contact.rollingImpulse = 0.0f;
-        if (i < work.stepImpulses.size()) work.stepImpulses[i] = 0.0f;
-    }
-}
-
 /// Each body has a share of the island's account by mass, as islands fall apart and others come together.
 void share(StepContext& step, std::uint32_t body, const EnergyAccount& account) {
     World& world = step.world;
@@ -447,7 +430,10 @@ void keepEnergy(StepContext& step) {
             share(step, work.bookedBodies[i], work.accounts[work.roots[work.bookedBodies[i]]]);
         });
     }
-    if (wild) forgetImpulses(world, work);
+    if (wild) {
+        forgetImpulses(step,
+                       [&](std::uint32_t a, std::uint32_t b) { return accountOf(world, work, a, b).isWild; });
+    }
     for (const std::uint32_t root : work.openAccounts) work.accounts[root].isOpen = false;
     work.openAccounts.clear();
 }
