@@ -112,5 +112,48 @@ TEST(Quarantine, isNotNeededWhereParticlesAreNoFasterThanBodies) {
     }
 }
 
+/// A body that more joints hold to the ground than there are colors for: these are solved one by one.
+BodyId hold(JointWorld& scene, WorldPosition place) {
+    const BodyId body = scene.disc(place);
+    for (int i = 0; i < 40; ++i) {
+        const WorldPosition pivot = place + Vec2{0.01f * static_cast<float>(i), 0.0f};
+        (void)scene.join(scene.define(JointKind::Revolute, scene.ground, body, pivot));
+    }
+    return body;
+}
+
+TEST(Quarantine, isNotHeardOfThroughWhatNothingMoves) {
+    JointWorld scene;
+    const BodyId first = hold(scene, {0.0, 0.0}), second = hold(scene, {9.0, 0.0});
+    scene.run(0.1f);
+    World bad = scene.world;
+    bad.bodies.motion[first.index].velocity = {kNoNumber, 0.0f};
+    for (int i = 0; i < 10; ++i) {
+        step(scene.world, JointWorld::kDt);
+        step(bad, JointWorld::kDt);
+        EXPECT_EQ(velocityOf(bad, second), velocityOf(scene.world, second)) << i;
+        EXPECT_EQ(positionOf(bad, second), positionOf(scene.world, second)) << i;
+        EXPECT_TRUE(isFinite(velocityOf(bad, first))) << i;
+    }
+}
+
+// Restitution against what is fast itself gave up to three times the speed that bodies may have.
+TEST(Quarantine, isFarFromBodiesThatAreNoFasterThanTheyMayAfterAHit) {
+    JointWorld scene;
+    World& world = scene.world;
+    world.settings.gravity = {};
+    world.settings.maxSpeed = 40.0f;
+    const BodyId wall = *createBody(world, {.kind = BodyKind::Kinematic, .velocity = {36.0f, 0.0f}});
+    const BodyId ball =
+        *createBody(world, {.position = {1.8, 0.0}, .velocity = {-36.0f, 0.0f}, .bullet = true});
+    (void)*createShape(world, wall, box({1.0f, 1.0f}), {.bounciness = 1.0f});
+    (void)*createShape(world, ball, circle(0.2f), {.bounciness = 1.0f});
+    for (int i = 0; i < 10; ++i) {
+        step(world, JointWorld::kDt);
+        EXPECT_LE(length(velocityOf(world, ball)), 40.001f) << i;
+    }
+    EXPECT_NEAR(velocityOf(world, ball).x, 40.0f, 0.01f);
+}
+
 }  // namespace
 }  // namespace plumb::physics

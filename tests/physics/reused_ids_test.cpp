@@ -98,6 +98,33 @@ TEST(ReusedIds, ofWhatIsGoneDoNotNameWhatTakesItsPlace) {
     expectAll(world, never, false);
 }
 
+// The contact of a destroyed body looked at its materials once more, and ended as of one that is fixed: the
+// body that took the place was solved as if it touched something, and that of a copy was not.
+TEST(ReusedIds, takeNothingOverFromContactsOfWhatIsGone) {
+    for (const int gone : {0, 1}) {
+        SCOPED_TRACE(gone);
+        World world;
+        const BodyId bodies[] = {addBody(world, BodyKind::Dynamic, {}),
+                                 addBody(world, BodyKind::Dynamic, {1.0, 0.0})};
+        ShapeId shapes[2];
+        for (int i = 0; i < 2; ++i) shapes[i] = *createShape(world, bodies[i], box({0.5f, 0.5f}));
+        for (int i = 0; i < 3; ++i) step(world, kTick);
+        ASSERT_EQ(world.contacts.size(), 1u);
+        destroyBody(world, bodies[gone]);
+        EXPECT_TRUE(setFriction(world, shapes[1 - gone], 0.9f).ok());
+        step(world, kTick);
+        const BodyId next = *createBody(world, {.position = {50.0, 0.0}, .velocity = {-3.7f, 1.3f}});
+        EXPECT_EQ(next.index, bodies[gone].index);
+        static_cast<void>(createShape(world, next, circle(0.5f)));
+        World copy = world;
+        for (World* each : {&world, &copy}) {
+            for (int i = 0; i < 60; ++i) step(*each, kTick);
+        }
+        EXPECT_EQ(positionOf(world, next), positionOf(copy, next));
+        EXPECT_EQ(hashOf(world), hashOf(copy));
+    }
+}
+
 TEST(Edits, noJointIsLeftWithoutABodyThatItCanPull) {
     constexpr BodyKind kKinds[] = {BodyKind::Static, BodyKind::Kinematic, BodyKind::Dynamic};
     for (const JointKind kind :

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "physics/ranges.hpp"
 #include "physics/tuning.hpp"
 
 namespace plumb::physics {
@@ -69,6 +70,15 @@ bool isFastBeside(const Sweep& own, const Sweep& path, const BodyInfo& info) {
     const Vec2 arm = own.start - path.start;
     const Vec2 carried = path.displacement + rotate(rotFromAngle(path.turn), arm) - arm;
     return std::fabs(path.turn) > kWide || isFast(own.displacement - carried, own.turn - path.turn, info);
+}
+
+void limitMotion(World& world, std::uint32_t body) {
+    BodyMotion& motion = world.bodies.motion[body];
+    const float maximum = world.settings.maxSpeed, reach = world.bodies.info[body].reach;
+    const float square = lengthSquared(motion.velocity), spin = std::fabs(motion.angularVelocity);
+    if (square > maximum * maximum) motion.velocity *= maximum / std::sqrt(square);
+    if (spin * reach > maximum || spin > kFastest)
+        motion.angularVelocity = std::copysign(std::min(maximum / reach, kFastest), motion.angularVelocity);
 }
 
 std::uint32_t layerOf(const World& world, std::uint32_t body) {

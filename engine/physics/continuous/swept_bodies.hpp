@@ -26,6 +26,10 @@ Sweep pathOfMet(const StepContext& step, std::uint32_t body);
 bool isFastBeside(const Sweep& own, const Sweep& path, const BodyInfo& info);
 SweptBody sweptBodyOf(const StepContext& step, std::uint32_t body);
 
+/// No point of a body is faster than bodies may be. Spins that nothing limits would grow until they are no
+/// numbers, where joints have arms of many times a body's size.
+void limitMotion(World& world, std::uint32_t body);
+
 std::uint32_t layerOf(const World& world, std::uint32_t body);
 /// The bounds of the rest of a body's path.
 AABB pathBounds(const StepContext& step, const SweptBody& swept);

@@ -177,6 +177,11 @@ JointParts motor(const JointView& view) {
     const bool own = definition.hertz > 0.0f;
     parts.grip = springGrip(own ? definition.hertz : kDefaultHertz, own ? definition.dampingRatio : 1.0f,
                             view.timing.h);
+    if (!own) {  // no spring of the owner's: it closes no faster than other joints
+        const float most = kJointPushing * view.world.settings.pushSpeed * parts.grip.take / parts.grip.pull;
+        parts.apart *= most / std::max(length(parts.apart), most);
+        parts.angle = std::clamp(parts.angle, -most, most);
+    }
     parts.value.held = true;
     parts.value.springs = true;
     parts.value.grip = parts.grip;

@@ -166,7 +166,7 @@ JointReading readingOf(const World& world, JointId id) {
                 std::max(std::fabs(cross(parts.axis, apart)), missOf(parts.value, reading.value));
             break;
         default:
-            if (drives) reading.separation = 0.0f;
+            if (joint.kind == JointKind::Motor) reading.separation = drives ? 0.0f : length(apart);
             reading.angularSeparation = missOf(parts.value, reading.value);
     }
     return reading;

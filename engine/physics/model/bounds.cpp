@@ -127,13 +127,15 @@ void updateBroadPhase(World& world, Workspace& work) {
 
 namespace {
 
-/// A contact of an altered shape ends as what it was.
+/// A contact of a shape that was altered or destroyed ends as what it was.
 template <class Is>
 void refreshThose(World& world, Is&& is) {
     const std::vector<ShapeInfo>& info = world.shapes.info;
     const auto refresh = [&](Contact& contact) {
-        const bool altered = ((info[contact.shapeA].flags | info[contact.shapeB].flags) & kAltered) != 0;
-        if (is(contact) && !altered) copyMaterials(world, contact);
+        const auto ends = [&](std::uint32_t shape) {
+            return (info[shape].flags & kAltered) != 0 || world.shapes.motion[shape] == ProxyMotion::Gone;
+        };
+        if (is(contact) && !ends(contact.shapeA) && !ends(contact.shapeB)) copyMaterials(world, contact);
     };
     for (Contact& contact : world.contacts) refresh(contact);
     for (Contact& contact : world.sleepers.contacts) refresh(contact);

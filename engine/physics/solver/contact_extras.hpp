@@ -1,5 +1,7 @@
 #pragma once
 
+#include <functional>
+
 #include "physics/stages.hpp"
 
 namespace plumb::physics {
@@ -48,5 +50,8 @@ void startImpulseSums(StepContext& step, const SolveGroup& group);
 void addImpulses(Workspace& work);
 /// After restitution.
 void finishImpulseSums(Workspace& work);
+
+/// Contacts and joints between bad bodies start from nothing: what went wrong would be given again.
+void forgetImpulses(StepContext& step, const std::function<bool(std::uint32_t a, std::uint32_t b)>& isBad);
 
 }  // namespace plumb::physics

@@ -85,8 +85,11 @@ void noteInTree(StepContext& step, const SolveGroup& group, BreakableJoint& brea
     if (slot >= group.begin && slot < group.end) note(forceOf(link), breakable);
 }
 
-void breakJoints(World& world, JointWork& joints) {
-    for (const BreakableJoint& breakable : joints.breakables) {
+}  // namespace
+
+void breakJoints(StepContext& step) {
+    World& world = step.world;
+    for (const BreakableJoint& breakable : step.work.joints.breakables) {
         const JointDefinition& definition = world.joints.definition[breakable.joint];
         const auto exceeds = [&](float force, float torque) {
             return breakable.force > force || breakable.torque > torque;
@@ -99,8 +102,6 @@ void breakJoints(World& world, JointWork& joints) {
         destroyJoint(world, id);
     }
 }
-
-}  // namespace
 
 void noteJointForces(StepContext& step, const SolveGroup& group, float substepRate) {
     if (!step.world.manifest.runs(Effect::Joints)) return;  // breakables are those of an earlier step
@@ -128,7 +129,6 @@ void storeJoints(StepContext& step) {
     });
     storeTies(step);
     storeTrees(step);
-    breakJoints(step.world, step.work.joints);
 }
 
 }  // namespace plumb::physics

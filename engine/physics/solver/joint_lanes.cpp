@@ -15,8 +15,6 @@ namespace {
 
 constexpr std::size_t kKeysOfGroup = (kColours + 1) * kJointBlockKinds;
 
-bool isOneSided(int colour) { return colour >= kFirstFixedColour && colour < kColours; }
-
 // Layout.
 
 /// Group, color and block kind of a joint; -1 if it is not solved here, -2 - group for a multi-body
@@ -323,11 +321,17 @@ void solveJoints(const StepContext& step, const SolverBodies& bodies, const Join
         const BlockRange range = group.colours[colour].joints[blocks];
         if (range.begin == range.end) return;
         const JointPasses<Block>& kernels = all;
-        const auto run = kernels.passes[static_cast<std::size_t>(kind)][isOneSided(colour) ? 1 : 0];
-        // Joints without a color share bodies, so they are solved sequentially.
-        forRange(step, range, colour == kOverflow ? kSequential : kJointGrain, [&](int first, int last) {
-            run(bodies, pass, store.lanes.data(), store.blocks.data(), first, last);
-        });
+        const auto run = [&](int first, int last) {
+            const std::int32_t joint = store.lanes[static_cast<std::size_t>(first)].joint[0];
+            const PushedBodies pushed =
+                pushedBodies(step.world, step.world.joints.hot[static_cast<std::size_t>(joint)]);
+            const std::size_t oneSided = pushed.a == kNone || pushed.b == kNone ? 1 : 0;
+            kernels.passes[static_cast<std::size_t>(kind)][oneSided](bodies, pass, store.lanes.data(),
+                                                                     store.blocks.data(), first, last);
+        };
+        if (colour != kOverflow) return forRange(step, range, kJointGrain, run);
+        // Joints without a color share bodies, so they are solved one by one, each in a block of its own.
+        for (int n = range.begin; n < range.end; ++n) run(n, n + 1);
     });
 }
 

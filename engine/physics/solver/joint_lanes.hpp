@@ -53,8 +53,10 @@ void solveJoints(const StepContext& step, const SolverBodies& bodies, const Join
 /// After each substep: records the largest forces on breakable joints.
 void noteJointForces(StepContext& step, const SolveGroup& group, float substepRate);
 
-/// Writes forces back to the joints, and destroys those whose maximum was exceeded.
+/// Writes forces back to the joints.
 void storeJoints(StepContext& step);
+/// Destroys joints whose maximum was exceeded. After keepEnergy, which takes back what they gave.
+void breakJoints(StepContext& step);
 
 // n_body_joints.cpp
 

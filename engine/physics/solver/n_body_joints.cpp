@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 
 #include "math/portable.hpp"
@@ -79,7 +80,9 @@ void solveTies(Workspace& work, const JointPass& pass, const SolveGroup& group, 
             continue;
         }
         const Grip grip = kind == PassKind::Push ? pass.rigid : Grip{1.0f, 0.0f, 0.0f};
-        const float wanted = grip.take * speedOf(work, constraint) + grip.pull * errorNow(work, constraint);
+        const float maximum = grip.take * pass.pushSpeed;  // as of other joints
+        const float pull = std::clamp(grip.pull * errorNow(work, constraint), -maximum, maximum);
+        const float wanted = grip.take * speedOf(work, constraint) + pull;
         const float change = -(constraint.mass * wanted + grip.give * constraint.impulse);
         constraint.impulse += change;
         push(work, constraint, change);

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 
 #include "physics/solver/contact_extras.hpp"
@@ -59,6 +60,26 @@ void finishImpulseSums(Workspace& work) {
         float& all = work.stepImpulses[static_cast<std::size_t>(sum.contact)];
         // An impact chain has taken back the impulses of the substeps: simultaneous_impacts.cpp.
         all = std::signbit(*sum.points[0]) ? -*sum.points[0] : all + (impulseOf(sum) - sum.last);
+    }
+}
+
+void forgetImpulses(StepContext& step, const std::function<bool(std::uint32_t a, std::uint32_t b)>& isBad) {
+    World& world = step.world;
+    Workspace& work = step.work;
+    for (const std::uint32_t j : world.joints.awake) {
+        Joint& joint = world.joints.hot[j];
+        // Gears and pulleys feel bodies of other joints too: what these did is no number then.
+        if (std::isfinite(joint.rows[0] + joint.rows[1]) && !isBad(joint.bodyA, joint.bodyB)) continue;
+        joint.force = {};
+        joint.torque = 0.0f;
+        std::fill(std::begin(joint.rows), std::end(joint.rows), 0.0f);
+    }
+    for (std::size_t i = 0; i < work.contactKeys.size(); ++i) {
+        if (!pushes(work.contactKeys[i])) continue;
+        Contact& contact = world.contacts[i];
+        if (!isBad(contact.bodyA, contact.bodyB)) continue;
+        contact.impulse0 = contact.impulse1 = contact.frictionImpulse = contact.rollingImpulse = 0.0f;
+        if (i < work.stepImpulses.size()) work.stepImpulses[i] = 0.0f;
     }
 }
 

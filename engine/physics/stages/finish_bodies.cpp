@@ -1,11 +1,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "physics/continuous/swept_bodies.hpp"
 #include "physics/model/bounds.hpp"
 #include "physics/model/edits.hpp"
 #include "physics/narrowphase/sweep.hpp"
-#include "physics/ranges.hpp"
 #include "physics/shapes/shape_types.hpp"
+#include "physics/solver/contact_extras.hpp"
+#include "physics/solver/joint_lanes.hpp"
 #include "physics/stages.hpp"
 #include "physics/tuning.hpp"
 
@@ -18,20 +20,16 @@ constexpr int kGrain = 256;
 /// Only of what is not finite no part is nothing.
 bool isFinite(const Float4& a) { return 0.0f * a.x + 0.0f * a.y + 0.0f * a.z == 0.0f; }
 
+bool isSound(const Workspace& work, std::size_t slot) {
+    return isFinite(work.velocity[slot]) && isFinite(work.deltaPosition[slot]);
+}
+
 /// Which of the two zeros a speed of nothing is says how it was worked out: make it the one.
 Vec2 unsigned0(Vec2 a) { return a + Vec2{}; }
 
 Vec2 shortened(Vec2 a, float maximum) {
     const float square = lengthSquared(a);
     return square > maximum * maximum ? (maximum / std::sqrt(square)) * a : a;
-}
-
-/// No point of a body is faster than bodies may be. Spins that nothing limits would grow until they are no
-/// numbers, where joints have arms of many times a body's size.
-void limitSpin(BodyMotion& motion, float reach, float maximum) {
-    const float spin = std::fabs(motion.angularVelocity);
-    if (spin * reach <= maximum && spin <= kFastest) return;
-    motion.angularVelocity = std::copysign(std::min(maximum / reach, kFastest), motion.angularVelocity);
 }
 
 /// Whether some point of the body is too fast to rest, about.
@@ -87,20 +85,19 @@ bool takeAlong(StepContext& step, std::size_t slot, std::uint32_t body) {
     BodyMotion& motion = bodies.motion[body];
     const Float4& velocity = step.work.velocity[slot];
     Float4& deltaPosition = step.work.deltaPosition[slot];
-    if (!isFinite(velocity) || !isFinite(deltaPosition)) {
+    if (!isSound(step.work, slot)) {
         motion.velocity = {};
         motion.angularVelocity = 0.0f;
         return false;
     }
-    const float maxSpeed = step.world.settings.maxSpeed;
     // Substeps may be faster than the speed that is left at the end of the step, and would carry a body as
     // far.
-    Vec2 displacement = shortened({deltaPosition.x, deltaPosition.y}, maxSpeed * step.dt);
+    Vec2 displacement = shortened({deltaPosition.x, deltaPosition.y}, step.world.settings.maxSpeed * step.dt);
     deltaPosition.x = displacement.x, deltaPosition.y = displacement.y;
     const Vec2 before = motion.velocity;
-    motion.velocity = shortened(unsigned0({velocity.x, velocity.y}), maxSpeed);
+    motion.velocity = unsigned0({velocity.x, velocity.y});
     motion.angularVelocity = velocity.z + 0.0f;
-    limitSpin(motion, bodies.info[body].reach, maxSpeed);
+    limitMotion(step.world, body);
     displacement -= overshoot(step, slot, body, before, motion.velocity);
     BodyPose& pose = bodies.pose[body];
     pose.centre = pose.centre + unsigned0(displacement);
@@ -159,6 +156,13 @@ void finishBodies(StepContext& step) {
         for (const std::uint32_t body : found.broken)
             world.quarantined.push_back({body, world.bodies.info[body].generation});
     }
+    // What pushed them is no number either, and would be given again.
+    const auto isBroken = [&](std::uint32_t body) {
+        return work.slots[body] >= 0 && !isSound(work, static_cast<std::size_t>(work.slots[body]));
+    };
+    if (!world.quarantined.empty())
+        forgetImpulses(step, [&](std::uint32_t a, std::uint32_t b) { return isBroken(a) || isBroken(b); });
+    if (step.runs(Effect::Joints)) breakJoints(step);  // last: it may wake bodies that were in no step
 }
 
 }  // namespace plumb::physics

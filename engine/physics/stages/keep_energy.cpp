@@ -5,6 +5,7 @@
 #include "physics/islands/sleeping.hpp"
 #include "physics/joints/joint_types.hpp"
 #include "physics/measure/measures.hpp"
+#include "physics/solver/contact_extras.hpp"
 #include "physics/solver/joint_lanes.hpp"
 #include "physics/solver/passes.hpp"
 #include "physics/stages.hpp"
@@ -253,6 +254,20 @@ void settleJoints(EnergyAccount& account, float pushSpeed, float dt) {
     if (fading > 0.0f) account.credit = maximum + fading * fade(dt, kMemory);
 }
 
+/// What joints had to close in this step whips nothing.
+void allowClosing(StepContext& step) {
+    const World& world = step.world;
+    const float maximum = kJointPushing * world.settings.pushSpeed * step.dt;
+    for (const std::uint32_t j : world.joints.awake) {
+        EnergyAccount& account =
+            accountOf(world, step.work, world.joints.hot[j].bodyA, world.joints.hot[j].bodyB);
+        if (account.part == 1.0f) continue;
+        const float closed = std::min(openingOf(world, j), maximum);
+        const float more = 0.5f * account.mass * closed * closed / account.displacement;
+        account.part = std::min(std::sqrt(account.part * account.part + more), 1.0f);
+    }
+}
+
 /// What of a body's energy can be taken, and what it may keep in any case.
 void bookOwn(const World& world, const Workspace& work, std::uint32_t body, EnergyAccount& account) {
     const Float4& velocity = work.velocity[static_cast<std::size_t>(work.slots[body])];
@@ -298,24 +313,6 @@ void hold(const World& world, Workspace& work, std::uint32_t body) {
     work.velocity[slot] = {motion.velocity.x, motion.velocity.y, motion.angularVelocity,
                            work.velocity[slot].w};
     work.deltaPosition[slot] = {};
-}
-
-/// Which starts from nothing: it went wild by what was given again.
-void forgetImpulses(World& world, Workspace& work) {
-    for (const std::uint32_t j : world.joints.awake) {
-        Joint& joint = world.joints.hot[j];
-        if (!accountOf(world, work, joint.bodyA, joint.bodyB).isWild) continue;
-        joint.force = {};
-        joint.torque = 0.0f;
-        std::fill(std::begin(joint.rows), std::end(joint.rows), 0.0f);
-    }
-    for (std::size_t i = 0; i < work.contactKeys.size(); ++i) {
-        if (!pushes(work.contactKeys[i])) continue;
-        Contact& contact = world.contacts[i];
-        if (!accountOf(world, work, contact.bodyA, contact.bodyB).isWild) continue;
-        contact.impulse0 = contact.impulse1 = contact.frictionImpulse = contact.rollingImpulse = 0.0f;
-        if (i < work.stepImpulses.size()) work.stepImpulses[i] = 0.0f;
-    }
 }
 
 /// Each body has a share of the island's account by mass, as islands fall apart and others come together.
@@ -418,14 +415,16 @@ void keepEnergy(StepContext& step) {
     noteSoft(step);
     findBooked(step);
     bookAll(step);
-    bool wild = false, tooMuch = false;
+    bool wild = false, tooMuch = false, far = false;
     for (const std::uint32_t root : work.openAccounts) {
         EnergyAccount& account = work.accounts[root];
         account.isJointed ? settleJoints(account, world.settings.pushSpeed, step.dt)
                           : settleContacts(account);
         wild |= account.isWild;
         tooMuch |= exceeds(account);
+        far |= account.part < 1.0f;
     }
+    if (far) allowClosing(step);
     if (tooMuch) {
         if (!asksFirst) noteHolders(step);
         noteBounces(step);
@@ -436,7 +435,10 @@ void keepEnergy(StepContext& step) {
             share(step, work.bookedBodies[i], work.accounts[work.roots[work.bookedBodies[i]]]);
         });
     }
-    if (wild) forgetImpulses(world, work);
+    if (wild) {
+        forgetImpulses(step,
+                       [&](std::uint32_t a, std::uint32_t b) { return accountOf(world, work, a, b).isWild; });
+    }
     for (const std::uint32_t root : work.openAccounts) work.accounts[root].isOpen = false;
     work.openAccounts.clear();
 }

@@ -3,6 +3,7 @@
 #include "physics/islands/quality.hpp"
 #include "physics/islands/sleeping.hpp"
 #include "physics/islands/substep_controller.hpp"
+#include "physics/model/joints.hpp"
 #include "physics/stages.hpp"
 #include "physics/tuning.hpp"
 
@@ -50,6 +51,23 @@ void keepOverlappingAwake(StepContext& step) {
     });
 }
 
+/// What joints close moves, though it keeps no velocity of that. What they cannot close stays where it is.
+void keepClosingAwake(StepContext& step) {
+    const World& world = step.world;
+    const auto moved = [&](std::uint32_t body) {
+        const std::int32_t slot = step.work.slots[body];
+        if (slot < 0 || !isDynamic(world, body)) return false;
+        const Float4& way = step.work.deltaPosition[static_cast<std::size_t>(slot)];
+        return length(Vec2{way.x, way.y}) > world.bodies.info[body].sleepSpeed * step.dt;
+    };
+    for (const std::uint32_t j : world.joints.awake) {
+        const std::uint32_t a = world.joints.hot[j].bodyA, b = world.joints.hot[j].bodyB;
+        if (!moved(a) && !moved(b)) continue;
+        const float open = readingOf(world, {j, world.joints.hot[j].generation}).separation;
+        if (open > world.settings.slop) keepAwake(step, isDynamic(world, a) ? a : b);
+    }
+}
+
 /// What slept while it is too deep in something would stay there.
 void keepStrainedAwake(StepContext& step) {
     const World& world = step.world;
@@ -78,6 +96,7 @@ void putToSleep(StepContext& step) {
     forThose(step, world.awake.size(), isRestless, [&](std::uint32_t i) { keepAwake(step, world.awake[i]); });
     if (world.manifest.runs(Effect::Kinematics)) keepCarriedAwake(step);
     keepOverlappingAwake(step);
+    keepClosingAwake(step);
     keepStrainedAwake(step);
     const bool some = std::any_of(world.awake.begin(), world.awake.end(), [&](std::uint32_t body) {
         return isDynamic(world, body) && verdict[step.work.roots[body]] != kNone;

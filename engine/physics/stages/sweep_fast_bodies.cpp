@@ -254,6 +254,7 @@ void placeHitBodies(StepContext& step) {
     for (const SweptBody& swept : step.work.swept) {
         if (swept.hits == 0) continue;
         world.bodies.pose[swept.body] = swept.sweep.at(1.0f);
+        if (isDynamic(world, swept.body)) limitMotion(world, swept.body);
         forShapesOf(world, swept.body, [&](std::uint32_t s) {
             shapes.bounds[s] = grown(tightBounds(world, s), shapes.info[s].margin);
             noteChanged(world, s);

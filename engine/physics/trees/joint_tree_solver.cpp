@@ -19,9 +19,10 @@ constexpr double kNoAnswer = 1.0e30;
 struct Trees {
     Workspace& work;
     JointTrees& all;
-    double h;        // s
-    double rate;     // 1/h
-    double elapsed;  // s since the start of the step, of the poses at which rows are evaluated
+    double h;         // s
+    double rate;      // 1/h
+    double elapsed;   // s since the start of the step, of the poses at which rows are evaluated
+    double farthest;  // m or rad: that a gap closes in a substep
 
     [[nodiscard]] TreeBody& treeBody(std::int32_t i) const {
         return all.treeBodies[static_cast<std::size_t>(i)];
@@ -137,7 +138,8 @@ void aimAtGaps(const Trees& trees, Link& link) {
     const Triple ahead = gapsOf(link, trees.treeBody(link.treeBody).pose, parent);
     const auto reach = static_cast<double>(link.reach);
     const auto aim = [&](double gap, double then) {
-        const double size = std::fabs(gap), closed = std::max(kSoftRate * size, std::min(size, reach));
+        const double size = std::fabs(gap);
+        const double closed = std::min(std::max(kSoftRate * size, std::min(size, reach)), trees.farthest);
         return ((then - gap) + (gap < 0.0 ? -closed : closed)) * trees.rate;
     };
     link.error = {aim(link.gap.x, ahead.x), aim(link.gap.y, ahead.y), aim(link.gap.turn, ahead.turn)};
@@ -334,7 +336,8 @@ void solveTrees(StepContext& step, const SolveGroup& group, PassKind kind, float
     JointTrees& all = step.work.joints.trees;
     const auto dt = static_cast<double>(h);
     const bool relaxes = kind == PassKind::Relax;
-    const Trees trees{step.work, all, dt, 1.0 / dt, dt * (relaxes ? substep + 1 : substep)};
+    const double farthest = dt * static_cast<double>(kJointPushing * step.world.settings.pushSpeed);
+    const Trees trees{step.work, all, dt, 1.0 / dt, dt * (relaxes ? substep + 1 : substep), farthest};
     forEach(step.pool, all.trees.size(), kGrain, [&](std::size_t t) {
         JointTree& tree = all.trees[t];
         if (!tree.direct || &step.work.groups[tree.group] != &group) return;
