@@ -241,5 +241,40 @@ TEST(SoftSoftContacts, askForNoMemoryInASteadyStep) {
     EXPECT_EQ(plumb::test::allocations().made, before);
 }
 
+// They moved at 12 to 40 m/s for minutes.
+TEST(SoftSoftContacts, jelliesInOnePlacePartAndComeToRest) {
+    for (const int count : {2, 3, 6}) {
+        for (const float apart : {0.0f, 0.1f, 0.4f}) {
+            SCOPED_TRACE(testing::Message() << count << " jellies, " << apart << " m apart");
+            World world = makeWorld();
+            addFloor(world);
+            std::vector<SoftBodyId> jellies;
+            for (int i = 0; i < count; ++i)
+                jellies.push_back(*createJelly(
+                    world, {static_cast<double>(i) * static_cast<double>(apart), -2.0}, ringOf(0.7f, 14)));
+            run(world, 900);
+            for (std::size_t i = 0; i < jellies.size(); ++i) {
+                for (const SoftParticle& p : particlesOf(world, jellies[i]))
+                    EXPECT_LT(length(p.velocity), 0.5f);
+                for (std::size_t j = 0; j < i; ++j)
+                    EXPECT_GT(gapBetween(world, jellies[j], jellies[i]), kApart - 0.02f);
+            }
+        }
+    }
+}
+
+TEST(SoftSoftContacts, whatIsPushedApartKeepsItsMomentum) {
+    World world = makeSpace();
+    const SoftBodyId a = addJelly(world, {0.0, 0.0}, 0.6f, firm(2.0f)),
+                     b = addJelly(world, {0.3, 0.1}, 0.6f, firm(1.0f));
+    push(world, a, {0.4f, 0.0f});
+    push(world, b, {0.4f, 0.0f});
+    const Momentum before = momentumOf(world);
+    run(world, 60);
+    const double kept = 1.0 - 0.5 / 60.0;  // about: damping
+    EXPECT_NEAR(momentumOf(world).x, before.x * std::pow(kept, 60), 0.01 * before.x);
+    EXPECT_NEAR(momentumOf(world).y, 0.0, 0.01 * before.x);
+}
+
 }  // namespace
 }  // namespace plumb::physics

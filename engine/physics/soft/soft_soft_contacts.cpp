@@ -28,8 +28,38 @@ bool overlap(const SoftBox& a, const SoftBox& b) {
     return a.min.x <= b.max.x && b.min.x <= a.max.x && a.min.y <= b.max.y && b.min.y <= a.max.y;
 }
 
+WorldPosition middleOf(const SoftBox& box) {
+    return {0.5 * (box.min.x + box.max.x), 0.5 * (box.min.y + box.max.y)};
+}
+
 bool mayCollide(const SoftBody& a, const SoftBody& b) {
     return (a.mask & b.layers) != 0 && (b.mask & a.layers) != 0;
+}
+
+/// The edge by which a place inside a ring leaves it: the nearest, or the first along an axis.
+/// @return their number if it is not inside
+std::size_t wayOut(const SoftBody& body, WorldPosition from, Vec2 axis, bool alongAxis) {
+    const std::vector<std::uint32_t>& ring = body.ring;
+    const auto seen = [&](std::size_t i) {
+        const Vec2 to = body.particles[ring[i % ring.size()]].place - from;
+        return Vec2{dot(axis, to), cross(axis, to)};
+    };
+    bool inside = false;
+    float shortest = 0.0f;
+    std::size_t found = ring.size();
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+        const Vec2 a = seen(i), b = seen(i + 1), edge = b - a;
+        const bool crosses = (a.y > 0.0f) != (b.y > 0.0f) && (cross(a, b) > 0.0f) == (b.y > a.y);
+        if (crosses) inside = !inside;
+        if (alongAxis && !crosses) continue;
+        const float square = lengthSquared(edge);
+        const float t = square > 0.0f ? std::clamp(-dot(a, edge) / square, 0.0f, 1.0f) : 0.0f;
+        const float distance = alongAxis ? cross(a, b) / edge.y : lengthSquared(a + t * edge);
+        if (found < ring.size() && !(distance < shortest)) continue;
+        shortest = distance;
+        found = i;
+    }
+    return inside ? found : ring.size();
 }
 
 /// Finds the potential contacts of one body's particles with another's edges.
@@ -46,6 +76,7 @@ public:
     void run() {
         const SoftBox& near = meetings_.boxes[ids_.body];
         takeEdges(near);
+        findAxis();
         for (std::uint32_t i = 0; i < own_.particles.size(); ++i) {
             const SoftParticle& p = own_.particles[i];
             const SoftBox box = grown(boxOf(p, dt_), reach_);
@@ -83,31 +114,26 @@ private:
         }
     }
 
-    /// For a particle inside the other's ring: the nearest edge.
-    /// @return false if it is not inside
+    /// @return false if the particle is not inside the other's ring
     bool findWayOut(const SoftParticle& p, std::uint32_t particle) {
         const std::vector<std::uint32_t>& ring = other_.ring;
-        bool inside = false;
-        float shortest = 0.0f;
-        std::size_t nearest = ring.size();
-        for (std::size_t i = 0; i < ring.size(); ++i) {
-            const Vec2 a = other_.particles[ring[i]].place - p.place;
-            const Vec2 b = other_.particles[ring[(i + 1) % ring.size()]].place - p.place;
-            // A ray to the right of p crosses the edge.
-            if ((a.y > 0.0f) != (b.y > 0.0f) && (cross(a, b) > 0.0f) == (b.y > a.y)) inside = !inside;
-            const Vec2 edge = b - a;
-            const float square = lengthSquared(edge);
-            const float t = square > 0.0f ? std::clamp(-dot(a, edge) / square, 0.0f, 1.0f) : 0.0f;
-            const float distance = lengthSquared(a + t * edge);
-            if (nearest < ring.size() && !(distance < shortest)) continue;
-            shortest = distance;
-            nearest = i;
-        }
-        if (!inside) return false;
+        const std::size_t edge = wayOut(other_, p.place, axis_, deep_);
+        if (edge == ring.size()) return false;
         // The interior is to the left of the edges if the area is positive.
-        meet(particle, ring[nearest], ring[(nearest + 1) % ring.size()], other_.area > 0.0f ? -1.0f : 1.0f,
-             true);
+        meet(particle, ring[edge], ring[(edge + 1) % ring.size()], other_.area > 0.0f ? -1.0f : 1.0f, true);
         return true;
+    }
+
+    /// Nearest edges of what is inside of each other by half would push either through the other: these are
+    /// pushed apart along the line of their middles.
+    void findAxis() {
+        if (own_.ring.empty() || other_.ring.empty()) return;
+        const WorldPosition own = middleOf(meetings_.boxes[ids_.body]);
+        const WorldPosition other = middleOf(meetings_.boxes[ids_.other]);
+        deep_ = wayOut(other_, own, axis_, false) < other_.ring.size() ||
+                wayOut(own_, other, axis_, false) < own_.ring.size();
+        if (deep_)
+            axis_ = own == other ? Vec2{ids_.body < ids_.other ? -1.0f : 1.0f} : normalized(own - other);
     }
 
     void meet(std::uint32_t particle, std::uint32_t a, std::uint32_t b, float side, bool inside) {
@@ -127,6 +153,8 @@ private:
     SoftSoftContact ids_;
     SoftSoftContacts& meetings_;
     double widest_ = 0.0;  // m: maximum width of the edges
+    Vec2 axis_{1.0f, 0.0f};
+    bool deep_ = false;
 };
 
 /// A particle, the closest point of an edge, and the direction in which they separate.
