@@ -296,5 +296,22 @@ TEST(JointEdits, windDragsAndLiftsAsAFlatPlate) {
     EXPECT_GT(velocityOf(scene.world, feather).x, 49.0f);
 }
 
+// Trees of joints kept its color, so that their bodies seemed to touch something; those of a copy did not.
+TEST(JointEdits, aJointThatWasInNoStepLeavesNothingBehind) {
+    JointWorld scene;
+    const BodyId swinging = scene.disc({1.0, 0.0}), off = scene.disc({2.0, 0.0});
+    (void)scene.join(scene.define(JointKind::Revolute, scene.ground, swinging, {0.0, 0.0}));
+    const JointId idle = scene.join(scene.define(JointKind::Revolute, swinging, off, {2.0, 0.0}));
+    scene.run(0.1f);
+    setEnabled(scene.world, off, false);
+    scene.run(0.1f);
+    destroyJoint(scene.world, idle);
+    World copy = scene.world;
+    scene.run(0.5f);
+    for (int i = 0; i < 30; ++i) step(copy, JointWorld::kDt);
+    EXPECT_EQ(scene.place(swinging), toVec2(centreOf(copy, swinging)));
+    EXPECT_EQ(hashOf(scene.world), hashOf(copy));
+}
+
 }  // namespace
 }  // namespace plumb::physics

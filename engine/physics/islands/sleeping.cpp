@@ -122,7 +122,6 @@ void addAsleep(World& world, std::uint32_t body) { putInIsland(world, takeIsland
 void removeAwake(World& world, std::uint32_t body) { takeOut(world.awake, world.bodies.info, body); }
 
 void removeAwakeJoint(World& world, std::uint32_t joint) {
-    if (world.joints.hot[joint].place == kNone) return;
     world.work.get().joints.trees.stale = true;
     takeOut(world.joints.awake, world.joints.hot, joint);
 }
