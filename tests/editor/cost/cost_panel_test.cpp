@@ -185,7 +185,7 @@ TEST_F(CostPanelTest, largeErrorsAreDrawnInAClassOfTheirOwn) {
 }
 
 TEST_F(CostPanelTest, errorsAndForcesAreDrawnInClassesWithALegend) {
-    open(CostScene{R"("quality": 1, "sleeping": false)"}.stack(24));
+    open(CostScene{R"("quality": 1, "sleeping": false)"}.stack(20, 100.0f).stack(4, 400.0f));
     playFor(150);
     const World& world = workspace.play.world();
     workspace.setReach("bodyErrors", PhysicsReach::All);
