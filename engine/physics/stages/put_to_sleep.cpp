@@ -11,7 +11,10 @@ namespace plumb::physics {
 
 namespace {
 
-/// Keeps the island of a body awake, in Workspace::bodyScratch.
+/// False if something keeps the island of a body awake: Workspace::bodyScratch.
+bool maySleep(const StepContext& step, std::uint32_t body) {
+    return isDynamic(step.world, body) && step.work.bodyScratch[step.work.roots[body]] != kNone;
+}
 void keepAwake(StepContext& step, std::uint32_t body) {
     if (isDynamic(step.world, body)) step.work.bodyScratch[step.work.roots[body]] = kNone;
 }
@@ -62,7 +65,7 @@ void keepClosingAwake(StepContext& step) {
     };
     for (const std::uint32_t j : world.joints.awake) {
         const std::uint32_t a = world.joints.hot[j].bodyA, b = world.joints.hot[j].bodyB;
-        if (!moved(a) && !moved(b)) continue;
+        if ((!maySleep(step, a) && !maySleep(step, b)) || (!moved(a) && !moved(b))) continue;
         const float open = readingOf(world, {j, world.joints.hot[j].generation}).separation;
         if (open > world.settings.slop) keepAwake(step, isDynamic(world, a) ? a : b);
     }
@@ -98,10 +101,8 @@ void putToSleep(StepContext& step) {
     keepOverlappingAwake(step);
     keepClosingAwake(step);
     keepStrainedAwake(step);
-    const bool some = std::any_of(world.awake.begin(), world.awake.end(), [&](std::uint32_t body) {
-        return isDynamic(world, body) && verdict[step.work.roots[body]] != kNone;
-    });
-    if (some) sleepIslands(world, verdict);
+    const auto sleepsNow = [&](std::uint32_t body) { return maySleep(step, body); };
+    if (std::any_of(world.awake.begin(), world.awake.end(), sleepsNow)) sleepIslands(world, verdict);
 }
 
 }  // namespace plumb::physics
