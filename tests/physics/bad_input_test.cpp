@@ -417,6 +417,9 @@ TEST(BadInput, namesOfWhatIsGoneDoNothing) {
     EXPECT_FALSE(alive(world, patient.body));
     EXPECT_FALSE(alive(world, patient.shape));
     EXPECT_FALSE(alive(world, patient.joint));
+    EXPECT_EQ(createPolygon(world, patient.body, {}).error().where, "createPolygon");
+    EXPECT_EQ(createChain(world, patient.body, {}, true).error().where, "createChain");
+    EXPECT_EQ(createShapes(world, patient.body, {}, {}).error().where, "createShapes");
     const std::uint64_t before = hashOf(world);
     for (const BodyId id : {patient.body, BodyId{}, BodyId{9999, 1}, BodyId{kNone, 1}}) {
         EXPECT_FALSE(setPosition(world, id, {}, 0.0f).ok());

@@ -295,5 +295,15 @@ TEST(Step, aPredictionKeepsToForcesTorquesAndLocks) {
     EXPECT_LE(expected.rotation.sin, rotationOf(scene.world, body).sin);
 }
 
+TEST(Step, aPredictionDoesNotFallWhereGravityIsPinnedOff) {
+    Playground scene;
+    const BodyId body = scene.crate({0.0, 5.0});
+    scene.world.manifest.pinnedOff = Manifest::bit(Effect::Gravity);
+    const Frame expected = predictTransform(scene.world, body, 1.0f);
+    scene.run(60);
+    EXPECT_EQ(scene.y(body), 5.0);
+    EXPECT_EQ(expected.position.y, 5.0f);
+}
+
 }  // namespace
 }  // namespace plumb::physics

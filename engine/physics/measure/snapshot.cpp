@@ -259,15 +259,34 @@ Result<World> worldOf(const Parts& parts) {
     return world;
 }
 
-/// Changes with the layout of the state and the byte order of the machine.
-std::uint64_t versionOf() {
-    constexpr std::uint64_t kFormat = 2;
+/// Hashes the sizes of all that is written.
+struct Layout {
+    static constexpr bool kIsExact = true;
     Hasher hasher;
-    for (const std::size_t size : {sizeof(World), sizeof(Settings), sizeof(BodyInfo), sizeof(ShapeInfo),
-                                   sizeof(Geometry), sizeof(Joint), sizeof(JointDefinition), sizeof(Contact),
-                                   sizeof(Field), sizeof(SoftParticle), sizeof(Filter)})
-        hasher.add(std::uint64_t{size});
-    return hasher.value() ^ kFormat;
+
+    template <class... T>
+    void values(const T&...) {
+        (hasher.add(std::uint64_t{sizeof(T)}), ...);
+    }
+    template <class T>
+    void resize(const std::vector<T>&) {}
+    template <class... T>
+    void lists(const std::vector<T>&...) {
+        (hasher.add(std::uint64_t{sizeof(T)}), ...);
+    }
+};
+
+/// Changes with the layout of the state; read on a machine of another byte order, it is another number.
+std::uint64_t versionOf() {
+    static const std::uint64_t kVersion = [] {
+        constexpr std::uint64_t kFormat = 3;
+        World world;
+        world.softBodies.all.resize(1);
+        Layout layout;
+        visit(layout, world);
+        return layout.hasher.value() ^ kFormat;
+    }();
+    return kVersion;
 }
 
 /// Version, the parts with their sizes, and a checksum.

@@ -172,8 +172,8 @@ FreeMotion freeMotionOf(const World& world, std::uint32_t body, float dt) {
     if (info.kind != BodyKind::Dynamic) return {dt * motion.velocity, dt * motion.angularVelocity};
     const BodyMass& mass = world.bodies.mass[body];
     const BodyDrive& drive = world.bodies.driveOf(body);
-    const Vec2 pull =
-        drive.gravityScale * world.settings.gravity + drive.acceleration + mass.inverseMass * drive.force;
+    const Vec2 gravity = world.manifest.runs(Effect::Gravity) ? world.settings.gravity : Vec2{};
+    const Vec2 pull = drive.gravityScale * gravity + drive.acceleration + mass.inverseMass * drive.force;
     const float spin = mass.inverseInertia * drive.torque;
     FreeMotion free{
         decayOf(drive.linearDrag, dt).drive * motion.velocity + distanceUnder(drive.linearDrag, dt) * pull,

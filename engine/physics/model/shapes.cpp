@@ -174,7 +174,7 @@ Result<ShapeId> createShape(World& world, BodyId body, const Geometry& geometry,
 
 Result<ShapeId> createPolygon(World& world, BodyId body, std::span<const Vec2> points, float radius,
                               const ShapeDefinition& definition) {
-    const auto checked = firstOf(checkAlive("createShape", world, body), check(definition),
+    const auto checked = firstOf(checkAlive("createPolygon", world, body), check(definition),
                                  checkNumber("createPolygon radius", radius, 0.0, kLargest));
     if (!checked) return checked.error();
     const Result<Hull> hull = makeHull(points);
@@ -191,7 +191,7 @@ Result<ShapeId> createChain(World& world, BodyId body, std::span<const Vec2> poi
 
 Result<ShapeId> createChain(World& world, BodyId body, std::span<const Vec2> points, bool closed,
                             std::span<const ShapeDefinition> definitions) {
-    if (const auto checked = checkAlive("createShape", world, body); !checked) return checked.error();
+    if (const auto checked = checkAlive("createChain", world, body); !checked) return checked.error();
     const std::size_t count = points.size(), fewest = closed ? 3 : 4;
     if (count < fewest) {
         return wrong(
@@ -236,7 +236,7 @@ Result<ShapeId> createChain(World& world, BodyId body, std::span<const Vec2> poi
 
 Result<Done> createShapes(World& world, BodyId body, std::span<const Geometry> geometries,
                           std::span<const ShapeDefinition> definitions) {
-    if (const auto checked = checkAlive("createShape", world, body); !checked) return checked.error();
+    if (const auto checked = checkAlive("createShapes", world, body); !checked) return checked.error();
     if (geometries.size() != definitions.size()) {
         return wrong("createShapes",
                      "expected a definition for each of " + std::to_string(geometries.size()) +
