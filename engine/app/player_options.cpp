@@ -127,6 +127,17 @@ constexpr auto kPlayerOptions = [] {
     return all;
 }();
 
+/// Pictures are asked for where none are drawn.
+Result<Done> checkPictures(const PlayerOptions& options) {
+    const char* asked = !options.screenshot.empty() ? "--screenshot"
+                        : !options.capture.empty()  ? "--capture"
+                        : options.physicsView.on    ? "--physics-view"
+                                                    : nullptr;
+    if (!options.headless || asked == nullptr) return Done{};
+    return Error{"command line", format("{} needs pictures, and --headless draws none", asked),
+                 "leave out --headless: without a display the game is drawn into memory"};
+}
+
 }  // namespace
 
 Result<PlayerOptions> parsePlayerOptions(std::span<const char* const> arguments) {
@@ -141,6 +152,7 @@ Result<PlayerOptions> parsePlayerOptions(std::span<const char* const> arguments)
             return Done{};
         });
     if (!read) return read.error();
+    if (const Result<Done> drawn = checkPictures(options); !drawn) return drawn.error();
     return options;
 }
 
@@ -155,6 +167,7 @@ Result<PlayerOptions> parseGameOptions(std::span<const char* const> arguments) {
             return Error{"command line", format("\"{}\" is no option", word), "write --help to see them"};
         });
     if (!read) return read.error();
+    if (const Result<Done> drawn = checkPictures(options); !drawn) return drawn.error();
     return options;
 }
 

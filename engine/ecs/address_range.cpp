@@ -1,6 +1,7 @@
 #include "ecs/address_range.hpp"
 
 #include <cstdlib>
+#include <limits>
 #include <memory>
 #include <utility>
 
@@ -9,6 +10,7 @@
 #include <windows.h>
 #elif defined(__unix__) || defined(__APPLE__)
 #include <sys/mman.h>
+#include <sys/resource.h>
 #endif
 
 namespace plumb {
@@ -75,6 +77,17 @@ bool AddressRange::commit(std::size_t offset, std::size_t bytes) {
     static_cast<void>(offset);
     static_cast<void>(bytes);
     return true;
+#endif
+}
+
+std::size_t addressLimit() {
+    constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
+#if defined(__unix__) || defined(__APPLE__)
+    rlimit limit{};
+    if (getrlimit(RLIMIT_AS, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY) return kNone;
+    return static_cast<std::size_t>(limit.rlim_cur);
+#else
+    return kNone;
 #endif
 }
 

@@ -44,4 +44,7 @@ inline constexpr bool kAddressesAreFree = sizeof(void*) == 8;
 inline constexpr bool kAddressesAreFree = false;
 #endif
 
+/// Bytes that this process may reserve: what `ulimit -v` sets; SIZE_MAX where nothing limits it.
+[[nodiscard]] std::size_t addressLimit();
+
 }  // namespace plumb

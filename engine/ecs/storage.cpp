@@ -1,6 +1,7 @@
 #include "ecs/storage.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cstring>
 
 #include "core/assert.hpp"
@@ -13,27 +14,36 @@ constexpr std::uint32_t kFirstRecords = 1u << 14;
 /// The last generation of the dead: after it an index is given up, or its names would repeat.
 constexpr std::uint32_t kLastGeneration = 0xfffffffeu;
 
+/// How many entities a world has addresses for. Where the addresses of the process are limited, all pools
+/// take about a quarter of them: 64 types with 64 bytes for an entity.
+std::uint32_t roomOfWorld() {
+    constexpr std::size_t kBytes = std::size_t{64} * 64, kMaximum = kAddressesAreFree ? 1u << 22 : 1u << 16;
+    return static_cast<std::uint32_t>(
+        std::clamp<std::size_t>(std::bit_floor(addressLimit() / 4 / kBytes), kFirstRecords, kMaximum));
+}
+
 }  // namespace
 
 Storage::Storage()
     : byKey_(kMaxTypes, &nobody_),
-      recordMemory_{kMaxEntities * (sizeof(EntityRecord) + sizeof(std::uint32_t))} {
+      maxEntities_{roomOfWorld()},
+      recordMemory_{maxEntities_ * (sizeof(EntityRecord) + sizeof(std::uint32_t))} {
     if (!recordMemory_.ok())
         failAssertion("the system has no addresses left for a world", __FILE__, __LINE__);
     records_ = reinterpret_cast<EntityRecord*>(recordMemory_.start());
-    free_ = reinterpret_cast<std::uint32_t*>(recordMemory_.start() + kMaxEntities * sizeof(EntityRecord));
+    free_ = reinterpret_cast<std::uint32_t*>(recordMemory_.start() + maxEntities_ * sizeof(EntityRecord));
     growRecords(1);
     records_[0].generation = ~0u;  // so that the empty handle names nobody
 }
 
 void Storage::growRecords(std::uint32_t count) {
-    if (count > kMaxEntities)
+    if (count > maxEntities_)
         failAssertion("a world is full: it holds too many entities", __FILE__, __LINE__);
     std::uint32_t capacity = std::max(recordCapacity_, kFirstRecords);
     while (capacity < count) capacity *= 4;
-    recordCapacity_ = std::min(capacity, kMaxEntities);
+    recordCapacity_ = std::min(capacity, maxEntities_);
     if (!recordMemory_.commit(0, recordCapacity_ * sizeof(EntityRecord)) ||
-        !recordMemory_.commit(kMaxEntities * sizeof(EntityRecord), recordCapacity_ * sizeof(std::uint32_t))) {
+        !recordMemory_.commit(maxEntities_ * sizeof(EntityRecord), recordCapacity_ * sizeof(std::uint32_t))) {
         failAssertion("the memory is used up", __FILE__, __LINE__);
     }
 }
@@ -147,7 +157,7 @@ bool Storage::endAllLives() {
 Pool& Storage::makePool(const ComponentType& type) {
     const TypeKey key = type.info.key;
     const auto ordinal = static_cast<std::uint32_t>(pools_.size());
-    pools_.push_back(std::make_unique<Pool>(type, ordinal, kMaxEntities));
+    pools_.push_back(std::make_unique<Pool>(type, ordinal, maxEntities_));
     byKey_[key] = pools_.back().get();
     findWatched();
     return *pools_.back();

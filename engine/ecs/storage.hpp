@@ -18,7 +18,6 @@ struct StorageImage;
 /// The entities of a world and their components. World is the friendly face of it.
 class Storage {
 public:
-    static constexpr std::uint32_t kMaxEntities = kAddressesAreFree ? 1u << 22 : 1u << 16;
     static constexpr std::uint64_t kOverflowBit = std::uint64_t{1} << 63;
 
     Storage();
@@ -168,6 +167,7 @@ private:
     std::vector<std::unique_ptr<Pool>> pools_;  // by ordinal
     std::vector<std::unique_ptr<QueryCache>> caches_;
     std::vector<std::byte> scratch_;
+    std::uint32_t maxEntities_;  // what all arrays have addresses for
     AddressRange recordMemory_;
 };
 

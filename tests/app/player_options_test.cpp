@@ -45,6 +45,16 @@ TEST(PlayerOptions, aWrongValueIsAnsweredWithWhatItMayBe) {
               "command line: --seed needs a value; write --seed N: seed of the game's random numbers");
 }
 
+TEST(PlayerOptions, picturesAreNotAskedForWhereNoneAreDrawn) {
+    EXPECT_EQ(parsed({"--headless", "--screenshot", "a.png"}).error().text(),
+              "command line: --screenshot needs pictures, and --headless draws none; leave out --headless: "
+              "without a display the game is drawn into memory");
+    EXPECT_FALSE(parsed({"--capture", "frames", "--headless"}).ok());
+    EXPECT_FALSE(parsed({"--headless", "--physics-view", "all"}).ok());
+    EXPECT_FALSE(parseGameOptions(std::vector{"--headless", "--screenshot=a.png"}).ok());
+    EXPECT_TRUE(parsed({"--screenshot", "a.png"}).ok());
+}
+
 TEST(PlayerOptions, theHelpStandsInColumnsThatFitATerminal) {
     const std::string usage = playerUsage();
     ASSERT_EQ(usage.find("usage: plumb-player [PROJECT] [options]\n\n"), 0u);

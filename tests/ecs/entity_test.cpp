@@ -1,12 +1,17 @@
 #include "ecs/entity.hpp"
 
 #include <array>
+#include <cstdlib>
 #include <set>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
+
+#if defined(__unix__)
+#include <sys/resource.h>
+#endif
 
 #include "core/assert.hpp"
 #include "tests/ecs/parts.hpp"
@@ -287,6 +292,29 @@ TEST(EntityTest, componentsOfEverySizeKeepTheirBytesWhenOthersGo) {
     }
     (std::make_index_sequence<40>{});
 }
+
+#if defined(__unix__) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+template <int kNumber>
+struct Numbered {
+    float values[16] = {};
+};
+
+/// Makes one entity with 64 types of components in a process that may reserve 4 GiB, and leaves it.
+template <int... kNumbers>
+[[noreturn]] void liveIn4GiB(std::integer_sequence<int, kNumbers...>) {
+    const rlimit limit{std::size_t{4} << 30, std::size_t{4} << 30};
+    setrlimit(RLIMIT_AS, &limit);
+    World world;
+    Entity entity = world.createEntity();
+    (entity.addComponent<Numbered<kNumbers>>(), ...);
+    std::exit(entity.hasComponent<Numbered<63>>() ? 0 : 1);
+}
+
+TEST(EntityTest, aWorldFitsWhereTheAddressesOfAProcessAreLimited) {
+    testing::FLAGS_gtest_death_test_style = "threadsafe";
+    EXPECT_EXIT(liveIn4GiB(std::make_integer_sequence<int, 64>{}), testing::ExitedWithCode(0), "");
+}
+#endif
 
 }  // namespace
 }  // namespace plumb
