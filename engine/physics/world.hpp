@@ -2,7 +2,7 @@
 
 #include <array>
 #include <cstdint>
-#include <span>
+#include <memory>
 #include <vector>
 
 #include "core/result.hpp"
@@ -10,18 +10,18 @@
 #include "physics/model/body.hpp"
 #include "physics/model/contact.hpp"
 #include "physics/model/field.hpp"
+#include "physics/model/geometry.hpp"
 #include "physics/model/joint.hpp"
-#include "physics/model/shape.hpp"
 #include "physics/model/side_table.hpp"
 #include "physics/settings.hpp"
-#include "physics/soft/soft_particles.hpp"
-#include "physics/workspace_holder.hpp"
 
 namespace plumb {
 class Hasher;
 }
 
 namespace plumb::physics {
+
+struct Workspace;
 
 /// Position and orientation of a body. Two rows of four floats; the solver reads the second row.
 struct alignas(16) BodyPose {
@@ -232,6 +232,50 @@ struct Joints {
     [[nodiscard]] std::size_t size() const { return hot.size(); }
 };
 
+using SoftBodyId = Id<struct SoftBody>;
+
+struct SoftParticle {
+    WorldPosition place;       ///< m
+    WorldPosition before;      ///< m: at the start of the substep
+    Vec2 velocity;             ///< m/s
+    float inverseMass = 0.0f;  ///< 1/kg; 0 if it is pinned
+    float mass = 0.0f;         ///< kg
+};
+
+/// Distance constraint between two particles.
+struct SoftLink {
+    std::uint32_t a = 0;
+    std::uint32_t b = 0;
+    float length = 0.0f;      ///< m
+    float compliance = 0.0f;  ///< m/N
+    bool isEdge = false;      ///< particles of other soft bodies collide with it
+};
+
+/// Force of a shape on a particle at the end of a step, with which the next one begins.
+struct SoftTouch {
+    std::uint32_t particle = 0;
+    std::uint32_t shape = 0;
+    Vec2 force;  ///< N
+};
+
+/// A rope, cloth or jelly: particles and their constraints.
+struct SoftBody {
+    std::vector<SoftParticle> particles;
+    std::vector<SoftLink> links;
+    std::vector<std::uint32_t> ring;  ///< particles around the area that is kept; empty for none
+    std::vector<SoftTouch> touches;   ///< sorted by shape, then by particle
+    float area = 0.0f;                ///< m2, at rest; positive or negative as the ring's orientation
+    float areaCompliance = 0.0f;
+    float radius = 0.0f;   ///< m
+    float damping = 0.0f;  ///< 1/s
+    float friction = 0.0f;
+    std::uint32_t layers = 1;
+    std::uint32_t mask = 0xffffffffu;
+    std::uint32_t generation = 0;
+    std::uint8_t substeps = 8;
+    bool isAlive = false;
+};
+
 /// A sleeping island: linked lists of its bodies (by BodyInfo::island) and its contacts.
 struct SleepingIsland {
     std::uint32_t firstBody = kNone;     ///< the others follow by Sleepers::nextBody
@@ -260,6 +304,44 @@ struct Slots {
 struct InitialOverlap {
     PairKey pair = 0;
     float hidden = 0.0f;  ///< m: the part of it that is still hidden from the solver
+};
+
+/// Owns the Workspace of a world. Its contents follow from the world, so a copy of the world does not copy
+/// them, and a world that is overwritten keeps the memory but refills it.
+class WorkspaceHolder {
+public:
+    WorkspaceHolder() = default;
+    WorkspaceHolder(const WorkspaceHolder&) {}
+    WorkspaceHolder& operator=(const WorkspaceHolder&) { return state_ = State::Stale, *this; }
+    WorkspaceHolder(WorkspaceHolder&&) noexcept = default;
+    WorkspaceHolder& operator=(WorkspaceHolder&&) noexcept = default;
+
+    /// Created on first use.
+    Workspace& get();
+    /// Workspace of the last step; null if there was none since the world was created, copied or overwritten.
+    [[nodiscard]] const Workspace* lastStep() const {
+        return state_ == State::Stepped ? workspace_.get() : nullptr;
+    }
+    /// To be called at the end of a step.
+    void noteStep() {
+        if (!stale()) state_ = State::Stepped;
+    }
+    /// True once after the world was created or overwritten.
+    bool takeStale() { return stale() && (state_ = State::Refilled, true); }
+    [[nodiscard]] bool stale() const { return workspace_ == nullptr || state_ == State::Stale; }
+    /// A callback of StepOptions::hooks runs: setters refuse to work. Not so in a copy that it makes.
+    bool isAsking = false;
+
+private:
+    /// A query refills what it needs, such as the broad phase, and leaves the rest as it was.
+    enum class State : unsigned char { Stale, Refilled, Stepped };
+
+    struct Delete {
+        void operator()(Workspace* workspace) const;
+    };
+
+    std::unique_ptr<Workspace, Delete> workspace_;
+    State state_ = State::Stale;
 };
 
 /// The whole simulated state as plain data: a copy is a snapshot. It holds indices and generations, no
