@@ -4,7 +4,6 @@
 
 #include "math/rot.hpp"
 #include "physics/ids.hpp"
-#include "physics/model/contact_rows.hpp"
 
 namespace plumb::physics {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "physics/narrowphase/manifold.hpp"
+#include "physics/narrowphase/collide.hpp"
 #include "physics/tuning.hpp"
 
 namespace plumb::physics {
