@@ -10,16 +10,23 @@
 #include "physics/broadphase/broad_phase.hpp"
 #include "physics/contacts/detection_counts.hpp"
 #include "physics/contacts/pair_set.hpp"
-#include "physics/effects/flyers.hpp"
-#include "physics/narrowphase/path_hit.hpp"
+#include "physics/effects/field_types.hpp"
+#include "physics/narrowphase/sweep.hpp"
 #include "physics/soft/soft_contacts.hpp"
-#include "physics/solver/colours.hpp"
 #include "physics/solver/contact_block.hpp"
 #include "physics/solver/joint_work.hpp"
 #include "physics/solver/strips.hpp"
 #include "physics/world.hpp"
 
 namespace plumb::physics {
+
+/// Constraints of one color share no body, so they can be solved in parallel and in any order. The first
+/// colors are for pairs of dynamic bodies. The last ones are for constraints with a static or kinematic body;
+/// they are solved last, so that support by the ground wins.
+inline constexpr int kColours = 32;
+inline constexpr int kFirstFixedColour = 24;
+/// Constraints that found no color: solved sequentially, before all colors.
+inline constexpr std::uint8_t kOverflow = 32;
 
 struct BlockRange {
     std::int32_t begin = 0;
@@ -308,5 +315,12 @@ struct Workspace {
     std::vector<std::uint32_t> gainers;  ///< bodies that gained energy from contacts in this step
     std::vector<IslandCase> cases;       ///< by root, if there is a tolerance
 };
+
+/// Allocates a color that neither body uses. Pass kNone for a body that is not dynamic.
+std::uint8_t takeColour(Workspace& work, std::uint32_t bodyA, std::uint32_t bodyB);
+void freeColour(Workspace& work, std::uint32_t bodyA, std::uint32_t bodyB, std::uint8_t colour);
+
+/// Resizes Workspace::colourMasks to the world, and recomputes the masks after the world was overwritten.
+void refreshColours(World& world, Workspace& work);
 
 }  // namespace plumb::physics
