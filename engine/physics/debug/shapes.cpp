@@ -47,37 +47,6 @@ void drawDisc(DebugCanvas& canvas, Vec2 centre, const Frame& frame, float radius
     canvas.line(place, place + rotate(frame.rotation, {radius, 0.0f}), ink);
 }
 
-}  // namespace
-
-void drawOutline(DebugCanvas& canvas, const Convex& convex, const Frame& frame, DebugInk ink) {
-    const std::span<const Corner> corners = convex.corners();
-    if (corners.size() == 1) return drawDisc(canvas, corners[0].point, frame, convex.radius, ink);
-    if (convex.radius > 0.0f) return drawRounded(canvas, corners, frame, convex.radius, ink);
-    if (corners.size() == 2)
-        return canvas.line(apply(frame, corners[0].point), apply(frame, corners[1].point), ink);
-    std::array<Vec2, kMaxCorners> points;
-    for (std::size_t i = 0; i < corners.size(); ++i) points[i] = apply(frame, corners[i].point);
-    canvas.polygon({points.data(), corners.size()}, ink);
-}
-
-void DebugCanvas::box(const AABB& box, DebugInk ink) {
-    const std::array<Vec2, 4> corners{box.min, Vec2{box.max.x, box.min.y}, box.max,
-                                      Vec2{box.min.x, box.max.y}};
-    polygon(corners, ink);
-}
-
-void drawArc(DebugCanvas& canvas, Vec2 centre, float radius, Rot from, float angle, DebugInk ink) {
-    constexpr int kLines = 2 * kArcPoints;
-    const Rot turn = rotFromAngle(angle / static_cast<float>(kLines));
-    for (int i = 0; i < kLines; ++i) {
-        const Rot to = normalized(turn * from);
-        canvas.line(centre + radius * Vec2{from.cos, from.sin}, centre + radius * Vec2{to.cos, to.sin}, ink);
-        from = to;
-    }
-}
-
-namespace {
-
 DebugRole roleOf(ProxyMotion motion) {
     switch (motion) {
         case ProxyMotion::Kinematic: return DebugRole::Driven;
@@ -131,6 +100,33 @@ void drawOutlines(const Picture& picture, bool triggers) {
 }
 
 }  // namespace
+
+void drawOutline(DebugCanvas& canvas, const Convex& convex, const Frame& frame, DebugInk ink) {
+    const std::span<const Corner> corners = convex.corners();
+    if (corners.size() == 1) return drawDisc(canvas, corners[0].point, frame, convex.radius, ink);
+    if (convex.radius > 0.0f) return drawRounded(canvas, corners, frame, convex.radius, ink);
+    if (corners.size() == 2)
+        return canvas.line(apply(frame, corners[0].point), apply(frame, corners[1].point), ink);
+    std::array<Vec2, kMaxCorners> points;
+    for (std::size_t i = 0; i < corners.size(); ++i) points[i] = apply(frame, corners[i].point);
+    canvas.polygon({points.data(), corners.size()}, ink);
+}
+
+void DebugCanvas::box(const AABB& box, DebugInk ink) {
+    const std::array<Vec2, 4> corners{box.min, Vec2{box.max.x, box.min.y}, box.max,
+                                      Vec2{box.min.x, box.max.y}};
+    polygon(corners, ink);
+}
+
+void drawArc(DebugCanvas& canvas, Vec2 centre, float radius, Rot from, float angle, DebugInk ink) {
+    constexpr int kLines = 2 * kArcPoints;
+    const Rot turn = rotFromAngle(angle / static_cast<float>(kLines));
+    for (int i = 0; i < kLines; ++i) {
+        const Rot to = normalized(turn * from);
+        canvas.line(centre + radius * Vec2{from.cos, from.sin}, centre + radius * Vec2{to.cos, to.sin}, ink);
+        from = to;
+    }
+}
 
 void drawShapes(const Picture& picture) {
     drawOutlines(picture, false);

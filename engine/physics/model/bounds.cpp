@@ -26,6 +26,33 @@ float marginOf(const AABB& tight, const Settings& settings) {
     return std::max(std::min(0.125f * std::max(size.x, size.y), settings.boundsMargin), 0.0f);
 }
 
+/// Recomputes what follows from a world that was created or overwritten.
+void refill(World& world, Workspace& work) {
+    work.pairs.clear();
+    countSurfaces(world, work);
+    forContacts(world,
+                [&](const Contact& contact) { work.pairs.add(pairKey(contact.shapeA, contact.shapeB)); });
+}
+
+/// The shapes of a world as the broad phase reads them.
+Proxies proxiesOf(const World& world) {
+    return {world.shapes.bounds, world.shapes.filter, world.shapes.motion};
+}
+
+/// A contact of a shape that was altered or destroyed ends as what it was.
+template <class Is>
+void refreshThose(World& world, Is&& is) {
+    const std::vector<ShapeInfo>& info = world.shapes.info;
+    const auto refresh = [&](Contact& contact) {
+        const auto ends = [&](std::uint32_t shape) {
+            return (info[shape].flags & kAltered) != 0 || world.shapes.motion[shape] == ProxyMotion::Gone;
+        };
+        if (is(contact) && !ends(contact.shapeA) && !ends(contact.shapeB)) copyMaterials(world, contact);
+    };
+    for (Contact& contact : world.contacts) refresh(contact);
+    for (Contact& contact : world.sleepers.contacts) refresh(contact);
+}
+
 }  // namespace
 
 ProxyMotion motionOf(const World& world, std::uint32_t shape) {
@@ -86,23 +113,6 @@ void noteMoved(World& world, std::uint32_t shape) {
     world.moved.push_back(shape);
 }
 
-namespace {
-
-/// Recomputes what follows from a world that was created or overwritten.
-void refill(World& world, Workspace& work) {
-    work.pairs.clear();
-    countSurfaces(world, work);
-    forContacts(world,
-                [&](const Contact& contact) { work.pairs.add(pairKey(contact.shapeA, contact.shapeB)); });
-}
-
-/// The shapes of a world as the broad phase reads them.
-Proxies proxiesOf(const World& world) {
-    return {world.shapes.bounds, world.shapes.filter, world.shapes.motion};
-}
-
-}  // namespace
-
 void updateBroadPhase(World& world, Workspace& work) {
     refreshColours(world, work);  // before the flag is reset
     const bool stale = world.work.takeStale();
@@ -124,24 +134,6 @@ void updateBroadPhase(World& world, Workspace& work) {
     }
     work.changedProxies.clear();
 }
-
-namespace {
-
-/// A contact of a shape that was altered or destroyed ends as what it was.
-template <class Is>
-void refreshThose(World& world, Is&& is) {
-    const std::vector<ShapeInfo>& info = world.shapes.info;
-    const auto refresh = [&](Contact& contact) {
-        const auto ends = [&](std::uint32_t shape) {
-            return (info[shape].flags & kAltered) != 0 || world.shapes.motion[shape] == ProxyMotion::Gone;
-        };
-        if (is(contact) && !ends(contact.shapeA) && !ends(contact.shapeB)) copyMaterials(world, contact);
-    };
-    for (Contact& contact : world.contacts) refresh(contact);
-    for (Contact& contact : world.sleepers.contacts) refresh(contact);
-}
-
-}  // namespace
 
 void refreshContacts(World& world, std::uint32_t shape) {
     refreshThose(world, [&](const Contact& c) { return c.shapeA == shape || c.shapeB == shape; });

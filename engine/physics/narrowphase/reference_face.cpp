@@ -28,6 +28,30 @@ Manifold touchAtCorners(const CornerPair& pair, const Side& reference, const Sid
     return maker.manifold;
 }
 
+/// Collides any two convex sides with at least two corners.
+/// Source: separating axes after C. Ericson, "Real-Time Collision Detection", 2005, 4.4; clipping of edges
+/// after E. Catto, "Contact Manifolds", GDC 2007
+Manifold collideSides(const Side& a, const Side& b, float speculative) {
+    const float reach = speculative + a.radius + b.radius;
+    const FaceGap gapA = widestGap(a.corners, b.corners);
+    if (!(gapA.gap <= reach)) return {};
+    const FaceGap gapB = widestGap(b.corners, a.corners);
+    if (!(gapB.gap <= reach)) return {};
+
+    const Corner& face = a.corners[gapA.face];
+    const bool isB = gapB.gap > gapA.gap + faceTieOf(dot(face.normal, face.point - a.centre) + a.radius);
+    const Side& reference = isB ? b : a;
+    const Side& other = isB ? a : b;
+    const EdgeOnEdge edges = edgeOnEdge(reference, isB ? gapB.face : gapA.face, other);
+    const float gap = isB ? gapB.gap : gapA.gap;
+    if (gap > -kBlur * edges.length) {
+        if (const auto pair = nearestCorners(edges, reference, other)) {
+            return touchAtCorners(*pair, reference, other, isB, speculative);
+        }
+    }
+    return touchEdge(edges, reference, other, isB, speculative);
+}
+
 }  // namespace
 
 FaceGap widestGap(std::span<const Corner> faces, std::span<const Corner> other) {
@@ -166,34 +190,6 @@ Manifold touchFace(const Side& a, std::size_t face, const Side& b, float specula
     }
     return manifold;
 }
-
-namespace {
-
-/// Collides any two convex sides with at least two corners.
-/// Source: separating axes after C. Ericson, "Real-Time Collision Detection", 2005, 4.4; clipping of edges
-/// after E. Catto, "Contact Manifolds", GDC 2007
-Manifold collideSides(const Side& a, const Side& b, float speculative) {
-    const float reach = speculative + a.radius + b.radius;
-    const FaceGap gapA = widestGap(a.corners, b.corners);
-    if (!(gapA.gap <= reach)) return {};
-    const FaceGap gapB = widestGap(b.corners, a.corners);
-    if (!(gapB.gap <= reach)) return {};
-
-    const Corner& face = a.corners[gapA.face];
-    const bool isB = gapB.gap > gapA.gap + faceTieOf(dot(face.normal, face.point - a.centre) + a.radius);
-    const Side& reference = isB ? b : a;
-    const Side& other = isB ? a : b;
-    const EdgeOnEdge edges = edgeOnEdge(reference, isB ? gapB.face : gapA.face, other);
-    const float gap = isB ? gapB.gap : gapA.gap;
-    if (gap > -kBlur * edges.length) {
-        if (const auto pair = nearestCorners(edges, reference, other)) {
-            return touchAtCorners(*pair, reference, other, isB, speculative);
-        }
-    }
-    return touchEdge(edges, reference, other, isB, speculative);
-}
-
-}  // namespace
 
 Manifold collideConvex(const Geometry& a, const Geometry& b, std::span<const Corner> corners,
                        const Frame& bInA, float speculative) {

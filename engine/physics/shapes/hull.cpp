@@ -101,54 +101,6 @@ void measure(Hull& hull) {
         origin + Vec2{static_cast<float>(x / (3.0 * twice)), static_cast<float>(y / (3.0 * twice))};
 }
 
-}  // namespace
-
-Result<Hull> makeHull(std::span<const Vec2> points) {
-    for (std::size_t i = 0; i < points.size(); ++i) {
-        const Vec2 point = points[i];
-        if (std::fabs(point.x) <= kLargest && std::fabs(point.y) <= kLargest) continue;
-        return Error{"hull", format("point {} is ({}, {}), not within {} m", i, point.x, point.y, kLargest),
-                     "use metres, not pixels, relative to the origin of the body"};
-    }
-    Loop loop = loopAround({points.begin(), points.end()});
-    if (loop.size() < 3) {
-        return Error{"hull", format("the {} points form no area", points.size()),
-                     "pass at least 3 that are not on one line"};
-    }
-    constexpr std::size_t kAbsurd = 4096;
-    AABB box{loop[0], loop[0]};
-    for (const Vec2 point : loop) box = merged(box, {point, point});
-    const float size = std::max(box.size().x, box.size().y);
-    if (!(size >= kSmallest)) {
-        return Error{"hull", format("it is only {} m large", size), "make it at least 0.1 mm large"};
-    }
-    if (loop.size() <= kAbsurd) dropFlat(loop, static_cast<double>(kBlur * size));
-    if (loop.size() < 3)
-        return Error{"hull", "it is too thin to have an inside", "use a segment or a capsule"};
-    if (loop.size() > kMaxCorners) {
-        return Error{"hull", format("it has {} corners, the maximum is {}", loop.size(), kMaxCorners),
-                     "remove some, use a circle, or decompose()"};
-    }
-    Hull hull;
-    for (std::size_t i = 0; i < loop.size(); ++i) {
-        const Vec2 next = loop[i + 1 < loop.size() ? i + 1 : 0];
-        hull.corners.push({loop[i], normalOfFace(loop[i], next)});
-    }
-    measure(hull);
-    return hull;
-}
-
-Geometry polygon(const Hull& hull, std::uint32_t first, float radius) {
-    return {.kind = ShapeKind::Polygon,
-            .count = static_cast<std::uint8_t>(hull.corners.size()),
-            .first = first,
-            .radius = radius,
-            .a = hull.centroid,
-            .b = {}};
-}
-
-namespace {
-
 std::string text(Vec2 v) { return format("({}, {})", v.x, v.y); }
 
 /// The points without duplicates and without those in the middle of a straight side.
@@ -288,6 +240,50 @@ void joinPieces(std::vector<Loop>& pieces) {
 }
 
 }  // namespace
+
+Result<Hull> makeHull(std::span<const Vec2> points) {
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const Vec2 point = points[i];
+        if (std::fabs(point.x) <= kLargest && std::fabs(point.y) <= kLargest) continue;
+        return Error{"hull", format("point {} is ({}, {}), not within {} m", i, point.x, point.y, kLargest),
+                     "use metres, not pixels, relative to the origin of the body"};
+    }
+    Loop loop = loopAround({points.begin(), points.end()});
+    if (loop.size() < 3) {
+        return Error{"hull", format("the {} points form no area", points.size()),
+                     "pass at least 3 that are not on one line"};
+    }
+    constexpr std::size_t kAbsurd = 4096;
+    AABB box{loop[0], loop[0]};
+    for (const Vec2 point : loop) box = merged(box, {point, point});
+    const float size = std::max(box.size().x, box.size().y);
+    if (!(size >= kSmallest)) {
+        return Error{"hull", format("it is only {} m large", size), "make it at least 0.1 mm large"};
+    }
+    if (loop.size() <= kAbsurd) dropFlat(loop, static_cast<double>(kBlur * size));
+    if (loop.size() < 3)
+        return Error{"hull", "it is too thin to have an inside", "use a segment or a capsule"};
+    if (loop.size() > kMaxCorners) {
+        return Error{"hull", format("it has {} corners, the maximum is {}", loop.size(), kMaxCorners),
+                     "remove some, use a circle, or decompose()"};
+    }
+    Hull hull;
+    for (std::size_t i = 0; i < loop.size(); ++i) {
+        const Vec2 next = loop[i + 1 < loop.size() ? i + 1 : 0];
+        hull.corners.push({loop[i], normalOfFace(loop[i], next)});
+    }
+    measure(hull);
+    return hull;
+}
+
+Geometry polygon(const Hull& hull, std::uint32_t first, float radius) {
+    return {.kind = ShapeKind::Polygon,
+            .count = static_cast<std::uint8_t>(hull.corners.size()),
+            .first = first,
+            .radius = radius,
+            .a = hull.centroid,
+            .b = {}};
+}
 
 Result<std::vector<Hull>> decompose(std::span<const Vec2> outline) {
     if (outline.size() > kMaxOutline) {
