@@ -1,9 +1,8 @@
-#include "physics/terrain/tile_edges.hpp"
-
 #include <algorithm>
 #include <utility>
 
 #include "core/fixed_list.hpp"
+#include "physics/terrain/terrain_outlines.hpp"
 
 namespace plumb::physics {
 
