@@ -281,7 +281,7 @@ struct Workspace {
     SoftSurroundings softSurroundings;
     SoftSoftContacts softSoftContacts;
     SmoothForces smooth;                        ///< if there are fields
-    std::vector<std::uint32_t> searchedFields;  ///< see field_search.hpp, ascending
+    std::vector<std::uint32_t> searchedFields;  ///< see fieldsNear(), ascending
     BoxProxies fieldBoxes;                      ///< by index in `searchedFields`: where they act
     std::vector<std::uint32_t> solveOrder;      ///< awake bodies by group; empty if there is only one group
     std::vector<std::uint8_t> groupOf;          ///< by body, if there are several groups
