@@ -13,8 +13,7 @@ namespace plumb::physics {
 
 namespace {
 
-/// One stage of the step. It runs when one of its effects does or `also` returns true; with neither given,
-/// always.
+/// One stage of the step. It runs when one of its effects does or `also` is true; without either, always.
 struct Stage {
     std::string_view name;  // also in the profiler
     std::uint32_t effects;

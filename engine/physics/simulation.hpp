@@ -47,8 +47,7 @@ std::span<const StageInfo> stages();
 /// In how many steps the code of an effect has run in this world: its own stage, or its part of one.
 [[nodiscard]] std::uint64_t runsOf(World& world, Effect effect);
 
-/// Counts of the collision detection of the last step; all 0 for a world at rest, and for one that was copied
-/// or loaded since.
+/// Counts of the collision detection of the last step; all 0 for a world at rest, copied or loaded since.
 [[nodiscard]] DetectionCounts detectionOf(World& world);
 
 /// Hashes the whole state; equal states give equal hashes on every machine.

@@ -110,8 +110,7 @@ struct SubstepController {
     std::uint8_t patience = 0;  ///< number of changes that failed (a lower quality was too low, a higher one
                                 ///< did not help); each doubles the wait
     std::uint32_t wait = 0;     ///< steps until the next decision
-    float error = 0.0f;  ///< m: error to compare with: the maximum while Calm or Trying, otherwise that at
-                         ///< the last decision
+    float error = 0.0f;  ///< m: to compare with: maximum while Calm or Trying, else that at the last decision
     float first = 0.0f;  ///< m: the error that made it rise
 };
 
@@ -344,8 +343,7 @@ private:
     State state_ = State::Stale;
 };
 
-/// The whole simulated state as plain data: a copy is a snapshot. It holds indices and generations, no
-/// addresses.
+/// The whole simulated state as plain data: a copy is a snapshot. It has indices, no addresses.
 struct World {
     Settings settings;
     Bodies bodies;

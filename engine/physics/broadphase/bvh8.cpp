@@ -50,8 +50,7 @@ void mergeInto(TreeNode& parent, std::size_t lane, const Child& child) {
     parent.masks[lane] = filters.masks;
 }
 
-/// Trees of bounding boxes with eight children per node. The default: no distribution of sizes and positions
-/// degrades it.
+/// Trees of bounding boxes with eight children per node. The default: no distribution of boxes degrades it.
 class TreeBroadPhase final : public PartitionedBroadPhase<Bvh8> {
 public:
     void findPairs(std::span<const std::uint32_t> moved, std::span<const std::uint8_t> isMoved,

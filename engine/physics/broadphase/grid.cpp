@@ -166,8 +166,7 @@ private:
         const std::uint32_t begin = starts_[level.firstCell];
         const std::uint32_t end = starts_[level.firstCell + level.columns * level.rows];
         if (end <= from) return;
-        // A box spans at most two cells, so one that begins in the next cell to the left or above may reach
-        // in.
+        // A box spans at most two cells, so one of the next cell to the left or above may reach in.
         const auto sides = cellsOf(box, level.perMetre);
         std::int32_t left = sides[0] - 1;
         const std::int32_t top = sides[1] - 1;

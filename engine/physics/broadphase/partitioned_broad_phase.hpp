@@ -19,8 +19,7 @@ constexpr std::uint32_t partOf(ProxyMotion motion) {
     return kPart[static_cast<std::size_t>(motion)];
 }
 
-/// True if all proxies of two partitions can pair (see findPairs()): one is the sleeping, the other then the
-/// moving partition.
+/// True if all proxies of two partitions can pair (see findPairs()): one sleeps, so the other moves.
 constexpr bool allCanPair(std::uint32_t own, std::uint32_t other) {
     return own == kAsleepPart || other == kAsleepPart;
 }
@@ -161,8 +160,7 @@ private:
             if (part.size() > 0) part.find(searches_, box, sweep, mask, found);
     }
 
-    /// Removes proxies that changed their partition from the old one, and collects the arrivals of each
-    /// partition.
+    /// Removes proxies from a partition that they left, and collects the arrivals of each.
     /// @return  by partition, how many of its own proxies changed
     std::array<std::uint32_t, kParts> sendToParts(const Proxies& proxies,
                                                   std::span<const std::uint32_t> changed) {

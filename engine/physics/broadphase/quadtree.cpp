@@ -40,8 +40,7 @@ public:
     };
 
     // Interface for PartitionedBroadPhase.
-    /// Along a curve, so that neighbours in space are inserted one after the other and lie close together in
-    /// memory.
+    /// Along a curve, so that neighbours in space are neighbours in memory.
     void sort(const Proxies& proxies, std::span<std::uint32_t> ids, std::uint32_t, const PlaceList& list) {
         nodes_.assign(1, {});
         items_.clear();

@@ -220,8 +220,7 @@ Manifold manifoldOf(const World& world, const AxisAlignedPair& pair) {
     return manifold;
 }
 
-/// While the same two faces touch, all that changes is how deep. Where they do is computed on demand:
-/// pointOf().
+/// While the same two faces touch, all that changes is how deep. pointOf() says where they do.
 bool slideUpright(Contact& contact, const AxisAlignedPair& pair, float speculative) {
     if ((contact.flags & (kTouching | kTriggered)) != kTouching || contact.count != 1) return false;
     const Vec2 gap = gapOf(pair.a.b, pair.b.b, pair.displacement);

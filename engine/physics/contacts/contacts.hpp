@@ -75,8 +75,7 @@ ContactEvent eventOf(const World& world, const Contact& contact, ContactPhase ph
 // between a chain and what touches it are therefore counted: the first one to begin is an event, and so is
 // the last one to end, decided at the end of the step, when it is known which contacts replaced others.
 
-/// Makes an event of what happened to a contact, if it is reported: at once, or for chains in
-/// publishSurfaces().
+/// Makes an event of what happened to a contact, if it is reported: at once, of chains later.
 /// @param impulse  N s, see ContactEvent
 void report(World& world, Workspace& work, const Contact& contact, ContactPhase phase, float impulse = 0.0f);
 

@@ -44,8 +44,7 @@ void PairSet::remove(PairKey key) {
         if (keys_[i] == kFree) return;
     }
     --size_;
-    // Moves later keys of the probe sequence into the hole if they may be there, so that no search stops at
-    // it.
+    // Moves later keys of the probe sequence into the hole, if they may be there: no search may stop at it.
     for (std::size_t next = (i + 1) & mask_; keys_[next] != kFree; next = (next + 1) & mask_) {
         const std::size_t home = placeOf(keys_[next]);
         if (((next - home) & mask_) >= ((next - i) & mask_)) {

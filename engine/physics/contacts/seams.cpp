@@ -17,8 +17,7 @@ namespace {
 
 constexpr int kGrain = 32;
 
-/// How a point is to an outline, and the normals of the first and the last edge at it, in the order of
-/// rotation.
+/// How a point is to an outline, and the normals of the first and last edge at it, as they rotate.
 struct EdgesAt {
     Vec2 first, last;
     bool isAt = false;
@@ -86,8 +85,7 @@ public:
         const Vec2 middle = normalized(start_.normal + end_.normal);
         return dot(normal, middle) >= dot(start_.normal, middle) - kSameNormal;
     }
-    /// The normal of the first outline at the border that is nearest to the given one, if it has a part of
-    /// it.
+    /// The normal of the first outline at the border nearest to the given one, if it has a part of it.
     [[nodiscard]] std::optional<Vec2> ownNormal(Vec2 normal) const {
         const bool starts = ownStart_->angle > start_.angle - kParallel;
         const bool ends = ownEnd_->angle < end_.angle + kParallel;

@@ -143,8 +143,7 @@ float partsOfStep(const Picture& picture, const Contact& contact) {
     return static_cast<float>(substepsOf(std::max(wished, picture.world.settings.quality)));
 }
 
-/// m: length of the arrow of an impulse, by the acceleration that it gives the lighter body over the whole
-/// step.
+/// m: length of the arrow of an impulse, by the acceleration of the lighter body over the step.
 float lengthOf(const Picture& picture, const Contact& contact, float impulse) {
     const auto& masses = picture.world.bodies.mass;
     const float lightest = std::max(masses[contact.bodyA].inverseMass, masses[contact.bodyB].inverseMass);

@@ -195,8 +195,7 @@ void drawVelocities(const Picture& picture) {
     });
 }
 
-// As predictTransform(), but relative to the view's origin, so that it is exact far from the world's origin
-// too.
+// As predictTransform(), but relative to the view's origin, and so exact far from the world's.
 void drawPaths(const Picture& picture) {
     const World& world = picture.world;
     picture.forBodies([&](std::uint32_t body) {

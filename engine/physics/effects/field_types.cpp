@@ -38,8 +38,8 @@ float gustAt(std::uint32_t seed, std::uint64_t turn) {
     return static_cast<float>(bits) * 0x1p-23f - 1.0f;
 }
 
-/// -1..1: smooth interpolation between consecutive gusts. Depends only on the step number, so a repeated step
-/// gets the same wind.
+/// -1..1: smooth interpolation between consecutive gusts. Only the step number counts: a repeated one gets
+/// the same wind.
 float gustiness(const FieldDefinition& field, std::uint64_t step) {
     const std::uint64_t turn = step / field.gustSteps;
     const float t = static_cast<float>(step % field.gustSteps) / static_cast<float>(field.gustSteps);
@@ -128,8 +128,8 @@ constexpr std::array<FieldType, static_cast<std::size_t>(FieldKind::Count)> kFie
 /// Up to this many fields a look at each costs less than a search.
 constexpr std::size_t kFew = 8;
 
-/// Box around a place, larger by the rounding of floats here and in actsOn(): at most 16 times 2^-24 of the
-/// largest coordinate.
+/// Box around a place, larger by the rounding of floats here and in actsOn(): 16 times 2^-24 of the largest
+/// number at most.
 AABB boxAround(WorldPosition place, Vec2 half) {
     const Vec2 at = toVec2(place);
     const float far = std::max(std::fabs(at.x) + half.x, std::fabs(at.y) + half.y);

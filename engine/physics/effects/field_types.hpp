@@ -31,8 +31,8 @@ struct FieldView {
     const World& world;
     float h;  ///< s: step of the integrator. Drag is limited so that one step never removes more than the
               ///< whole velocity
-    /// Current state of another body. One that is not integrated together with this body is extrapolated from
-    /// the start of the step.
+    /// Current state of another body. One that is not integrated with this is extrapolated from the step's
+    /// start.
     BodyState (*stateOf)(const FieldView& view, std::uint32_t body) = nullptr;
     const void* flight = nullptr;  ///< context of stateOf
     float elapsed = 0.0f;          ///< s since the start of the step
@@ -61,8 +61,7 @@ constexpr RegionKind regionOf(const FieldDefinition& field) {
 [[nodiscard]] bool isInRegion(const FieldDefinition& field, WorldPosition place);
 /// m/s: velocity of the air of a Wind in a given step, gusts included.
 [[nodiscard]] Vec2 airOf(const FieldDefinition& field, std::uint64_t step);
-/// True if its acceleration depends neither on position nor on velocity, so that trajectories have a closed
-/// form.
+/// True if its acceleration depends on no position or velocity: trajectories have a closed form.
 [[nodiscard]] bool isConstant(const FieldDefinition& field);
 
 /// True if a body has a shape on one of these layers, or if they are all.
@@ -115,14 +114,13 @@ struct SmoothForces {
 };
 
 // Finds the fields that may act on a body by the boxes in which they act: many small fields cost no more than
-// what they overlap. A field without bounds may act on everything. Springs are left out, as they know their
-// bodies.
+// what they overlap. Fields without bounds may act on all. Springs know their bodies.
 
 /// Updates Workspace::fieldBoxes to fields that were changed, and bodies of attractors that moved.
 void updateFieldBoxes(const World& world, Workspace& work);
 
-/// The fields that may act on a body, ascending: all for which actsOn() holds, and a few others. Valid until
-/// the next call.
+/// The fields that may act on a body, ascending: all for which actsOn() holds, and a few more, until the next
+/// call.
 /// @param kinds  bits, 1 << FieldKind: those to search for; others may be among the result
 std::span<const std::uint32_t> fieldsNear(const World& world, Workspace& work, std::uint32_t body,
                                           std::uint32_t kinds);

@@ -24,8 +24,7 @@ float farEnd(const World& world, std::uint32_t shape, Vec2 direction, WorldPosit
     return dot(direction, pose.centre - origin) + dot(local, corner - pose.localCentre) + convex.radius;
 }
 
-/// m: clearance of `other` above the platform one step ago, along the open direction; negative if it was not
-/// above it.
+/// m: clearance of `other` above the platform one step ago, along the open direction; below 0 if not above.
 float heightBefore(const World& world, const Contact& contact, bool platformIsA, float dt) {
     const std::uint32_t platform = platformIsA ? contact.shapeA : contact.shapeB;
     const std::uint32_t other = platformIsA ? contact.shapeB : contact.shapeA;

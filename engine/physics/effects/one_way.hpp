@@ -13,8 +13,7 @@ namespace plumb::physics {
 /// @param dt  s: how far back it looks, as bodies begin to touch with some overlap
 [[nodiscard]] bool passesThrough(const World& world, const Contact& contact, float dt);
 
-/// The same for a body that is swept by a displacement (m) and starts outside: true if the shape does not
-/// stop it.
+/// The same for a body that starts outside and is swept by a displacement (m).
 [[nodiscard]] bool passesThrough(const World& world, std::uint32_t oneWayShape, Vec2 displacement);
 
 }  // namespace plumb::physics

@@ -52,14 +52,12 @@ std::uint32_t rootOf(Parent&& parent, std::uint32_t member) {
         const std::uint32_t next = AtomicParent{parent(member)}.load(std::memory_order_relaxed);
         const std::uint32_t after = AtomicParent{parent(next)}.load(std::memory_order_relaxed);
         if (next == after) return next;
-        // Of several threads the last one writes an ancestor: only a root that is joined must not be
-        // overwritten.
+        // Of several threads the last writes an ancestor: only a joined root must not be overwritten.
         AtomicParent{parent(member)}.store(after, std::memory_order_relaxed);
         member = after;
     }
 }
-/// May be called by several threads at a time. The lower root stays one, so that the roots do not depend on
-/// the order of joining.
+/// May be called by several threads at a time. The lower root stays one, whatever the order of joining.
 template <class Parent>
 void joinTrees(Parent&& parent, std::uint32_t a, std::uint32_t b) {
     for (;;) {

@@ -139,8 +139,7 @@ JointParts wheel(const JointView& view) {
     return parts;
 }
 
-// The mouse and motor joints are damped springs of limited force. Source: E. Catto, "Soft Constraints", GDC
-// 2011.
+// Mouse and motor joints: damped springs of limited force. Source: E. Catto, "Soft Constraints", GDC 2011.
 
 JointParts mouse(const JointView& view) {
     const JointSpring& spring = view.definition.spring;

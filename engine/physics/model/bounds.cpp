@@ -59,7 +59,7 @@ ProxyMotion motionOf(const World& world, std::uint32_t shape) {
     const ShapeInfo& outline = world.shapes.info[shape];
     const BodyInfo& info = world.bodies.info[outline.body];
     if ((outline.flags & kShapeOff) != 0) return ProxyMotion::Gone;
-    // A trigger of a body that is not dynamic also detects bodies that move without forces, so it pairs with
+    // A trigger of a body that is not dynamic detects what moves without forces, too: it pairs with
     // everything.
     if (info.kind != BodyKind::Dynamic && (outline.flags & kTrigger) != 0) return ProxyMotion::Awake;
     if (info.kind == BodyKind::Static) return ProxyMotion::Static;

@@ -79,8 +79,7 @@ struct Geometry {
 
 inline constexpr int kMaxCorners = 32;  ///< of one polygon; contiguous in Shapes::corners
 
-/// The ghost vertex before a chain segment. It is stored in `turn`, which a segment does not need, to keep
-/// shapes small.
+/// The ghost vertex before a chain segment. Stored in `turn`, which a segment does not need.
 constexpr Vec2 beforeOf(const Geometry& segment) { return {segment.turn.cos, segment.turn.sin}; }
 
 /// The unit normal of the solid side of a chain segment.
@@ -133,8 +132,7 @@ struct ShapeDefinition {
     /// then assigns a number to the chain. Numbers below kOwnSurfaces are the caller's.
     std::uint32_t surface = 0;
     /// For an inner border, as between two kinds of terrain: a shape that collides with these layers and this
-    /// mask ignores the border, because what lies in front of it stops that shape first. 0: not an inner
-    /// border.
+    /// mask ignores the border, as what lies in front of it stops that shape first. 0: no inner border.
     std::uint32_t frontLayers = 0;
     std::uint32_t frontMask = 0;
 

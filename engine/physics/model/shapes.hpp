@@ -25,8 +25,8 @@ Result<ShapeId> createChain(World& world, BodyId body, std::span<const Vec2> poi
 /// The same with a definition for each segment.
 Result<ShapeId> createChain(World& world, BodyId body, std::span<const Vec2> points, bool closed,
                             std::span<const ShapeDefinition> definitions);
-/// The segments of a chain, given by any of them, in order; none of a chain that is gone. Results replace the
-/// content of `found`.
+/// The segments of a chain, given by any of them, in order; none of one that is gone. Replaces the content of
+/// `found`.
 void segmentsOf(const World& world, ShapeId chain, std::vector<ShapeId>& found);
 /// Destroys all segments of a chain, given by any of them.
 void destroyChain(World& world, ShapeId chain);

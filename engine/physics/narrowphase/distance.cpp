@@ -84,8 +84,7 @@ void reduceTwo(Simplex& simplex) {
     simplex.part = along / square;
 }
 
-/// Reduces a triangle to the corner or side that is nearest to the origin; keeps all three points if the
-/// origin is inside.
+/// Reduces a triangle to the corner or side that is nearest to the origin; keeps all three if that is inside.
 void reduceThree(Simplex& simplex) {
     Simplex best;
     float minimum = 1.0e30f;
@@ -249,8 +248,7 @@ DisplacementBetween deepestOverlap(const Displacements& displacements) {
     }
     result.first = polytope.displacements[side.index];
     result.second = polytope.displacements[side.index + 1 < polytope.count ? side.index + 1 : 0];
-    // The difference is B - A, and the origin lies this deep inside it, so B has to move in the opposite
-    // direction to separate.
+    // The origin lies this deep inside B - A, so B has to move in the opposite direction to separate.
     result.normal = -side.normal;
     result.distance = -side.distance;
     const Vec2 edge = result.second.displacement - result.first.displacement;

@@ -45,8 +45,7 @@ struct SweptOutline {
 inline constexpr float kNever = 4.0f;
 
 /// The part of the step at which two outlines come as near as `gap`; where both paths have begun, when they
-/// are then already; kNever if not until `latest`. Never too late: what cannot be found exactly in reasonable
-/// time is found early.
+/// are then already; kNever if not until `latest`. Never too late: what takes too many rounds is found early.
 /// @param gap     m, not negative
 /// @param latest  below kNever
 /// Source: B. Mirtich, "Impulse-based Dynamic Simulation of Rigid Body Systems", 1996, 2.3 (conservative

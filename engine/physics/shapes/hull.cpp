@@ -14,8 +14,7 @@ namespace {
 using Loop = std::vector<Vec2>;
 
 /// Twice the signed area of a triangle: positive if c is on the side of a-b towards which normals rotate.
-/// Computed in double precision: differences of floats and their products fit, so the sign is correct and
-/// zero is exact.
+/// Computed in double precision: products of differences of floats fit, so its sign is exact.
 double areaOf(Vec2 a, Vec2 b, Vec2 c) {
     const double abx = static_cast<double>(b.x) - static_cast<double>(a.x);
     const double aby = static_cast<double>(b.y) - static_cast<double>(a.y);
@@ -81,8 +80,7 @@ Vec2 normalOfFace(Vec2 from, Vec2 to) {
     return {static_cast<float>(x / size), static_cast<float>(y / size)};
 }
 
-/// Area and centroid. Computed relative to the first corner, so that a polygon far from the origin loses no
-/// accuracy.
+/// Area and centroid, relative to the first corner: as accurate far from the origin.
 void measure(Hull& hull) {
     const Vec2 origin = hull.corners[0].point;
     double twice = 0.0;
@@ -182,8 +180,7 @@ bool isEar(const Loop& loop, std::size_t i) {
     });
 }
 
-/// Ear clipping. It continues after each ear with the next corner but one, so that the triangles do not all
-/// share one corner.
+/// Ear clipping. After each ear comes the next corner but one: not all triangles share one corner.
 std::optional<std::vector<Loop>> triangles(Loop loop) {
     std::vector<Loop> pieces;
     std::size_t i = 0;

@@ -158,8 +158,7 @@ Result<Done> checkSize(const char* where, float found, float minimum) {
                  "use metres, not pixels, and a size within this range"};
 }
 
-/// True if all normals have unit length and are perpendicular to their faces, and all corners are behind all
-/// faces.
+/// True if normals have unit length, perpendicular to their faces, and corners are behind all faces.
 bool isConvex(Corners corners) {
     float size = 0.0f;
     for (const Corner& corner : corners) {
@@ -272,8 +271,7 @@ ClosestPoint closestPointOf(const Convex& convex, Vec2 place) {
         const float distance = face.distance - convex.radius;
         return {place - corner.normal * distance, corner.normal, distance, false, face.index};
     }
-    // Outside a convex core, the nearest feature is on the face with the maximum signed distance, or one of
-    // its corners.
+    // Outside a convex core, the nearest feature is on the face of maximum distance, or its corner.
     const std::size_t after = face.index + 1 < corners.size() ? face.index + 1 : 0;
     const Vec2 next = corners[after].point;
     const float along = nearestOn(corner.point, next, place);

@@ -13,8 +13,7 @@ namespace plumb::physics {
 struct StepContext;
 
 // Contacts of particles with rigid bodies: constraints of the solver's substeps, with the mass of both sides.
-// The solver repeats what they did to a body in the next substep (accelerate), so a particle gets its impulse
-// again, too.
+// The solver repeats what they did to a body in the next substep (accelerate), and so does a particle.
 
 /// A rigid body near soft bodies of one group.
 struct SoftObstacle {
@@ -137,8 +136,7 @@ struct SoftSoftContacts {
 [[nodiscard]] SoftBox boxOf(const SoftBody& body, float dt);
 [[nodiscard]] inline AABB rounded(const SoftBox& box) { return {toVec2(box.min), toVec2(box.max)}; }
 
-/// Sorts soft bodies so that those that may touch within a step of dt seconds, or push the same island, are
-/// adjacent in `order`.
+/// Makes soft bodies that may touch within a step of dt seconds, or push one island, adjacent in `order`.
 void groupSoftBodies(const World& world, float dt, const SoftSurroundings& around,
                      SoftSoftContacts& meetings);
 /// Adds all potential contacts within a group of `order`.

@@ -46,8 +46,8 @@ void link(SoftBody& body, int a, int b, float compliance, bool isEdge = false) {
 void edge(SoftBody& body, int a, int b, float compliance) { link(body, a, b, compliance, true); }
 
 /// Sorts links by color, so that two neighbors in the list have no particle in common. In the order of a
-/// chain, what one link does is passed on to the next: such a ring swings by itself, as what is left of an
-/// error runs around it.
+/// chain, what one link does is passed on to the next: such a ring swings by itself, as the rest of an error
+/// runs around it.
 void sortByColor(SoftBody& body) {
     std::vector<std::uint32_t> used(body.particles.size(), 0);  // colors
     std::vector<SoftLink> byColor[32];

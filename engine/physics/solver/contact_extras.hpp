@@ -6,8 +6,7 @@
 
 namespace plumb::physics {
 
-// What the solver does with contacts beside the passes of passes.hpp. Costs nothing where no contact needs
-// it.
+// What the solver does with contacts beside the passes of passes.hpp. Free where no contact needs it.
 
 // Restitution (restitution.cpp): what arrives fast enough leaves with a fraction of its speed, once the
 // substeps have stopped it. Source: E. Catto, "Solver2D", 2024 (restitution after the substeps).

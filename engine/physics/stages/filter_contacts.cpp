@@ -9,8 +9,8 @@ namespace plumb::physics {
 
 namespace {
 
-/// Whether it lets through is decided when a contact begins, and kept until it ends: what is half through
-/// must not be caught.
+/// Whether it lets through is decided when a contact begins, and kept: what is half through must not be
+/// caught.
 void decideOneWay(StepContext& step, Contact& contact) {
     World& world = step.world;
     if ((contact.flags & (kOneWayA | kOneWayB)) == 0) return;

@@ -43,8 +43,7 @@ void makeContacts(StepContext& step) {
         if (joined && keptApart(world, bodyA, bodyB)) continue;
         if (!comesTo(world, a, b) || !mayMeet(step, a, b)) continue;
         const auto isAwake = [&](std::uint32_t body) { return world.bodies.info[body].place != kNone; };
-        // A trigger that does not move has come to a sleeper: only the contacts of what is awake are looked
-        // at.
+        // A trigger at rest has come to a sleeper: only contacts of what is awake are looked at.
         if (!isAwake(bodyA) && !isAwake(bodyB)) wake(world, isDynamic(world, bodyA) ? bodyA : bodyB);
         step.work.pairs.add(key);
         world.contacts.push_back(makeContact(world, a, b));

@@ -90,8 +90,7 @@ bool takeAlong(StepContext& step, std::size_t slot, std::uint32_t body) {
         motion.angularVelocity = 0.0f;
         return false;
     }
-    // Substeps may be faster than the speed that is left at the end of the step, and would carry a body as
-    // far.
+    // Substeps may be faster than the speed at the end of the step, and would carry a body as far.
     Vec2 displacement = shortened({deltaPosition.x, deltaPosition.y}, step.world.settings.maxSpeed * step.dt);
     deltaPosition.x = displacement.x, deltaPosition.y = displacement.y;
     const Vec2 before = motion.velocity;

@@ -111,8 +111,7 @@ void velocityVerlet(const Flight& flight, float elapsed) {
         take(flight, f, displacement(f), (0.5f * h) * (f.at[0] + f.steady + f.at[1] + f.steady));
 }
 
-/// Classical scheme of W. Kutta, 1901: fourth order. Loses the energy of oscillations that are too fast for
-/// the step.
+/// Classical scheme of W. Kutta, 1901: fourth order. Loses energy of oscillations too fast for the step.
 void rungeKutta(const Flight& flight, float elapsed) {
     const float h = flight.h;
     constexpr std::array<float, 4> kAt{0.0f, 0.5f, 0.5f, 1.0f};

@@ -77,8 +77,7 @@ struct EdgeLink {
 ///
 /// A one-way edge continues with one-way edges of the same direction. Where it ends at a solid, its ghost is
 /// the solid's edge; and where the outline of a solid bends away from it, the one-way edge is the ghost of
-/// the solid's edge. So bodies slide over the joint in both directions. An inner edge continues along its own
-/// solid.
+/// the solid's edge. So bodies slide over the joint in both directions. Inner edges follow their own solid.
 class EdgeLinks {
 public:
     /// @param edges  start and end within `cells`; must outlive the use of this object, unchanged
@@ -130,8 +129,7 @@ Geometry geometryOf(const TerrainSegment& segment, Vec2 cellSize, GridPoint orig
 /// Builds the outlines of chunks, and keeps its memory from one to the next. Not thread-safe.
 class OutlineBuilder {
 public:
-    /// Builds the outline of the cells of `rect`. It depends only on these and on the ring of cells around
-    /// them.
+    /// Builds the outline of the cells of `rect`, which depends on these and the ring of cells around them.
     void build(const TileMask& mask, CellRect rect, TerrainOutline& outline);
 
 private:

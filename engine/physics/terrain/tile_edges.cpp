@@ -66,8 +66,7 @@ private:
             edges_.push_back(alongSide(corner, side, own, kind));
             return;
         }
-        // If the neighbour touches the side in a single point only, `both` is that point and the side is
-        // split in two edges.
+        // If the neighbour touches the side in one point, `both` is that point and splits the side.
         const FaceSpan first{own.from, both.from};
         const FaceSpan last{both.to, own.to};
         if (!first.empty()) edges_.push_back(alongSide(corner, side, first, kind));

@@ -93,8 +93,7 @@ struct TileLayers {
 };
 
 /// The part of a side of a cell that a solid form fills (units, from left to right or from top to bottom).
-/// Empty where only a corner touches the side; also empty, and at a corner of the cell, where nothing touches
-/// it.
+/// Empty where only a corner touches the side, and, at a corner of the cell, where nothing does.
 struct FaceSpan {
     std::int32_t from = 0;
     std::int32_t to = 0;
@@ -136,8 +135,7 @@ public:
     TilePalette();
 
     /// Adds a custom form, in fractions of a cell (0..1 from its top-left corner), clockwise or
-    /// counter-clockwise. Corners within 1/256 of a border are moved onto it, so that imprecisely drawn tiles
-    /// leave no gaps.
+    /// counter-clockwise. Corners within 1/256 of a border are moved onto it, so that tiles leave no gaps.
     /// @error not a convex polygon of 3 to 8 corners inside the cell, or too many forms
     Result<TileForm> addPolygon(std::span<const Vec2> points, OneWay oneWay = OneWay::No);
 
@@ -176,8 +174,7 @@ private:
     std::vector<TileLayers> layers_;
 };
 
-/// A cell of a terrain: indices in its palette. A TileGrid holds it as a number, which is 0 for an empty
-/// cell.
+/// A cell of a terrain: indices in its palette. A TileGrid holds it as a number, 0 if it is empty.
 struct MaskCell {
     TileForm form = TileForm::Empty;
     std::uint8_t material = 0;

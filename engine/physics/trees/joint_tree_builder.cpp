@@ -151,8 +151,8 @@ void leave(World& world, JointTrees& trees, const JointTree& tree) {
     });
 }
 
-/// Takes a tree back from the SIMD solver unless that left a joint open: closing it at once would throw
-/// bodies about.
+/// Takes a tree back from the SIMD solver unless that left a joint open: closed at once, it would throw
+/// bodies.
 /// @return true if all joints are closed, as in all trees that were never left to the SIMD solver
 bool comeBack(World& world, JointTrees& trees, const JointTree& tree) {
     bool stretched = false, closed = true;

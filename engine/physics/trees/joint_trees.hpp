@@ -63,8 +63,8 @@ inline Symmetric inverseUnturned(const Symmetric& m) {
 }
 
 // Data of the direct solver for trees of joints, see joint_tree_solver.hpp. A limb is a body of a tree; a
-// link is a joint between a limb and its parent; a hold is a further joint to a static or kinematic body,
-// which closes a loop.
+// link is a joint between a limb and its parent; a hold is a further one to a static or kinematic body: a
+// loop.
 
 /// Motion of a body since the start of the step: m, m, sine and (cosine - 1) of its rotation.
 struct TreePose {
@@ -140,8 +140,7 @@ struct JointTree {
     double gain = 0.0;     ///< J: energy added by its joints in this substep
 };
 
-/// A body found while a tree is built, from the root outwards; or the one behind a further joint to a static
-/// or kinematic body.
+/// A body found while a tree is built, from the root outwards; or the one that a hold is to.
 struct ReachedBody {
     std::uint32_t body = 0;
     std::int32_t parent = -1;  ///< index among the bodies found, or -1
