@@ -103,13 +103,10 @@ public:
     [[nodiscard]] std::uint32_t idAt(std::uint32_t place) const { return items_[place].id; }
     void find(const BoxSearches&, const AABB& box, const LineSweep* sweep, std::uint32_t mask,
               std::vector<std::uint32_t>& found) const {
-        const auto take = [&](const Item& item) {
-            if ((item.filter.layers & mask) != 0) found.push_back(item.id);
-        };
-        if (sweep == nullptr)
-            return visitNear(box, nullptr, [&](std::uint32_t place) { take(items_[place]); });
         visitNear(box, sweep, [&](std::uint32_t place) {
-            if (mayCollide(*sweep, items_[place].box)) take(items_[place]);
+            const Item& item = items_[place];
+            if ((item.filter.layers & mask) == 0) return;
+            if (sweep == nullptr || mayCollide(*sweep, item.box)) found.push_back(item.id);
         });
     }
 
