@@ -137,13 +137,7 @@ private:
     }
 
     void meet(std::uint32_t particle, std::uint32_t a, std::uint32_t b, float side, bool inside) {
-        SoftSoftContact meeting = ids_;
-        meeting.particle = particle;
-        meeting.a = a;
-        meeting.b = b;
-        meeting.side = side;
-        meeting.inside = inside;
-        meetings_.all.push_back(meeting);
+        meetings_.all.push_back({ids_.body, particle, ids_.other, a, b, side, inside});
     }
 
     float dt_;
