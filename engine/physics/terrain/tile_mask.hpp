@@ -160,8 +160,9 @@ public:
     [[nodiscard]] const TileLayers& layers(std::uint8_t number) const { return layers_[number]; }
 
     [[nodiscard]] bool hasForm(TileForm form) const { return static_cast<std::size_t>(form) < forms_.size(); }
-    [[nodiscard]] bool hasMaterial(std::uint8_t number) const { return number < materials_.size(); }
-    [[nodiscard]] bool hasLayers(std::uint8_t number) const { return number < layers_.size(); }
+    [[nodiscard]] bool has(TileForm form, std::uint8_t material, std::uint8_t layers) const {
+        return hasForm(form) && material < materials_.size() && layers < layers_.size();
+    }
 
     /// True if everything that collides with `covered` also collides with `cover`.
     [[nodiscard]] bool covers(std::uint8_t cover, std::uint8_t covered) const;
@@ -235,8 +236,7 @@ public:
 
 private:
     [[nodiscard]] bool knows(MaskCell cell) const {
-        return palette.hasForm(cell.form) && palette.hasMaterial(cell.material) &&
-               palette.hasLayers(cell.layers);
+        return palette.has(cell.form, cell.material, cell.layers);
     }
 
     TileGrid cells_;
