@@ -11,6 +11,7 @@
 #include "physics/world.hpp"
 
 namespace plumb {
+class Hasher;
 class Profile;
 class TaskPool;
 }  // namespace plumb

@@ -15,10 +15,6 @@
 #include "physics/model/side_table.hpp"
 #include "physics/settings.hpp"
 
-namespace plumb {
-class Hasher;
-}
-
 namespace plumb::physics {
 
 struct Workspace;
