@@ -7,6 +7,18 @@
 
 namespace plumb::physics {
 
+/// A vector of doubles, for differences of large moments and products of floats, which lose no digit in it.
+struct Double2 {
+    double x = 0.0;
+    double y = 0.0;
+};
+constexpr Double2 wide(Vec2 v) { return {static_cast<double>(v.x), static_cast<double>(v.y)}; }
+constexpr Double2 operator+(Double2 a, Double2 b) { return {a.x + b.x, a.y + b.y}; }
+constexpr Double2 operator-(Double2 a, Double2 b) { return {a.x - b.x, a.y - b.y}; }
+constexpr Double2 operator*(Double2 a, double s) { return {a.x * s, a.y * s}; }
+constexpr double dot(Double2 a, Double2 b) { return a.x * b.x + a.y * b.y; }
+constexpr double cross(Double2 a, Double2 b) { return a.x * b.y - a.y * b.x; }
+
 /// A coordinate frame. apply(frame, point) maps a point of the frame to the space around it.
 struct Frame {
     Vec2 position;

@@ -15,13 +15,7 @@ using Loop = std::vector<Vec2>;
 
 /// Twice the signed area of a triangle: positive if c is on the side of a-b towards which normals rotate.
 /// Computed in double precision: products of differences of floats fit, so its sign is exact.
-double areaOf(Vec2 a, Vec2 b, Vec2 c) {
-    const double abx = static_cast<double>(b.x) - static_cast<double>(a.x);
-    const double aby = static_cast<double>(b.y) - static_cast<double>(a.y);
-    const double acx = static_cast<double>(c.x) - static_cast<double>(a.x);
-    const double acy = static_cast<double>(c.y) - static_cast<double>(a.y);
-    return abx * acy - aby * acx;
-}
+double areaOf(Vec2 a, Vec2 b, Vec2 c) { return cross(wide(b) - wide(a), wide(c) - wide(a)); }
 
 /// The part of the hull below all points, or above them if the points are sorted in descending order.
 void appendChain(std::span<const Vec2> sorted, Loop& loop) {
@@ -48,9 +42,8 @@ Loop loopAround(std::vector<Vec2> points) {
 
 /// m: distance of `point` from the line through a and b; from a if both are equal.
 double heightOver(Vec2 a, Vec2 b, Vec2 point) {
-    const double x = static_cast<double>(b.x) - static_cast<double>(a.x);
-    const double y = static_cast<double>(b.y) - static_cast<double>(a.y);
-    const double size = std::sqrt(x * x + y * y);
+    const Double2 side = wide(b) - wide(a);
+    const double size = std::sqrt(dot(side, side));
     return size > 0.0 ? std::fabs(areaOf(a, b, point)) / size : static_cast<double>(distance(a, point));
 }
 
@@ -74,10 +67,9 @@ void dropFlat(Loop& loop, double height) {
 }
 
 Vec2 normalOfFace(Vec2 from, Vec2 to) {
-    const double x = static_cast<double>(to.y) - static_cast<double>(from.y);
-    const double y = static_cast<double>(from.x) - static_cast<double>(to.x);
-    const double size = std::sqrt(x * x + y * y);
-    return {static_cast<float>(x / size), static_cast<float>(y / size)};
+    const Double2 normal{wide(to).y - wide(from).y, wide(from).x - wide(to).x};
+    const double size = std::sqrt(dot(normal, normal));
+    return {static_cast<float>(normal.x / size), static_cast<float>(normal.y / size)};
 }
 
 /// Area and centroid, relative to the first corner: as accurate far from the origin.
