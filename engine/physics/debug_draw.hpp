@@ -1,8 +1,5 @@
 #pragma once
 
-#include <cstdint>
-#include <span>
-
 #include "physics/world.hpp"
 
 namespace plumb::physics {

@@ -1,7 +1,6 @@
 #include "physics/objects.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include "physics/model/checks.hpp"
 

@@ -1,9 +1,6 @@
 #pragma once
 
 #include <concepts>
-#include <memory>
-#include <utility>
-#include <vector>
 
 #include "physics/contacts/pair_set.hpp"
 #include "physics/simulation.hpp"

@@ -1,11 +1,8 @@
 #include "physics/simulation.hpp"
 
-#include <array>
 #include <bit>
-#include <cmath>
 #include <iterator>
 
-#include "core/profile.hpp"
 #include "physics/islands/sleeping.hpp"
 #include "physics/stages.hpp"
 

@@ -1,14 +1,9 @@
 #pragma once
 
-#include <span>
-#include <string_view>
-
 #include "physics/contacts/detection_counts.hpp"
 #include "physics/model/bodies.hpp"
-#include "physics/model/contact.hpp"
 #include "physics/model/joints.hpp"
 #include "physics/model/shapes.hpp"
-#include "physics/world.hpp"
 
 namespace plumb {
 class Hasher;

@@ -1,11 +1,8 @@
 #pragma once
 
 #include "core/profile.hpp"
-#include "core/task_pool.hpp"
-#include "physics/model/contact.hpp"
 #include "physics/solver/kernels.hpp"
 #include "physics/workspace.hpp"
-#include "physics/world.hpp"
 
 namespace plumb::physics {
 

@@ -1,22 +1,12 @@
 #pragma once
 
-#include <array>
-#include <cstdint>
-#include <limits>
-#include <memory>
-#include <utility>
-#include <vector>
-
-#include "physics/broadphase/broad_phase.hpp"
 #include "physics/contacts/detection_counts.hpp"
 #include "physics/contacts/pair_set.hpp"
 #include "physics/effects/field_types.hpp"
 #include "physics/narrowphase/sweep.hpp"
 #include "physics/soft/soft_contacts.hpp"
-#include "physics/solver/contact_block.hpp"
 #include "physics/solver/joint_work.hpp"
 #include "physics/solver/strips.hpp"
-#include "physics/world.hpp"
 
 namespace plumb::physics {
 

@@ -7,7 +7,6 @@
 
 #include "core/result.hpp"
 #include "physics/manifest.hpp"
-#include "physics/model/body.hpp"
 #include "physics/model/contact.hpp"
 #include "physics/model/field.hpp"
 #include "physics/model/geometry.hpp"

@@ -1,7 +1,6 @@
 #include "physics/broadphase/bvh8.hpp"
 
 #include <algorithm>
-#include <limits>
 
 #include "physics/broadphase/partitioned_broad_phase.hpp"
 

@@ -3,7 +3,6 @@
 #include <bit>
 #include <cmath>
 
-#include "physics/broadphase/hilbert_order.hpp"
 #include "physics/broadphase/partitioned_broad_phase.hpp"
 #include "physics/model/side_table.hpp"
 

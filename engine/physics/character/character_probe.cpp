@@ -1,14 +1,12 @@
 #include "physics/character/character_probe.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include "physics/model/shapes.hpp"
 #include "physics/narrowphase/collide.hpp"
 #include "physics/narrowphase/distance.hpp"
 #include "physics/queries/candidates.hpp"
 #include "physics/shapes/shape_types.hpp"
-#include "physics/tuning.hpp"
 
 namespace plumb::physics {
 

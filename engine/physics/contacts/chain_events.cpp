@@ -1,9 +1,7 @@
 #include <algorithm>
 #include <iterator>
-#include <limits>
 
 #include "physics/contacts/contacts.hpp"
-#include "physics/model/edits.hpp"
 #include "physics/workspace.hpp"
 
 namespace plumb::physics {

@@ -1,15 +1,11 @@
 #include "physics/contacts/contacts.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include "physics/broadphase/overlap.hpp"
 #include "physics/narrowphase/axis_aligned_boxes.hpp"
-#include "physics/narrowphase/collide.hpp"
 #include "physics/narrowphase/reference_face.hpp"
-#include "physics/narrowphase/sweep.hpp"
 #include "physics/solver/kernels.hpp"
-#include "physics/tuning.hpp"
 #include "physics/workspace.hpp"
 
 namespace plumb::physics {

@@ -1,9 +1,6 @@
 #pragma once
 
-#include <span>
-
 #include "physics/model/edits.hpp"
-#include "physics/world.hpp"
 
 namespace plumb::physics {
 

@@ -1,15 +1,10 @@
 #include <algorithm>
-#include <cmath>
-#include <limits>
-#include <optional>
 
 #include "physics/broadphase/overlap.hpp"
 #include "physics/contacts/contacts.hpp"
 #include "physics/narrowphase/reference_face.hpp"
-#include "physics/narrowphase/sweep.hpp"
 #include "physics/shapes/shape_types.hpp"
 #include "physics/stages.hpp"
-#include "physics/tuning.hpp"
 
 namespace plumb::physics {
 

@@ -1,10 +1,7 @@
 #pragma once
 
-#include <cmath>
-
 #include "physics/contacts/contacts.hpp"
 #include "physics/debug_draw.hpp"
-#include "physics/model/edits.hpp"
 #include "physics/shapes/convex.hpp"
 
 namespace plumb::physics {

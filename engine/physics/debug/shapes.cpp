@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <array>
 
 #include "physics/debug/picture.hpp"
 #include "physics/model/bodies.hpp"

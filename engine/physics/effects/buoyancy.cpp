@@ -1,10 +1,7 @@
 #include "physics/effects/buoyancy.hpp"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 
-#include "math/portable.hpp"
 #include "physics/effects/field_types.hpp"
 #include "physics/shapes/shape_types.hpp"
 

@@ -1,13 +1,8 @@
 #include "physics/effects/field_types.hpp"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
-#include <limits>
 
-#include "core/hash.hpp"
 #include "physics/model/edits.hpp"
-#include "physics/shapes/convex.hpp"
 #include "physics/tuning.hpp"
 #include "physics/workspace.hpp"
 

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <span>
-
 #include "physics/world.hpp"
 
 namespace plumb::physics {

@@ -4,7 +4,6 @@
 
 #include "physics/model/bounds.hpp"
 #include "physics/shapes/convex.hpp"
-#include "physics/tuning.hpp"
 
 namespace plumb::physics {
 

@@ -1,8 +1,5 @@
 #pragma once
 
-#include <cstdint>
-#include <vector>
-
 #include "physics/world.hpp"
 
 namespace plumb::physics {

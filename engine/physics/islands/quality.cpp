@@ -1,16 +1,12 @@
 #include "physics/islands/quality.hpp"
 
 #include <algorithm>
-#include <array>
 #include <bit>
 #include <numeric>
-#include <span>
 
 #include "physics/islands/sleeping.hpp"
 #include "physics/model/edits.hpp"
-#include "physics/stages.hpp"
 #include "physics/trees/joint_tree_solver.hpp"
-#include "physics/tuning.hpp"
 
 namespace plumb::physics {
 

@@ -1,8 +1,5 @@
 #include "physics/islands/sleeping.hpp"
 
-#include <utility>
-#include <vector>
-
 #include "physics/model/bounds.hpp"
 #include "physics/model/edits.hpp"
 #include "physics/stages.hpp"

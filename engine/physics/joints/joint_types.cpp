@@ -1,11 +1,8 @@
 #include "physics/joints/joint_types.hpp"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 
 #include "physics/solver/passes.hpp"
-#include "physics/tuning.hpp"
 
 namespace plumb::physics {
 

@@ -1,15 +1,12 @@
 #include "physics/model/bodies.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <utility>
 
 #include "physics/contacts/contacts.hpp"
 #include "physics/effects/drag.hpp"
 #include "physics/islands/sleeping.hpp"
 #include "physics/model/bounds.hpp"
 #include "physics/model/checks.hpp"
-#include "physics/model/edits.hpp"
 #include "physics/model/joints.hpp"
 #include "physics/model/shapes.hpp"
 #include "physics/workspace.hpp"

@@ -1,10 +1,8 @@
 #include "physics/model/bounds.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include "physics/contacts/contacts.hpp"
-#include "physics/model/edits.hpp"
 #include "physics/shapes/shape_types.hpp"
 #include "physics/tuning.hpp"
 #include "physics/workspace.hpp"

@@ -1,7 +1,6 @@
 #include "physics/model/checks.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include "core/text.hpp"
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <bit>
 #include <tuple>
-#include <vector>
 
 #include "physics/islands/sleeping.hpp"
 #include "physics/model/bodies.hpp"

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "physics/narrowphase/collide.hpp"
-#include "physics/tuning.hpp"
 
 namespace plumb::physics {
 

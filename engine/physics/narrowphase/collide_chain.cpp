@@ -1,6 +1,4 @@
-#include "physics/narrowphase/collide.hpp"
 #include "physics/narrowphase/reference_face.hpp"
-#include "physics/tuning.hpp"
 
 namespace plumb::physics {
 

@@ -2,9 +2,6 @@
 
 #include <utility>
 
-#include "physics/narrowphase/collide.hpp"
-#include "physics/tuning.hpp"
-
 namespace plumb::physics {
 
 namespace {

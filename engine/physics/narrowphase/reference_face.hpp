@@ -5,7 +5,6 @@
 
 #include "physics/narrowphase/collide.hpp"
 #include "physics/shapes/convex.hpp"
-#include "physics/tuning.hpp"
 
 namespace plumb::physics {
 

@@ -1,14 +1,11 @@
 #include "physics/narrowphase/sweep.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 
 #include "physics/contacts/contacts.hpp"
 #include "physics/effects/one_way.hpp"
 #include "physics/model/joints.hpp"
 #include "physics/narrowphase/distance.hpp"
-#include "physics/tuning.hpp"
 
 namespace plumb::physics {
 

@@ -1,7 +1,5 @@
 #include "physics/queries/candidates.hpp"
 
-#include <cmath>
-
 #include "physics/model/bounds.hpp"
 #include "physics/model/shapes.hpp"
 #include "physics/narrowphase/distance.hpp"

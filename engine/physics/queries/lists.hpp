@@ -1,7 +1,5 @@
 #pragma once
 
-#include <vector>
-
 #include "core/fixed_list.hpp"
 #include "physics/world.hpp"
 

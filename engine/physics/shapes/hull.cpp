@@ -1,7 +1,6 @@
 #include "physics/shapes/hull.hpp"
 
 #include <algorithm>
-#include <optional>
 
 #include "core/text.hpp"
 #include "physics/ranges.hpp"

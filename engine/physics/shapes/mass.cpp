@@ -1,4 +1,3 @@
-#include "math/portable.hpp"
 #include "physics/shapes/shape_types.hpp"
 
 namespace plumb::physics {

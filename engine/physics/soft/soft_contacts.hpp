@@ -1,10 +1,5 @@
 #pragma once
 
-#include <cstdint>
-#include <span>
-#include <utility>
-#include <vector>
-
 #include "physics/solver/contact_block.hpp"
 #include "physics/world.hpp"
 

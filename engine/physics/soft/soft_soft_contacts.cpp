@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <cmath>
 
 #include "physics/islands/sleeping.hpp"
 #include "physics/soft/soft_contacts.hpp"

@@ -1,5 +1,4 @@
 #include <bit>
-#include <utility>
 
 #include "physics/model/edits.hpp"
 #include "physics/solver/joint_lanes.hpp"

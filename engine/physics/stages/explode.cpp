@@ -1,6 +1,5 @@
 #include <algorithm>
 
-#include "physics/effects/field_types.hpp"
 #include "physics/model/fields.hpp"
 #include "physics/shapes/shape_types.hpp"
 #include "physics/stages.hpp"

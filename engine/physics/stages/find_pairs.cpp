@@ -4,7 +4,6 @@
 #include "physics/islands/sleeping.hpp"
 #include "physics/model/bounds.hpp"
 #include "physics/model/joints.hpp"
-#include "physics/narrowphase/sweep.hpp"
 #include "physics/stages.hpp"
 
 namespace plumb::physics {

@@ -1,15 +1,11 @@
 #include <algorithm>
-#include <cmath>
 
 #include "physics/continuous/swept_bodies.hpp"
 #include "physics/model/bounds.hpp"
 #include "physics/model/edits.hpp"
-#include "physics/narrowphase/sweep.hpp"
 #include "physics/shapes/shape_types.hpp"
 #include "physics/solver/contact_extras.hpp"
 #include "physics/solver/joint_lanes.hpp"
-#include "physics/stages.hpp"
-#include "physics/tuning.hpp"
 
 namespace plumb::physics {
 

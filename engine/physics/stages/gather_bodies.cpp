@@ -1,8 +1,6 @@
 #include "physics/effects/drag.hpp"
 #include "physics/islands/quality.hpp"
 #include "physics/islands/sleeping.hpp"
-#include "physics/solver/strips.hpp"
-#include "physics/stages.hpp"
 #include "physics/trees/joint_tree_solver.hpp"
 
 namespace plumb::physics {

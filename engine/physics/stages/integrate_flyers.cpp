@@ -1,7 +1,5 @@
 #include <algorithm>
-#include <array>
 
-#include "math/portable.hpp"
 #include "physics/stages.hpp"
 
 namespace plumb::physics {

@@ -1,11 +1,6 @@
 #include <algorithm>
-#include <cmath>
-#include <span>
 
-#include "math/portable.hpp"
-#include "physics/effects/field_types.hpp"
 #include "physics/solver/passes.hpp"
-#include "physics/stages.hpp"
 
 namespace plumb::physics {
 

@@ -1,6 +1,4 @@
 #include <algorithm>
-#include <span>
-#include <utility>
 
 #include "physics/contacts/contacts.hpp"
 #include "physics/islands/sleeping.hpp"

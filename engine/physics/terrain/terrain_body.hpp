@@ -1,8 +1,5 @@
 #pragma once
 
-#include <vector>
-
-#include "core/result.hpp"
 #include "physics/terrain/terrain_outlines.hpp"
 #include "physics/world.hpp"
 

@@ -1,10 +1,7 @@
 #include "physics/terrain/tile_mask.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <utility>
 
-#include "core/assert.hpp"
 #include "core/text.hpp"
 #include "physics/model/checks.hpp"
 

@@ -1,11 +1,9 @@
 #include "physics/trees/joint_tree_solver.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include "physics/joints/joint_types.hpp"
 #include "physics/trees/tree_joints.hpp"
-#include "physics/tuning.hpp"
 
 namespace plumb::physics {
 

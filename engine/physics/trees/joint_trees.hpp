@@ -4,7 +4,6 @@
 #include <span>
 #include <vector>
 
-#include "math/vec2.hpp"
 #include "physics/model/joint.hpp"
 
 namespace plumb::physics {

@@ -1,6 +1,5 @@
 #include <cmath>
 
-#include "math/portable.hpp"
 #include "physics/model/geometry.hpp"
 #include "physics/trees/joint_trees.hpp"
 
