@@ -8,8 +8,7 @@
 namespace plumb::physics {
 
 // The library as objects: bodies that move, colliders that touch, and virtual functions that are called when
-// they do. A Physics owns everything. For all else there are its world() and the functions of bodies.hpp,
-// shapes.hpp and joints.hpp.
+// they do. A Physics owns everything; its world() is for the functions of all else.
 
 class Collider;
 class Physics;
@@ -160,8 +159,7 @@ public:
     void destroy(RigidBody& body);
     void destroy(Collider& collider);
 
-    /// Advances the world by dt (s), then calls the colliders. Does nothing if dt is not finite or not
-    /// positive, or if a callback calls it.
+    /// Advances the world by dt (s), then calls the colliders. Nothing for other dt, or from a callback.
     /// @param options  threads, profile, filters of contacts
     void update(float dt, const StepOptions& options = {});
 

@@ -10,8 +10,7 @@ namespace plumb::physics {
 /// How velocities and positions are integrated.
 enum class IntegratorKind : std::uint8_t { ExplicitEuler, SemiImplicitEuler, Verlet, Rk4, Count };
 
-/// All tolerances of the simulation. Part of the world and its snapshot. The next step clamps values that are
-/// out of range: see bringIntoRange().
+/// All tolerances of the simulation, a part of the world. The next step clamps them: see bringIntoRange().
 struct Settings {
     Vec2 gravity{0.0f, 10.0f};  ///< m/s2
 
@@ -25,8 +24,7 @@ struct Settings {
     /// Velocity iterations per substep, 1 to 64. A higher quality nearly always uses the time better:
     /// README.md.
     std::uint8_t iterations = 1;
-    /// Islands that are hard to solve (mass ratios, high stacks, long chains) get more substeps, estimated
-    /// from what they are made of.
+    /// Islands that are hard to solve (mass ratios, high stacks, long chains) get more substeps.
     bool automaticQuality = false;
     /// m: maximum overlap of bodies and maximum error of joints. Each island uses the lowest quality that
     /// keeps to it, if there is one; it begins with the estimate of automaticQuality. 0: off, the quality of

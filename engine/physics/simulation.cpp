@@ -76,8 +76,7 @@ bool nothingToDo(const World& world) {
            !world.manifest.runs(Effect::Explosion) && !world.manifest.runs(Effect::SoftBodies);
 }
 
-/// Wakes everything if gravity changed, since a body at rest may not stay at rest under the new gravity, or
-/// if nothing is to sleep any more.
+/// Wakes everything if gravity changed, under which nothing has to stay at rest, or nothing is to sleep.
 void wakeForSettings(World& world) {
     const bool gravityChanged = world.steps > 1 && world.gravityOfLastStep != world.settings.gravity;
     if (gravityChanged || !world.settings.sleeping) wakeAll(world);

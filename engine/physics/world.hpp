@@ -102,8 +102,7 @@ struct SubstepController {
     Quality quality = kQualityOfWorld;  ///< of the last step; kQualityOfWorld: never evaluated
     Quality before = kQualityOfWorld;   ///< before the last change
     SubstepPhase phase = SubstepPhase::Calm;
-    std::uint8_t patience = 0;  ///< number of changes that failed (a lower quality was too low, a higher one
-                                ///< did not help); each doubles the wait
+    std::uint8_t patience = 0;  ///< failures of lower and of higher qualities: each doubles the wait
     std::uint32_t wait = 0;     ///< steps until the next decision
     float error = 0.0f;  ///< m: to compare with: maximum while Calm or Trying, else that at the last decision
     float first = 0.0f;  ///< m: the error that made it rise
@@ -392,8 +391,7 @@ template <class List, class Thing>
     return isLatest(world.softBodies.all, id) && world.softBodies.all[id.index].isAlive;
 }
 
-/// What a list of the world has of an object. Of one that was destroyed or never made it is a default value:
-/// all getters of the library answer so.
+/// What a list of the world has of an object, a default value if that is gone: so answer all getters.
 template <class T, class Thing>
 [[nodiscard]] const T& readOf(const World& world, const std::vector<T>& list, Id<Thing> id) {
     static const T kNeutral{};

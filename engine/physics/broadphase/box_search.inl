@@ -195,8 +195,7 @@ PLUMB_TARGET inline void collectLookers(const TreeSearch& search, std::uint32_t 
     }
 }
 
-/// Which lanes of a leaf each searching lane has to report if they overlap. Of two lanes that both search,
-/// only one reports the pair.
+/// Which lanes of a leaf each searching lane has to report if they overlap: of two that search, one does.
 PLUMB_TARGET inline std::uint64_t openLanes(const TreeSearch& search, const Lookers& lookers,
                                             std::uint32_t leaf) {
     const bool same = search.own == search.others;

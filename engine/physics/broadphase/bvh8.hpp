@@ -90,8 +90,7 @@ private:
     std::uint32_t sorted_ = 0;  ///< lanes in use at the last sort
 
     std::vector<float> sortedSizes_;        ///< m: width plus height of each leaf after the last sort
-    std::vector<std::uint32_t> stretches_;  ///< by leaf: relative growth of its area since the sort, in fixed
-                                            ///< point; a measure of needless visits
+    std::vector<std::uint32_t> stretches_;  ///< by leaf: growth of its area since the sort, fixed point
     std::uint64_t stretch_ = 0;             ///< sum of stretches_
     std::uint64_t lost_ = 0;  ///< cost of searches in disordered leaves since the sort, in the same unit
 

@@ -10,8 +10,7 @@
 
 namespace plumb::physics {
 
-/// The three partitions of a broad phase. Resting proxies are kept apart from moving ones, so that they add
-/// nothing to the cost of a step.
+/// The three partitions of a broad phase. Resting proxies, apart from moving ones, cost a step nothing.
 enum ProxyPart : std::uint32_t { kStaticPart, kAsleepPart, kMovingPart, kParts };
 
 constexpr std::uint32_t partOf(ProxyMotion motion) {

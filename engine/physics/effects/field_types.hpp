@@ -76,8 +76,7 @@ Acceleration buoyancy(const FieldView&, const FieldDefinition&, std::uint32_t, c
 
 /// m: width of a shape across a unit direction in the shape's frame.
 [[nodiscard]] float widthAcross(const Geometry& geometry, std::span<const Corner> corners, Vec2 direction);
-/// m: width of a whole body across a direction in the world: the sum over its shapes, also where one hides
-/// another. Triggers do not count.
+/// m: width of a whole body across a direction in the world: the sum over its solid shapes.
 [[nodiscard]] float widthAcross(const World& world, std::uint32_t body, Rot rotation, Vec2 direction);
 
 /// A body in a field, without contacts and joints: integrated by Settings::integrator.

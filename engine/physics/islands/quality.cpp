@@ -12,8 +12,7 @@ namespace plumb::physics {
 
 namespace {
 
-/// One level for a value above a limit, and one more for each `factor` above it, up to three: each level
-/// reduces errors three to four times.
+/// One level for a value above a limit, and one more for each `factor` above it, up to three.
 int stepsAbove(float value, float limit, float factor) {
     int steps = 0;
     for (; steps < 3 && value > limit; limit *= factor) ++steps;

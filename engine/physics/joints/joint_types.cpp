@@ -201,8 +201,7 @@ void addCoordinate(const World& world, std::uint32_t index, float ratio, NBodyCo
     constraint.add({joint.bodyB, axis.x, axis.y, cross(armB, axis)});
 }
 
-/// The error is accumulated over all steps since the gear was created (Joint::rows[1]): angles are not
-/// limited to one revolution.
+/// The error adds up over all steps (Joint::rows[1]): angles are not limited to one revolution.
 NBodyConstraint gear(const World& world, const Joint& joint, const JointDefinition& definition) {
     NBodyConstraint constraint;
     addCoordinate(world, definition.jointA.index, 1.0f, constraint);

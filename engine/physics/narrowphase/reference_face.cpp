@@ -85,8 +85,7 @@ EdgeOnEdge edgeOnEdge(const Side& reference, std::size_t face, const Side& other
         .origin = corner.point, .normal = corner.normal, .tangent = perpendicular(corner.normal)};
     edges.face = face;
     edges.length = dot(reference.corners[next(reference.corners, face)].point - corner.point, edges.tangent);
-    // The corners of both sides are in the same order of rotation, so the reference and the incident edge run
-    // in opposite directions.
+    // Corners of both are in one order of rotation: reference and incident edge run in opposite directions.
     edges.end = faceAgainst(other.corners, corner.normal);
     edges.start = next(other.corners, edges.end);
     const auto seen = [&](std::size_t i) {

@@ -73,8 +73,7 @@ void keep(std::optional<RayHit>& first, float fraction, Vec2 normal) {
         first = RayHit{fraction, normal};
 }
 
-/// Computed relative to the point of the ray that is nearest to the centre, so that a long ray does not miss
-/// a small disc due to rounding.
+/// Relative to the point of the ray nearest to the centre: rounding of long rays misses no small disc.
 void castAtDisc(const Ray& ray, Vec2 centre, float radius, std::optional<RayHit>& first) {
     const float length = plumb::length(ray.displacement);
     if (!(length > 0.0f)) return;

@@ -29,8 +29,7 @@ inline constexpr float kNoChain = -1.0f;
 /// impacts gets right.
 void runImpactsOn(StepContext& step, const SolveGroup& group);
 
-// Rolling resistance (rolling.cpp): a torque against the relative rotation of two bodies, at most the
-// resistance (m) times the normal force.
+// Rolling resistance (rolling.cpp): a torque against rotation, at most the resistance (m) times the force.
 
 void prepareRolling(StepContext& step);
 void warmStartRolling(StepContext& step, const SolveGroup& group);

@@ -49,8 +49,7 @@ void makeContacts(StepContext& step) {
     }
 }
 
-/// What a fast kinematic body may pass in this step has to be awake: a pair that is found when their bounds
-/// overlap would come too late.
+/// What a fast kinematic body may pass in this step has to be awake: found by overlap it is too late.
 void wakeOnPaths(World& world, Workspace& work, float dt) {
     if (world.sleepers.islands.size() == world.sleepers.freeIslands.size()) return;
     std::vector<std::uint32_t>& found = work.candidates;

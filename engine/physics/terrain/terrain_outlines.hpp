@@ -118,8 +118,7 @@ struct TerrainSegment {
     friend bool operator==(const TerrainSegment&, const TerrainSegment&) = default;
 };
 
-/// The merged edges of a chunk; connected ones of one kind follow each other. It depends on the cells only,
-/// not on the order of edits.
+/// The merged edges of a chunk; connected ones of one kind follow each other, whatever edits came first.
 using TerrainOutline = std::vector<TerrainSegment>;
 
 /// @param cellSize  m

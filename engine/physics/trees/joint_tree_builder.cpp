@@ -27,8 +27,7 @@ public:
         joints = world_.joints.awake;
         std::sort(joints.begin(), joints.end());
         trees_.reached.assign(world_.bodies.size(), 0);
-        // First trees that hang on a static or kinematic body, with the root there; then floating trees,
-        // whose root may be any body.
+        // First trees that hang on a static or kinematic body, their root, then floating ones from any body.
         for (const bool hanging : {true, false}) {
             for (const std::uint32_t index : joints) {
                 const Joint& joint = world_.joints.hot[index];

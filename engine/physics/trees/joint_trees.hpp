@@ -172,8 +172,7 @@ struct JointTrees {
     }
 };
 
-/// What a joint of a tree constrains: a length (1), a point and an angle (3), a point or the position across
-/// an axis and an angle (2).
+/// What a joint of a tree constrains: a length (1), a point and an angle (3), a point, or a slider (2).
 constexpr int rowsOf(JointKind kind) {
     return kind == JointKind::Distance ? 1 : kind == JointKind::Weld ? 3 : 2;
 }
