@@ -77,7 +77,6 @@ enum DebugPart : std::uint32_t {
     kDrawAll = (1 << 17) - 1
 };
 
-/// Options of debugDraw().
 struct DebugChoice {
     std::uint32_t parts = kDrawAll;  ///< bits of DebugPart
     WorldPosition origin;            ///< m: what positions are relative to: exact far from the world's origin

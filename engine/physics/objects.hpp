@@ -174,7 +174,6 @@ public:
     [[nodiscard]] World& world() { return world_; }
 
 private:
-    /// A callback to be made.
     struct Call {
         Collider* a;
         Collider* b;

@@ -7,7 +7,6 @@
 
 namespace plumb::physics {
 
-/// How velocities and positions are integrated.
 enum class IntegratorKind : std::uint8_t { ExplicitEuler, SemiImplicitEuler, Verlet, Rk4, Count };
 
 /// All tolerances of the simulation, a part of the world. The next step clamps them: see bringIntoRange().

@@ -83,7 +83,6 @@ void wakeForSettings(World& world) {
     world.gravityOfLastStep = world.settings.gravity;
 }
 
-/// The effects of this step.
 std::uint32_t effectsOf(const World& world, const ContactHooks& hooks) {
     std::uint32_t effects = world.manifest.running();
     if (hooks.friction != nullptr) effects |= Manifest::bit(Effect::Friction);

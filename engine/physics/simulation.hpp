@@ -30,7 +30,6 @@ struct StepOptions {
 /// threads and any instruction set. If dt is not finite or not above 0, only the events are cleared.
 void step(World& world, float dt, const StepOptions& options = {});
 
-/// One stage of the step.
 struct StageInfo {
     std::string_view name;  ///< also in the profiler
     std::uint32_t effects;  ///< bits as in Manifest: the stage runs when one of these effects does; 0: always

@@ -6,7 +6,6 @@
 
 namespace plumb::physics {
 
-/// The input of every stage.
 struct StepContext {
     World& world;
     Workspace& work;
@@ -146,7 +145,6 @@ void solve(StepContext& step);
 void springSoft(StepContext& step, const SoftGroup& group, float h, int substep);
 /// Takes velocities from displacements.
 void closeSoft(const StepContext& step, const SoftGroup& group, float h);
-/// After the substeps.
 void finishSoft(StepContext& step, const SoftGroup& group, float h);
 /// Reads: fields, work.smooth. Writes: work.velocity, work.shift of bodies on which only fields act.
 void integrateFlyers(StepContext& step);

@@ -29,7 +29,6 @@ struct ContactRanges {
     BlockRange fixed;
 };
 
-/// Blocks of one color of a group.
 struct ColourBlocks {
     ContactRanges contacts;
     BlockRange joints[kJointBlockKinds];
@@ -99,7 +98,6 @@ inline std::uint16_t keyOf(const Contact& contact) {
     return static_cast<std::uint16_t>((contact.colour & kKeyColour) | idle | fixed | began);
 }
 
-/// Whether a contact with this key pushes its bodies.
 constexpr bool pushes(std::uint16_t key) { return (key & kKeyColour) != kKeyIdle; }
 
 /// A slot whose body is locked along x or y.
@@ -135,7 +133,6 @@ struct FixedPair {
     std::uint32_t next = kNone;  ///< index in Workspace::fixedPairs: another one of the body
 };
 
-/// What a piece of work found when it looked at contacts.
 struct ContactFindings {
     std::vector<std::uint32_t> changed;  ///< contacts that began, ended, or are gone
     std::vector<FixedPair> fixed;
@@ -144,7 +141,6 @@ struct ContactFindings {
     void clear() { changed.clear(), fixed.clear(), counts = {}; }
 };
 
-/// What a piece of work found when it moved bodies.
 struct BodyFindings {
     std::vector<std::uint32_t> left;    ///< shapes that left their bounds
     std::vector<std::uint32_t> fast;    ///< bodies that may have passed through something
@@ -154,7 +150,6 @@ struct BodyFindings {
     void clear() { left.clear(), fast.clear(), broken.clear(), sleepy = false; }
 };
 
-/// What a piece of work found along the paths of fast bodies.
 struct SweepFindings {
     std::vector<std::uint32_t> shapes;  ///< near the current one
     DetectionCounts counts;

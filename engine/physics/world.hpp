@@ -87,7 +87,6 @@ enum BodyFlag : std::uint8_t {
     kDropsThrough = 128  ///< one-way shapes do not stop it
 };
 
-/// State of the quality control of an island.
 enum class SubstepPhase : std::uint8_t {
     Calm,      ///< its error is within the tolerance
     Trying,    ///< it took the next lower quality: does the error stay within the tolerance?

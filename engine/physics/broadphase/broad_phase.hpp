@@ -26,7 +26,6 @@ constexpr bool meet(const Filter& a, const Filter& b) {
     return (a.layers & b.mask) != 0 && (b.layers & a.mask) != 0;
 }
 
-/// The motion class of a proxy.
 enum class ProxyMotion : std::uint8_t {
     Gone,       ///< a free slot
     Static,     ///< never moves
@@ -43,7 +42,6 @@ struct Proxies {
     std::span<const ProxyMotion> motions;
 };
 
-/// Which proxies a cast considers.
 enum class Among : std::uint8_t { All, Static };
 
 /// Two shapes whose bounds overlap: the lower index in the high half, so that sorting keys sorts by it.

@@ -26,14 +26,12 @@ struct alignas(32) TreeBoxes {
     }
 };
 
-/// Eight children.
 struct TreeNode {
     TreeBoxes boxes;
     std::uint32_t layers[kBranch];  ///< FilterUnion of the leaves below
     std::uint32_t masks[kBranch];
 };
 
-/// Eight proxies.
 struct TreeLeaf {
     TreeBoxes boxes;
     Filter filters[kBranch];

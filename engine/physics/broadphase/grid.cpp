@@ -94,7 +94,6 @@ private:
     static constexpr std::uint32_t kNearCells = 12;
     static constexpr std::uint32_t kLevels = 10;  // the last one is a single cell
 
-    /// The cell of a box.
     struct Cell {
         std::int32_t x = 0;
         std::int32_t y = 0;

@@ -33,7 +33,6 @@ inline constexpr std::uint32_t kPlaceBits = 30;
 constexpr std::uint32_t partOfPlace(ProxyPlace place) { return place >> kPlaceBits; }
 constexpr std::uint32_t inPart(ProxyPlace place) { return place & ((1u << kPlaceBits) - 1); }
 
-/// Sets a bit of a list of words.
 inline void setBit(std::vector<std::uint64_t>& words, std::size_t i) {
     words[i / 64] |= std::uint64_t{1} << i % 64;
 }

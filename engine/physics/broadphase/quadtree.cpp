@@ -156,7 +156,6 @@ private:
         std::uint32_t count = 0;  ///< number of items in it and below
     };
 
-    /// The square that a box needs.
     struct Goal {
         Vec2 middle;
         float half = 0.0f;  ///< m: half the width of the square
@@ -222,7 +221,6 @@ private:
              node = nodes_[node].parent)
             nodes_[node].reach = merged(nodes_[node].reach, box);
     }
-    /// Counts one item less in the node.
     void leave(std::uint32_t node) {
         if (--nodes_[node].count == 0) nodes_[node].reach = kNowhere;
     }

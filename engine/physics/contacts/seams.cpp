@@ -116,7 +116,6 @@ private:
 /// Chains have ghost vertices instead, and round shapes do not abut.
 bool abuts(ShapeKind kind) { return kind == ShapeKind::Box || kind == ShapeKind::Polygon; }
 
-/// The contacts of a body with fixed shapes.
 struct BodyContacts {
     World& world;
     const std::vector<FixedPair>& pairs;

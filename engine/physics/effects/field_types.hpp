@@ -55,7 +55,6 @@ const FieldType& fieldTypeOf(FieldKind kind);
 constexpr RegionKind regionOf(const FieldDefinition& field) {
     return field.kind == FieldKind::Explosion ? RegionKind::Circle : field.region;
 }
-/// True if a position lies in the region of a field.
 [[nodiscard]] bool isInRegion(const FieldDefinition& field, WorldPosition place);
 /// m/s: velocity of the air of a Wind in a given step, gusts included.
 [[nodiscard]] Vec2 airOf(const FieldDefinition& field, std::uint64_t step);
@@ -69,7 +68,6 @@ constexpr RegionKind regionOf(const FieldDefinition& field) {
 /// forces: for all integrators, and for bodies that touch something.
 Acceleration accelerationAt(const FieldView& view, std::span<const std::uint32_t> fields, std::uint32_t body,
                             const BodyState& state);
-/// State of a body at the start of the step.
 BodyState stateAtStart(const World& world, std::uint32_t body);
 
 Acceleration buoyancy(const FieldView&, const FieldDefinition&, std::uint32_t, const BodyState&);

@@ -26,7 +26,6 @@ void wakeAll(World& world);
 void wakeTouching(World& world, std::uint32_t body);
 /// Wakes a body that is about to move; if it stood still, what lies on it and hangs from it too.
 void wakeForMotion(World& world, std::uint32_t body);
-/// Puts the island of a body to sleep at once.
 void sleepNow(World& world, std::uint32_t body);
 
 inline constexpr std::uint32_t kIslandToBe = kNone - 1;

@@ -97,7 +97,6 @@ SubstepController whileCalm(SubstepController controller, float error, const Ter
     return watching(controller, SubstepPhase::Trying, terms);
 }
 
-/// A lower quality is being tried.
 SubstepController whileTrying(SubstepController controller, float error, const Terms& terms) {
     if (error <= kRoom * terms.tolerance) return whileCalm(controller, error, terms);
     // An impact would prove nothing, but cannot be distinguished here: it will be tried again.

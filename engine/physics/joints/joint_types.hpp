@@ -5,7 +5,6 @@
 
 namespace plumb::physics {
 
-/// The parameters of a substep that joints depend on.
 struct JointTiming {
     float h = 0.0f;         ///< s
     float stiffest = 0.0f;  ///< 1/s: a spring at or above this frequency counts as rigid

@@ -32,7 +32,6 @@ void refill(World& world, Workspace& work) {
                 [&](const Contact& contact) { work.pairs.add(pairKey(contact.shapeA, contact.shapeB)); });
 }
 
-/// The shapes of a world as the broad phase reads them.
 Proxies proxiesOf(const World& world) {
     return {world.shapes.bounds, world.shapes.filter, world.shapes.motion};
 }

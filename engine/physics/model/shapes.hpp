@@ -31,7 +31,6 @@ void destroyChain(World& world, ShapeId chain);
 /// @error as createShape(), or a number of definitions that differs from that of outlines
 Result<Done> createShapes(World& world, BodyId body, std::span<const Geometry> geometries,
                           std::span<const ShapeDefinition> definitions);
-/// Destroys all shapes of a body.
 void destroyShapes(World& world, BodyId body);
 /// Destroys a shape; its contacts end in the next step. A stale id does nothing.
 void destroyShape(World& world, ShapeId shape);

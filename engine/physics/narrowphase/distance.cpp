@@ -52,7 +52,6 @@ constexpr int kMaxIterations = 2 * kMaxCorners;
 
 float largestOf(Vec2 v) { return std::max(std::fabs(v.x), std::fabs(v.y)); }
 
-/// Points of the Minkowski difference.
 template <int kCapacity>
 struct Points {
     Way displacements[kCapacity];
@@ -63,7 +62,6 @@ struct Points {
     }
 };
 
-/// A simplex of up to three points.
 struct Simplex : Points<3> {
     float part = 0.0f;  ///< of two points: where between them is the point nearest to the origin
 
@@ -211,7 +209,6 @@ Polytope polytopeOf(const Displacements& set) {
     return polytope;
 }
 
-/// The edge nearest to the origin.
 struct NearestSide {
     int index = 0;
     Vec2 normal = kAnyNormal;

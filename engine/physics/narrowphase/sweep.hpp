@@ -21,7 +21,6 @@ struct Sweep {
 /// The path that leads through a pose at a part of the step.
 /// @param way, turn  in a whole step
 Sweep sweepThrough(const BodyPose& pose, float part, Vec2 displacement, float turn);
-/// The path of a body that stays where it is.
 inline Sweep resting(const BodyPose& pose, float part = 0.0f) { return sweepThrough(pose, part, {}, 0.0f); }
 
 /// Whether a displacement (m) and a rotation (rad) in one step may carry a body past something thin: some
@@ -52,7 +51,6 @@ inline constexpr float kNever = 4.0f;
 ///         advancement)
 float firstImpact(const SweptOutline& a, const SweptOutline& b, float gap, float latest = 1.0f);
 
-/// What a body meets next on its path.
 struct PathHit {
     float part = kNever;
     std::uint32_t shape = kNone;  ///< of the body
@@ -72,7 +70,6 @@ struct SweptBody {
     PathHit next;
 };
 
-/// A shape and its path.
 struct Mover {
     std::uint32_t shape;
     const Sweep& sweep;

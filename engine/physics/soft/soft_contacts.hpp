@@ -35,7 +35,6 @@ struct SoftContact {
     float gap = 0.0f;  ///< m: at the start of the substep
 };
 
-/// A range of a list.
 struct SoftRange {
     std::size_t begin = 0;
     std::size_t end = 0;
@@ -56,7 +55,6 @@ struct SoftGroup {
     std::uint32_t body = kNone;  ///< one of those that it may push
 };
 
-/// Data of a step, in Workspace.
 struct SoftSurroundings {
     std::vector<std::uint32_t> shapes;  ///< near soft bodies, in the order of these
     std::vector<std::uint32_t> ends;    ///< by soft body: end of its shapes
@@ -79,7 +77,6 @@ struct SoftSurroundings {
 
 /// Finds the shapes near all soft bodies, wakes what they hit, and finds the islands that they share.
 void findSurroundings(StepContext& step);
-/// Finds the obstacles and contacts of a group.
 void findSoftContacts(StepContext& step, SoftGroup& group);
 /// Of a group, so that its links carry what lies on them.
 [[nodiscard]] int substepsOf(const StepContext& step, const SoftGroup& group);
@@ -117,7 +114,6 @@ struct SoftEdge {
     std::uint32_t link = 0;
 };
 
-/// Data of a step, in Workspace.
 struct SoftSoftContacts {
     std::vector<SoftBox> boxes;  ///< by index of the soft body
     std::vector<std::uint32_t>

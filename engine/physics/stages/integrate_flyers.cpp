@@ -132,7 +132,6 @@ using Integrator = void (*)(const Flight& flight, float elapsed);
 constexpr std::array<Integrator, static_cast<std::size_t>(IntegratorKind::Count)> kIntegrators{
     explicitEuler, semiImplicitEuler, velocityVerlet, rungeKutta};
 
-/// Applies the drag of half a step.
 void dragHalfway(const Flight& flight) {
     for (Flyer& f : flight.flyers) {
         if ((f.linearDrag == 0.0f && f.angularDrag == 0.0f) || dragIsInside(flight, f)) continue;

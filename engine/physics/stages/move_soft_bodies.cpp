@@ -6,7 +6,6 @@ namespace plumb::physics {
 
 namespace {
 
-/// One soft body in one substep.
 struct SoftStep {
     const StepContext& step;
     SoftBody& body;

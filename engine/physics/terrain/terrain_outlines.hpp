@@ -36,7 +36,6 @@ struct TileEdge {
     GridPoint b;
     EdgeKind kind;
 
-    /// Its start (0) or its end (1).
     [[nodiscard]] constexpr GridPoint end(std::size_t i) const { return i == 0 ? a : b; }
 };
 
@@ -180,7 +179,6 @@ public:
     [[nodiscard]] CellRect cellsOf(std::uint32_t chunk) const;
 
 private:
-    /// The scratch data of one thread.
     struct Maker {
         OutlineBuilder builder;
         TerrainOutline fresh;

@@ -57,7 +57,6 @@ std::int64_t doubleAreaOf(std::span<const GridPoint> points) {
     return sum;
 }
 
-/// Removes duplicate and collinear corners.
 void dropNeedless(std::vector<GridPoint>& points) {
     for (std::size_t i = 0; i < points.size() && points.size() >= 3;) {
         const GridPoint before = points[(i + points.size() - 1) % points.size()];

@@ -35,7 +35,6 @@ constexpr std::int64_t cross(GridPoint a, GridPoint b) {
     return std::int64_t{a.x} * b.y - std::int64_t{a.y} * b.x;
 }
 
-/// The top-left corner of a cell.
 constexpr GridPoint cornerOfCell(int x, int y) { return {x * kCellUnits, y * kCellUnits}; }
 
 /// @param cellSize  m
@@ -75,7 +74,6 @@ constexpr GridPoint directionOf(OneWay side) {
     return kDirections[static_cast<int>(side)];
 }
 
-/// The surface properties of cells.
 struct TileMaterial {
     float friction = 0.6f;      ///< Coulomb coefficient, 0..100
     float bounciness = 0.0f;    ///< coefficient of restitution, 0..1

@@ -24,7 +24,6 @@ inline Triple& operator+=(Triple& a, const Triple& b) {
 }
 inline Triple operator*(double s, const Triple& a) { return {s * a.x, s * a.y, s * a.turn}; }
 
-/// A symmetric 3 x 3 matrix over triples.
 struct Symmetric {
     double xx = 1.0;
     double xy = 0.0;
@@ -73,7 +72,6 @@ struct TreePose {
     double versine = 0.0;
 };
 
-/// A body of a tree.
 struct TreeBody {
     std::uint32_t body = 0;
     std::int32_t slot = 0;
