@@ -23,6 +23,12 @@ Contact makeContact(const World& world, std::uint32_t shapeA, std::uint32_t shap
 /// False for a border inside something, and for one that is stopped by what is in front of it.
 [[nodiscard]] bool comesTo(const World& world, std::uint32_t shapeA, std::uint32_t shapeB);
 
+/// Outward normal of the side on which a one-way shape stops what comes, in the world.
+[[nodiscard]] inline Vec2 openDirection(const World& world, std::uint32_t shape) {
+    const Rot rotation = world.bodies.pose[world.shapes.info[shape].body].rotation;
+    return rotate(rotation, world.shapes.extrasOf(shape).oneWayDirection);
+}
+
 /// Whether a push can turn the body.
 [[nodiscard]] bool canTurn(const World& world, std::uint32_t body);
 

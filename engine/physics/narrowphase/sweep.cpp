@@ -3,9 +3,9 @@
 #include <algorithm>
 
 #include "physics/contacts/contacts.hpp"
-#include "physics/effects/one_way.hpp"
 #include "physics/model/joints.hpp"
 #include "physics/narrowphase/distance.hpp"
+#include "physics/tuning.hpp"
 
 namespace plumb::physics {
 
@@ -26,7 +26,7 @@ bool opensFor(const World& world, const Mover& mover, const Mover& target) {
     if ((world.shapes.info[target.shape].flags & kOneWay) != 0) {
         const std::uint32_t body = world.shapes.info[mover.shape].body;
         if ((world.bodies.info[body].flags & kDropsThrough) != 0) return true;
-        if (passesThrough(world, target.shape, mover.sweep.displacement)) return true;
+        if (dot(openDirection(world, target.shape), mover.sweep.displacement) >= 0.0f) return true;
     }
     if (outline.kind != ShapeKind::ChainSegment) return false;
     const float begin = std::max(mover.sweep.begin, target.sweep.begin);
