@@ -13,6 +13,8 @@ class TaskPool;
 
 namespace plumb::physics {
 
+struct StepContext;
+
 struct StepOptions {
     TaskPool* pool = nullptr;    ///< threads to share the work; the result has the same bits for any number
     Profile* profile = nullptr;  ///< receives the time of each stage, by name
@@ -30,9 +32,12 @@ struct StepOptions {
 /// threads and any instruction set. If dt is not finite or not above 0, only the events are cleared.
 void step(World& world, float dt, const StepOptions& options = {});
 
+/// A stage runs when one of its effects does or `also` is true; without either, always.
 struct StageInfo {
     std::string_view name;  ///< also in the profiler
-    std::uint32_t effects;  ///< bits as in Manifest: the stage runs when one of these effects does; 0: always
+    std::uint32_t effects;  ///< bits as in Manifest
+    void (*run)(StepContext& step);
+    bool (*also)(const StepContext& step) = nullptr;
 };
 /// The stages, in order.
 std::span<const StageInfo> stages();
