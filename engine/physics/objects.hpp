@@ -24,9 +24,8 @@ public:
     [[nodiscard]] Rot rotation() const { return rotationOf(world_, id_); }
     [[nodiscard]] Vec2 velocity() const { return velocityOf(world_, id_); }                 ///< m/s
     [[nodiscard]] float angularVelocity() const { return angularVelocityOf(world_, id_); }  ///< rad/s
-    /// m/s2
-    [[nodiscard]] Vec2 acceleration() const { return driveOf(world_, id_).acceleration; }
-    [[nodiscard]] float mass() const { return massOf(world_, id_); }  ///< kg
+    [[nodiscard]] Vec2 acceleration() const { return driveOf(world_, id_).acceleration; }   ///< m/s2
+    [[nodiscard]] float mass() const { return massOf(world_, id_); }                        ///< kg
     /// N: sum of what was added since the last update, without gravity and contacts.
     [[nodiscard]] Vec2 netForce() const { return driveOf(world_, id_).force; }
     /// Transform after dt (s) if nothing is in the way.

@@ -73,8 +73,7 @@ public:
           meetings_{meetings} {}
 
     void run() {
-        const SoftBox& near = meetings_.boxes[ids_.body];
-        takeEdges(near);
+        takeEdges(meetings_.boxes[ids_.body]);
         findAxis();
         for (std::uint32_t i = 0; i < own_.particles.size(); ++i) {
             const SoftParticle& p = own_.particles[i];

@@ -2,9 +2,7 @@
 
 #include "physics/contacts/contacts.hpp"
 #include "physics/ranges.hpp"
-#include "physics/shapes/convex.hpp"
 #include "physics/stages.hpp"
-#include "physics/tuning.hpp"
 
 namespace plumb::physics {
 
