@@ -90,11 +90,6 @@ bool isHeldUpright(const BodyInfo& info) {
     return info.kind == BodyKind::Dynamic && (info.flags & kFixedRotation) != 0;
 }
 
-bool canHold(const World& world, const Joint& joint, std::uint32_t body, BodyKind kind) {
-    const auto kindOf = [&](std::uint32_t i) { return i == body ? kind : world.bodies.info[i].kind; };
-    return canHold(joint.kind, kindOf(joint.bodyA), kindOf(joint.bodyB));
-}
-
 }  // namespace
 
 void countEffectsOfBody(World& world, std::uint32_t body, int times) {
@@ -385,9 +380,12 @@ Result<Done> setKind(World& world, BodyId id, BodyKind kind) {
     const std::uint32_t body = id.index;
     BodyInfo& info = world.bodies.info[body];
     if (kind == info.kind) return Done{};
+    const auto kindOf = [&](std::uint32_t i) { return i == body ? kind : world.bodies.info[i].kind; };
     bool holds = true;
-    forJointsOf(world, body,
-                [&](std::uint32_t j) { holds &= canHold(world, world.joints.hot[j], body, kind); });
+    forJointsOf(world, body, [&](std::uint32_t j) {
+        const Joint& joint = world.joints.hot[j];
+        holds &= canHold(joint.kind, kindOf(joint.bodyA), kindOf(joint.bodyB));
+    });
     if (!holds)
         return wrong("setKind", "one of its joints would have no dynamic body to move",
                      "destroy that joint first");
@@ -408,7 +406,7 @@ Result<Done> setKind(World& world, BodyId id, BodyKind kind) {
     updateMass(world, body);
     BodyMotion& motion = world.bodies.motion[body];
     if (kind == BodyKind::Static) motion = {};
-    if (kind == BodyKind::Dynamic && (info.flags & kFixedRotation) != 0) motion.angularVelocity = 0.0f;
+    if (isHeldUpright(info)) motion.angularVelocity = 0.0f;
     motion.restTime = 0.0f;
     if (kind != BodyKind::Static && isEnabled(world, id)) addAwake(world, body);
     forShapesOf(world, body, [&](std::uint32_t s) { alter(world, s); });
