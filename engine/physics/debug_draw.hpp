@@ -84,7 +84,7 @@ struct DebugChoice {
     float minimum = 0.0f;         ///< m: of smaller shapes only the bounds are drawn
     float behind = 0.0f;          ///< s: moving bodies are drawn as they were so long ago, between two steps
     const Workspace* lastStep = nullptr;  ///< see lastStepOf(); null: no sweeps and no broad phase regions
-    bool chosenOnly = false;              ///< only what is selected below, and what is connected to it
+    bool chosenOnly = false;              ///< only what is selected below, and what connects it to others
     std::span<const std::uint8_t> bodies = {};      ///< by BodyId::index: nonzero if selected; may be shorter
     std::span<const std::uint8_t> fields = {};      ///< by FieldId::index
     std::span<const std::uint8_t> softBodies = {};  ///< by SoftBodyId::index

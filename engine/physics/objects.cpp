@@ -99,7 +99,7 @@ void Physics::tell(Collider& to, Collider& other, ContactPhase phase) {
     }
 }
 
-/// A collider that an earlier callback destroyed gets no more calls. The next update ends what it touched.
+/// A collider that an earlier callback destroyed gets no more calls. Its exits come in the next update.
 void Physics::call(const Call& now) {
     const PairKey pair = pairKey(now.a->shape_.index, now.b->shape_.index);
     if (now.phase == ContactPhase::Ended) {

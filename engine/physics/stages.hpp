@@ -133,7 +133,7 @@ void prepareFields(StepContext& step);
 /// Reads: geometry, poses, islands, work.broadPhase. Writes: soft bodies that touch nothing that they could
 /// push; contacts of the others for solve(): work.softSurroundings.
 void moveSoftBodies(StepContext& step);
-/// Reads: drives, masses, settings, soft contacts. Writes: work.slots, .groups, .velocity and its likes.
+/// Reads: drives, masses, settings, soft contacts. Writes: work.slots, .groups, .velocity and others.
 void gatherBodies(StepContext& step);
 /// Reads: fields, poses, motions, work.slots. Writes: work.drive, work.smooth (bodies without constraints).
 void applyFields(StepContext& step);
