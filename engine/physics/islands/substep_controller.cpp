@@ -254,15 +254,13 @@ void takeDown(World& world, Workspace& work) {
 
 SubstepController merged(const SubstepController& a, const SubstepController& b) {
     if (a.quality != b.quality) return a.quality > b.quality ? a : b;
-    SubstepController both;
-    both.quality = a.quality;
-    both.before = std::max(a.before, b.before);
-    both.phase = std::max(a.phase, b.phase);
-    both.patience = std::max(a.patience, b.patience);
-    both.wait = std::max(a.wait, b.wait);
-    both.error = std::max(a.error, b.error);
-    both.first = std::max(a.first, b.first);
-    return both;
+    return {.quality = a.quality,
+            .before = std::max(a.before, b.before),
+            .phase = std::max(a.phase, b.phase),
+            .patience = std::max(a.patience, b.patience),
+            .wait = std::max(a.wait, b.wait),
+            .error = std::max(a.error, b.error),
+            .first = std::max(a.first, b.first)};
 }
 
 SubstepController begun(Quality quality, float dt) {
