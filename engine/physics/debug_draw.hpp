@@ -1,8 +1,5 @@
 #pragma once
 
-#include <cstdint>
-#include <span>
-
 #include "physics/world.hpp"
 
 namespace plumb::physics {
@@ -80,17 +77,14 @@ enum DebugPart : std::uint32_t {
     kDrawAll = (1 << 17) - 1
 };
 
-/// Options of debugDraw().
 struct DebugChoice {
     std::uint32_t parts = kDrawAll;  ///< bits of DebugPart
-    WorldPosition origin;  ///< m: positions are drawn relative to this, so that they stay exact far from the
-                           ///< world's origin
+    WorldPosition origin;            ///< m: what positions are relative to: exact far from the world's origin
     const AABB* sight = nullptr;  ///< m, relative to the origin: shapes outside are left out; null: none is
     float minimum = 0.0f;         ///< m: of smaller shapes only the bounds are drawn
     float behind = 0.0f;          ///< s: moving bodies are drawn as they were so long ago, between two steps
     const Workspace* lastStep = nullptr;  ///< see lastStepOf(); null: no sweeps and no broad phase regions
-    bool chosenOnly = false;  ///< draws only what is selected below; what connects two bodies is drawn if
-                              ///< either is selected
+    bool chosenOnly = false;              ///< only what is selected below, and what connects it to others
     std::span<const std::uint8_t> bodies = {};      ///< by BodyId::index: nonzero if selected; may be shorter
     std::span<const std::uint8_t> fields = {};      ///< by FieldId::index
     std::span<const std::uint8_t> softBodies = {};  ///< by SoftBodyId::index

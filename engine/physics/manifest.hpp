@@ -38,8 +38,7 @@ enum class Effect : std::uint8_t {
 
 inline constexpr std::size_t kEffects = static_cast<std::size_t>(Effect::Count);
 
-/// Which effects a scene needs: the number of users of each effect, updated as they are created and
-/// destroyed.
+/// Which effects a scene needs: the number of living users of each.
 struct Manifest {
     std::array<std::uint32_t, kEffects> callers{};
     std::uint32_t pinnedOn = 0;   ///< bits of effects that run even without users

@@ -1,7 +1,6 @@
 #include "physics/objects.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include "physics/model/checks.hpp"
 
@@ -100,8 +99,7 @@ void Physics::tell(Collider& to, Collider& other, ContactPhase phase) {
     }
 }
 
-/// A collider that an earlier callback destroyed gets no more calls. What it touched gets its exit in the
-/// next update.
+/// A collider that an earlier callback destroyed gets no more calls. Its exits come in the next update.
 void Physics::call(const Call& now) {
     const PairKey pair = pairKey(now.a->shape_.index, now.b->shape_.index);
     if (now.phase == ContactPhase::Ended) {

@@ -1,9 +1,6 @@
 #pragma once
 
 #include <concepts>
-#include <memory>
-#include <utility>
-#include <vector>
 
 #include "physics/contacts/pair_set.hpp"
 #include "physics/simulation.hpp"
@@ -11,8 +8,7 @@
 namespace plumb::physics {
 
 // The library as objects: bodies that move, colliders that touch, and virtual functions that are called when
-// they do. A Physics owns everything. For all else there are its world() and the functions of bodies.hpp,
-// shapes.hpp and joints.hpp.
+// they do. A Physics owns everything; its world() is for the functions of all else.
 
 class Collider;
 class Physics;
@@ -28,9 +24,8 @@ public:
     [[nodiscard]] Rot rotation() const { return rotationOf(world_, id_); }
     [[nodiscard]] Vec2 velocity() const { return velocityOf(world_, id_); }                 ///< m/s
     [[nodiscard]] float angularVelocity() const { return angularVelocityOf(world_, id_); }  ///< rad/s
-    /// m/s2
-    [[nodiscard]] Vec2 acceleration() const { return driveOf(world_, id_).acceleration; }
-    [[nodiscard]] float mass() const { return massOf(world_, id_); }  ///< kg
+    [[nodiscard]] Vec2 acceleration() const { return driveOf(world_, id_).acceleration; }   ///< m/s2
+    [[nodiscard]] float mass() const { return massOf(world_, id_); }                        ///< kg
     /// N: sum of what was added since the last update, without gravity and contacts.
     [[nodiscard]] Vec2 netForce() const { return driveOf(world_, id_).force; }
     /// Transform after dt (s) if nothing is in the way.
@@ -163,8 +158,7 @@ public:
     void destroy(RigidBody& body);
     void destroy(Collider& collider);
 
-    /// Advances the world by dt (s), then calls the colliders. Does nothing if dt is not finite or not
-    /// positive, or if a callback calls it.
+    /// Advances the world by dt (s), then calls the colliders. Nothing for other dt, or from a callback.
     /// @param options  threads, profile, filters of contacts
     void update(float dt, const StepOptions& options = {});
 
@@ -179,7 +173,6 @@ public:
     [[nodiscard]] World& world() { return world_; }
 
 private:
-    /// A callback to be made.
     struct Call {
         Collider* a;
         Collider* b;

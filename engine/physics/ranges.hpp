@@ -2,8 +2,7 @@
 
 namespace plumb::physics {
 
-// Limits of values that come from the caller: large enough for every game, small enough that no intermediate
-// result overflows a float.
+// Limits of values that come from the caller: enough for every game, and no result overflows a float.
 
 inline constexpr double kFarthest = 1.0e9;    ///< m: distance from the origin
 inline constexpr float kLargest = 1.0e6f;     ///< m: size of a shape, distance of its corners from the body

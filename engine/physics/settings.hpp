@@ -7,27 +7,23 @@
 
 namespace plumb::physics {
 
-/// How velocities and positions are integrated.
 enum class IntegratorKind : std::uint8_t { ExplicitEuler, SemiImplicitEuler, Verlet, Rk4, Count };
 
-/// All tolerances of the simulation. Part of the world and its snapshot. The next step clamps values that are
-/// out of range: see bringIntoRange().
+/// All tolerances of the simulation, a part of the world. The next step clamps them: see bringIntoRange().
 struct Settings {
     Vec2 gravity{0.0f, 10.0f};  ///< m/s2
 
     IntegratorKind integrator = IntegratorKind::SemiImplicitEuler;
     /// The algorithm that finds overlapping bounds. It changes only the time a step takes, not its result,
-    /// and may change between any two steps; README.md says which is fastest for which scene. An invalid
-    /// value means Tree.
+    /// and may change between any two steps; README.md says which is fastest when. Invalid: Tree.
     BroadPhaseKind broadPhase = BroadPhaseKind::Tree;
     /// 2^quality substeps: each further level costs 1.3 to 2 times the time and makes errors 3 to 4 times
     /// smaller. With a tolerance, the level at which islands begin.
     Quality quality = 2;
-    /// Velocity iterations per substep, 1 to 64. A higher quality is nearly always the better use of the
-    /// time: README.md.
+    /// Velocity iterations per substep, 1 to 64. A higher quality nearly always uses the time better:
+    /// README.md.
     std::uint8_t iterations = 1;
-    /// Islands that are hard to solve (mass ratios, high stacks, long chains) get more substeps, estimated
-    /// from what they are made of.
+    /// Islands that are hard to solve (mass ratios, high stacks, long chains) get more substeps.
     bool automaticQuality = false;
     /// m: maximum overlap of bodies and maximum error of joints. Each island uses the lowest quality that
     /// keeps to it, if there is one; it begins with the estimate of automaticQuality. 0: off, the quality of
@@ -44,8 +40,8 @@ struct Settings {
     /// km does not come to rest, with 0.32 a card house falls. 0.25 to 0.28 are alike.
     float contactStiffness = 0.27f;
     float jointStiffness = 0.25f;  ///< the same for joints
-    /// A value far above 1 removes overlaps without a bounce. Above 5 pyramids sway, below 4 mass ratios of
-    /// 1000 collapse.
+    /// Far above 1: overlaps end without a bounce. Above 5 pyramids sway, below 4 mass ratios of 1000
+    /// collapse.
     float contactDampingRatio = 4.0f;
     float jointDampingRatio = 2.0f;
     /// m/s: maximum speed at which overlapping bodies are separated; deepPushRate (1/s) adds to it for each
@@ -67,8 +63,7 @@ struct Settings {
     float bounceSpeed = 1.0f;  ///< m/s: minimum approach speed for a bounce
     float sleepTime = 0.5f;    ///< s: an island that has been at rest for this long falls asleep
     float maxSpeed = 4000.0f;  ///< m/s: faster bodies are slowed down to it
-    /// Continuous collision detection: fast bodies are swept, so that they do not tunnel through static
-    /// bodies.
+    /// Continuous collision detection: fast bodies are swept and do not tunnel through static ones.
     bool continuous = true;
     bool sleeping = true;
     bool stayEvents = false;  ///< contacts that continue produce a Stayed event in each step

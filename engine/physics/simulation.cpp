@@ -1,26 +1,14 @@
 #include "physics/simulation.hpp"
 
-#include <array>
 #include <bit>
-#include <cmath>
 #include <iterator>
 
-#include "core/profile.hpp"
 #include "physics/islands/sleeping.hpp"
 #include "physics/stages.hpp"
 
 namespace plumb::physics {
 
 namespace {
-
-/// One stage of the step. It runs when one of its effects does or `also` returns true; with neither given,
-/// always.
-struct Stage {
-    std::string_view name;  // also in the profiler
-    std::uint32_t effects;
-    void (*run)(StepContext& step);
-    bool (*also)(const StepContext& step) = nullptr;
-};
 
 template <class... Effects>
 constexpr std::uint32_t any(Effects... effects) {
@@ -46,7 +34,7 @@ bool hasHook(const StepContext& step) {
 }
 bool hasSeams(const StepContext& step) { return !step.work.chainChanges.empty(); }
 
-constexpr Stage kStages[] = {
+constexpr StageInfo kStages[] = {
     {"broad phase", kMeeting, findPairs, hasRemains},
     {"narrow phase", kMeeting, updateContacts, hasRemains},
     {"filter contacts", any(Effect::OneWay), filterContacts, hasHook},
@@ -68,7 +56,7 @@ constexpr Stage kStages[] = {
 
 static_assert(std::size(kStages) <= kMaxStages);
 
-bool isCalledFor(const Stage& stage, const StepContext& step) {
+bool isCalledFor(const StageInfo& stage, const StepContext& step) {
     if (stage.effects == 0 || (stage.effects & step.effects) != 0) return true;
     return stage.also != nullptr && stage.also(step);
 }
@@ -80,15 +68,13 @@ bool nothingToDo(const World& world) {
            !world.manifest.runs(Effect::Explosion) && !world.manifest.runs(Effect::SoftBodies);
 }
 
-/// Wakes everything if gravity changed, since a body at rest may not stay at rest under the new gravity, or
-/// if nothing is to sleep any more.
+/// Wakes everything if gravity changed, under which nothing has to stay at rest, or nothing is to sleep.
 void wakeForSettings(World& world) {
     const bool gravityChanged = world.steps > 1 && world.gravityOfLastStep != world.settings.gravity;
     if (gravityChanged || !world.settings.sleeping) wakeAll(world);
     world.gravityOfLastStep = world.settings.gravity;
 }
 
-/// The effects of this step.
 std::uint32_t effectsOf(const World& world, const ContactHooks& hooks) {
     std::uint32_t effects = world.manifest.running();
     if (hooks.friction != nullptr) effects |= Manifest::bit(Effect::Friction);
@@ -103,7 +89,7 @@ std::uint32_t effectsOf(const World& world, const ContactHooks& hooks) {
 }
 
 /// An effect that is only a part of a stage is counted by StepContext::starts() instead.
-void count(const StepContext& step, const Stage& stage) {
+void count(const StepContext& step, const StageInfo& stage) {
     ++step.work.stageRuns[static_cast<std::size_t>(&stage - kStages)];
     step.work.effectsRun |= stage.effects & step.effects;
 }
@@ -147,14 +133,7 @@ Workspace& WorkspaceHolder::get() {
     return *workspace_;
 }
 
-std::span<const StageInfo> stages() {
-    static const auto kInfos = [] {
-        std::array<StageInfo, std::size(kStages)> infos;
-        for (std::size_t i = 0; i < infos.size(); ++i) infos[i] = {kStages[i].name, kStages[i].effects};
-        return infos;
-    }();
-    return kInfos;
-}
+std::span<const StageInfo> stages() { return kStages; }
 
 std::uint64_t runsOf(World& world, std::string_view stage) {
     for (std::size_t i = 0; i < std::size(kStages); ++i) {
@@ -196,7 +175,7 @@ void step(World& world, float dt, const StepOptions& options) {
     StepContext context{world, world.work.get(), dt, own.pool, own.hooks, effectsOf(world, own.hooks)};
     context.work.effectsRun = 0;
     context.work.rootsKnown = false;
-    for (const Stage& stage : kStages) {
+    for (const StageInfo& stage : kStages) {
         if (!isCalledFor(stage, context)) continue;
         const StageScope scope{own, stage.name};
         count(context, stage);

@@ -1,21 +1,19 @@
 #pragma once
 
-#include <span>
-#include <string_view>
-
 #include "physics/contacts/detection_counts.hpp"
 #include "physics/model/bodies.hpp"
-#include "physics/model/contact.hpp"
 #include "physics/model/joints.hpp"
 #include "physics/model/shapes.hpp"
-#include "physics/world.hpp"
 
 namespace plumb {
+class Hasher;
 class Profile;
 class TaskPool;
 }  // namespace plumb
 
 namespace plumb::physics {
+
+struct StepContext;
 
 struct StepOptions {
     TaskPool* pool = nullptr;    ///< threads to share the work; the result has the same bits for any number
@@ -34,10 +32,12 @@ struct StepOptions {
 /// threads and any instruction set. If dt is not finite or not above 0, only the events are cleared.
 void step(World& world, float dt, const StepOptions& options = {});
 
-/// One stage of the step.
+/// A stage runs when one of its effects does or `also` is true; without either, always.
 struct StageInfo {
     std::string_view name;  ///< also in the profiler
-    std::uint32_t effects;  ///< bits as in Manifest: the stage runs when one of these effects does; 0: always
+    std::uint32_t effects;  ///< bits as in Manifest
+    void (*run)(StepContext& step);
+    bool (*also)(const StepContext& step) = nullptr;
 };
 /// The stages, in order.
 std::span<const StageInfo> stages();
@@ -47,8 +47,7 @@ std::span<const StageInfo> stages();
 /// In how many steps the code of an effect has run in this world: its own stage, or its part of one.
 [[nodiscard]] std::uint64_t runsOf(World& world, Effect effect);
 
-/// Counts of the collision detection of the last step; all 0 for a world at rest, and for one that was copied
-/// or loaded since.
+/// Counts of the collision detection of the last step; all 0 for a world at rest, copied or loaded since.
 [[nodiscard]] DetectionCounts detectionOf(World& world);
 
 /// Hashes the whole state; equal states give equal hashes on every machine.

@@ -1,15 +1,11 @@
 #pragma once
 
 #include "core/profile.hpp"
-#include "core/task_pool.hpp"
-#include "physics/model/contact.hpp"
 #include "physics/solver/kernels.hpp"
 #include "physics/workspace.hpp"
-#include "physics/world.hpp"
 
 namespace plumb::physics {
 
-/// The input of every stage.
 struct StepContext {
     World& world;
     Workspace& work;
@@ -21,8 +17,7 @@ struct StepContext {
     /// Whether work on so many things is shared among threads in pieces of `grain`, or is one piece.
     [[nodiscard]] bool isShared(int count, int grain) const { return pool != nullptr && count > grain; }
     [[nodiscard]] bool runs(Effect effect) const { return (effects & Manifest::bit(effect)) != 0; }
-    /// To be called by the part of a stage that implements an effect, before it runs: counts the run
-    /// (runsOf).
+    /// Called by the part of a stage that implements an effect, before it runs: counts that (runsOf).
     [[nodiscard]] bool starts(Effect effect) const {
         if (!runs(effect)) return false;
         work.effectsRun |= Manifest::bit(effect);
@@ -125,8 +120,7 @@ void forThose(const StepContext& step, std::size_t count, Is&& is, Act&& act) {
 
 /// Reads: moved, bounds, filters. Writes: contacts (new ones), work.broadPhase, work.pairs.
 void findPairs(StepContext& step);
-/// Reads: poses, geometry. Writes: contacts (points, flags), sleepers (islands that wake), islands, events
-/// (Ended).
+/// Reads: poses, geometry. Writes: contacts (points, flags), sleepers, islands, events (Ended).
 void updateContacts(StepContext& step);
 /// Reads: contacts, one-way directions. Writes: contacts (kPassing, kDisabled), events (Ended).
 void filterContacts(StepContext& step);
@@ -139,23 +133,18 @@ void prepareFields(StepContext& step);
 /// Reads: geometry, poses, islands, work.broadPhase. Writes: soft bodies that touch nothing that they could
 /// push; contacts of the others for solve(): work.softSurroundings.
 void moveSoftBodies(StepContext& step);
-/// Reads: drives, masses, settings, soft contacts. Writes: work.slots, work.groups, work.velocity and
-/// the arrays parallel to it.
+/// Reads: drives, masses, settings, soft contacts. Writes: work.slots, .groups, .velocity and others.
 void gatherBodies(StepContext& step);
-/// Reads: fields, poses, motions, work.slots. Writes: work.drive, work.smooth (bodies integrated without
-/// constraints).
+/// Reads: fields, poses, motions, work.slots. Writes: work.drive, work.smooth (bodies without constraints).
 void applyFields(StepContext& step);
 /// Reads: contacts, joints, masses. Writes: colours, work's blocks.
 void prepareConstraints(StepContext& step);
-/// Reads and writes: work.velocity, work.shift, work's blocks, soft bodies. Writes: impulses of contacts and
-/// joints.
+/// Reads and writes: work.velocity, work.shift, work's blocks, soft bodies. Writes: impulses.
 void solve(StepContext& step);
-/// Applies forces and springs to the soft bodies of a group, in a substep of h seconds, before their
-/// contacts.
+/// Forces and springs of the soft bodies of a group, in a substep of h seconds, before their contacts.
 void springSoft(StepContext& step, const SoftGroup& group, float h, int substep);
 /// Takes velocities from displacements.
 void closeSoft(const StepContext& step, const SoftGroup& group, float h);
-/// After the substeps.
 void finishSoft(StepContext& step, const SoftGroup& group, float h);
 /// Reads: fields, work.smooth. Writes: work.velocity, work.shift of bodies on which only fields act.
 void integrateFlyers(StepContext& step);

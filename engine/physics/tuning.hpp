@@ -2,9 +2,8 @@
 
 #include <cstdint>
 
-// Every constant of the physics that was chosen: its unit, and what it comes from. docs/tuning.md says what
-// breaks at half and at double: ./plumb accuracy --tuning, whose build defines the macro so that it can
-// change them.
+// Every chosen constant of the physics, its unit and its source. docs/tuning.md says what breaks at half and
+// at double: ./plumb accuracy --tuning, whose build defines the macro so that it can change them.
 #ifndef PLUMB_TUNING
 #define PLUMB_TUNING(name, value, unit, derivation) inline constexpr auto name = value
 #endif

@@ -1,25 +1,22 @@
 #pragma once
 
-#include <array>
-#include <cstdint>
-#include <limits>
-#include <memory>
-#include <utility>
-#include <vector>
-
-#include "physics/broadphase/broad_phase.hpp"
 #include "physics/contacts/detection_counts.hpp"
 #include "physics/contacts/pair_set.hpp"
-#include "physics/effects/flyers.hpp"
-#include "physics/narrowphase/path_hit.hpp"
+#include "physics/effects/field_types.hpp"
+#include "physics/narrowphase/sweep.hpp"
 #include "physics/soft/soft_contacts.hpp"
-#include "physics/solver/colours.hpp"
-#include "physics/solver/contact_block.hpp"
 #include "physics/solver/joint_work.hpp"
 #include "physics/solver/strips.hpp"
-#include "physics/world.hpp"
 
 namespace plumb::physics {
+
+/// Constraints of one color share no body, so they can be solved in parallel and in any order. The first
+/// colors are for pairs of dynamic bodies. The last ones are for constraints with a static or kinematic body;
+/// they are solved last, so that support by the ground wins.
+inline constexpr int kColours = 32;
+inline constexpr int kFirstFixedColour = 24;
+/// Constraints that found no color: solved sequentially, before all colors.
+inline constexpr std::uint8_t kOverflow = 32;
 
 struct BlockRange {
     std::int32_t begin = 0;
@@ -32,7 +29,6 @@ struct ContactRanges {
     BlockRange fixed;
 };
 
-/// Blocks of one color of a group.
 struct ColourBlocks {
     ContactRanges contacts;
     BlockRange joints[kJointBlockKinds];
@@ -102,7 +98,6 @@ inline std::uint16_t keyOf(const Contact& contact) {
     return static_cast<std::uint16_t>((contact.colour & kKeyColour) | idle | fixed | began);
 }
 
-/// Whether a contact with this key pushes its bodies.
 constexpr bool pushes(std::uint16_t key) { return (key & kKeyColour) != kKeyIdle; }
 
 /// A slot whose body is locked along x or y.
@@ -138,7 +133,6 @@ struct FixedPair {
     std::uint32_t next = kNone;  ///< index in Workspace::fixedPairs: another one of the body
 };
 
-/// What a piece of work found when it looked at contacts.
 struct ContactFindings {
     std::vector<std::uint32_t> changed;  ///< contacts that began, ended, or are gone
     std::vector<FixedPair> fixed;
@@ -147,7 +141,6 @@ struct ContactFindings {
     void clear() { changed.clear(), fixed.clear(), counts = {}; }
 };
 
-/// What a piece of work found when it moved bodies.
 struct BodyFindings {
     std::vector<std::uint32_t> left;    ///< shapes that left their bounds
     std::vector<std::uint32_t> fast;    ///< bodies that may have passed through something
@@ -157,7 +150,6 @@ struct BodyFindings {
     void clear() { left.clear(), fast.clear(), broken.clear(), sleepy = false; }
 };
 
-/// What a piece of work found along the paths of fast bodies.
 struct SweepFindings {
     std::vector<std::uint32_t> shapes;  ///< near the current one
     DetectionCounts counts;
@@ -274,7 +266,7 @@ struct Workspace {
     SoftSurroundings softSurroundings;
     SoftSoftContacts softSoftContacts;
     SmoothForces smooth;                        ///< if there are fields
-    std::vector<std::uint32_t> searchedFields;  ///< see field_search.hpp, ascending
+    std::vector<std::uint32_t> searchedFields;  ///< see fieldsNear(), ascending
     BoxProxies fieldBoxes;                      ///< by index in `searchedFields`: where they act
     std::vector<std::uint32_t> solveOrder;      ///< awake bodies by group; empty if there is only one group
     std::vector<std::uint8_t> groupOf;          ///< by body, if there are several groups
@@ -308,5 +300,12 @@ struct Workspace {
     std::vector<std::uint32_t> gainers;  ///< bodies that gained energy from contacts in this step
     std::vector<IslandCase> cases;       ///< by root, if there is a tolerance
 };
+
+/// Allocates a color that neither body uses. Pass kNone for a body that is not dynamic.
+std::uint8_t takeColour(Workspace& work, std::uint32_t bodyA, std::uint32_t bodyB);
+void freeColour(Workspace& work, std::uint32_t bodyA, std::uint32_t bodyB, std::uint8_t colour);
+
+/// Resizes Workspace::colourMasks to the world, and recomputes the masks after the world was overwritten.
+void refreshColours(World& world, Workspace& work);
 
 }  // namespace plumb::physics

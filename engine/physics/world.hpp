@@ -2,26 +2,21 @@
 
 #include <array>
 #include <cstdint>
-#include <span>
+#include <memory>
 #include <vector>
 
 #include "core/result.hpp"
 #include "physics/manifest.hpp"
-#include "physics/model/body.hpp"
 #include "physics/model/contact.hpp"
 #include "physics/model/field.hpp"
+#include "physics/model/geometry.hpp"
 #include "physics/model/joint.hpp"
-#include "physics/model/shape.hpp"
 #include "physics/model/side_table.hpp"
 #include "physics/settings.hpp"
-#include "physics/soft/soft_particles.hpp"
-#include "physics/workspace_holder.hpp"
-
-namespace plumb {
-class Hasher;
-}
 
 namespace plumb::physics {
+
+struct Workspace;
 
 /// Position and orientation of a body. Two rows of four floats; the solver reads the second row.
 struct alignas(16) BodyPose {
@@ -92,7 +87,6 @@ enum BodyFlag : std::uint8_t {
     kDropsThrough = 128  ///< one-way shapes do not stop it
 };
 
-/// State of the quality control of an island.
 enum class SubstepPhase : std::uint8_t {
     Calm,      ///< its error is within the tolerance
     Trying,    ///< it took the next lower quality: does the error stay within the tolerance?
@@ -107,11 +101,9 @@ struct SubstepController {
     Quality quality = kQualityOfWorld;  ///< of the last step; kQualityOfWorld: never evaluated
     Quality before = kQualityOfWorld;   ///< before the last change
     SubstepPhase phase = SubstepPhase::Calm;
-    std::uint8_t patience = 0;  ///< number of changes that failed (a lower quality was too low, a higher one
-                                ///< did not help); each doubles the wait
+    std::uint8_t patience = 0;  ///< failures of lower and of higher qualities: each doubles the wait
     std::uint32_t wait = 0;     ///< steps until the next decision
-    float error = 0.0f;  ///< m: error to compare with: the maximum while Calm or Trying, otherwise that at
-                         ///< the last decision
+    float error = 0.0f;  ///< m: to compare with: maximum while Calm or Trying, else that at the last decision
     float first = 0.0f;  ///< m: the error that made it rise
 };
 
@@ -232,6 +224,50 @@ struct Joints {
     [[nodiscard]] std::size_t size() const { return hot.size(); }
 };
 
+using SoftBodyId = Id<struct SoftBody>;
+
+struct SoftParticle {
+    WorldPosition place;       ///< m
+    WorldPosition before;      ///< m: at the start of the substep
+    Vec2 velocity;             ///< m/s
+    float inverseMass = 0.0f;  ///< 1/kg; 0 if it is pinned
+    float mass = 0.0f;         ///< kg
+};
+
+/// Distance constraint between two particles.
+struct SoftLink {
+    std::uint32_t a = 0;
+    std::uint32_t b = 0;
+    float length = 0.0f;      ///< m
+    float compliance = 0.0f;  ///< m/N
+    bool isEdge = false;      ///< particles of other soft bodies collide with it
+};
+
+/// Force of a shape on a particle at the end of a step, with which the next one begins.
+struct SoftTouch {
+    std::uint32_t particle = 0;
+    std::uint32_t shape = 0;
+    Vec2 force;  ///< N
+};
+
+/// A rope, cloth or jelly: particles and their constraints.
+struct SoftBody {
+    std::vector<SoftParticle> particles;
+    std::vector<SoftLink> links;
+    std::vector<std::uint32_t> ring;  ///< particles around the area that is kept; empty for none
+    std::vector<SoftTouch> touches;   ///< sorted by shape, then by particle
+    float area = 0.0f;                ///< m2, at rest; positive or negative as the ring's orientation
+    float areaCompliance = 0.0f;
+    float radius = 0.0f;   ///< m
+    float damping = 0.0f;  ///< 1/s
+    float friction = 0.0f;
+    std::uint32_t layers = 1;
+    std::uint32_t mask = 0xffffffffu;
+    std::uint32_t generation = 0;
+    std::uint8_t substeps = 8;
+    bool isAlive = false;
+};
+
 /// A sleeping island: linked lists of its bodies (by BodyInfo::island) and its contacts.
 struct SleepingIsland {
     std::uint32_t firstBody = kNone;     ///< the others follow by Sleepers::nextBody
@@ -262,8 +298,45 @@ struct InitialOverlap {
     float hidden = 0.0f;  ///< m: the part of it that is still hidden from the solver
 };
 
-/// The whole simulated state as plain data: a copy is a snapshot. It holds indices and generations, no
-/// addresses.
+/// Owns the Workspace of a world. Its contents follow from the world, so a copy of the world does not copy
+/// them, and a world that is overwritten keeps the memory but refills it.
+class WorkspaceHolder {
+public:
+    WorkspaceHolder() = default;
+    WorkspaceHolder(const WorkspaceHolder&) {}
+    WorkspaceHolder& operator=(const WorkspaceHolder&) { return state_ = State::Stale, *this; }
+    WorkspaceHolder(WorkspaceHolder&&) noexcept = default;
+    WorkspaceHolder& operator=(WorkspaceHolder&&) noexcept = default;
+
+    /// Created on first use.
+    Workspace& get();
+    /// Workspace of the last step; null if there was none since the world was created, copied or overwritten.
+    [[nodiscard]] const Workspace* lastStep() const {
+        return state_ == State::Stepped ? workspace_.get() : nullptr;
+    }
+    /// To be called at the end of a step.
+    void noteStep() {
+        if (!stale()) state_ = State::Stepped;
+    }
+    /// True once after the world was created or overwritten.
+    bool takeStale() { return stale() && (state_ = State::Refilled, true); }
+    [[nodiscard]] bool stale() const { return workspace_ == nullptr || state_ == State::Stale; }
+    /// A callback of StepOptions::hooks runs: setters refuse to work. Not so in a copy that it makes.
+    bool isAsking = false;
+
+private:
+    /// A query refills what it needs, such as the broad phase, and leaves the rest as it was.
+    enum class State : unsigned char { Stale, Refilled, Stepped };
+
+    struct Delete {
+        void operator()(Workspace* workspace) const;
+    };
+
+    std::unique_ptr<Workspace, Delete> workspace_;
+    State state_ = State::Stale;
+};
+
+/// The whole simulated state as plain data: a copy is a snapshot. It has indices, no addresses.
 struct World {
     Settings settings;
     Bodies bodies;
@@ -317,8 +390,7 @@ template <class List, class Thing>
     return isLatest(world.softBodies.all, id) && world.softBodies.all[id.index].isAlive;
 }
 
-/// What a list of the world has of an object. Of one that was destroyed or never made it is a default value:
-/// all getters of the library answer so.
+/// What a list of the world has of an object, a default value if that is gone: so answer all getters.
 template <class T, class Thing>
 [[nodiscard]] const T& readOf(const World& world, const std::vector<T>& list, Id<Thing> id) {
     static const T kNeutral{};

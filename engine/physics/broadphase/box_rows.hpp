@@ -57,7 +57,6 @@ protected:
 
     /// Clears the list and creates free slots for boxes that are sorted.
     void reset(std::uint32_t places, std::size_t boxes);
-    /// Appends a free slot.
     std::uint32_t addPlace();
     /// @param box  the bounds after usable()
     void write(const Proxies& proxies, std::uint32_t place, std::uint32_t id, const AABB& box);
@@ -85,7 +84,6 @@ private:
     std::uint32_t sortsSince_ = 0;
 };
 
-/// A range of slots.
 struct Stretch {
     std::uint32_t begin;
     std::uint32_t end;

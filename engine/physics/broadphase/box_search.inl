@@ -36,7 +36,297 @@ PLUMB_TARGET inline Mask overlaps(const float* left, const float* top, const flo
            (load(bottom) <= wide.high[3]);
 }
 
-#include "physics/broadphase/row_search.inl"
-#include "physics/broadphase/tree_search.inl"
+// BoxRows.
+
+PLUMB_TARGET inline std::uint32_t overlapsAt(const BoxRows& rows, std::uint32_t place, const Wide& wide) {
+    const auto& low = rows.low;
+    return bitsOf(overlaps(&low[0][place], &low[1][place], &low[2][place], &low[3][place], wide));
+}
+
+constexpr std::uint32_t kMaxRowHits = 512;
+
+PLUMB_TARGET inline void takeHits(const RowSearch& search, const std::uint32_t* hits, std::uint32_t hitCount,
+                                  std::uint32_t first, std::vector<PairKey>& pairs) {
+    const BoxRows& own = *search.own;
+    const BoxRows& others = *search.others;
+    const bool same = &own == &others;
+    PairKey found[kMaxRowHits];
+    std::size_t count = 0;
+    for (std::uint32_t h = 0; h < hitCount; ++h) {
+        const std::uint32_t i = search.lookers[hits[h] / 8 % 8];
+        const std::uint32_t j = first + hits[h] / 64 * 8 + hits[h] % 8;
+        const std::uint32_t a = own.ids[i];
+        const std::uint32_t b = others.ids[j];
+        // Of two moved proxies, only one reports the pair: in the same rows the one in the lower slot,
+        // otherwise the one in the moving partition.
+        const bool left = same ? j <= i : !search.ownMayBeAwake;
+        const bool reported = left & (search.isMoved[b] != 0);
+        const bool paired = search.allCanPair | ((own.states[i] | others.states[j]) == BoxRows::kAwake);
+        found[count] = pairKey(a, b);
+        const bool met = meet(own.filters[i], others.filters[j]);
+        count += (paired & !reported & (a != b) & met) ? 1u : 0u;
+    }
+    pairs.insert(pairs.end(), found, found + count);
+}
+
+/// For each searching proxy the bits of those of eight slots that come after its own.
+PLUMB_TARGET inline std::uint64_t laterPlaces(const RowSearch& search, std::uint32_t place) {
+    std::uint64_t bits = 0;
+    for (std::uint32_t i = 0; i < search.count; ++i) {
+        const std::uint32_t behind = search.lookers[i] + 1;
+        const std::uint32_t skipped = behind > place ? behind - place : 0;
+        bits |= std::uint64_t{0xffu << (skipped < kBranch ? skipped : kBranch) & 0xff} << 8 * i;
+    }
+    return bits;
+}
+
+PLUMB_TARGET void findPairsInRows(const RowSearch& search, std::span<const Stretch> stretches,
+                                  std::vector<PairKey>& pairs) {
+    Wide boxes[RowSearch::kMaxLookers];
+    for (std::uint32_t i = 0; i < search.count; ++i) boxes[i] = widen(search.own->boxAt(search.lookers[i]));
+    const std::uint32_t last = search.lookers[search.count - 1];
+    std::uint32_t hits[kMaxRowHits + kSpare];
+    for (const Stretch& stretch : stretches) {
+        std::uint32_t* end = hits;
+        std::uint32_t first = stretch.begin;
+        for (std::uint32_t place = first; place < stretch.end; place += kBranch) {
+            const std::uint32_t left = stretch.end - place;
+            std::uint64_t bits = 0;
+            for (std::uint32_t i = 0; i < search.count; ++i)
+                bits |= std::uint64_t{overlapsAt(*search.others, place, boxes[i])} << 8 * i;
+            if (left < kBranch) bits &= ((1u << left) - 1) * kEachByte;
+            if (search.onlyLater && place <= last) bits &= laterPlaces(search, place);
+            end = appendBits(bits, (place - first) * 8, end);
+            if (end > hits + kMaxRowHits - kBranch * kBranch) {
+                takeHits(search, hits, static_cast<std::uint32_t>(end - hits), first, pairs);
+                end = hits;
+            }
+        }
+        takeHits(search, hits, static_cast<std::uint32_t>(end - hits), first, pairs);
+    }
+}
+
+PLUMB_TARGET void findInRows(const BoxRows& rows, Stretch part, const AABB& box, const LineSweep* sweep,
+                             std::uint32_t mask, std::vector<std::uint32_t>& found) {
+    const Wide wide = widen(box);
+    for (std::uint32_t place = part.begin; place < part.end; place += kBranch) {
+        const std::uint32_t left = part.end - place;
+        std::uint32_t hits = overlapsAt(rows, place, wide) & (left < kBranch ? (1u << left) - 1 : 0xff);
+        for (; hits != 0; hits &= hits - 1) {
+            const std::uint32_t i = place + static_cast<std::uint32_t>(std::countr_zero(hits));
+            if ((rows.filters[i].layers & mask) == 0) continue;
+            if (sweep == nullptr || mayCollide(*sweep, rows.boxAt(i))) found.push_back(rows.ids[i]);
+        }
+    }
+}
+
+// Bvh8.
+
+constexpr std::uint32_t kChunk = 8;                // nodes whose children are tested together
+constexpr std::uint32_t kMost = kChunk * kBranch;  // children of these nodes
+constexpr std::uint32_t kMany = 12;  // more children: the union of several lanes is too large, split it
+constexpr std::uint32_t kMaxHits =
+    kMost * kBranch > kMany* kBranch* kBranch ? kMost* kBranch : kMany* kBranch* kBranch;
+
+/// A box and filters for comparison with eight others.
+struct WideProbe {
+    Wide box;
+    FilterUnion filters;
+};
+
+/// A sweep, broadcast for comparison with eight boxes.
+struct WideSweep {
+    Wide bounds;
+    Floats from[2];
+    Floats displacement[2];
+    Floats reach[2];
+};
+
+/// The union of the boxes and filters of some lanes of a leaf.
+PLUMB_TARGET inline WideProbe widenLanes(const TreeLeaf& leaf, std::uint32_t lanes) {
+    AABB box = kNowhere;
+    FilterUnion filters;
+    for (; lanes != 0; lanes &= lanes - 1) {
+        const auto i = static_cast<std::size_t>(std::countr_zero(lanes));
+        box = merged(box, leaf.boxes.at(i));
+        filters.add(leaf.filters[i]);
+    }
+    return {widen(box), filters};
+}
+
+PLUMB_TARGET inline Mask overlaps(const TreeBoxes& boxes, const Wide& wide) {
+    return overlaps(boxes.low[0], boxes.low[1], boxes.low[2], boxes.low[3], wide);
+}
+
+PLUMB_TARGET inline std::uint32_t mayCollide(const TreeNode& node, const WideProbe& probe) {
+    return bitsOf(haveCommon(node.layers, probe.filters.masks) &
+                  haveCommon(node.masks, probe.filters.layers) & overlaps(node.boxes, probe.box));
+}
+
+/// The lanes of a leaf that do not search themselves.
+PLUMB_TARGET inline std::uint32_t unmovedLanes(const TreeLeaf& leaf, const std::uint8_t* isMoved) {
+    std::uint32_t bits = 0;
+    for (std::uint32_t i = 0; i < kBranch; ++i)
+        bits |= static_cast<std::uint32_t>(isMoved[leaf.ids[i]] == 0) << i;
+    return bits & leaf.live;
+}
+
+/// The searching lanes of a leaf: their boxes, and in 64 bits (one byte per lane) which of eight other lanes
+/// each may report.
+struct Lookers {
+    Wide boxes[kBranch];
+    std::uint32_t lanes[kBranch];
+    std::uint32_t count = 0;
+    std::uint64_t all = 0;     ///< lookers that pair with every lane; the others only with awake lanes
+    std::uint64_t later = 0;   ///< by byte: the lanes after it in its own leaf
+    std::uint64_t others = 0;  ///< by byte: all lanes except itself
+};
+
+PLUMB_TARGET inline void collectLookers(const TreeSearch& search, std::uint32_t lanes, Lookers& lookers) {
+    const TreeLeaf& own = search.own->leaves()[search.leaf];
+    for (; lanes != 0; lanes &= lanes - 1) {
+        const auto i = static_cast<std::uint32_t>(std::countr_zero(lanes));
+        const std::uint32_t shift = 8 * lookers.count;
+        lookers.all |= std::uint64_t{search.allCanPair | (own.awake >> i & 1u)} * 0xff << shift;
+        lookers.later |= std::uint64_t{0xfeu << i & 0xff} << shift;
+        lookers.others |= std::uint64_t{~(1u << i) & 0xff} << shift;
+        lookers.boxes[lookers.count] = widen(own.boxes.at(i));
+        lookers.lanes[lookers.count++] = i;
+    }
+}
+
+/// Which lanes of a leaf each searching lane has to report if they overlap: of two that search, one does.
+PLUMB_TARGET inline std::uint64_t openLanes(const TreeSearch& search, const Lookers& lookers,
+                                            std::uint32_t leaf) {
+    const bool same = search.own == search.others;
+    if (same ? leaf > search.leaf : search.ownMayBeAwake) return ~std::uint64_t{0};
+    const std::uint64_t unmoved = unmovedLanes(search.others->leaves()[leaf], search.isMoved) * kEachByte;
+    return same && leaf == search.leaf ? (unmoved | lookers.later) & lookers.others : unmoved;
+}
+
+/// Tests the searching lanes against leaves.
+PLUMB_TARGET inline void testLeaves(const TreeSearch& search, std::uint32_t lanes,
+                                    std::span<const std::uint32_t> candidates, std::vector<PairKey>& pairs) {
+    const TreeLeaf& own = search.own->leaves()[search.leaf];
+    const TreeLeaf* leaves = search.others->leaves();
+    Lookers lookers;
+    collectLookers(search, lanes, lookers);
+    std::uint32_t hits[kMaxHits + kSpare];  // 6 bits: index of the candidate, 3 bits: index of the searching
+                                            // lane, 3 bits: lane
+    std::uint32_t* end = hits;
+    for (std::uint32_t c = 0; c < candidates.size(); ++c) {
+        const std::uint64_t open = openLanes(search, lookers, candidates[c]);
+        if (open == 0) continue;
+        const TreeLeaf& leaf = leaves[candidates[c]];
+        std::uint64_t bits = 0;
+        for (std::uint32_t i = 0; i < lookers.count; ++i)
+            bits |= std::uint64_t{bitsOf(overlaps(leaf.boxes, lookers.boxes[i]))} << 8 * i;
+        end = appendBits(bits & open & (leaf.awake * kEachByte | lookers.all), c * 64, end);
+    }
+    PairKey found[kMaxHits];
+    std::size_t count = 0;
+    for (const std::uint32_t* hit = hits; hit != end; ++hit) {
+        const std::uint32_t i = lookers.lanes[*hit / 8 % 8];
+        const std::uint32_t j = *hit % 8;
+        const TreeLeaf& leaf = leaves[candidates[*hit / 64]];
+        found[count] = pairKey(own.ids[i], leaf.ids[j]);
+        count += meet(own.filters[i], leaf.filters[j]) ? 1u : 0u;
+    }
+    pairs.insert(pairs.end(), found, found + count);
+}
+
+/// Descends from some nodes of a level to the leaves in which the lanes may have partners.
+PLUMB_TARGET void findPairsBelow(const TreeSearch& search, std::uint32_t lanes, const WideProbe& probe,
+                                 std::uint32_t level, std::span<const std::uint32_t> nodes,
+                                 std::vector<PairKey>& pairs) {
+    const TreeNode* all = search.others->level(level);
+    std::uint32_t children[kMost + kSpare];
+    for (std::size_t first = 0; first < nodes.size(); first += kChunk) {
+        const auto chunk =
+            nodes.subspan(first, nodes.size() - first < kChunk ? nodes.size() - first : kChunk);
+        std::uint32_t* end = children;
+        for (const std::uint32_t node : chunk)
+            end = appendBits(mayCollide(all[node], probe), node * kBranch, end);
+        const std::span<const std::uint32_t> found{children, end};
+        if (found.size() > kMany && (lanes & (lanes - 1)) != 0) {
+            const TreeLeaf& own = search.own->leaves()[search.leaf];
+            std::uint32_t upper = lanes;
+            for (int i = std::popcount(lanes) / 2; i > 0; --i) upper &= upper - 1;
+            const std::uint32_t lower = lanes & ~upper;
+            findPairsBelow(search, upper, widenLanes(own, upper), level, chunk, pairs);
+            findPairsBelow(search, lower, widenLanes(own, lower), level, chunk, pairs);
+        } else if (found.empty()) {
+            continue;
+        } else if (level > 0) {
+            findPairsBelow(search, lanes, probe, level - 1, found, pairs);
+        } else {
+            testLeaves(search, lanes, found, pairs);
+        }
+    }
+}
+
+PLUMB_TARGET void findPairsOfLeaf(const TreeSearch& search, std::vector<PairKey>& pairs) {
+    const std::uint32_t root = 0;
+    const WideProbe probe = widenLanes(search.own->leaves()[search.leaf], search.lanes);
+    findPairsBelow(search, search.lanes, probe, search.others->height() - 1, {&root, 1}, pairs);
+}
+
+PLUMB_TARGET inline std::uint32_t hitsOf(const TreeBoxes& boxes, const Wide& wide) {
+    return bitsOf(overlaps(boxes, wide));
+}
+
+/// The lanes that the sweep may hit; the same test as mayCollide(LineSweep, AABB).
+PLUMB_TARGET inline std::uint32_t hitsOf(const TreeBoxes& boxes, const WideSweep& sweep) {
+    const std::uint32_t near = bitsOf(overlaps(boxes, sweep.bounds));
+    if (near == 0) return 0;
+    Floats off[2];
+    Floats half[2];
+    for (int axis = 0; axis < 2; ++axis) {
+        const Floats low = load(boxes.low[axis]) * spread(0.5f);
+        const Floats high = load(boxes.low[axis + 2]) * spread(-0.5f);
+        const Floats middle = low + high;
+        off[axis] = middle - sweep.from[axis];
+        half[axis] = high - low + sweep.reach[axis] + absolute(middle) * spread(2.0f * kRounding);
+    }
+    const Floats distance = absolute(sweep.displacement[0] * off[1] - sweep.displacement[1] * off[0]);
+    const Floats reach =
+        absolute(sweep.displacement[0]) * half[1] + absolute(sweep.displacement[1]) * half[0];
+    return near & ~bitsOf(distance > reach);
+}
+
+/// Appends the proxies below some nodes of a level that the view (a box or a sweep) may hit.
+template <class View>
+PLUMB_TARGET void findBelow(const Bvh8& tree, const View& view, std::uint32_t mask, std::uint32_t level,
+                            std::span<const std::uint32_t> nodes, std::vector<std::uint32_t>& found) {
+    const TreeNode* all = tree.level(level);
+    for (const std::uint32_t node : nodes) {
+        const std::uint32_t layered = bitsOf(haveCommon(all[node].layers, mask));
+        std::uint32_t children[kBranch + kSpare];
+        const std::uint32_t* end =
+            appendBits(hitsOf(all[node].boxes, view) & layered, node * kBranch, children);
+        if (level > 0) {
+            findBelow(tree, view, mask, level - 1, {children, end}, found);
+            continue;
+        }
+        for (const std::uint32_t* child = children; child != end; ++child) {
+            const TreeLeaf& leaf = tree.leaves()[*child];
+            for (std::uint32_t hits = hitsOf(leaf.boxes, view); hits != 0; hits &= hits - 1) {
+                const int i = std::countr_zero(hits);
+                if ((leaf.filters[i].layers & mask) != 0) found.push_back(leaf.ids[i]);
+            }
+        }
+    }
+}
+
+PLUMB_TARGET void findInTree(const Bvh8& tree, const AABB& box, const LineSweep* sweep, std::uint32_t mask,
+                             std::vector<std::uint32_t>& found) {
+    const std::uint32_t root = 0;
+    if (sweep == nullptr) return findBelow(tree, widen(box), mask, tree.height() - 1, {&root, 1}, found);
+    const WideSweep wide{widen(box),
+                         {spread(sweep->from.x), spread(sweep->from.y)},
+                         {spread(sweep->displacement.x), spread(sweep->displacement.y)},
+                         {spread(sweep->half.x), spread(sweep->half.y)}};
+    findBelow(tree, wide, mask, tree.height() - 1, {&root, 1}, found);
+}
 
 constexpr BoxSearches kSearches{&findPairsOfLeaf, &findPairsInRows, &findInTree, &findInRows};

@@ -9,8 +9,7 @@
 #endif
 
 // Eight floats, as vectors of the compiler, with the operations that the searches need, for each instruction
-// set. Each lane is computed exactly as a single float would be, so results do not depend on the instruction
-// set.
+// set. Each lane is computed as a single float: results do not depend on the set.
 
 namespace plumb::physics {
 

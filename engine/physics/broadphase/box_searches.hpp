@@ -13,8 +13,7 @@ struct TreeSearch {
     std::uint32_t leaf = 0;        ///< leaf of `own`
     std::uint32_t lanes = 0;       ///< bits: its lanes that search
     bool ownMayBeAwake = false;
-    bool allCanPair = false;  ///< one side is the moving and the other the sleeping partition; otherwise one
-                              ///< proxy of a pair must be awake
+    bool allCanPair = false;  ///< one side moves and the other sleeps; else one of a pair must be awake
     const std::uint8_t* isMoved = nullptr;  ///< by proxy: nonzero for all that search
 };
 

@@ -26,7 +26,6 @@ constexpr bool meet(const Filter& a, const Filter& b) {
     return (a.layers & b.mask) != 0 && (b.layers & a.mask) != 0;
 }
 
-/// The motion class of a proxy.
 enum class ProxyMotion : std::uint8_t {
     Gone,       ///< a free slot
     Static,     ///< never moves
@@ -43,7 +42,6 @@ struct Proxies {
     std::span<const ProxyMotion> motions;
 };
 
-/// Which proxies a cast considers.
 enum class Among : std::uint8_t { All, Static };
 
 /// Two shapes whose bounds overlap: the lower index in the high half, so that sorting keys sorts by it.
@@ -54,16 +52,14 @@ constexpr PairKey pairKey(std::uint32_t a, std::uint32_t b) {
 }
 
 /// Finds pairs of proxies with overlapping bounds. A broad phase holds no state of its own: its content
-/// follows from the proxies, and any kind, with any history, returns the same sets. Bounds that only touch
-/// count as overlapping.
+/// follows from the proxies, and any kind, with any history, returns the same sets. Touching bounds overlap.
 class BroadPhase {
 public:
     virtual ~BroadPhase() = default;
 
     /// Discards everything and adds all proxies that are not Gone.
     virtual void rebuild(const Proxies& proxies) = 0;
-    /// Updates proxies that were added or removed, or whose bounds, filter or motion changed since the last
-    /// call.
+    /// Updates proxies that were added or removed, or whose bounds, filter or motion changed.
     /// @param changed  indices, each once
     virtual void update(const Proxies& proxies, std::span<const std::uint32_t> changed) = 0;
     /// Sorts `moved` so that proxies that can be searched together are adjacent. Optional, but findPairs() is
@@ -76,15 +72,13 @@ public:
     /// @param isMoved  by proxy: nonzero for all that are in `moved` of any thread
     virtual void findPairs(std::span<const std::uint32_t> moved, std::span<const std::uint8_t> isMoved,
                            std::vector<PairKey>& pairs) const = 0;
-    /// Appends all proxies whose bounds overlap the box and that are on a layer in `mask`. The order is
-    /// arbitrary.
+    /// Appends all proxies on a layer in `mask` whose bounds overlap the box, in any order.
     virtual void query(const AABB& box, std::uint32_t mask, std::vector<std::uint32_t>& found) const = 0;
     /// Appends all proxies whose bounds, enlarged by `half` on each side, intersect the line from `from` to
     /// `from + way`. The order is arbitrary; the result may contain proxies that the line misses.
     virtual void cast(Vec2 from, Vec2 displacement, Vec2 half, std::uint32_t mask,
                       std::vector<std::uint32_t>& found, Among among) const = 0;
-    /// Visits the regions into which it sorts proxies: the nodes, cells or segments that are in use. For
-    /// debug drawing.
+    /// Visits the nodes, cells or segments that are in use, for debug drawing.
     virtual void visitRegions(const std::function<void(const AABB&)>& visit) const = 0;
 };
 

@@ -1,7 +1,6 @@
 #include "physics/broadphase/bvh8.hpp"
 
 #include <algorithm>
-#include <limits>
 
 #include "physics/broadphase/partitioned_broad_phase.hpp"
 
@@ -49,6 +48,38 @@ void mergeInto(TreeNode& parent, std::size_t lane, const Child& child) {
     parent.layers[lane] = filters.layers;
     parent.masks[lane] = filters.masks;
 }
+
+/// Trees of bounding boxes with eight children per node. The default: no distribution of boxes degrades it.
+class TreeBroadPhase final : public PartitionedBroadPhase<Bvh8> {
+public:
+    void findPairs(std::span<const std::uint32_t> moved, std::span<const std::uint8_t> isMoved,
+                   std::vector<PairKey>& pairs) const override {
+        TreeSearch search;
+        search.isMoved = isMoved.data();
+        for (std::size_t i = 0; i < moved.size();) {
+            // Proxies of one leaf are searched for together.
+            const ProxyPlace place = placeOf(moved[i]);
+            std::uint32_t lanes = 0;
+            for (; i < moved.size(); ++i) {
+                const ProxyPlace next = placeOf(moved[i]);
+                if (next / kBranch != place / kBranch) break;
+                lanes |= 1u << next % kBranch;
+            }
+            if (place == kNoPlace) continue;
+            const std::uint32_t part = partOfPlace(place);
+            search.own = &parts_[part];
+            search.ownMayBeAwake = part == kMovingPart;
+            search.leaf = inPart(place) / kBranch;
+            for (std::uint32_t other = firstPartner(part); other < kParts; ++other) {
+                // Only awake proxies pair with static ones.
+                search.lanes = other == kStaticPart ? lanes & search.own->leaves()[search.leaf].awake : lanes;
+                search.allCanPair = allCanPair(part, other);
+                search.others = &parts_[other];
+                if (search.lanes != 0 && search.others->size() > 0) searches_.findPairsOfLeaf(search, pairs);
+            }
+        }
+    }
+};
 
 }  // namespace
 
@@ -179,43 +210,6 @@ bool Bvh8::isDue(std::size_t arrivals, std::uint32_t) const {
     if (used_ + arrivals - sorted_ > sorted_ / 8 + (sorted_ > 0 ? 32 : 0)) return true;
     return holes_ > size() + 64 || lost_ > kStretchUnit * used_;
 }
-
-namespace {
-
-/// Trees of bounding boxes with eight children per node. The default: no distribution of sizes and positions
-/// degrades it.
-class TreeBroadPhase final : public PartitionedBroadPhase<Bvh8> {
-public:
-    void findPairs(std::span<const std::uint32_t> moved, std::span<const std::uint8_t> isMoved,
-                   std::vector<PairKey>& pairs) const override {
-        TreeSearch search;
-        search.isMoved = isMoved.data();
-        for (std::size_t i = 0; i < moved.size();) {
-            // Proxies of one leaf are searched for together.
-            const ProxyPlace place = placeOf(moved[i]);
-            std::uint32_t lanes = 0;
-            for (; i < moved.size(); ++i) {
-                const ProxyPlace next = placeOf(moved[i]);
-                if (next / kBranch != place / kBranch) break;
-                lanes |= 1u << next % kBranch;
-            }
-            if (place == kNoPlace) continue;
-            const std::uint32_t part = partOfPlace(place);
-            search.own = &parts_[part];
-            search.ownMayBeAwake = part == kMovingPart;
-            search.leaf = inPart(place) / kBranch;
-            for (std::uint32_t other = firstPartner(part); other < kParts; ++other) {
-                // Only awake proxies pair with static ones.
-                search.lanes = other == kStaticPart ? lanes & search.own->leaves()[search.leaf].awake : lanes;
-                search.allCanPair = allCanPair(part, other);
-                search.others = &parts_[other];
-                if (search.lanes != 0 && search.others->size() > 0) searches_.findPairsOfLeaf(search, pairs);
-            }
-        }
-    }
-};
-
-}  // namespace
 
 std::unique_ptr<BroadPhase> makeTree() { return std::make_unique<TreeBroadPhase>(); }
 

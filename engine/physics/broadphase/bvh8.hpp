@@ -26,14 +26,12 @@ struct alignas(32) TreeBoxes {
     }
 };
 
-/// Eight children.
 struct TreeNode {
     TreeBoxes boxes;
     std::uint32_t layers[kBranch];  ///< FilterUnion of the leaves below
     std::uint32_t masks[kBranch];
 };
 
-/// Eight proxies.
 struct TreeLeaf {
     TreeBoxes boxes;
     Filter filters[kBranch];
@@ -90,8 +88,7 @@ private:
     std::uint32_t sorted_ = 0;  ///< lanes in use at the last sort
 
     std::vector<float> sortedSizes_;        ///< m: width plus height of each leaf after the last sort
-    std::vector<std::uint32_t> stretches_;  ///< by leaf: relative growth of its area since the sort, in fixed
-                                            ///< point; a measure of needless visits
+    std::vector<std::uint32_t> stretches_;  ///< by leaf: growth of its area since the sort, fixed point
     std::uint64_t stretch_ = 0;             ///< sum of stretches_
     std::uint64_t lost_ = 0;  ///< cost of searches in disordered leaves since the sort, in the same unit
 

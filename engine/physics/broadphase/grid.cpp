@@ -94,7 +94,6 @@ private:
     static constexpr std::uint32_t kNearCells = 12;
     static constexpr std::uint32_t kLevels = 10;  // the last one is a single cell
 
-    /// The cell of a box.
     struct Cell {
         std::int32_t x = 0;
         std::int32_t y = 0;
@@ -166,8 +165,7 @@ private:
         const std::uint32_t begin = starts_[level.firstCell];
         const std::uint32_t end = starts_[level.firstCell + level.columns * level.rows];
         if (end <= from) return;
-        // A box spans at most two cells, so one that begins in the next cell to the left or above may reach
-        // in.
+        // A box spans at most two cells, so one of the next cell to the left or above may reach in.
         const auto sides = cellsOf(box, level.perMetre);
         std::int32_t left = sides[0] - 1;
         const std::int32_t top = sides[1] - 1;

@@ -15,8 +15,7 @@ inline constexpr AABB kNowhere{
     {std::numeric_limits<float>::infinity(), std::numeric_limits<float>::infinity()},
     {-std::numeric_limits<float>::infinity(), -std::numeric_limits<float>::infinity()}};
 
-/// Bounds as all broad phases use them: inverted boxes and NaN become kNowhere, infinity becomes the largest
-/// float.
+/// Bounds as all broad phases use them: inverted boxes and NaN become kNowhere, infinity the largest float.
 constexpr AABB usable(const AABB& box) {
     constexpr float kMost = std::numeric_limits<float>::max();
     if (!(box.min.x <= box.max.x && box.min.y <= box.max.y)) return kNowhere;
@@ -51,8 +50,7 @@ struct FilterUnion {
 /// The centre of a box; does not overflow even if its size does.
 constexpr Vec2 middleOf(const AABB& box) { return box.min * 0.5f + box.max * 0.5f; }
 
-/// A moving box, as a broad phase searches for what it may hit. Conservative: it may report boxes that it
-/// misses.
+/// A moving box, as a broad phase searches for what it may hit, and a little more.
 struct LineSweep {
     Vec2 from;          ///< m
     Vec2 displacement;  ///< m

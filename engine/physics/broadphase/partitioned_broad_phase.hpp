@@ -10,8 +10,7 @@
 
 namespace plumb::physics {
 
-/// The three partitions of a broad phase. Resting proxies are kept apart from moving ones, so that they add
-/// nothing to the cost of a step.
+/// The three partitions of a broad phase. Resting proxies, apart from moving ones, cost a step nothing.
 enum ProxyPart : std::uint32_t { kStaticPart, kAsleepPart, kMovingPart, kParts };
 
 constexpr std::uint32_t partOf(ProxyMotion motion) {
@@ -19,8 +18,7 @@ constexpr std::uint32_t partOf(ProxyMotion motion) {
     return kPart[static_cast<std::size_t>(motion)];
 }
 
-/// True if all proxies of two partitions can pair (see findPairs()): one is the sleeping, the other then the
-/// moving partition.
+/// True if all proxies of two partitions can pair (see findPairs()): one sleeps, so the other moves.
 constexpr bool allCanPair(std::uint32_t own, std::uint32_t other) {
     return own == kAsleepPart || other == kAsleepPart;
 }
@@ -35,7 +33,6 @@ inline constexpr std::uint32_t kPlaceBits = 30;
 constexpr std::uint32_t partOfPlace(ProxyPlace place) { return place >> kPlaceBits; }
 constexpr std::uint32_t inPart(ProxyPlace place) { return place & ((1u << kPlaceBits) - 1); }
 
-/// Sets a bit of a list of words.
 inline void setBit(std::vector<std::uint64_t>& words, std::size_t i) {
     words[i / 64] |= std::uint64_t{1} << i % 64;
 }
@@ -161,8 +158,7 @@ private:
             if (part.size() > 0) part.find(searches_, box, sweep, mask, found);
     }
 
-    /// Removes proxies that changed their partition from the old one, and collects the arrivals of each
-    /// partition.
+    /// Removes proxies from a partition that they left, and collects the arrivals of each.
     /// @return  by partition, how many of its own proxies changed
     std::array<std::uint32_t, kParts> sendToParts(const Proxies& proxies,
                                                   std::span<const std::uint32_t> changed) {

@@ -3,7 +3,6 @@
 #include <bit>
 #include <cmath>
 
-#include "physics/broadphase/hilbert_order.hpp"
 #include "physics/broadphase/partitioned_broad_phase.hpp"
 #include "physics/model/side_table.hpp"
 
@@ -40,8 +39,7 @@ public:
     };
 
     // Interface for PartitionedBroadPhase.
-    /// Along a curve, so that neighbours in space are inserted one after the other and lie close together in
-    /// memory.
+    /// Along a curve, so that neighbours in space are neighbours in memory.
     void sort(const Proxies& proxies, std::span<std::uint32_t> ids, std::uint32_t, const PlaceList& list) {
         nodes_.assign(1, {});
         items_.clear();
@@ -104,13 +102,10 @@ public:
     [[nodiscard]] std::uint32_t idAt(std::uint32_t place) const { return items_[place].id; }
     void find(const BoxSearches&, const AABB& box, const LineSweep* sweep, std::uint32_t mask,
               std::vector<std::uint32_t>& found) const {
-        const auto take = [&](const Item& item) {
-            if ((item.filter.layers & mask) != 0) found.push_back(item.id);
-        };
-        if (sweep == nullptr)
-            return visitNear(box, nullptr, [&](std::uint32_t place) { take(items_[place]); });
         visitNear(box, sweep, [&](std::uint32_t place) {
-            if (mayCollide(*sweep, items_[place].box)) take(items_[place]);
+            const Item& item = items_[place];
+            if ((item.filter.layers & mask) == 0) return;
+            if (sweep == nullptr || mayCollide(*sweep, item.box)) found.push_back(item.id);
         });
     }
 
@@ -161,7 +156,6 @@ private:
         std::uint32_t count = 0;  ///< number of items in it and below
     };
 
-    /// The square that a box needs.
     struct Goal {
         Vec2 middle;
         float half = 0.0f;  ///< m: half the width of the square
@@ -227,7 +221,6 @@ private:
              node = nodes_[node].parent)
             nodes_[node].reach = merged(nodes_[node].reach, box);
     }
-    /// Counts one item less in the node.
     void leave(std::uint32_t node) {
         if (--nodes_[node].count == 0) nodes_[node].reach = kNowhere;
     }

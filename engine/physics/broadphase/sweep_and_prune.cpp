@@ -2,7 +2,6 @@
 #include <bit>
 #include <cmath>
 
-#include "physics/broadphase/hilbert_order.hpp"
 #include "physics/broadphase/row_broad_phase.hpp"
 
 namespace plumb::physics {

@@ -1,7 +1,6 @@
 #include "physics/character/character_mover.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include "physics/shapes/shape_types.hpp"
 #include "physics/tuning.hpp"

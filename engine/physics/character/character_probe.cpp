@@ -1,14 +1,12 @@
 #include "physics/character/character_probe.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include "physics/model/shapes.hpp"
 #include "physics/narrowphase/collide.hpp"
 #include "physics/narrowphase/distance.hpp"
 #include "physics/queries/candidates.hpp"
 #include "physics/shapes/shape_types.hpp"
-#include "physics/tuning.hpp"
 
 namespace plumb::physics {
 
@@ -63,8 +61,7 @@ bool CharacterProbe::ignores(std::uint32_t shape) const {
            contains(behind_, shape);
 }
 
-/// A one-way shape stops an outline that starts in front of it and hits its open side, or hits one of its
-/// corners with the feet above it.
+/// A one-way shape stops what starts in front and hits its open side, or a corner with the feet above.
 bool CharacterProbe::stops(const CastHit& hit, const BodyPose& pose, const MovingOutline& moving) const {
     const ShapeInfo& info = world_.shapes.info[hit.shape.index];
     if ((info.flags & kOneWay) == 0) return true;

@@ -1,8 +1,5 @@
 #pragma once
 
-#include <optional>
-#include <span>
-
 #include "core/fixed_list.hpp"
 #include "physics/character/character.hpp"
 #include "physics/queries/shape_cast.hpp"

@@ -1,9 +1,7 @@
 #include <algorithm>
 #include <iterator>
-#include <limits>
 
 #include "physics/contacts/contacts.hpp"
-#include "physics/model/edits.hpp"
 #include "physics/workspace.hpp"
 
 namespace plumb::physics {
@@ -74,16 +72,14 @@ ContactEvent eventOf(const World& world, const Contact& contact, ContactPhase ph
         return ShapeId{shape, world.shapes.info[shape].generation};
     };
     const BodyPose& a = world.bodies.pose[contact.bodyA];
-    ContactEvent event;
-    event.a = bodyId(contact.bodyA);
-    event.b = bodyId(contact.bodyB);
-    event.shapeA = shapeId(contact.shapeA);
-    event.shapeB = shapeId(contact.shapeB);
-    event.phase = phase;
-    event.isTrigger = (contact.flags & kTriggered) != 0;
-    event.normal = contact.normal;
-    event.point = toVec2(a.centre + rotate(a.rotation, pointOf(world, contact, 0)));
-    return event;
+    return {.a = bodyId(contact.bodyA),
+            .b = bodyId(contact.bodyB),
+            .shapeA = shapeId(contact.shapeA),
+            .shapeB = shapeId(contact.shapeB),
+            .phase = phase,
+            .isTrigger = (contact.flags & kTriggered) != 0,
+            .normal = contact.normal,
+            .point = toVec2(a.centre + rotate(a.rotation, pointOf(world, contact, 0)))};
 }
 
 void report(World& world, Workspace& work, const Contact& contact, ContactPhase phase, float impulse) {

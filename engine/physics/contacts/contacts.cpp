@@ -1,15 +1,11 @@
 #include "physics/contacts/contacts.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include "physics/broadphase/overlap.hpp"
 #include "physics/narrowphase/axis_aligned_boxes.hpp"
-#include "physics/narrowphase/collide.hpp"
 #include "physics/narrowphase/reference_face.hpp"
-#include "physics/narrowphase/sweep.hpp"
 #include "physics/solver/kernels.hpp"
-#include "physics/tuning.hpp"
 #include "physics/workspace.hpp"
 
 namespace plumb::physics {
@@ -220,8 +216,7 @@ Manifold manifoldOf(const World& world, const AxisAlignedPair& pair) {
     return manifold;
 }
 
-/// While the same two faces touch, all that changes is how deep. Where they do is computed on demand:
-/// pointOf().
+/// While the same two faces touch, all that changes is how deep. pointOf() says where they do.
 bool slideUpright(Contact& contact, const AxisAlignedPair& pair, float speculative) {
     if ((contact.flags & (kTouching | kTriggered)) != kTouching || contact.count != 1) return false;
     const Vec2 gap = gapOf(pair.a.b, pair.b.b, pair.displacement);

@@ -1,9 +1,6 @@
 #pragma once
 
-#include <span>
-
 #include "physics/model/edits.hpp"
-#include "physics/world.hpp"
 
 namespace plumb::physics {
 
@@ -25,6 +22,12 @@ Contact makeContact(const World& world, std::uint32_t shapeA, std::uint32_t shap
 
 /// False for a border inside something, and for one that is stopped by what is in front of it.
 [[nodiscard]] bool comesTo(const World& world, std::uint32_t shapeA, std::uint32_t shapeB);
+
+/// Outward normal of the side on which a one-way shape stops what comes, in the world.
+[[nodiscard]] inline Vec2 openDirection(const World& world, std::uint32_t shape) {
+    const Rot rotation = world.bodies.pose[world.shapes.info[shape].body].rotation;
+    return rotate(rotation, world.shapes.extrasOf(shape).oneWayDirection);
+}
 
 /// Whether a push can turn the body.
 [[nodiscard]] bool canTurn(const World& world, std::uint32_t body);
@@ -75,8 +78,7 @@ ContactEvent eventOf(const World& world, const Contact& contact, ContactPhase ph
 // between a chain and what touches it are therefore counted: the first one to begin is an event, and so is
 // the last one to end, decided at the end of the step, when it is known which contacts replaced others.
 
-/// Makes an event of what happened to a contact, if it is reported: at once, or for chains in
-/// publishSurfaces().
+/// Makes an event of what happened to a contact, if it is reported: at once, of chains later.
 /// @param impulse  N s, see ContactEvent
 void report(World& world, Workspace& work, const Contact& contact, ContactPhase phase, float impulse = 0.0f);
 

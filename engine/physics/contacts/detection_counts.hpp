@@ -4,8 +4,7 @@
 
 namespace plumb::physics {
 
-/// What became of the pairs of shapes that the broad phase found: each of `pairs` was rejected by one of the
-/// three tests, or touches.
+/// What became of the pairs of shapes that the broad phase found: each touches, or a test rejects it.
 struct DetectionCounts {
     std::uint32_t pairs = 0;           ///< pairs that the narrow phase tested
     std::uint32_t apartByBounds = 0;   ///< bounds no longer overlap: the pair is removed

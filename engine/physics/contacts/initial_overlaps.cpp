@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <cmath>
 
 #include "physics/contacts/contacts.hpp"
 #include "physics/tuning.hpp"

@@ -1,8 +1,9 @@
 #pragma once
 
+#include <algorithm>
+#include <utility>
 #include <vector>
 
-#include "core/hash.hpp"
 #include "physics/broadphase/broad_phase.hpp"
 
 namespace plumb::physics {
@@ -11,7 +12,10 @@ namespace plumb::physics {
 /// Source: D. Knuth, The Art of Computer Programming 3, 6.4, algorithms L and R.
 class PairSet {
 public:
-    void clear();
+    void clear() {
+        std::fill(keys_.begin(), keys_.end(), kFree);
+        size_ = 0;
+    }
     [[nodiscard]] bool has(PairKey key) const {
         if (size_ == 0) return false;
         for (std::size_t i = placeOf(key);; i = (i + 1) & mask_) {
@@ -20,17 +24,54 @@ public:
         }
     }
     /// @return false if it was there already
-    bool add(PairKey key);
-    void remove(PairKey key);
+    bool add(PairKey key) {
+        if (2 * (size_ + 1) > keys_.size()) grow();
+        std::size_t i = placeOf(key);
+        for (; keys_[i] != kFree; i = (i + 1) & mask_) {
+            if (keys_[i] == key) return false;
+        }
+        keys_[i] = key;
+        ++size_;
+        return true;
+    }
+    void remove(PairKey key) {
+        if (size_ == 0) return;
+        std::size_t i = placeOf(key);
+        for (; keys_[i] != key; i = (i + 1) & mask_) {
+            if (keys_[i] == kFree) return;
+        }
+        --size_;
+        // Moves later keys of the probe sequence into the hole, if they may be there: no search may stop at
+        // it.
+        for (std::size_t next = (i + 1) & mask_; keys_[next] != kFree; next = (next + 1) & mask_) {
+            const std::size_t home = placeOf(keys_[next]);
+            if (((next - home) & mask_) >= ((next - i) & mask_)) {
+                keys_[i] = keys_[next];
+                i = next;
+            }
+        }
+        keys_[i] = kFree;
+    }
     [[nodiscard]] std::size_t size() const { return size_; }
 
 private:
+    static constexpr std::size_t kSmallest = 64;
     static constexpr PairKey kFree = ~PairKey{0};  // not a valid key
 
     [[nodiscard]] std::size_t placeOf(PairKey key) const {
         return static_cast<std::size_t>((key * 0x9e3779b97f4a7c15ull) >> shift_);
     }
-    void grow();
+    void grow() {
+        const std::vector<PairKey> old =
+            std::exchange(keys_, std::vector<PairKey>(std::max(kSmallest, keys_.size() * 2), kFree));
+        mask_ = keys_.size() - 1;
+        shift_ = 64;
+        for (std::size_t places = keys_.size(); places > 1; places /= 2) --shift_;
+        size_ = 0;
+        for (const PairKey key : old) {
+            if (key != kFree) add(key);
+        }
+    }
 
     std::vector<PairKey> keys_;  // the size is a power of two; at most half of the slots are used
     std::size_t size_ = 0;

@@ -1,15 +1,10 @@
 #pragma once
 
-#include <cmath>
-
 #include "physics/contacts/contacts.hpp"
 #include "physics/debug_draw.hpp"
-#include "physics/model/edits.hpp"
 #include "physics/shapes/convex.hpp"
 
 namespace plumb::physics {
-
-// Helpers shared by the files of the debug view.
 
 /// Length (m) of an arrow per acceleration (m/s2) of the lighter body by a force: 0.2 m for its weight on
 /// Earth.
@@ -19,7 +14,6 @@ inline constexpr float kPointRadius = 0.02f;    ///< m
 inline constexpr float kOneWayArrow = 0.25f;    ///< m
 inline constexpr float kAround = kOneWayArrow;  ///< m: nothing is drawn further from its shape
 
-/// A world, the canvas to draw on, and what to draw.
 struct Picture {
     const World& world;
     DebugCanvas& canvas;

@@ -1,7 +1,7 @@
 #include <algorithm>
-#include <array>
 
 #include "physics/debug/picture.hpp"
+#include "physics/model/bodies.hpp"
 #include "physics/shapes/shape_types.hpp"
 #include "physics/workspace.hpp"
 
@@ -46,37 +46,6 @@ void drawDisc(DebugCanvas& canvas, Vec2 centre, const Frame& frame, float radius
     canvas.circle(place, radius, ink);
     canvas.line(place, place + rotate(frame.rotation, {radius, 0.0f}), ink);
 }
-
-}  // namespace
-
-void drawOutline(DebugCanvas& canvas, const Convex& convex, const Frame& frame, DebugInk ink) {
-    const std::span<const Corner> corners = convex.corners();
-    if (corners.size() == 1) return drawDisc(canvas, corners[0].point, frame, convex.radius, ink);
-    if (convex.radius > 0.0f) return drawRounded(canvas, corners, frame, convex.radius, ink);
-    if (corners.size() == 2)
-        return canvas.line(apply(frame, corners[0].point), apply(frame, corners[1].point), ink);
-    std::array<Vec2, kMaxCorners> points;
-    for (std::size_t i = 0; i < corners.size(); ++i) points[i] = apply(frame, corners[i].point);
-    canvas.polygon({points.data(), corners.size()}, ink);
-}
-
-void DebugCanvas::box(const AABB& box, DebugInk ink) {
-    const std::array<Vec2, 4> corners{box.min, Vec2{box.max.x, box.min.y}, box.max,
-                                      Vec2{box.min.x, box.max.y}};
-    polygon(corners, ink);
-}
-
-void drawArc(DebugCanvas& canvas, Vec2 centre, float radius, Rot from, float angle, DebugInk ink) {
-    constexpr int kLines = 2 * kArcPoints;
-    const Rot turn = rotFromAngle(angle / static_cast<float>(kLines));
-    for (int i = 0; i < kLines; ++i) {
-        const Rot to = normalized(turn * from);
-        canvas.line(centre + radius * Vec2{from.cos, from.sin}, centre + radius * Vec2{to.cos, to.sin}, ink);
-        from = to;
-    }
-}
-
-namespace {
 
 DebugRole roleOf(ProxyMotion motion) {
     switch (motion) {
@@ -130,7 +99,38 @@ void drawOutlines(const Picture& picture, bool triggers) {
     });
 }
 
+constexpr float kVelocityLength = 0.1f;  // s: meters drawn for 1 m/s
+constexpr float kPathTime = 1.0f;        // s
+constexpr int kPathLines = 20;
+
 }  // namespace
+
+void drawOutline(DebugCanvas& canvas, const Convex& convex, const Frame& frame, DebugInk ink) {
+    const std::span<const Corner> corners = convex.corners();
+    if (corners.size() == 1) return drawDisc(canvas, corners[0].point, frame, convex.radius, ink);
+    if (convex.radius > 0.0f) return drawRounded(canvas, corners, frame, convex.radius, ink);
+    if (corners.size() == 2)
+        return canvas.line(apply(frame, corners[0].point), apply(frame, corners[1].point), ink);
+    std::array<Vec2, kMaxCorners> points;
+    for (std::size_t i = 0; i < corners.size(); ++i) points[i] = apply(frame, corners[i].point);
+    canvas.polygon({points.data(), corners.size()}, ink);
+}
+
+void DebugCanvas::box(const AABB& box, DebugInk ink) {
+    const std::array<Vec2, 4> corners{box.min, Vec2{box.max.x, box.min.y}, box.max,
+                                      Vec2{box.min.x, box.max.y}};
+    polygon(corners, ink);
+}
+
+void drawArc(DebugCanvas& canvas, Vec2 centre, float radius, Rot from, float angle, DebugInk ink) {
+    constexpr int kLines = 2 * kArcPoints;
+    const Rot turn = rotFromAngle(angle / static_cast<float>(kLines));
+    for (int i = 0; i < kLines; ++i) {
+        const Rot to = normalized(turn * from);
+        canvas.line(centre + radius * Vec2{from.cos, from.sin}, centre + radius * Vec2{to.cos, to.sin}, ink);
+        from = to;
+    }
+}
 
 void drawShapes(const Picture& picture) {
     drawOutlines(picture, false);
@@ -183,6 +183,56 @@ void drawRest(const Picture& picture) {
         const ScaledConvex scaled{picture.outline(s), picture.pose(body).localCentre, part};
         drawOutline(picture.canvas, scaled.outline(), picture.frame(body), DebugRole::Rest);
     });
+}
+
+void drawVelocities(const Picture& picture) {
+    picture.forBodies([&](std::uint32_t body) {
+        const Vec2 velocity = picture.world.bodies.motion[body].velocity;
+        if (velocity == Vec2{}) return;
+        const Vec2 from = picture.centre(body);
+        picture.canvas.arrow(from, from + kVelocityLength * velocity, DebugRole::Velocity);
+    });
+}
+
+// As predictTransform(), but relative to the view's origin, and so exact far from the world's.
+void drawPaths(const Picture& picture) {
+    const World& world = picture.world;
+    picture.forBodies([&](std::uint32_t body) {
+        const Vec2 velocity = world.bodies.motion[body].velocity;
+        if (!isDynamic(world, body) || length(velocity) < world.bodies.info[body].sleepSpeed) return;
+        const Vec2 start = picture.centre(body);
+        Vec2 from = start;
+        for (int i = 1; i <= kPathLines; ++i) {
+            const float time = kPathTime * static_cast<float>(i) / static_cast<float>(kPathLines);
+            const Vec2 to = start + freeMotionOf(world, body, time).displacement;
+            picture.canvas.line(from, to, DebugRole::Path);
+            from = to;
+        }
+    });
+}
+
+void drawCentres(const Picture& picture) {
+    picture.forBodies([&](std::uint32_t body) {
+        if (isDynamic(picture.world, body))
+            picture.canvas.circle(picture.centre(body), kPointRadius, DebugRole::Centre);
+    });
+}
+
+void drawSweeps(const Picture& picture) {
+    const World& world = picture.world;
+    const Workspace* work = picture.choice.lastStep;
+    if (work == nullptr || world.awake.empty()) return;
+    for (const SweptBody& swept : work->swept) {
+        const std::uint32_t body = swept.body;
+        if (!isDynamic(world, body) || !picture.shows(body)) continue;
+        const BodyPose from = swept.sweep.at(swept.sweep.begin);
+        forShapesOf(world, body, [&](std::uint32_t s) {
+            drawOutline(picture.canvas, picture.outline(s), picture.frame(from), DebugRole::Sweep);
+        });
+        const Vec2 start = picture.seen(from.centre);
+        picture.canvas.line(start, picture.seen(swept.sweep.at(1.0f).centre), DebugRole::Sweep);
+        if (swept.hits > 0) picture.canvas.circle(start, kPointRadius, DebugRole::Impact);
+    }
 }
 
 }  // namespace plumb::physics

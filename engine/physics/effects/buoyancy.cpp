@@ -1,10 +1,7 @@
 #include "physics/effects/buoyancy.hpp"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 
-#include "math/portable.hpp"
 #include "physics/effects/field_types.hpp"
 #include "physics/shapes/shape_types.hpp"
 
@@ -154,30 +151,6 @@ Sums alongEdge(const Convex& convex, const Frame& toFluid, const FluidBox& fluid
     return sums;
 }
 
-}  // namespace
-
-Submerged submergedPart(const Geometry& geometry, std::span<const Corner> corners, const Frame& toFluid,
-                        const FluidBox& fluid) {
-    if (!shapeTypeOf(geometry.kind).solid) return {};
-    const AABB bounds = boundsOf(geometry, corners, toFluid);
-    if (bounds.max.y <= 0.0f || bounds.min.y >= fluid.depth || bounds.max.x <= -fluid.half ||
-        bounds.min.x >= fluid.half) {
-        return {};
-    }
-    if (bounds.min.y >= 0.0f && bounds.max.y <= fluid.depth && bounds.min.x >= -fluid.half &&
-        bounds.max.x <= fluid.half) {
-        const MassProperties whole = massProperties(geometry, corners, 1.0f);
-        return {whole.mass, apply(toFluid, whole.centre)};
-    }
-    const Sums sums = alongEdge(convexOf(geometry, corners), toFluid, fluid);
-    const double area = std::fabs(sums.area);
-    if (!(area > 1.0e-12)) return {};
-    return {static_cast<float>(area),
-            {static_cast<float>(sums.momentS / sums.area), static_cast<float>(sums.momentD / sums.area)}};
-}
-
-namespace {
-
 /// m: half width and depth that stand for an unbounded fluid.
 constexpr float kEndless = 1.0e7f;
 
@@ -200,6 +173,26 @@ Fluid fluidOf(const World& world, const FieldDefinition& field) {
 }
 
 }  // namespace
+
+Submerged submergedPart(const Geometry& geometry, std::span<const Corner> corners, const Frame& toFluid,
+                        const FluidBox& fluid) {
+    if (!shapeTypeOf(geometry.kind).solid) return {};
+    const AABB bounds = boundsOf(geometry, corners, toFluid);
+    if (bounds.max.y <= 0.0f || bounds.min.y >= fluid.depth || bounds.max.x <= -fluid.half ||
+        bounds.min.x >= fluid.half) {
+        return {};
+    }
+    if (bounds.min.y >= 0.0f && bounds.max.y <= fluid.depth && bounds.min.x >= -fluid.half &&
+        bounds.max.x <= fluid.half) {
+        const MassProperties whole = massProperties(geometry, corners, 1.0f);
+        return {whole.mass, apply(toFluid, whole.centre)};
+    }
+    const Sums sums = alongEdge(convexOf(geometry, corners), toFluid, fluid);
+    const double area = std::fabs(sums.area);
+    if (!(area > 1.0e-12)) return {};
+    return {static_cast<float>(area),
+            {static_cast<float>(sums.momentS / sums.area), static_cast<float>(sums.momentD / sums.area)}};
+}
 
 /// Archimedes' principle: each shape is lifted by the weight of the fluid that it displaces, at the centroid
 /// of its submerged part. Drag is proportional to the displaced mass.

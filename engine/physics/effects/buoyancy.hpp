@@ -12,7 +12,6 @@ struct FluidBox {
     float depth = 0.0f;  ///< m
 };
 
-/// The submerged part of an outline.
 struct Submerged {
     float area = 0.0f;  ///< m2
     Vec2 centre;        ///< m: centroid, in the fluid's frame

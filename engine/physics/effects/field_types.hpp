@@ -1,7 +1,5 @@
 #pragma once
 
-#include <span>
-
 #include "physics/world.hpp"
 
 namespace plumb::physics {
@@ -31,8 +29,8 @@ struct FieldView {
     const World& world;
     float h;  ///< s: step of the integrator. Drag is limited so that one step never removes more than the
               ///< whole velocity
-    /// Current state of another body. One that is not integrated together with this body is extrapolated from
-    /// the start of the step.
+    /// Current state of another body. One that is not integrated with this is extrapolated from the step's
+    /// start.
     BodyState (*stateOf)(const FieldView& view, std::uint32_t body) = nullptr;
     const void* flight = nullptr;  ///< context of stateOf
     float elapsed = 0.0f;          ///< s since the start of the step
@@ -57,12 +55,10 @@ const FieldType& fieldTypeOf(FieldKind kind);
 constexpr RegionKind regionOf(const FieldDefinition& field) {
     return field.kind == FieldKind::Explosion ? RegionKind::Circle : field.region;
 }
-/// True if a position lies in the region of a field.
 [[nodiscard]] bool isInRegion(const FieldDefinition& field, WorldPosition place);
 /// m/s: velocity of the air of a Wind in a given step, gusts included.
 [[nodiscard]] Vec2 airOf(const FieldDefinition& field, std::uint64_t step);
-/// True if its acceleration depends neither on position nor on velocity, so that trajectories have a closed
-/// form.
+/// True if its acceleration depends on no position or velocity: trajectories have a closed form.
 [[nodiscard]] bool isConstant(const FieldDefinition& field);
 
 /// True if a body has a shape on one of these layers, or if they are all.
@@ -72,15 +68,68 @@ constexpr RegionKind regionOf(const FieldDefinition& field) {
 /// forces: for all integrators, and for bodies that touch something.
 Acceleration accelerationAt(const FieldView& view, std::span<const std::uint32_t> fields, std::uint32_t body,
                             const BodyState& state);
-/// State of a body at the start of the step.
 BodyState stateAtStart(const World& world, std::uint32_t body);
 
 Acceleration buoyancy(const FieldView&, const FieldDefinition&, std::uint32_t, const BodyState&);
 
 /// m: width of a shape across a unit direction in the shape's frame.
 [[nodiscard]] float widthAcross(const Geometry& geometry, std::span<const Corner> corners, Vec2 direction);
-/// m: width of a whole body across a direction in the world: the sum over its shapes, also where one hides
-/// another. Triggers do not count.
+/// m: width of a whole body across a direction in the world: the sum over its solid shapes.
 [[nodiscard]] float widthAcross(const World& world, std::uint32_t body, Rot rotation, Vec2 direction);
+
+/// A body in a field, without contacts and joints: integrated by Settings::integrator.
+struct Flyer {
+    std::uint32_t slot = 0;
+    std::uint32_t body = 0;
+    Acceleration steady;    ///< the part that does not depend on the state
+    bool isSteady = false;  ///< all of it is steady: the trajectory has a closed form
+    float linearDrag = 0.0f;
+    float angularDrag = 0.0f;
+    BodyState now;
+    float turned = 0.0f;  ///< rad since the start of the step
+    BodyState trial;      ///< state in which its forces are evaluated
+    Acceleration at[4];   ///< accelerations of the stages, see each integrator
+};
+
+/// Which fields act on which bodies in a step, and which bodies are integrated freely.
+struct SmoothForces {
+    struct Pull {
+        std::uint32_t slot;
+        std::uint32_t field;
+    };
+    std::vector<Pull> pulls;
+    std::vector<std::uint32_t> begins;  ///< by slot: start of its list in `fields`; one more entry at the end
+    std::vector<std::uint32_t> fields;
+    std::vector<Flyer> flyers;          ///< in order of their slots
+    std::vector<std::int32_t> flyerOf;  ///< by body: index in `flyers`, or -1
+
+    [[nodiscard]] std::span<const std::uint32_t> fieldsOf(std::size_t slot) const {
+        return std::span{fields}.subspan(begins[slot], begins[slot + 1] - begins[slot]);
+    }
+};
+
+// Finds the fields that may act on a body by the boxes in which they act: many small fields cost no more than
+// what they overlap. Fields without bounds may act on all. Springs know their bodies.
+
+/// Updates Workspace::fieldBoxes to fields that were changed, and bodies of attractors that moved.
+void updateFieldBoxes(const World& world, Workspace& work);
+
+/// The fields that may act on a body, ascending: all for which actsOn() holds, and a few more, until the next
+/// call.
+/// @param kinds  bits, 1 << FieldKind: those to search for; others may be among the result
+std::span<const std::uint32_t> fieldsNear(const World& world, Workspace& work, std::uint32_t body,
+                                          std::uint32_t kinds);
+
+/// Calls act(body, field) for all awake bodies and the fields that act on them; `kinds` as above.
+template <class Act>
+void forFieldsOnBodies(const World& world, Workspace& work, std::uint32_t kinds, Act&& act) {
+    updateFieldBoxes(world, work);
+    for (const std::uint32_t body : world.awake) {
+        if (!isDynamic(world, body)) continue;
+        for (const std::uint32_t f : fieldsNear(world, work, body, kinds)) {
+            if (actsOn(world, world.fields.all[f].definition, body)) act(body, f);
+        }
+    }
+}
 
 }  // namespace plumb::physics

@@ -1,13 +1,11 @@
 #pragma once
 
-#include "core/result.hpp"
 #include "physics/world.hpp"
 
 namespace plumb::physics {
 
 /// Applies the force of moving air to a shape, for the next step. Each face that the air hits gives a drag
-/// along the air and a lift across it, away from the face, as for a flat plate. For a whole region of wind
-/// without lift there is FieldKind::Wind.
+/// along the air and a lift across it, away from the face, as for a flat plate. See also FieldKind::Wind.
 /// @param air         m/s
 /// @param drag, lift  kg/m2: half the density of the air times the coefficient
 Result<Done> applyWind(World& world, ShapeId shape, Vec2 air, float drag, float lift);

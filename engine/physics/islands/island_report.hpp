@@ -1,8 +1,5 @@
 #pragma once
 
-#include <cstdint>
-#include <vector>
-
 #include "physics/world.hpp"
 
 namespace plumb::physics {
@@ -19,12 +16,11 @@ struct IslandReport {
     float speed = 0.0f;       ///< m/s: maximum over its bodies
 };
 
-/// All awake islands, sorted by their first body. For tools rather than for each step: it recomputes the
-/// islands and allocates.
+/// All awake islands, sorted by their first body. For tools, not each step: it recomputes them and allocates.
 [[nodiscard]] std::vector<IslandReport> reportIslands(const World& world);
 
-/// Index in `reportIslands(world)` of each body's island, by BodyId::index; kNone for bodies that are asleep
-/// or not dynamic.
+/// Index in `reportIslands(world)` of each body's island, by BodyId::index; kNone if it sleeps or is not
+/// dynamic.
 [[nodiscard]] std::vector<std::uint32_t> islandIndices(const World& world);
 
 }  // namespace plumb::physics

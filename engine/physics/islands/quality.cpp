@@ -1,23 +1,18 @@
 #include "physics/islands/quality.hpp"
 
 #include <algorithm>
-#include <array>
 #include <bit>
 #include <numeric>
-#include <span>
 
 #include "physics/islands/sleeping.hpp"
 #include "physics/model/edits.hpp"
-#include "physics/stages.hpp"
 #include "physics/trees/joint_tree_solver.hpp"
-#include "physics/tuning.hpp"
 
 namespace plumb::physics {
 
 namespace {
 
-/// One level for a value above a limit, and one more for each `factor` above it, up to three: each level
-/// reduces errors three to four times.
+/// One level for a value above a limit, and one more for each `factor` above it, up to three.
 int stepsAbove(float value, float limit, float factor) {
     int steps = 0;
     for (; steps < 3 && value > limit; limit *= factor) ++steps;
@@ -38,49 +33,6 @@ void addTo(SubstepEstimate& island, const World& world, const Workspace& work, s
     island.bodies += 1.0f;
     forJointsOf(world, body, [&](std::uint32_t) { island.joints += 0.5f; });  // each body adds a half
 }
-
-}  // namespace
-
-int extraQuality(const SubstepEstimate& island) {
-    if (island.bodies == 0.0f) return 0;
-    const float layers =
-        (island.highest - island.lowest) * island.bodies / std::max(2.0f * island.size, 1e-6f);
-    return std::max({stepsAbove(island.heaviest, kHeavyRatio * island.lightest, kMinGain),
-                     stepsAbove(layers, kHighStack, kHigherStack),
-                     stepsAbove(island.joints, kManyJoints, kManyMore)});
-}
-
-void estimateSubsteps(World& world, Workspace& work) {
-    const Vec2 gravity = world.settings.gravity;
-    const Vec2 down = lengthSquared(gravity) > 0.0f ? normalized(gravity) : Vec2{};
-    work.estimate.assign(world.bodies.size(), SubstepEstimate{});
-    for (const std::uint32_t body : world.awake) {
-        const std::uint32_t root = work.roots[body];
-        addTo(work.estimate[root], world, work, body, root, down);
-    }
-}
-
-void findRoots(const StepContext& step, bool exact) {
-    World& world = step.world;
-    Workspace& work = step.work;
-    if (work.rootsKnown) return;
-    if (world.islandsStale && exact) rebuildIslands(world, step.pool);
-    work.roots.resize(world.bodies.size());
-    std::iota(work.roots.begin(), work.roots.end(), 0u);
-    // Looking far shortens the way for the next one, which is not for several threads.
-    const auto isFar = [&](std::size_t i) {
-        const std::uint32_t body = world.awake[i];
-        const BodyInfo& info = world.bodies.info[body];
-        if (info.kind != BodyKind::Dynamic) return false;
-        work.roots[body] = info.island;
-        return world.bodies.info[info.island].island != info.island;
-    };
-    forThose(step, world.awake.size(), isFar,
-             [&](std::uint32_t i) { work.roots[world.awake[i]] = islandOf(world, world.awake[i]); });
-    work.rootsKnown = !world.islandsStale;
-}
-
-namespace {
 
 /// Kinds of islands that are solved with equal parameters: by quality, and again without rotation.
 constexpr std::size_t kKindsWithRotation = kMaxQuality + 1;
@@ -211,6 +163,45 @@ void sortByIsland(StepContext& step) {
 }
 
 }  // namespace
+
+int extraQuality(const SubstepEstimate& island) {
+    if (island.bodies == 0.0f) return 0;
+    const float layers =
+        (island.highest - island.lowest) * island.bodies / std::max(2.0f * island.size, 1e-6f);
+    return std::max({stepsAbove(island.heaviest, kHeavyRatio * island.lightest, kMinGain),
+                     stepsAbove(layers, kHighStack, kHigherStack),
+                     stepsAbove(island.joints, kManyJoints, kManyMore)});
+}
+
+void estimateSubsteps(World& world, Workspace& work) {
+    const Vec2 gravity = world.settings.gravity;
+    const Vec2 down = lengthSquared(gravity) > 0.0f ? normalized(gravity) : Vec2{};
+    work.estimate.assign(world.bodies.size(), SubstepEstimate{});
+    for (const std::uint32_t body : world.awake) {
+        const std::uint32_t root = work.roots[body];
+        addTo(work.estimate[root], world, work, body, root, down);
+    }
+}
+
+void findRoots(const StepContext& step, bool exact) {
+    World& world = step.world;
+    Workspace& work = step.work;
+    if (work.rootsKnown) return;
+    if (world.islandsStale && exact) rebuildIslands(world, step.pool);
+    work.roots.resize(world.bodies.size());
+    std::iota(work.roots.begin(), work.roots.end(), 0u);
+    // Looking far shortens the way for the next one, which is not for several threads.
+    const auto isFar = [&](std::size_t i) {
+        const std::uint32_t body = world.awake[i];
+        const BodyInfo& info = world.bodies.info[body];
+        if (info.kind != BodyKind::Dynamic) return false;
+        work.roots[body] = info.island;
+        return world.bodies.info[info.island].island != info.island;
+    };
+    forThose(step, world.awake.size(), isFar,
+             [&](std::uint32_t i) { work.roots[world.awake[i]] = islandOf(world, world.awake[i]); });
+    work.rootsKnown = !world.islandsStale;
+}
 
 void sortByQuality(StepContext& step) {
     World& world = step.world;

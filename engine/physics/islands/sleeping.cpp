@@ -1,8 +1,5 @@
 #include "physics/islands/sleeping.hpp"
 
-#include <utility>
-#include <vector>
-
 #include "physics/model/bounds.hpp"
 #include "physics/model/edits.hpp"
 #include "physics/stages.hpp"
@@ -43,8 +40,8 @@ void putInIsland(Sleepers& sleepers, std::uint32_t island, const Contact& contac
 }
 
 /// A kinematic body can begin or end a contact while the other body sleeps, unless that rests on it: then it
-/// wakes the sleeper when it starts to move (wakeForMotion). What a destroyed shape touched is ended by the
-/// next step.
+/// wakes the sleeper when it starts to move (wakeForMotion). The next step ends what a destroyed shape
+/// touched.
 bool staysInStep(const World& world, const Contact& contact) {
     for (const std::uint32_t shape : {contact.shapeA, contact.shapeB}) {
         if (world.shapes.motion[shape] == ProxyMotion::Gone) return true;

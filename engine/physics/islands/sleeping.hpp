@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <atomic>
-#include <cstdint>
-#include <vector>
 
 #include "physics/world.hpp"
 
@@ -28,7 +26,6 @@ void wakeAll(World& world);
 void wakeTouching(World& world, std::uint32_t body);
 /// Wakes a body that is about to move; if it stood still, what lies on it and hangs from it too.
 void wakeForMotion(World& world, std::uint32_t body);
-/// Puts the island of a body to sleep at once.
 void sleepNow(World& world, std::uint32_t body);
 
 inline constexpr std::uint32_t kIslandToBe = kNone - 1;
@@ -52,14 +49,12 @@ std::uint32_t rootOf(Parent&& parent, std::uint32_t member) {
         const std::uint32_t next = AtomicParent{parent(member)}.load(std::memory_order_relaxed);
         const std::uint32_t after = AtomicParent{parent(next)}.load(std::memory_order_relaxed);
         if (next == after) return next;
-        // Of several threads the last one writes an ancestor: only a root that is joined must not be
-        // overwritten.
+        // Of several threads the last writes an ancestor: only a joined root must not be overwritten.
         AtomicParent{parent(member)}.store(after, std::memory_order_relaxed);
         member = after;
     }
 }
-/// May be called by several threads at a time. The lower root stays one, so that the roots do not depend on
-/// the order of joining.
+/// May be called by several threads at a time. The lower root stays one, whatever the order of joining.
 template <class Parent>
 void joinTrees(Parent&& parent, std::uint32_t a, std::uint32_t b) {
     for (;;) {

@@ -13,7 +13,6 @@ namespace plumb::physics {
 /// member. Commutative and associative.
 [[nodiscard]] SubstepController merged(const SubstepController& a, const SubstepController& b);
 
-/// Initial state of an island.
 [[nodiscard]] SubstepController begun(Quality quality, float dt);
 
 /// State after a step that left an error.

@@ -1,11 +1,8 @@
 #include "physics/joints/joint_types.hpp"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 
 #include "physics/solver/passes.hpp"
-#include "physics/tuning.hpp"
 
 namespace plumb::physics {
 
@@ -139,8 +136,7 @@ JointParts wheel(const JointView& view) {
     return parts;
 }
 
-// The mouse and motor joints are damped springs of limited force. Source: E. Catto, "Soft Constraints", GDC
-// 2011.
+// Mouse and motor joints: damped springs of limited force. Source: E. Catto, "Soft Constraints", GDC 2011.
 
 JointParts mouse(const JointView& view) {
     const JointSpring& spring = view.definition.spring;
@@ -205,8 +201,7 @@ void addCoordinate(const World& world, std::uint32_t index, float ratio, NBodyCo
     constraint.add({joint.bodyB, axis.x, axis.y, cross(armB, axis)});
 }
 
-/// The error is accumulated over all steps since the gear was created (Joint::rows[1]): angles are not
-/// limited to one revolution.
+/// The error adds up over all steps (Joint::rows[1]): angles are not limited to one revolution.
 NBodyConstraint gear(const World& world, const Joint& joint, const JointDefinition& definition) {
     NBodyConstraint constraint;
     addCoordinate(world, definition.jointA.index, 1.0f, constraint);

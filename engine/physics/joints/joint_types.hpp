@@ -5,7 +5,6 @@
 
 namespace plumb::physics {
 
-/// The parameters of a substep that joints depend on.
 struct JointTiming {
     float h = 0.0f;         ///< s
     float stiffest = 0.0f;  ///< 1/s: a spring at or above this frequency counts as rigid
@@ -26,8 +25,7 @@ struct JointView {
 /// Larger than any impulse: stands for "unlimited".
 inline constexpr float kNoLimit = 1.0e18f;
 
-/// Constraint on a scalar, a length or an angle: held at a value, driven by a motor, limited, or several of
-/// these.
+/// Constraints on a length or an angle: held at a value, driven by a motor, limited.
 struct ValueParts {
     bool held = false;
     bool springs = false;      ///< held by a spring instead of rigidly
@@ -42,8 +40,7 @@ struct ValueParts {
     float upper = kNoLimit;
 };
 
-/// A joint in terms of the constraints that the solver implements. Its block kind decides which of them
-/// apply.
+/// A joint in terms of the solver's constraints. Its block kind decides which of them apply.
 struct JointParts {
     Vec2 armA;  ///< m, world, from the center of mass
     Vec2 armB;
@@ -86,8 +83,7 @@ float angleOf(const JointView& view);
 /// mass of its joint, for a substep of h (s). Frequency, damping and static sag are exact as long as the
 /// spring is much slower than the substeps.
 Grip springGrip(float hertz, float dampingRatio, float h);
-/// Stiffness of the joint itself: rigid, or a spring if JointDefinition::hertz asks for one below
-/// JointTiming::stiffest.
+/// Of the joint itself: rigid, or a spring if JointDefinition::hertz is below JointTiming::stiffest.
 /// @return true for a spring
 bool ownGrip(const JointView& view, Grip& grip);
 /// Motor, limits and spring of the definition; the spring is what holds the value.

@@ -1,14 +1,11 @@
 #include "physics/measure/measures.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 
 #include "physics/contacts/contacts.hpp"
 #include "physics/effects/field_types.hpp"
 #include "physics/joints/joint_types.hpp"
 #include "physics/model/bodies.hpp"
-#include "physics/model/edits.hpp"
 #include "physics/model/joints.hpp"
 
 namespace plumb::physics {

@@ -14,8 +14,8 @@ namespace plumb::physics {
 /// initial_overlaps.cpp hides does not count.
 [[nodiscard]] float deepestOverlapOf(const World& world);
 
-/// m: maximum distance of a dynamic body of `world` from the same body of `other`. Bodies that only one of
-/// them has are ignored.
+/// m: maximum distance of a dynamic body of `world` from the same body of `other`. Bodies of one alone do not
+/// count.
 [[nodiscard]] double largestDistanceOf(const World& world, const World& other);
 
 // Constraint errors of contacts and joints, m, never negative.

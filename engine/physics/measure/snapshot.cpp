@@ -1,7 +1,6 @@
 #include "physics/measure/snapshot.hpp"
 
 #include <algorithm>
-#include <array>
 #include <bit>
 #include <cstring>
 #include <type_traits>

@@ -1,10 +1,5 @@
 #pragma once
 
-#include <cstdint>
-#include <span>
-#include <vector>
-
-#include "core/result.hpp"
 #include "physics/simulation.hpp"
 
 namespace plumb::physics {

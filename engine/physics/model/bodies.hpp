@@ -1,6 +1,5 @@
 #pragma once
 
-#include "core/result.hpp"
 #include "physics/world.hpp"
 
 namespace plumb::physics {
@@ -96,8 +95,7 @@ Result<Done> setAngularVelocity(World& world, BodyId body, float velocity);  ///
 Result<Done> setAcceleration(World& world, BodyId body, Vec2 acceleration);  ///< m/s2, added to gravity
 Result<Done> setGravityScale(World& world, BodyId body, float scale);
 Result<Done> setDrag(World& world, BodyId body, float linear, float angular);  ///< 1/s, at least 0
-/// kg: replaces the mass computed from the shapes; the distribution of mass stays. 0 restores the computed
-/// mass.
+/// kg: replaces the mass computed from the shapes; its distribution stays. 0 restores the computed mass.
 Result<Done> setMass(World& world, BodyId body, float mass);
 /// Replaces all mass properties computed from the shapes, also of shapes to come. A mass of 0 restores them.
 Result<Done> setMassData(World& world, BodyId body, const MassData& data);

@@ -1,10 +1,8 @@
 #include "physics/model/bounds.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include "physics/contacts/contacts.hpp"
-#include "physics/model/edits.hpp"
 #include "physics/shapes/shape_types.hpp"
 #include "physics/tuning.hpp"
 #include "physics/workspace.hpp"
@@ -26,13 +24,39 @@ float marginOf(const AABB& tight, const Settings& settings) {
     return std::max(std::min(0.125f * std::max(size.x, size.y), settings.boundsMargin), 0.0f);
 }
 
+/// Recomputes what follows from a world that was created or overwritten.
+void refill(World& world, Workspace& work) {
+    work.pairs.clear();
+    countSurfaces(world, work);
+    forContacts(world,
+                [&](const Contact& contact) { work.pairs.add(pairKey(contact.shapeA, contact.shapeB)); });
+}
+
+Proxies proxiesOf(const World& world) {
+    return {world.shapes.bounds, world.shapes.filter, world.shapes.motion};
+}
+
+/// A contact of a shape that was altered or destroyed ends as what it was.
+template <class Is>
+void refreshThose(World& world, Is&& is) {
+    const std::vector<ShapeInfo>& info = world.shapes.info;
+    const auto refresh = [&](Contact& contact) {
+        const auto ends = [&](std::uint32_t shape) {
+            return (info[shape].flags & kAltered) != 0 || world.shapes.motion[shape] == ProxyMotion::Gone;
+        };
+        if (is(contact) && !ends(contact.shapeA) && !ends(contact.shapeB)) copyMaterials(world, contact);
+    };
+    for (Contact& contact : world.contacts) refresh(contact);
+    for (Contact& contact : world.sleepers.contacts) refresh(contact);
+}
+
 }  // namespace
 
 ProxyMotion motionOf(const World& world, std::uint32_t shape) {
     const ShapeInfo& outline = world.shapes.info[shape];
     const BodyInfo& info = world.bodies.info[outline.body];
     if ((outline.flags & kShapeOff) != 0) return ProxyMotion::Gone;
-    // A trigger of a body that is not dynamic also detects bodies that move without forces, so it pairs with
+    // A trigger of a body that is not dynamic detects what moves without forces, too: it pairs with
     // everything.
     if (info.kind != BodyKind::Dynamic && (outline.flags & kTrigger) != 0) return ProxyMotion::Awake;
     if (info.kind == BodyKind::Static) return ProxyMotion::Static;
@@ -86,23 +110,6 @@ void noteMoved(World& world, std::uint32_t shape) {
     world.moved.push_back(shape);
 }
 
-namespace {
-
-/// Recomputes what follows from a world that was created or overwritten.
-void refill(World& world, Workspace& work) {
-    work.pairs.clear();
-    countSurfaces(world, work);
-    forContacts(world,
-                [&](const Contact& contact) { work.pairs.add(pairKey(contact.shapeA, contact.shapeB)); });
-}
-
-/// The shapes of a world as the broad phase reads them.
-Proxies proxiesOf(const World& world) {
-    return {world.shapes.bounds, world.shapes.filter, world.shapes.motion};
-}
-
-}  // namespace
-
 void updateBroadPhase(World& world, Workspace& work) {
     refreshColours(world, work);  // before the flag is reset
     const bool stale = world.work.takeStale();
@@ -124,24 +131,6 @@ void updateBroadPhase(World& world, Workspace& work) {
     }
     work.changedProxies.clear();
 }
-
-namespace {
-
-/// A contact of a shape that was altered or destroyed ends as what it was.
-template <class Is>
-void refreshThose(World& world, Is&& is) {
-    const std::vector<ShapeInfo>& info = world.shapes.info;
-    const auto refresh = [&](Contact& contact) {
-        const auto ends = [&](std::uint32_t shape) {
-            return (info[shape].flags & kAltered) != 0 || world.shapes.motion[shape] == ProxyMotion::Gone;
-        };
-        if (is(contact) && !ends(contact.shapeA) && !ends(contact.shapeB)) copyMaterials(world, contact);
-    };
-    for (Contact& contact : world.contacts) refresh(contact);
-    for (Contact& contact : world.sleepers.contacts) refresh(contact);
-}
-
-}  // namespace
 
 void refreshContacts(World& world, std::uint32_t shape) {
     refreshThose(world, [&](const Contact& c) { return c.shapeA == shape || c.shapeB == shape; });

@@ -1,12 +1,9 @@
 #pragma once
 
-#include <cstdint>
-
 #include "physics/world.hpp"
 
 namespace plumb::physics {
 
-/// The motion class of a shape in the broad phase.
 ProxyMotion motionOf(const World& world, std::uint32_t shape);
 
 /// The frame of a body's shapes in float, which is accurate near the origin only.

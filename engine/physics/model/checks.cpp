@@ -1,5 +1,7 @@
 #include "physics/model/checks.hpp"
 
+#include <algorithm>
+
 #include "core/text.hpp"
 
 namespace plumb::physics {
@@ -7,6 +9,12 @@ namespace plumb::physics {
 Error wrong(const char* where, const std::string& what, const char* remedy) { return {where, what, remedy}; }
 
 namespace {
+
+constexpr float kMost = 1.0e9f;  // upper limit of every setting but gravity, whatever its unit
+
+float usable(float value, float low, float high, float usual) {
+    return std::isnan(value) ? usual : std::clamp(value, low, high);
+}
 
 /// Most values come from floats and are printed as such, to avoid the digits of the conversion to double.
 std::string textOf(double value) {
@@ -50,6 +58,21 @@ Result<Done> checkOutside(const char* where, const World& world) {
 Error goneError(const char* where, const std::string& what) {
     return wrong(where, "expected a living " + what + ", found one that was destroyed or never made",
                  "check alive() first, or drop the id when its object is destroyed");
+}
+
+void bringIntoRange(Settings& settings) {
+    const Settings usual;
+    settings.gravity = {usable(settings.gravity.x, -kFastest, kFastest, usual.gravity.x),
+                        usable(settings.gravity.y, -kFastest, kFastest, usual.gravity.y)};
+    settings.quality = std::clamp(settings.quality, Quality{0}, kMaxQuality);
+    settings.iterations = static_cast<std::uint8_t>(std::clamp<int>(settings.iterations, 1, kMaxIterations));
+    for (float Settings::*const member :
+         {&Settings::contactStiffness, &Settings::jointStiffness, &Settings::contactDampingRatio,
+          &Settings::jointDampingRatio, &Settings::pushSpeed, &Settings::deepPushRate, &Settings::slop,
+          &Settings::speculativeDistance, &Settings::recycleDistance, &Settings::boundsMargin,
+          &Settings::bounceSpeed, &Settings::sleepTime, &Settings::maxSpeed, &Settings::tolerance}) {
+        settings.*member = usable(settings.*member, 0.0f, kMost, usual.*member);
+    }
 }
 
 }  // namespace plumb::physics

@@ -2,7 +2,6 @@
 
 #include <string>
 
-#include "core/result.hpp"
 #include "physics/ranges.hpp"
 #include "physics/world.hpp"
 

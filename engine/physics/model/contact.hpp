@@ -4,7 +4,6 @@
 
 #include "math/rot.hpp"
 #include "physics/ids.hpp"
-#include "physics/model/contact_rows.hpp"
 
 namespace plumb::physics {
 
@@ -105,11 +104,9 @@ struct World;
 /// They must not change the world: functions that would do so refuse to.
 struct ContactHooks {
     void* context = nullptr;  ///< passed to the callbacks
-    /// May these two shapes collide? Called when their bounds begin to overlap; if it returned false, again
-    /// when one of them has moved on.
+    /// May these two shapes collide? Called when bounds begin to overlap; if false, again after motion.
     bool (*filter)(void* context, const World& world, ShapeId a, ShapeId b) = nullptr;
-    /// Does this contact exert forces in this step? Called in every step while the shapes touch.
-    /// contactPoints() has its points.
+    /// Does this contact, with its contactPoints(), exert forces? Called in every step while shapes touch.
     bool (*preSolve)(void* context, const World& world, const Contact& contact) = nullptr;
     /// Friction and bounciness of a contact, instead of those of ShapeDefinition. Called in every step while
     /// the shapes touch. Results out of range are clamped, NaN counts as 0.

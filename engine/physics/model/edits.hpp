@@ -1,7 +1,5 @@
 #pragma once
 
-#include <cstdint>
-
 #include "physics/world.hpp"
 
 namespace plumb::physics {

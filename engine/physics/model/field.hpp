@@ -2,7 +2,6 @@
 
 #include <cstdint>
 
-#include "physics/ids.hpp"
 #include "physics/model/body.hpp"
 
 namespace plumb::physics {

@@ -1,12 +1,10 @@
 #pragma once
 
-#include "core/result.hpp"
 #include "physics/world.hpp"
 
 namespace plumb::physics {
 
-/// Adds a field and wakes the bodies that it acts on. See FieldDefinition for the members that each kind
-/// uses.
+/// Adds a field and wakes the bodies that it acts on. FieldDefinition says which members a kind uses.
 /// @error numbers that are not finite or out of range, a spring without a living body
 Result<FieldId> createField(World& world, const FieldDefinition& definition);
 /// Removes a field and wakes the bodies that it acted on. A stale id does nothing.

@@ -7,6 +7,18 @@
 
 namespace plumb::physics {
 
+/// A vector of doubles, for differences of large moments and products of floats, which lose no digit in it.
+struct Double2 {
+    double x = 0.0;
+    double y = 0.0;
+};
+constexpr Double2 wide(Vec2 v) { return {static_cast<double>(v.x), static_cast<double>(v.y)}; }
+constexpr Double2 operator+(Double2 a, Double2 b) { return {a.x + b.x, a.y + b.y}; }
+constexpr Double2 operator-(Double2 a, Double2 b) { return {a.x - b.x, a.y - b.y}; }
+constexpr Double2 operator*(Double2 a, double s) { return {a.x * s, a.y * s}; }
+constexpr double dot(Double2 a, Double2 b) { return a.x * b.x + a.y * b.y; }
+constexpr double cross(Double2 a, Double2 b) { return a.x * b.y - a.y * b.x; }
+
 /// A coordinate frame. apply(frame, point) maps a point of the frame to the space around it.
 struct Frame {
     Vec2 position;
@@ -79,8 +91,7 @@ struct Geometry {
 
 inline constexpr int kMaxCorners = 32;  ///< of one polygon; contiguous in Shapes::corners
 
-/// The ghost vertex before a chain segment. It is stored in `turn`, which a segment does not need, to keep
-/// shapes small.
+/// The ghost vertex before a chain segment. Stored in `turn`, which a segment does not need.
 constexpr Vec2 beforeOf(const Geometry& segment) { return {segment.turn.cos, segment.turn.sin}; }
 
 /// The unit normal of the solid side of a chain segment.
@@ -106,5 +117,38 @@ constexpr Geometry chainSegment(Vec2 before, Vec2 start, Vec2 end, Vec2 after) {
     return {
         .kind = ShapeKind::ChainSegment, .a = start, .b = end, .turn = {before.x, before.y}, .after = after};
 }
+
+/// Surface numbers from this one on are reserved for the library.
+inline constexpr std::uint32_t kOwnSurfaces = 1u << 28;
+
+/// Material and collision filter of a shape; its outline is a Geometry.
+struct ShapeDefinition {
+    float density = 1.0f;            ///< kg/m2; 0 adds no mass
+    float friction = 0.6f;           ///< Coulomb coefficient; a contact uses the geometric mean of the two
+    float bounciness = 0.0f;         ///< coefficient of restitution; a contact uses the larger of the two
+    float rollingResistance = 0.0f;  ///< ratio to the radius; a contact uses the larger of the two
+    /// m/s along the surface, as of a conveyor belt: positive moves what touches it along its outward normal
+    /// rotated from x towards y. So with y down what lies on it goes to the right, with y up to the left.
+    float surfaceSpeed = 0.0f;
+    std::uint32_t layers = 1;          ///< bits: the layers that it is on
+    std::uint32_t mask = 0xffffffffu;  ///< bits: the layers that it collides with; both shapes must agree
+    std::int32_t group = 0;  ///< two shapes of the same group collide always (above 0) or never (below 0)
+    /// A sensor: it reports overlaps at the end of a step, wakes what it comes to, and exerts no forces.
+    bool isTrigger = false;
+    bool oneWay = false;                ///< stops only bodies from the side that `oneWayDirection` points to
+    Vec2 oneWayDirection{0.0f, -1.0f};  ///< outward normal of the solid side, in the body's frame
+    bool reportsContacts = true;        ///< its contacts produce events
+    std::uint64_t user = 0;             ///< the owner's own number for it, returned in events
+    /// Shapes with the same number form one surface, also across bodies: events report when a body begins and
+    /// ends to touch the surface, not each seam between its shapes. 0: the shape is on its own; createChain()
+    /// then assigns a number to the chain. Numbers below kOwnSurfaces are the caller's.
+    std::uint32_t surface = 0;
+    /// For an inner border, as between two kinds of terrain: a shape that collides with these layers and this
+    /// mask ignores the border, as what lies in front of it stops that shape first. 0: no inner border.
+    std::uint32_t frontLayers = 0;
+    std::uint32_t frontMask = 0;
+
+    friend constexpr bool operator==(const ShapeDefinition&, const ShapeDefinition&) = default;
+};
 
 }  // namespace plumb::physics

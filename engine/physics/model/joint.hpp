@@ -3,7 +3,6 @@
 #include <cstdint>
 #include <limits>
 
-#include "math/vec2.hpp"
 #include "physics/model/body.hpp"
 
 namespace plumb::physics {

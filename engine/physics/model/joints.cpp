@@ -1,7 +1,6 @@
 #include "physics/model/joints.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include "physics/islands/sleeping.hpp"
 #include "physics/joints/joint_types.hpp"
@@ -11,7 +10,6 @@
 #include "physics/model/edits.hpp"
 #include "physics/model/shapes.hpp"
 #include "physics/solver/joint_lanes.hpp"
-#include "physics/workspace.hpp"
 
 namespace plumb::physics {
 

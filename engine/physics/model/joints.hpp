@@ -1,6 +1,5 @@
 #pragma once
 
-#include "core/result.hpp"
 #include "physics/world.hpp"
 
 namespace plumb::physics {

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <bit>
 #include <tuple>
-#include <vector>
 
 #include "physics/islands/sleeping.hpp"
 #include "physics/model/bodies.hpp"
@@ -119,7 +118,6 @@ void remove(World& world, std::uint32_t shape) {
     noteChanged(world, shape);
 }
 
-/// Replaces the outline of a shape.
 void replace(World& world, std::uint32_t shape, const Geometry& geometry) {
     const std::uint32_t body = world.shapes.info[shape].body;
     wakeTouching(world, body);

@@ -1,8 +1,5 @@
 #pragma once
 
-#include <span>
-
-#include "core/result.hpp"
 #include "physics/world.hpp"
 
 namespace plumb::physics {
@@ -25,8 +22,8 @@ Result<ShapeId> createChain(World& world, BodyId body, std::span<const Vec2> poi
 /// The same with a definition for each segment.
 Result<ShapeId> createChain(World& world, BodyId body, std::span<const Vec2> points, bool closed,
                             std::span<const ShapeDefinition> definitions);
-/// The segments of a chain, given by any of them, in order; none of a chain that is gone. Results replace the
-/// content of `found`.
+/// The segments of a chain, given by any of them, in order; none of one that is gone. Replaces the content of
+/// `found`.
 void segmentsOf(const World& world, ShapeId chain, std::vector<ShapeId>& found);
 /// Destroys all segments of a chain, given by any of them.
 void destroyChain(World& world, ShapeId chain);
@@ -34,7 +31,6 @@ void destroyChain(World& world, ShapeId chain);
 /// @error as createShape(), or a number of definitions that differs from that of outlines
 Result<Done> createShapes(World& world, BodyId body, std::span<const Geometry> geometries,
                           std::span<const ShapeDefinition> definitions);
-/// Destroys all shapes of a body.
 void destroyShapes(World& world, BodyId body);
 /// Destroys a shape; its contacts end in the next step. A stale id does nothing.
 void destroyShape(World& world, ShapeId shape);

@@ -3,8 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "physics/narrowphase/manifold.hpp"
-#include "physics/tuning.hpp"
+#include "physics/narrowphase/collide.hpp"
 
 namespace plumb::physics {
 

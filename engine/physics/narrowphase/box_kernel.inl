@@ -35,8 +35,7 @@ BoxAxis bestAxis(const BoxPair& p, Float8 qx, Float8 qy) {
     return {select(isB, b, a), select(isB, one, zero), select(isB, yOfB, yOfA)};
 }
 
-/// The boxes seen from the reference face: n is its outward normal, towards the other box, t the direction
-/// along it.
+/// The boxes seen from the reference face: n is its normal, towards the other box, t the direction along it.
 struct BoxView {
     Float8 n, t;             // centre of the other box
     Float8 half, halfAlong;  // of the reference box
@@ -147,8 +146,8 @@ BoxPlaces touchFaces(const BoxView& v, Float8 radius, Float8 otherRadius, Float8
     return w;
 }
 
-/// Replaces the points by a single one between two corners where the cores are separated and a corner of each
-/// is nearest.
+/// A single point instead, between two corners, where the cores are separated and a corner of each is
+/// nearest.
 void touchCorners(BoxPlaces& w, const BoxView& v, Float8 gap, Float8 radius, Float8 otherRadius,
                   Float8 speculative) {
     const Float8 zero = all(0.0f);

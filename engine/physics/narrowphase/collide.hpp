@@ -1,11 +1,31 @@
 #pragma once
 
+#include <cstdint>
 #include <span>
 
 #include "physics/model/geometry.hpp"
-#include "physics/narrowphase/manifold.hpp"
+#include "physics/solver/lanes.hpp"
+#include "physics/tuning.hpp"
 
 namespace plumb::physics {
+
+/// A point at which two outlines touch or nearly touch.
+struct ManifoldPoint {
+    Vec2 point;               ///< m, in the frame of the first outline: midway between the two surfaces
+    float separation = 0.0f;  ///< m along the normal; negative: overlap
+    std::uint16_t id = 0;     ///< of the touching features: an equal id in the next step is the same point
+};
+
+/// The contact points of two outlines and their common normal.
+struct Manifold {
+    Vec2 normal;  ///< unit length, in the frame of the first outline, from the first to the second
+    ManifoldPoint points[2];
+    int count = 0;  ///< 0: the outlines are further apart than the limit
+    /// m: radius of the round feature of each outline at these points; 0 for a face or a sharp corner. A
+    /// round feature can rotate about its centre without moving the contact point.
+    float roundA = 0.0f;
+    float roundB = 0.0f;
+};
 
 /// Computes the contact manifold of two outlines. Points with a separation above `speculative` (m) are
 /// omitted. Two chain segments never collide.
@@ -30,5 +50,32 @@ Manifold collideConvex(const Geometry& a, const Geometry& b, std::span<const Cor
 /// smooth: they stop no body that slides over them.
 Manifold collideChain(const Geometry& a, const Geometry& chain, std::span<const Corner> corners,
                       const Frame& bInA, float speculative);
+
+/// Eight pairs of boxes, each in a frame with the centre and the axes of its box A.
+/// @tparam Row  eight numbers: in memory, or in a register of the kernel
+template <class Row>
+struct BoxPairOf {
+    Row halfAx, halfAy, halfBx, halfBy;  // m
+    Row x, y;                            // m: B's centre
+    Row cosine, sine;                    // B's rotation
+    Row radiusA, radiusB;                // m
+};
+
+/// Their manifolds.
+template <class Row>
+struct BoxTouchOf {
+    Row normalX, normalY;  // from A to B
+    Row pointX[2], pointY[2], separation[2];
+    Row id[2];  // corner of A * 256 + corner of B; corners are 0 (-,-), 1 (+,-), 2 (-,+), 3 (+,+)
+    Row count;
+    Row roundA, roundB;
+};
+
+using BoxPairs = BoxPairOf<float[kLanes]>;
+using BoxTouches = BoxTouchOf<float[kLanes]>;
+
+void putPair(BoxPairs& pairs, int lane, const Geometry& a, const Geometry& b, const Frame& bInA);
+/// @param a  the first box of the pair
+[[nodiscard]] Manifold manifoldOf(const BoxTouches& touches, int lane, const Geometry& a);
 
 }  // namespace plumb::physics

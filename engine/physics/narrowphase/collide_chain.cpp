@@ -1,18 +1,14 @@
-#include "physics/narrowphase/collide.hpp"
 #include "physics/narrowphase/reference_face.hpp"
-#include "physics/tuning.hpp"
 
 namespace plumb::physics {
 
 namespace {
 
-/// True if the chain is convex where its normal changes from `from` to `to`. At a spike the angle is nearly
-/// 180 degrees.
+/// True if the chain is convex where its normal changes from `from` to `to`; nearly 180 degrees is a spike.
 bool isSharp(Vec2 from, Vec2 to) { return cross(from, to) > (dot(from, to) > 0.0f ? kParallel : 0.0f); }
 
 /// A joint of a chain. At a convex joint, contact normals between those of the two segments are valid. To
-/// avoid duplicates, the segment that starts at a joint handles it; the last segment also handles the end of
-/// the chain.
+/// avoid duplicates, the segment that starts at a joint handles it, the last one also the end of the chain.
 struct Joint {
     Vec2 point;
     Vec2 from, to;       ///< normals of both segments, in the order of rotation
@@ -112,8 +108,7 @@ Manifold touchFaceOnJoint(const Chain& chain, const Side& other, const JointGap&
     return touchCorner(chain, other, joint.end, corner, other.corners[corner].point - point, speculative);
 }
 
-/// The separating axis is the normal of a neighbour: the contact is at our joint if its corner is the
-/// nearest.
+/// The separating axis is the normal of a neighbour: the contact is ours if our joint is nearest.
 Manifold touchBeside(const Chain& chain, const Side& other, std::size_t end, float speculative) {
     const Joint& joint = chain.joints[end];
     if (!joint.ours || !joint.sharp) return {};
@@ -184,8 +179,7 @@ Manifold collideChain(const Geometry& a, const Geometry& b, std::span<const Corn
     const auto isBefore = [&](Vec2 normal, Vec2 point) { return dot(normal, other.centre - point) >= 0.0f; };
     const bool inFront = isBefore(chain.normal(), chain.corners[0].point);
     if (convex.count == 1) return touchDisc(chain, other, inFront, gap, speculative);
-    // At a convex joint an outline may be in front of the neighbour only, and still touch the corner or this
-    // segment.
+    // At a convex joint an outline in front of the neighbour only may still touch the corner or this segment.
     const auto isAround = [&](const Joint& side, Vec2 normal) {
         return side.sharp && isBefore(normal, side.point);
     };

@@ -52,7 +52,6 @@ constexpr int kMaxIterations = 2 * kMaxCorners;
 
 float largestOf(Vec2 v) { return std::max(std::fabs(v.x), std::fabs(v.y)); }
 
-/// Points of the Minkowski difference.
 template <int kCapacity>
 struct Points {
     Way displacements[kCapacity];
@@ -63,7 +62,6 @@ struct Points {
     }
 };
 
-/// A simplex of up to three points.
 struct Simplex : Points<3> {
     float part = 0.0f;  ///< of two points: where between them is the point nearest to the origin
 
@@ -84,8 +82,7 @@ void reduceTwo(Simplex& simplex) {
     simplex.part = along / square;
 }
 
-/// Reduces a triangle to the corner or side that is nearest to the origin; keeps all three points if the
-/// origin is inside.
+/// Reduces a triangle to the corner or side that is nearest to the origin; keeps all three if that is inside.
 void reduceThree(Simplex& simplex) {
     Simplex best;
     float minimum = 1.0e30f;
@@ -212,7 +209,6 @@ Polytope polytopeOf(const Displacements& set) {
     return polytope;
 }
 
-/// The edge nearest to the origin.
 struct NearestSide {
     int index = 0;
     Vec2 normal = kAnyNormal;
@@ -249,8 +245,7 @@ DisplacementBetween deepestOverlap(const Displacements& displacements) {
     }
     result.first = polytope.displacements[side.index];
     result.second = polytope.displacements[side.index + 1 < polytope.count ? side.index + 1 : 0];
-    // The difference is B - A, and the origin lies this deep inside it, so B has to move in the opposite
-    // direction to separate.
+    // The origin lies this deep inside B - A, so B has to move in the opposite direction to separate.
     result.normal = -side.normal;
     result.distance = -side.distance;
     const Vec2 edge = result.second.displacement - result.first.displacement;

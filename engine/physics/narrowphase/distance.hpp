@@ -6,8 +6,7 @@
 
 namespace plumb::physics {
 
-/// The simplex of the last search, in which the next search between the same outlines starts. Any content is
-/// valid.
+/// The simplex of the last search, in which the next one between the same outlines starts. Any is valid.
 struct SimplexCache {
     std::uint8_t count = 0;
     std::uint8_t a[3] = {};

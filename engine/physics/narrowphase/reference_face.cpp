@@ -2,9 +2,6 @@
 
 #include <utility>
 
-#include "physics/narrowphase/collide.hpp"
-#include "physics/tuning.hpp"
-
 namespace plumb::physics {
 
 namespace {
@@ -26,6 +23,30 @@ Manifold touchAtCorners(const CornerPair& pair, const Side& reference, const Sid
     maker.manifold.roundA = isB ? other.radius : reference.radius;
     maker.manifold.roundB = isB ? reference.radius : other.radius;
     return maker.manifold;
+}
+
+/// Collides any two convex sides with at least two corners.
+/// Source: separating axes after C. Ericson, "Real-Time Collision Detection", 2005, 4.4; clipping of edges
+/// after E. Catto, "Contact Manifolds", GDC 2007
+Manifold collideSides(const Side& a, const Side& b, float speculative) {
+    const float reach = speculative + a.radius + b.radius;
+    const FaceGap gapA = widestGap(a.corners, b.corners);
+    if (!(gapA.gap <= reach)) return {};
+    const FaceGap gapB = widestGap(b.corners, a.corners);
+    if (!(gapB.gap <= reach)) return {};
+
+    const Corner& face = a.corners[gapA.face];
+    const bool isB = gapB.gap > gapA.gap + faceTieOf(dot(face.normal, face.point - a.centre) + a.radius);
+    const Side& reference = isB ? b : a;
+    const Side& other = isB ? a : b;
+    const EdgeOnEdge edges = edgeOnEdge(reference, isB ? gapB.face : gapA.face, other);
+    const float gap = isB ? gapB.gap : gapA.gap;
+    if (gap > -kBlur * edges.length) {
+        if (const auto pair = nearestCorners(edges, reference, other)) {
+            return touchAtCorners(*pair, reference, other, isB, speculative);
+        }
+    }
+    return touchEdge(edges, reference, other, isB, speculative);
 }
 
 }  // namespace
@@ -64,8 +85,7 @@ EdgeOnEdge edgeOnEdge(const Side& reference, std::size_t face, const Side& other
         .origin = corner.point, .normal = corner.normal, .tangent = perpendicular(corner.normal)};
     edges.face = face;
     edges.length = dot(reference.corners[next(reference.corners, face)].point - corner.point, edges.tangent);
-    // The corners of both sides are in the same order of rotation, so the reference and the incident edge run
-    // in opposite directions.
+    // Corners of both are in one order of rotation: reference and incident edge run in opposite directions.
     edges.end = faceAgainst(other.corners, corner.normal);
     edges.start = next(other.corners, edges.end);
     const auto seen = [&](std::size_t i) {
@@ -166,34 +186,6 @@ Manifold touchFace(const Side& a, std::size_t face, const Side& b, float specula
     }
     return manifold;
 }
-
-namespace {
-
-/// Collides any two convex sides with at least two corners.
-/// Source: separating axes after C. Ericson, "Real-Time Collision Detection", 2005, 4.4; clipping of edges
-/// after E. Catto, "Contact Manifolds", GDC 2007
-Manifold collideSides(const Side& a, const Side& b, float speculative) {
-    const float reach = speculative + a.radius + b.radius;
-    const FaceGap gapA = widestGap(a.corners, b.corners);
-    if (!(gapA.gap <= reach)) return {};
-    const FaceGap gapB = widestGap(b.corners, a.corners);
-    if (!(gapB.gap <= reach)) return {};
-
-    const Corner& face = a.corners[gapA.face];
-    const bool isB = gapB.gap > gapA.gap + faceTieOf(dot(face.normal, face.point - a.centre) + a.radius);
-    const Side& reference = isB ? b : a;
-    const Side& other = isB ? a : b;
-    const EdgeOnEdge edges = edgeOnEdge(reference, isB ? gapB.face : gapA.face, other);
-    const float gap = isB ? gapB.gap : gapA.gap;
-    if (gap > -kBlur * edges.length) {
-        if (const auto pair = nearestCorners(edges, reference, other)) {
-            return touchAtCorners(*pair, reference, other, isB, speculative);
-        }
-    }
-    return touchEdge(edges, reference, other, isB, speculative);
-}
-
-}  // namespace
 
 Manifold collideConvex(const Geometry& a, const Geometry& b, std::span<const Corner> corners,
                        const Frame& bInA, float speculative) {

@@ -3,9 +3,8 @@
 #include <optional>
 #include <span>
 
-#include "physics/narrowphase/manifold.hpp"
+#include "physics/narrowphase/collide.hpp"
 #include "physics/shapes/convex.hpp"
-#include "physics/tuning.hpp"
 
 namespace plumb::physics {
 

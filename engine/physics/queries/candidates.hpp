@@ -1,8 +1,5 @@
 #pragma once
 
-#include <algorithm>
-#include <optional>
-
 #include "physics/model/bodies.hpp"
 #include "physics/queries/query.hpp"
 
@@ -24,28 +21,6 @@ std::span<const std::uint32_t> candidatesAlong(World& world, WorldPosition from,
 [[nodiscard]] inline const BodyPose& poseOf(const World& world, std::uint32_t shape) {
     return world.bodies.pose[world.shapes.info[shape].body];
 }
-/// The first hit among some shapes; at equal distances that of the lowest index.
-/// @param hitOf  the hit of a shape, if there is one
-template <class HitOf>
-std::optional<CastHit> firstHit(std::span<const std::uint32_t> shapes, HitOf&& hitOf) {
-    std::optional<CastHit> first;
-    for (const std::uint32_t shape : shapes) {
-        const std::optional<CastHit> hit = hitOf(shape);
-        if (hit && (!first || hit->fraction < first->fraction)) first = hit;
-    }
-    return first;
-}
-/// All hits: nearest first; at equal distances the lowest index first.
-template <class HitOf>
-void allHits(std::span<const std::uint32_t> shapes, HitOf&& hitOf, std::vector<CastHit>& hits) {
-    for (const std::uint32_t shape : shapes) {
-        if (const std::optional<CastHit> hit = hitOf(shape)) hits.push_back(*hit);
-    }
-    std::sort(hits.begin(), hits.end(), [](const CastHit& a, const CastHit& b) {
-        return a.fraction != b.fraction ? a.fraction < b.fraction : a.shape.index < b.shape.index;
-    });
-}
-
 /// A frame relative to that of a body's shapes.
 [[nodiscard]] Frame seenFrom(const BodyPose& body, WorldPosition position, Rot rotation);
 

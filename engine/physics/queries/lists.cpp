@@ -1,11 +1,9 @@
 #include "physics/queries/lists.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include "physics/broadphase/overlap.hpp"
 #include "physics/contacts/contacts.hpp"
-#include "physics/model/edits.hpp"
 #include "physics/queries/candidates.hpp"
 
 namespace plumb::physics {

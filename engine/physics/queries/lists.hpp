@@ -1,7 +1,5 @@
 #pragma once
 
-#include <vector>
-
 #include "core/fixed_list.hpp"
 #include "physics/world.hpp"
 
@@ -32,8 +30,8 @@ struct ContactPoint {
 /// The points of a contact: Contact::count of them, 0 to 2.
 [[nodiscard]] FixedList<ContactPoint, 2> contactPoints(const World& world, const Contact& contact);
 
-/// m: bounding box of the shapes of a body, as the broad phase has them (with margins); both corners (0, 0)
-/// if there is none.
+/// m: bounding box of the shapes of a body, as the broad phase has them (with margins); all 0 if there is
+/// none.
 [[nodiscard]] AABB boundsOf(const World& world, BodyId body);
 /// m: of all shapes of the world; both corners (0, 0) if there is none.
 [[nodiscard]] AABB boundsOf(const World& world);

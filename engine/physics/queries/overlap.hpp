@@ -1,7 +1,5 @@
 #pragma once
 
-#include <optional>
-
 #include "physics/queries/query.hpp"
 
 namespace plumb::physics {
@@ -9,7 +7,6 @@ namespace plumb::physics {
 // Overlap queries. Results replace the content of `found`, in ascending order of shape indices; a shape that
 // only touches is included. Values that are not finite or out of range give an empty result.
 
-/// Finds the shapes that overlap an outline.
 void overlapShape(World& world, const QueryShape& shape, const QueryFilter& filter,
                   std::vector<ShapeId>& found);
 /// Finds the shapes that overlap an axis-aligned box between its lower and upper corner (m).

@@ -1,9 +1,5 @@
 #pragma once
 
-#include <cstdint>
-#include <span>
-#include <vector>
-
 #include "physics/world.hpp"
 
 namespace plumb::physics {
@@ -12,7 +8,6 @@ namespace plumb::physics {
 // the result of the next one. They update the broad phase first and use the world's scratch memory, so only
 // one query may run at a time.
 
-/// Selects the shapes that a query considers.
 struct QueryFilter {
     std::uint32_t layers = 0xffffffffu;  ///< bits: layers of the query; a shape's mask must have one of them
     std::uint32_t mask = 0xffffffffu;    ///< bits: layers that the query considers
@@ -30,7 +25,6 @@ struct QueryShape {
     std::span<const Corner> corners = {};  ///< of a polygon, by Geometry::first; if empty, Shapes::corners
 };
 
-/// What a ray or a moving outline hit.
 struct CastHit {
     ShapeId shape;
     BodyId body;

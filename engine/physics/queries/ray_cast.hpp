@@ -1,7 +1,5 @@
 #pragma once
 
-#include <optional>
-
 #include "physics/queries/query.hpp"
 
 namespace plumb::physics {
@@ -13,7 +11,6 @@ namespace plumb::physics {
 /// The first shape hit; at equal distances the one with the lowest index.
 std::optional<CastHit> castRay(World& world, WorldPosition from, Vec2 displacement,
                                const QueryFilter& filter = {});
-/// True if the ray hits anything.
 bool isRayBlocked(World& world, WorldPosition from, Vec2 displacement, const QueryFilter& filter = {});
 /// All shapes hit, each once: nearest first; at equal distances the lowest index first.
 void castRayAll(World& world, WorldPosition from, Vec2 displacement, const QueryFilter& filter,

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <optional>
-
 #include "physics/queries/query.hpp"
 #include "physics/shapes/convex.hpp"
 

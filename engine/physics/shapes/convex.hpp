@@ -28,7 +28,6 @@ union CornerRoom {
     Corner corners[kMaxCorners];
 };
 
-/// An outline that is scaled about a point.
 class ScaledConvex {
 public:
     ScaledConvex(const Convex& outline, Vec2 about, float part);
@@ -58,7 +57,6 @@ int farthest(std::span<const Corner> corners, Vec2 direction);
 /// m: extent of an outline along a direction of unit length, from the origin of its frame.
 float reachAlong(const Convex& outline, Vec2 direction);
 
-/// A corner in another frame.
 constexpr Corner apply(const Frame& frame, const Corner& corner) {
     return {apply(frame, corner.point), rotate(frame.rotation, corner.normal)};
 }

@@ -1,7 +1,6 @@
 #include "physics/shapes/hull.hpp"
 
 #include <algorithm>
-#include <optional>
 
 #include "core/text.hpp"
 #include "physics/ranges.hpp"
@@ -14,15 +13,8 @@ namespace {
 using Loop = std::vector<Vec2>;
 
 /// Twice the signed area of a triangle: positive if c is on the side of a-b towards which normals rotate.
-/// Computed in double precision: differences of floats and their products fit, so the sign is correct and
-/// zero is exact.
-double areaOf(Vec2 a, Vec2 b, Vec2 c) {
-    const double abx = static_cast<double>(b.x) - static_cast<double>(a.x);
-    const double aby = static_cast<double>(b.y) - static_cast<double>(a.y);
-    const double acx = static_cast<double>(c.x) - static_cast<double>(a.x);
-    const double acy = static_cast<double>(c.y) - static_cast<double>(a.y);
-    return abx * acy - aby * acx;
-}
+/// Computed in double precision: products of differences of floats fit, so its sign is exact.
+double areaOf(Vec2 a, Vec2 b, Vec2 c) { return cross(wide(b) - wide(a), wide(c) - wide(a)); }
 
 /// The part of the hull below all points, or above them if the points are sorted in descending order.
 void appendChain(std::span<const Vec2> sorted, Loop& loop) {
@@ -49,9 +41,8 @@ Loop loopAround(std::vector<Vec2> points) {
 
 /// m: distance of `point` from the line through a and b; from a if both are equal.
 double heightOver(Vec2 a, Vec2 b, Vec2 point) {
-    const double x = static_cast<double>(b.x) - static_cast<double>(a.x);
-    const double y = static_cast<double>(b.y) - static_cast<double>(a.y);
-    const double size = std::sqrt(x * x + y * y);
+    const Double2 side = wide(b) - wide(a);
+    const double size = std::sqrt(dot(side, side));
     return size > 0.0 ? std::fabs(areaOf(a, b, point)) / size : static_cast<double>(distance(a, point));
 }
 
@@ -75,14 +66,12 @@ void dropFlat(Loop& loop, double height) {
 }
 
 Vec2 normalOfFace(Vec2 from, Vec2 to) {
-    const double x = static_cast<double>(to.y) - static_cast<double>(from.y);
-    const double y = static_cast<double>(from.x) - static_cast<double>(to.x);
-    const double size = std::sqrt(x * x + y * y);
-    return {static_cast<float>(x / size), static_cast<float>(y / size)};
+    const Double2 normal{wide(to).y - wide(from).y, wide(from).x - wide(to).x};
+    const double size = std::sqrt(dot(normal, normal));
+    return {static_cast<float>(normal.x / size), static_cast<float>(normal.y / size)};
 }
 
-/// Area and centroid. Computed relative to the first corner, so that a polygon far from the origin loses no
-/// accuracy.
+/// Area and centroid, relative to the first corner: as accurate far from the origin.
 void measure(Hull& hull) {
     const Vec2 origin = hull.corners[0].point;
     double twice = 0.0;
@@ -100,54 +89,6 @@ void measure(Hull& hull) {
     hull.centroid =
         origin + Vec2{static_cast<float>(x / (3.0 * twice)), static_cast<float>(y / (3.0 * twice))};
 }
-
-}  // namespace
-
-Result<Hull> makeHull(std::span<const Vec2> points) {
-    for (std::size_t i = 0; i < points.size(); ++i) {
-        const Vec2 point = points[i];
-        if (std::fabs(point.x) <= kLargest && std::fabs(point.y) <= kLargest) continue;
-        return Error{"hull", format("point {} is ({}, {}), not within {} m", i, point.x, point.y, kLargest),
-                     "use metres, not pixels, relative to the origin of the body"};
-    }
-    Loop loop = loopAround({points.begin(), points.end()});
-    if (loop.size() < 3) {
-        return Error{"hull", format("the {} points form no area", points.size()),
-                     "pass at least 3 that are not on one line"};
-    }
-    constexpr std::size_t kAbsurd = 4096;
-    AABB box{loop[0], loop[0]};
-    for (const Vec2 point : loop) box = merged(box, {point, point});
-    const float size = std::max(box.size().x, box.size().y);
-    if (!(size >= kSmallest)) {
-        return Error{"hull", format("it is only {} m large", size), "make it at least 0.1 mm large"};
-    }
-    if (loop.size() <= kAbsurd) dropFlat(loop, static_cast<double>(kBlur * size));
-    if (loop.size() < 3)
-        return Error{"hull", "it is too thin to have an inside", "use a segment or a capsule"};
-    if (loop.size() > kMaxCorners) {
-        return Error{"hull", format("it has {} corners, the maximum is {}", loop.size(), kMaxCorners),
-                     "remove some, use a circle, or decompose()"};
-    }
-    Hull hull;
-    for (std::size_t i = 0; i < loop.size(); ++i) {
-        const Vec2 next = loop[i + 1 < loop.size() ? i + 1 : 0];
-        hull.corners.push({loop[i], normalOfFace(loop[i], next)});
-    }
-    measure(hull);
-    return hull;
-}
-
-Geometry polygon(const Hull& hull, std::uint32_t first, float radius) {
-    return {.kind = ShapeKind::Polygon,
-            .count = static_cast<std::uint8_t>(hull.corners.size()),
-            .first = first,
-            .radius = radius,
-            .a = hull.centroid,
-            .b = {}};
-}
-
-namespace {
 
 std::string text(Vec2 v) { return format("({}, {})", v.x, v.y); }
 
@@ -230,8 +171,7 @@ bool isEar(const Loop& loop, std::size_t i) {
     });
 }
 
-/// Ear clipping. It continues after each ear with the next corner but one, so that the triangles do not all
-/// share one corner.
+/// Ear clipping. After each ear comes the next corner but one: not all triangles share one corner.
 std::optional<std::vector<Loop>> triangles(Loop loop) {
     std::vector<Loop> pieces;
     std::size_t i = 0;
@@ -288,6 +228,50 @@ void joinPieces(std::vector<Loop>& pieces) {
 }
 
 }  // namespace
+
+Result<Hull> makeHull(std::span<const Vec2> points) {
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const Vec2 point = points[i];
+        if (std::fabs(point.x) <= kLargest && std::fabs(point.y) <= kLargest) continue;
+        return Error{"hull", format("point {} is ({}, {}), not within {} m", i, point.x, point.y, kLargest),
+                     "use metres, not pixels, relative to the origin of the body"};
+    }
+    Loop loop = loopAround({points.begin(), points.end()});
+    if (loop.size() < 3) {
+        return Error{"hull", format("the {} points form no area", points.size()),
+                     "pass at least 3 that are not on one line"};
+    }
+    constexpr std::size_t kAbsurd = 4096;
+    AABB box{loop[0], loop[0]};
+    for (const Vec2 point : loop) box = merged(box, {point, point});
+    const float size = std::max(box.size().x, box.size().y);
+    if (!(size >= kSmallest)) {
+        return Error{"hull", format("it is only {} m large", size), "make it at least 0.1 mm large"};
+    }
+    if (loop.size() <= kAbsurd) dropFlat(loop, static_cast<double>(kBlur * size));
+    if (loop.size() < 3)
+        return Error{"hull", "it is too thin to have an inside", "use a segment or a capsule"};
+    if (loop.size() > kMaxCorners) {
+        return Error{"hull", format("it has {} corners, the maximum is {}", loop.size(), kMaxCorners),
+                     "remove some, use a circle, or decompose()"};
+    }
+    Hull hull;
+    for (std::size_t i = 0; i < loop.size(); ++i) {
+        const Vec2 next = loop[i + 1 < loop.size() ? i + 1 : 0];
+        hull.corners.push({loop[i], normalOfFace(loop[i], next)});
+    }
+    measure(hull);
+    return hull;
+}
+
+Geometry polygon(const Hull& hull, std::uint32_t first, float radius) {
+    return {.kind = ShapeKind::Polygon,
+            .count = static_cast<std::uint8_t>(hull.corners.size()),
+            .first = first,
+            .radius = radius,
+            .a = hull.centroid,
+            .b = {}};
+}
 
 Result<std::vector<Hull>> decompose(std::span<const Vec2> outline) {
     if (outline.size() > kMaxOutline) {

@@ -27,8 +27,7 @@ inline constexpr std::size_t kMaxOutline = 2048;  ///< maximum number of points 
 
 /// Splits the inside of an outline into convex pieces: at most four times as many as necessary, each with at
 /// most kMaxCorners corners. The outline is closed implicitly and may be clockwise or counter-clockwise.
-/// @error   it crosses or touches itself, turns back on itself, has no area, contains NaN or a size out of
-/// range
+/// @error   it crosses or touches itself, turns back on itself, has no area, NaN or a size out of range
 /// Source:  S. Hertel, K. Mehlhorn, "Fast triangulation of simple polygons", 1983; ear clipping after G.
 /// Meisters, 1975
 /// Cost:    grows with the square of the number of points

@@ -1,47 +1,33 @@
-#include "math/portable.hpp"
 #include "physics/shapes/shape_types.hpp"
 
 namespace plumb::physics {
 
 namespace {
 
-/// Double precision, relative to the first corner, so that differences of large moments stay accurate.
-struct Wide {
-    double x = 0.0;
-    double y = 0.0;
-};
-
-Wide wide(Vec2 v) { return {static_cast<double>(v.x), static_cast<double>(v.y)}; }
-Wide operator+(Wide a, Wide b) { return {a.x + b.x, a.y + b.y}; }
-Wide operator-(Wide a, Wide b) { return {a.x - b.x, a.y - b.y}; }
-Wide operator*(Wide a, double s) { return {a.x * s, a.y * s}; }
-double dot(Wide a, Wide b) { return a.x * b.x + a.y * b.y; }
-double cross(Wide a, Wide b) { return a.x * b.y - a.y * b.x; }
-
 /// Moments of area of all parts about one point: of order zero, one and two.
 struct Moments {
     double area = 0.0;
-    Wide first;
+    Double2 first;
     double second = 0.0;
 
-    void addTriangle(Wide a, Wide b) {  // with the third corner at the origin
+    void addTriangle(Double2 a, Double2 b) {  // with the third corner at the origin
         const double part = 0.5 * cross(a, b);
         area += part;
         first = first + (a + b) * (part / 3.0);
         second += part / 6.0 * (dot(a, a) + dot(a, b) + dot(b, b));
     }
-    void addStrip(Wide start, Wide end, Wide normal, double width) {
-        const Wide displacement = end - start;
+    void addStrip(Double2 start, Double2 end, Double2 normal, double width) {
+        const Double2 displacement = end - start;
         const double part = std::sqrt(dot(displacement, displacement)) * width;
-        const Wide middle = (start + end) * 0.5 + normal * (0.5 * width);
+        const Double2 middle = (start + end) * 0.5 + normal * (0.5 * width);
         area += part;
         first = first + middle * part;
         second += part * ((dot(displacement, displacement) + width * width) / 12.0 + dot(middle, middle));
     }
-    void addSector(Wide corner, Wide from, Wide to, double angle, double radius) {
+    void addSector(Double2 corner, Double2 from, Double2 to, double angle, double radius) {
         const double part = 0.5 * angle * radius * radius;
         const double cube = radius * radius * radius / 3.0;
-        const Wide moment{cube * (to.y - from.y), cube * (from.x - to.x)};  // about the corner
+        const Double2 moment{cube * (to.y - from.y), cube * (from.x - to.x)};  // about the corner
         area += part;
         first = first + moment + corner * part;
         second += 0.5 * part * radius * radius + 2.0 * dot(corner, moment) + part * dot(corner, corner);
@@ -56,7 +42,7 @@ double turnBetween(Vec2 from, Vec2 to) {
 /// The sum of the core, a strip along each face and a sector at each corner.
 Moments momentsOf(const Convex& convex) {
     const std::span<const Corner> corners = convex.corners();
-    const Wide origin = wide(corners[0].point);
+    const Double2 origin = wide(corners[0].point);
     const auto radius = static_cast<double>(convex.radius);
     Moments sum;
     if (convex.count == 1) {
@@ -67,8 +53,8 @@ Moments momentsOf(const Convex& convex) {
         const Corner& before = corners[i > 0 ? i - 1 : corners.size() - 1];
         const Corner& corner = corners[i];
         const Corner& after = corners[i + 1 < corners.size() ? i + 1 : 0];
-        const Wide here = wide(corner.point) - origin;
-        const Wide next = wide(after.point) - origin;
+        const Double2 here = wide(corner.point) - origin;
+        const Double2 next = wide(after.point) - origin;
         sum.addTriangle(here, next);
         if (!(radius > 0.0)) continue;
         sum.addStrip(here, next, wide(corner.normal), radius);
@@ -85,7 +71,7 @@ MassProperties massProperties(const Geometry& geometry, std::span<const Corner> 
     const Moments sum = momentsOf(convex);
     MassProperties mass{.centre = convex.centre};
     if (!(sum.area > 0.0)) return mass;
-    const Wide centre = sum.first * (1.0 / sum.area);
+    const Double2 centre = sum.first * (1.0 / sum.area);
     const Vec2 origin = convex.corners()[0].point;
     mass.centre = {static_cast<float>(static_cast<double>(origin.x) + centre.x),
                    static_cast<float>(static_cast<double>(origin.y) + centre.y)};

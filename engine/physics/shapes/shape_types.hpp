@@ -59,8 +59,7 @@ struct RayHit {
     Vec2 normal;            ///< unit length, outward
 };
 
-/// The point at which a ray enters; fraction 0 if it starts inside. A chain segment is only hit on its solid
-/// side.
+/// The point at which a ray enters; fraction 0 if it starts inside. Chain segments are only hit in front.
 std::optional<RayHit> castRay(const Geometry& geometry, std::span<const Corner> corners, const Ray& ray);
 
 }  // namespace plumb::physics

@@ -1,10 +1,5 @@
 #pragma once
 
-#include <cstdint>
-#include <span>
-#include <utility>
-#include <vector>
-
 #include "physics/solver/contact_block.hpp"
 #include "physics/world.hpp"
 
@@ -13,8 +8,7 @@ namespace plumb::physics {
 struct StepContext;
 
 // Contacts of particles with rigid bodies: constraints of the solver's substeps, with the mass of both sides.
-// The solver repeats what they did to a body in the next substep (accelerate), so a particle gets its impulse
-// again, too.
+// The solver repeats what they did to a body in the next substep (accelerate), and so does a particle.
 
 /// A rigid body near soft bodies of one group.
 struct SoftObstacle {
@@ -41,7 +35,6 @@ struct SoftContact {
     float gap = 0.0f;  ///< m: at the start of the substep
 };
 
-/// A range of a list.
 struct SoftRange {
     std::size_t begin = 0;
     std::size_t end = 0;
@@ -62,7 +55,6 @@ struct SoftGroup {
     std::uint32_t body = kNone;  ///< one of those that it may push
 };
 
-/// Data of a step, in Workspace.
 struct SoftSurroundings {
     std::vector<std::uint32_t> shapes;  ///< near soft bodies, in the order of these
     std::vector<std::uint32_t> ends;    ///< by soft body: end of its shapes
@@ -85,7 +77,6 @@ struct SoftSurroundings {
 
 /// Finds the shapes near all soft bodies, wakes what they hit, and finds the islands that they share.
 void findSurroundings(StepContext& step);
-/// Finds the obstacles and contacts of a group.
 void findSoftContacts(StepContext& step, SoftGroup& group);
 /// Of a group, so that its links carry what lies on them.
 [[nodiscard]] int substepsOf(const StepContext& step, const SoftGroup& group);
@@ -123,7 +114,6 @@ struct SoftEdge {
     std::uint32_t link = 0;
 };
 
-/// Data of a step, in Workspace.
 struct SoftSoftContacts {
     std::vector<SoftBox> boxes;  ///< by index of the soft body
     std::vector<std::uint32_t>
@@ -137,8 +127,7 @@ struct SoftSoftContacts {
 [[nodiscard]] SoftBox boxOf(const SoftBody& body, float dt);
 [[nodiscard]] inline AABB rounded(const SoftBox& box) { return {toVec2(box.min), toVec2(box.max)}; }
 
-/// Sorts soft bodies so that those that may touch within a step of dt seconds, or push the same island, are
-/// adjacent in `order`.
+/// Makes soft bodies that may touch within a step of dt seconds, or push one island, adjacent in `order`.
 void groupSoftBodies(const World& world, float dt, const SoftSurroundings& around,
                      SoftSoftContacts& meetings);
 /// Adds all potential contacts within a group of `order`.

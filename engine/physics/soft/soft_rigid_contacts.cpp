@@ -1,13 +1,8 @@
 #include <algorithm>
-#include <cmath>
 
-#include "math/portable.hpp"
 #include "physics/islands/sleeping.hpp"
 #include "physics/shapes/shape_types.hpp"
-#include "physics/soft/soft_contacts.hpp"
 #include "physics/solver/passes.hpp"
-#include "physics/stages.hpp"
-#include "physics/tuning.hpp"
 
 namespace plumb::physics {
 

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <cmath>
 
 #include "physics/islands/sleeping.hpp"
 #include "physics/soft/soft_contacts.hpp"
@@ -74,8 +73,7 @@ public:
           meetings_{meetings} {}
 
     void run() {
-        const SoftBox& near = meetings_.boxes[ids_.body];
-        takeEdges(near);
+        takeEdges(meetings_.boxes[ids_.body]);
         findAxis();
         for (std::uint32_t i = 0; i < own_.particles.size(); ++i) {
             const SoftParticle& p = own_.particles[i];
@@ -137,13 +135,7 @@ private:
     }
 
     void meet(std::uint32_t particle, std::uint32_t a, std::uint32_t b, float side, bool inside) {
-        SoftSoftContact meeting = ids_;
-        meeting.particle = particle;
-        meeting.a = a;
-        meeting.b = b;
-        meeting.side = side;
-        meeting.inside = inside;
-        meetings_.all.push_back(meeting);
+        meetings_.all.push_back({ids_.body, particle, ids_.other, a, b, side, inside});
     }
 
     float dt_;

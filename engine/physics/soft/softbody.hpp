@@ -1,8 +1,5 @@
 #pragma once
 
-#include <span>
-
-#include "core/result.hpp"
 #include "physics/world.hpp"
 
 namespace plumb::physics {

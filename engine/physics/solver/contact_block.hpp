@@ -7,6 +7,17 @@
 
 namespace plumb::physics {
 
+/// The rows of four floats that a Contact is made of, for those who read eight contacts at once.
+enum ContactRow {
+    kSurfaceRow = 1,
+    kNormalRow = 2,
+    kImpulseRow = 3,
+    kTurnRow = 4,
+    kAnchorsRow = 5,
+    kRoundRow = 7,
+    kContactRows = 8
+};
+
 /// A body of eight contacts that can rotate. A lever is the cross product of the arm and a direction.
 struct RotatingSide {
     static constexpr bool kFixed = false;

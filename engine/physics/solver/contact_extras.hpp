@@ -6,8 +6,7 @@
 
 namespace plumb::physics {
 
-// What the solver does with contacts beside the passes of passes.hpp. Costs nothing where no contact needs
-// it.
+// What the solver does with contacts beside the passes of passes.hpp. Free where no contact needs it.
 
 // Restitution (restitution.cpp): what arrives fast enough leaves with a fraction of its speed, once the
 // substeps have stopped it. Source: E. Catto, "Solver2D", 2024 (restitution after the substeps).
@@ -30,8 +29,7 @@ inline constexpr float kNoChain = -1.0f;
 /// impacts gets right.
 void runImpactsOn(StepContext& step, const SolveGroup& group);
 
-// Rolling resistance (rolling.cpp): a torque against the relative rotation of two bodies, at most the
-// resistance (m) times the normal force.
+// Rolling resistance (rolling.cpp): a torque against rotation, at most the resistance (m) times the force.
 
 void prepareRolling(StepContext& step);
 void warmStartRolling(StepContext& step, const SolveGroup& group);

@@ -1,8 +1,6 @@
 #include "physics/solver/impact.hpp"
 
 #include <algorithm>
-#include <limits>
-#include <span>
 
 #include "physics/tuning.hpp"
 

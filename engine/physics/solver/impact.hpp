@@ -1,6 +1,5 @@
 #pragma once
 
-#include "physics/model/contact.hpp"
 #include "physics/world.hpp"
 
 namespace plumb::physics {

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <cmath>
 
 #include "physics/model/joints.hpp"
 #include "physics/solver/joint_lanes.hpp"

@@ -1,13 +1,10 @@
 #include "physics/solver/joint_lanes.hpp"
 
 #include <bit>
-#include <cmath>
 
 #include "physics/joints/joint_types.hpp"
-#include "physics/solver/kernels.hpp"
 #include "physics/solver/passes.hpp"
 #include "physics/trees/joint_tree_solver.hpp"
-#include "physics/tuning.hpp"
 
 namespace plumb::physics {
 

@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-#include "physics/narrowphase/box_lanes.hpp"
+#include "physics/narrowphase/collide.hpp"
 #include "physics/solver/contact_block.hpp"
 #include "physics/solver/joint_block.hpp"
 

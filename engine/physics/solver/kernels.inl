@@ -1,6 +1,5 @@
 // Source of kernels_*.cpp. It may use only lanes.hpp and plain arrays: see there.
 
-#include "physics/model/contact_rows.hpp"
 #include "physics/solver/kernels.hpp"
 
 namespace plumb::physics::PLUMB_LANES {

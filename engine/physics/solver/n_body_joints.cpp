@@ -1,7 +1,5 @@
 #include <algorithm>
-#include <cmath>
 
-#include "math/portable.hpp"
 #include "physics/joints/joint_types.hpp"
 #include "physics/solver/joint_lanes.hpp"
 

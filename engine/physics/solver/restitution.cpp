@@ -3,7 +3,6 @@
 #include "physics/solver/contact_extras.hpp"
 #include "physics/solver/contact_sides.hpp"
 #include "physics/solver/passes.hpp"
-#include "physics/tuning.hpp"
 
 namespace plumb::physics {
 

@@ -1,9 +1,7 @@
 #include <algorithm>
-#include <vector>
 
 #include "physics/solver/contact_extras.hpp"
 #include "physics/solver/contact_sides.hpp"
-#include "physics/tuning.hpp"
 
 namespace plumb::physics {
 

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <cmath>
 
 #include "physics/solver/contact_extras.hpp"
 #include "physics/solver/passes.hpp"

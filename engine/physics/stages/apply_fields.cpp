@@ -1,8 +1,6 @@
 #include <algorithm>
 
 #include "physics/effects/drag.hpp"
-#include "physics/effects/field_search.hpp"
-#include "physics/effects/field_types.hpp"
 #include "physics/islands/sleeping.hpp"
 #include "physics/model/bodies.hpp"
 #include "physics/model/fields.hpp"

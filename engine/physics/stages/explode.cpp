@@ -1,7 +1,5 @@
 #include <algorithm>
 
-#include "physics/effects/field_search.hpp"
-#include "physics/effects/field_types.hpp"
 #include "physics/model/fields.hpp"
 #include "physics/shapes/shape_types.hpp"
 #include "physics/stages.hpp"
@@ -16,7 +14,6 @@ void pushAway(World& world, const FieldDefinition& explosion, std::uint32_t body
     const BodyPose& pose = world.bodies.pose[body];
     const BodyMass& mass = world.bodies.mass[body];
     BodyMotion& motion = world.bodies.motion[body];
-    // Center of the explosion in the frame of the shapes.
     const Vec2 centre = pose.localCentre + unrotate(pose.rotation, explosion.place - pose.centre);
     for (std::uint32_t s = world.bodies.info[body].firstShape; s != kNone; s = world.shapes.info[s].next) {
         if ((world.shapes.info[s].flags & kTrigger) != 0) continue;

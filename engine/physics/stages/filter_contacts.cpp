@@ -1,7 +1,6 @@
 #include <algorithm>
 
 #include "physics/contacts/contacts.hpp"
-#include "physics/effects/one_way.hpp"
 #include "physics/ranges.hpp"
 #include "physics/stages.hpp"
 
@@ -9,8 +8,53 @@ namespace plumb::physics {
 
 namespace {
 
-/// Whether it lets through is decided when a contact begins, and kept until it ends: what is half through
-/// must not be caught.
+/// m: extent of an outline along a direction, from `origin`.
+float farEnd(const World& world, std::uint32_t shape, Vec2 direction, WorldPosition origin) {
+    const BodyPose& pose = world.bodies.pose[world.shapes.info[shape].body];
+    const Convex convex = convexOf(world.shapes.geometry[shape], world.shapes.corners);
+    const Vec2 local = unrotate(pose.rotation, direction);
+    const Vec2 corner = convex.corners()[static_cast<std::size_t>(farthest(convex.corners(), local))].point;
+    return dot(direction, pose.centre - origin) + dot(local, corner - pose.localCentre) + convex.radius;
+}
+
+/// m: clearance of `other` above the platform one step ago, along the open direction; below 0 if not above.
+float heightBefore(const World& world, const Contact& contact, bool platformIsA, float dt) {
+    const std::uint32_t platform = platformIsA ? contact.shapeA : contact.shapeB;
+    const std::uint32_t other = platformIsA ? contact.shapeB : contact.shapeA;
+    const BodyMotion& platformMotion = world.bodies.motion[world.shapes.info[platform].body];
+    const BodyMotion& otherMotion = world.bodies.motion[world.shapes.info[other].body];
+    const Vec2 open = openDirection(world, platform);
+    const Vec2 out = platformIsA ? contact.normal : -contact.normal;
+    const float closing = -dot(open, otherMotion.velocity - platformMotion.velocity);
+    const float before = std::max(closing * dt, 0.0f);
+    if (dot(out, open) > kSolidSide) {
+        return std::min(contact.separation0, contact.count == 2 ? contact.separation1 : kFarAway) + before;
+    }
+    const WorldPosition origin = world.bodies.pose[world.shapes.info[platform].body].centre;
+    return -farEnd(world, other, -open, origin) - farEnd(world, platform, open, origin) + before;
+}
+
+/// True if the other body is set to fall through one-way shapes: kDropsThrough.
+bool dropsThrough(const World& world, const Contact& contact) {
+    const auto asks = [&](std::uint32_t body) {
+        return (world.bodies.info[body].flags & kDropsThrough) != 0;
+    };
+    return ((contact.flags & kOneWayA) != 0 && asks(contact.bodyB)) ||
+           ((contact.flags & kOneWayB) != 0 && asks(contact.bodyA));
+}
+
+/// True if a one-way shape lets the other shape through when they begin to touch, because it comes from
+/// behind or is already inside. In a contact of two one-way shapes both have to be solid.
+/// @param dt  s: how far back it looks, as bodies begin to touch with some overlap
+bool passesThrough(const World& world, const Contact& contact, float dt) {
+    const float on = -kOnTop * world.settings.slop;
+    return dropsThrough(world, contact) ||
+           ((contact.flags & kOneWayA) != 0 && heightBefore(world, contact, true, dt) < on) ||
+           ((contact.flags & kOneWayB) != 0 && heightBefore(world, contact, false, dt) < on);
+}
+
+/// Whether it lets through is decided when a contact begins, and kept: what is half through must not be
+/// caught.
 void decideOneWay(StepContext& step, Contact& contact) {
     World& world = step.world;
     if ((contact.flags & (kOneWayA | kOneWayB)) == 0) return;

@@ -4,7 +4,6 @@
 #include "physics/islands/sleeping.hpp"
 #include "physics/model/bounds.hpp"
 #include "physics/model/joints.hpp"
-#include "physics/narrowphase/sweep.hpp"
 #include "physics/stages.hpp"
 
 namespace plumb::physics {
@@ -43,16 +42,14 @@ void makeContacts(StepContext& step) {
         if (joined && keptApart(world, bodyA, bodyB)) continue;
         if (!comesTo(world, a, b) || !mayMeet(step, a, b)) continue;
         const auto isAwake = [&](std::uint32_t body) { return world.bodies.info[body].place != kNone; };
-        // A trigger that does not move has come to a sleeper: only the contacts of what is awake are looked
-        // at.
+        // A trigger at rest has come to a sleeper: only contacts of what is awake are looked at.
         if (!isAwake(bodyA) && !isAwake(bodyB)) wake(world, isDynamic(world, bodyA) ? bodyA : bodyB);
         step.work.pairs.add(key);
         world.contacts.push_back(makeContact(world, a, b));
     }
 }
 
-/// What a fast kinematic body may pass in this step has to be awake: a pair that is found when their bounds
-/// overlap would come too late.
+/// What a fast kinematic body may pass in this step has to be awake: found by overlap it is too late.
 void wakeOnPaths(World& world, Workspace& work, float dt) {
     if (world.sleepers.islands.size() == world.sleepers.freeIslands.size()) return;
     std::vector<std::uint32_t>& found = work.candidates;

@@ -1,15 +1,11 @@
 #include <algorithm>
-#include <cmath>
 
 #include "physics/continuous/swept_bodies.hpp"
 #include "physics/model/bounds.hpp"
 #include "physics/model/edits.hpp"
-#include "physics/narrowphase/sweep.hpp"
 #include "physics/shapes/shape_types.hpp"
 #include "physics/solver/contact_extras.hpp"
 #include "physics/solver/joint_lanes.hpp"
-#include "physics/stages.hpp"
-#include "physics/tuning.hpp"
 
 namespace plumb::physics {
 
@@ -90,8 +86,7 @@ bool takeAlong(StepContext& step, std::size_t slot, std::uint32_t body) {
         motion.angularVelocity = 0.0f;
         return false;
     }
-    // Substeps may be faster than the speed that is left at the end of the step, and would carry a body as
-    // far.
+    // Substeps may be faster than the speed at the end of the step, and would carry a body as far.
     Vec2 displacement = shortened({deltaPosition.x, deltaPosition.y}, step.world.settings.maxSpeed * step.dt);
     deltaPosition.x = displacement.x, deltaPosition.y = displacement.y;
     const Vec2 before = motion.velocity;

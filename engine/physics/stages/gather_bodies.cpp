@@ -1,8 +1,6 @@
 #include "physics/effects/drag.hpp"
 #include "physics/islands/quality.hpp"
 #include "physics/islands/sleeping.hpp"
-#include "physics/solver/strips.hpp"
-#include "physics/stages.hpp"
 #include "physics/trees/joint_tree_solver.hpp"
 
 namespace plumb::physics {
@@ -20,8 +18,8 @@ Float4 flightOf(const Float4& drive, const Decay& decay, float drag, float h) {
     return {rest * drive.x, rest * drive.y, along, 0.0f};
 }
 
-/// Exact flight is for what touches nothing, and hangs on nothing or on joints that know of it: what rests
-/// would be lifted by it.
+/// Exact flight would lift what rests: it is for what touches nothing, and hangs at most on joints that know
+/// of it.
 bool isFree(const World& world, const Workspace& work, std::uint32_t body) {
     return (work.colourMasks[body] == 0 || isInTree(world, work, body)) && !work.softSurroundings.holds(body);
 }

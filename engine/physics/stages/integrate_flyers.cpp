@@ -1,7 +1,5 @@
 #include <algorithm>
-#include <array>
 
-#include "math/portable.hpp"
 #include "physics/stages.hpp"
 
 namespace plumb::physics {
@@ -111,8 +109,7 @@ void velocityVerlet(const Flight& flight, float elapsed) {
         take(flight, f, displacement(f), (0.5f * h) * (f.at[0] + f.steady + f.at[1] + f.steady));
 }
 
-/// Classical scheme of W. Kutta, 1901: fourth order. Loses the energy of oscillations that are too fast for
-/// the step.
+/// Classical scheme of W. Kutta, 1901: fourth order. Loses energy of oscillations too fast for the step.
 void rungeKutta(const Flight& flight, float elapsed) {
     const float h = flight.h;
     constexpr std::array<float, 4> kAt{0.0f, 0.5f, 0.5f, 1.0f};
@@ -135,7 +132,6 @@ using Integrator = void (*)(const Flight& flight, float elapsed);
 constexpr std::array<Integrator, static_cast<std::size_t>(IntegratorKind::Count)> kIntegrators{
     explicitEuler, semiImplicitEuler, velocityVerlet, rungeKutta};
 
-/// Applies the drag of half a step.
 void dragHalfway(const Flight& flight) {
     for (Flyer& f : flight.flyers) {
         if ((f.linearDrag == 0.0f && f.angularDrag == 0.0f) || dragIsInside(flight, f)) continue;

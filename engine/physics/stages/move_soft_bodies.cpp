@@ -1,17 +1,11 @@
 #include <algorithm>
-#include <cmath>
-#include <span>
 
-#include "math/portable.hpp"
-#include "physics/effects/field_types.hpp"
 #include "physics/solver/passes.hpp"
-#include "physics/stages.hpp"
 
 namespace plumb::physics {
 
 namespace {
 
-/// One soft body in one substep.
 struct SoftStep {
     const StepContext& step;
     SoftBody& body;

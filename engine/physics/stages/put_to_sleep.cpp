@@ -5,7 +5,6 @@
 #include "physics/islands/substep_controller.hpp"
 #include "physics/model/joints.hpp"
 #include "physics/stages.hpp"
-#include "physics/tuning.hpp"
 
 namespace plumb::physics {
 

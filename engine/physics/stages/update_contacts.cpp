@@ -1,6 +1,4 @@
 #include <algorithm>
-#include <span>
-#include <utility>
 
 #include "physics/contacts/contacts.hpp"
 #include "physics/islands/sleeping.hpp"
@@ -121,7 +119,6 @@ void endContactsOf(StepContext& step, Is&& ends) {
     }
 }
 
-/// The contacts of shapes that were destroyed.
 void endContactsOfDead(StepContext& step) {
     World& world = step.world;
     endContactsOf(step, [&](std::uint32_t s) { return world.shapes.motion[s] == ProxyMotion::Gone; });

@@ -11,11 +11,6 @@ namespace {
 /// Distinguishes the surface numbers of terrains from those of chains.
 constexpr std::uint32_t kOfTerrain = kOwnSurfaces << 1;
 
-GridPoint cornerOf(const TerrainOutlines& terrain, std::uint32_t chunk) {
-    const CellRect cells = terrain.cellsOf(chunk);
-    return cornerOfCell(cells.x0, cells.y0);
-}
-
 WorldPosition placeOf(const TerrainOutlines& terrain, const TerrainDefinition& definition,
                       std::uint32_t chunk) {
     const CellRect cells = terrain.cellsOf(chunk);
@@ -75,7 +70,8 @@ Result<TerrainBody> TerrainBody::create(World& world, const TerrainOutlines& ter
 }
 
 Result<Done> TerrainBody::makeChunk(World& world, const TerrainOutlines& terrain, std::uint32_t chunk) {
-    const GridPoint origin = cornerOf(terrain, chunk);
+    const CellRect cells = terrain.cellsOf(chunk);
+    const GridPoint origin = cornerOfCell(cells.x0, cells.y0);
     geometries_.clear();
     definitions_.clear();
     for (const TerrainSegment& segment : terrain.chunks()[chunk]) {

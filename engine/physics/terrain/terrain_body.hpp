@@ -1,14 +1,10 @@
 #pragma once
 
-#include <vector>
-
-#include "core/result.hpp"
 #include "physics/terrain/terrain_outlines.hpp"
 #include "physics/world.hpp"
 
 namespace plumb::physics {
 
-/// Position of a terrain and properties of its shapes.
 struct TerrainDefinition {
     WorldPosition position;     ///< m, of its top-left corner
     Vec2 cellSize{1.0f, 1.0f};  ///< m
@@ -34,7 +30,6 @@ public:
     /// @param changed  the result of TerrainOutlines::update()
     /// @pre   the terrain has as many chunks as in create()
     Result<Done> update(World& world, const TerrainOutlines& terrain, std::span<const std::uint32_t> changed);
-    /// Destroys all bodies.
     void destroy(World& world);
 
 private:

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <numeric>
-#include <utility>
 
 #include "core/task_pool.hpp"
 
@@ -19,8 +18,7 @@ bool touches(CellRect rect, GridPoint point) {
     return point.x >= low.x && point.y >= low.y && point.x <= high.x && point.y <= high.y;
 }
 
-/// Appends the edges of the cells around `rect` that end at its border. Which of their sides are open depends
-/// on the same ring of cells.
+/// Appends the edges of the cells around `rect` that end at its border. They depend on the same ring.
 void appendBorder(const TilePalette& palette, const CellWindow& window, CellRect rect,
                   std::vector<TileEdge>& edges) {
     const std::size_t own = edges.size();

@@ -1,9 +1,8 @@
-#include "physics/terrain/tile_edges.hpp"
-
 #include <algorithm>
 #include <utility>
 
 #include "core/fixed_list.hpp"
+#include "physics/terrain/terrain_outlines.hpp"
 
 namespace plumb::physics {
 
@@ -67,8 +66,7 @@ private:
             edges_.push_back(alongSide(corner, side, own, kind));
             return;
         }
-        // If the neighbour touches the side in a single point only, `both` is that point and the side is
-        // split in two edges.
+        // If the neighbour touches the side in one point, `both` is that point and splits the side.
         const FaceSpan first{own.from, both.from};
         const FaceSpan last{both.to, own.to};
         if (!first.empty()) edges_.push_back(alongSide(corner, side, first, kind));
@@ -112,15 +110,16 @@ public:
         if (!candidates_.full()) candidates_.push(candidate);
     }
 
-    /// The first wanted edge when rotating through the open side; edge kNone if there is none.
+    /// The first wanted edge when rotating through the open side, or the solid one; kNone if there is none.
     template <class Wanted>
-    [[nodiscard]] Candidate first(const Wanted& wanted) const {
-        return best(wanted, [this](const Candidate& a, const Candidate& b) { return isEarlier(a, b); });
-    }
-    /// The first wanted edge when rotating through the solid side.
-    template <class Wanted>
-    [[nodiscard]] Candidate last(const Wanted& wanted) const {
-        return best(wanted, [this](const Candidate& a, const Candidate& b) { return isEarlier(b, a); });
+    [[nodiscard]] Candidate first(const Wanted& wanted, bool throughSolid = false) const {
+        Candidate found;
+        for (const Candidate& next : candidates_) {
+            if (!wanted(next.kind)) continue;
+            const bool earlier = throughSolid ? isEarlier(found, next) : isEarlier(next, found);
+            if (found.edge == kNone || earlier) found = next;
+        }
+        return found;
     }
     template <class Wanted>
     [[nodiscard]] std::ptrdiff_t count(const Wanted& wanted) const {
@@ -137,15 +136,6 @@ public:
     }
 
 private:
-    template <class Wanted, class Better>
-    [[nodiscard]] Candidate best(const Wanted& wanted, const Better& better) const {
-        Candidate found;
-        for (const Candidate& next : candidates_) {
-            if (wanted(next.kind) && (found.edge == kNone || better(next, found))) found = next;
-        }
-        return found;
-    }
-
     GridPoint back_;
     FixedList<Candidate, 4> candidates_;
 };
@@ -155,7 +145,7 @@ bool isOneWay(EdgeKind kind) { return kind.oneWay != OneWay::No; }
 
 /// @param joined  solids that touch in this point count as one
 EdgeLink linkOfPlain(const Vertex& vertex, bool joined) {
-    const Vertex::Candidate outline = joined ? vertex.first(isPlain) : vertex.last(isPlain);
+    const Vertex::Candidate outline = vertex.first(isPlain, !joined);
     if (vertex.turnTo(outline) != Turn::More) return {outline.edge, outline.edge};
     const Vertex::Candidate joint = vertex.first(isOneWay);
     const bool goesOn = joint.edge != kNone && vertex.isEarlier(joint, outline);
@@ -172,7 +162,7 @@ EdgeLink linkOfOneWay(const Vertex& vertex, OneWay side) {
 
 EdgeLink linkOfInner(const Vertex& vertex, std::uint8_t layers) {
     const Vertex::Candidate own =
-        vertex.last([layers](EdgeKind kind) { return kind.layers == layers && !isOneWay(kind); });
+        vertex.first([layers](EdgeKind kind) { return kind.layers == layers && !isOneWay(kind); }, true);
     return {own.edge, own.edge};
 }
 

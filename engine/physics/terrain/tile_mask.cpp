@@ -2,9 +2,135 @@
 
 #include <algorithm>
 
-#include "core/assert.hpp"
+#include "core/text.hpp"
+#include "physics/model/checks.hpp"
 
 namespace plumb::physics {
+
+namespace {
+
+constexpr std::int32_t kSnap = kCellUnits / 256;
+constexpr std::size_t kMaxPoints = 256;  // maximum input; at most 8 of them remain
+
+Side sideOf(GridPoint a, GridPoint b) {
+    if (a.y == 0 && b.y == 0) return kTop;
+    if (a.x == kCellUnits && b.x == kCellUnits) return kRight;
+    if (a.y == kCellUnits && b.y == kCellUnits) return kBottom;
+    if (a.x == 0 && b.x == 0) return kLeft;
+    return kInside;
+}
+
+/// The part of a side that a solid outline fills, or the point at which it touches the side.
+FaceSpan spanOf(const TileOutline& outline, Side side) {
+    const bool level = side == kTop || side == kBottom;
+    const std::int32_t line = side == kRight || side == kBottom ? kCellUnits : 0;
+    FaceSpan span{kCellUnits, 0};
+    for (int i = 0; i < outline.count && outline.isSolid(); ++i) {
+        const GridPoint corner = outline.corner(i);
+        if ((level ? corner.y : corner.x) != line) continue;
+        span.from = std::min(span.from, level ? corner.x : corner.y);
+        span.to = std::max(span.to, level ? corner.x : corner.y);
+    }
+    return span.from <= span.to ? span : FaceSpan{};
+}
+
+/// Computes the members that follow from the corners and `oneWay`.
+TileOutline completed(TileOutline outline) {
+    outline.stops = 0;
+    for (int i = 0; i < outline.count; ++i) {
+        const GridPoint a = outline.corner(i);
+        const GridPoint b = outline.cornerAfter(i);
+        const GridPoint outward{b.y - a.y, a.x - b.x};
+        const bool stops = outline.isSolid() || dot(outward, directionOf(outline.oneWay)) > 0;
+        if (stops) outline.stops = static_cast<std::uint8_t>(outline.stops | 1u << i);
+        outline.sides[static_cast<std::size_t>(i)] = sideOf(a, b);
+    }
+    for (const Side side : {kTop, kRight, kBottom, kLeft}) {
+        outline.spans[static_cast<std::size_t>(side)] = spanOf(outline, side);
+    }
+    return outline;
+}
+
+std::int64_t doubleAreaOf(std::span<const GridPoint> points) {
+    std::int64_t sum = 0;
+    for (std::size_t i = 0; i < points.size(); ++i) sum += cross(points[i], points[(i + 1) % points.size()]);
+    return sum;
+}
+
+void dropNeedless(std::vector<GridPoint>& points) {
+    for (std::size_t i = 0; i < points.size() && points.size() >= 3;) {
+        const GridPoint before = points[(i + points.size() - 1) % points.size()];
+        const GridPoint after = points[(i + 1) % points.size()];
+        if (cross(points[i] - before, after - points[i]) == 0) {
+            points.erase(points.begin() + static_cast<std::ptrdiff_t>(i));
+            i = i > 0 ? i - 1 : 0;  // the corner before may be collinear now
+        } else {
+            ++i;
+        }
+    }
+}
+
+/// True if no corner lies outside of an edge; so also false for outlines that wind around twice.
+bool isConvex(std::span<const GridPoint> points) {
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const GridPoint a = points[i];
+        const GridPoint displacement = points[(i + 1) % points.size()] - a;
+        if (!std::all_of(points.begin(), points.end(),
+                         [&](GridPoint p) { return cross(displacement, p - a) >= 0; }))
+            return false;
+    }
+    return true;
+}
+
+/// The outline of corners in units; count 0 if they are not convex. It starts at its topmost, then leftmost
+/// corner, so that equal forms have equal indices.
+TileOutline outlineFrom(std::vector<GridPoint> points, OneWay oneWay) {
+    dropNeedless(points);
+    if (doubleAreaOf(points) < 0) std::reverse(points.begin(), points.end());
+    const bool good = points.size() >= 3 && points.size() <= TileOutline::kMaxCorners && isConvex(points);
+    if (!good || doubleAreaOf(points) == 0) return {};
+    std::rotate(points.begin(),
+                std::min_element(points.begin(), points.end(),
+                                 [](GridPoint a, GridPoint b) {
+                                     return std::pair{a.y, a.x} < std::pair{b.y, b.x};
+                                 }),
+                points.end());
+    TileOutline outline;
+    outline.count = static_cast<std::uint8_t>(points.size());
+    outline.oneWay = oneWay;
+    std::copy(points.begin(), points.end(), outline.corners.begin());
+    return completed(outline);
+}
+
+/// @return -1 for a position outside the cell, or NaN
+std::int32_t toUnits(float part) {
+    if (!(part > -1.0f && part < 2.0f)) return -1;
+    const auto units = static_cast<std::int32_t>(std::floor(part * static_cast<float>(kCellUnits) + 0.5f));
+    if (units < -kSnap || units > kCellUnits + kSnap) return -1;
+    if (units <= kSnap) return 0;
+    return units >= kCellUnits - kSnap ? kCellUnits : units;
+}
+
+/// The index of a value in a list, to which it is added if it is new and there are fewer than `maximum`.
+template <class Index, class T>
+Result<Index> indexIn(std::vector<T>& list, const T& value, std::size_t maximum, const char* what) {
+    const auto known = std::find(list.begin(), list.end(), value);
+    const auto index = static_cast<Index>(known - list.begin());
+    if (known != list.end()) return index;
+    if (list.size() >= maximum)
+        return Error{"TilePalette", format("too many different {}", what), format("use at most {}", maximum)};
+    list.push_back(value);
+    return index;
+}
+
+GridPoint flippedPoint(GridPoint point, TileCell flips) {
+    if ((flips & kTileFlipDiagonal) != 0) std::swap(point.x, point.y);
+    if ((flips & kTileFlipX) != 0) point.x = kCellUnits - point.x;
+    if ((flips & kTileFlipY) != 0) point.y = kCellUnits - point.y;
+    return point;
+}
+
+}  // namespace
 
 TileMask::TileMask(int width, int height)
     : cells_{std::clamp(width, 0, kMaxSide),
@@ -48,6 +174,87 @@ bool TileMask::isPlain(int column, int row) const {
         }
     }
     return true;
+}
+
+TilePalette::TilePalette() : forms_(1), materials_(1), layers_(1) {
+    constexpr std::int32_t kOne = kCellUnits;
+    constexpr std::int32_t kHalf = kCellUnits / 2;
+    const auto put = [this](std::vector<GridPoint> points, OneWay oneWay = OneWay::No) {
+        forms_.push_back(outlineFrom(std::move(points), oneWay));
+    };
+    // In the order of TileForm.
+    put({{0, 0}, {kOne, 0}, {kOne, kOne}, {0, kOne}});
+    put({{0, 0}, {kOne, 0}, {kOne, kOne}, {0, kOne}}, OneWay::Up);
+    put({{kOne, 0}, {kOne, kOne}, {0, kOne}});
+    put({{0, 0}, {kOne, kOne}, {0, kOne}});
+    put({{kOne, kHalf}, {kOne, kOne}, {0, kOne}});
+    put({{kOne, 0}, {kOne, kOne}, {0, kOne}, {0, kHalf}});
+    put({{0, 0}, {kOne, kHalf}, {kOne, kOne}, {0, kOne}});
+    put({{0, kHalf}, {kOne, kOne}, {0, kOne}});
+    put({{0, 0}, {kOne, 0}, {kOne, kHalf}, {0, kHalf}});
+    put({{0, kHalf}, {kOne, kHalf}, {kOne, kOne}, {0, kOne}});
+    put({{0, 0}, {kHalf, 0}, {kHalf, kOne}, {0, kOne}});
+    put({{kHalf, 0}, {kOne, 0}, {kOne, kOne}, {kHalf, kOne}});
+}
+
+Result<TileForm> TilePalette::add(const TileOutline& outline) {
+    return indexIn<TileForm>(forms_, outline, kMaxForms, "outlines of tiles");
+}
+
+Result<TileForm> TilePalette::addPolygon(std::span<const Vec2> points, OneWay oneWay) {
+    std::vector<GridPoint> corners;
+    corners.reserve(kMaxPoints);
+    for (const Vec2 point : points.first(std::min(points.size(), kMaxPoints))) {
+        const GridPoint corner{toUnits(point.x), toUnits(point.y)};
+        if (corner.x < 0 || corner.y < 0) {
+            return Error{"TilePalette::addPolygon", "a corner is outside the cell or not a number",
+                         "pass corners as fractions of the cell, 0 to 1"};
+        }
+        corners.push_back(corner);
+    }
+    const TileOutline outline = outlineFrom(std::move(corners), oneWay);
+    if (outline.count == 0 || points.size() > kMaxPoints) {
+        return Error{"TilePalette::addPolygon", "the points do not form a convex polygon of 3 to 8 corners",
+                     "list the corners in order, without concave corners"};
+    }
+    return add(outline);
+}
+
+Result<TileForm> TilePalette::flipped(TileForm form, TileCell flips) {
+    PLUMB_ASSERT(hasForm(form), "flip a form of this palette");
+    if (!hasForm(form) || form == TileForm::Empty || (flips & kTileFlips) == 0) return form;
+    const TileOutline& outline = forms_[static_cast<std::size_t>(form)];
+    std::vector<GridPoint> corners;
+    corners.reserve(outline.count);
+    for (int i = 0; i < outline.count; ++i) corners.push_back(flippedPoint(outline.corner(i), flips));
+    return add(outlineFrom(std::move(corners), outline.oneWay));
+}
+
+Result<TileForm> TilePalette::withOneWay(TileForm form, OneWay oneWay) {
+    PLUMB_ASSERT(hasForm(form), "make a form of this palette one-way");
+    if (!hasForm(form) || form == TileForm::Empty) return form;
+    TileOutline outline = forms_[static_cast<std::size_t>(form)];
+    outline.oneWay = oneWay;
+    return add(completed(outline));
+}
+
+Result<std::uint8_t> TilePalette::addMaterial(const TileMaterial& material) {
+    const auto checked =
+        firstOf(checkNumber("TileMaterial.friction", material.friction, 0.0, kRoughest),
+                checkNumber("TileMaterial.bounciness", material.bounciness, 0.0, 1.0),
+                checkNumber("TileMaterial.surfaceSpeed", material.surfaceSpeed, -kFastest, kFastest));
+    if (!checked) return checked.error();
+    return indexIn<std::uint8_t>(materials_, material, kMaxMaterials, "materials");
+}
+
+Result<std::uint8_t> TilePalette::addLayers(const TileLayers& layers) {
+    return indexIn<std::uint8_t>(layers_, layers, kMaxLayers, "layers");
+}
+
+bool TilePalette::covers(std::uint8_t cover, std::uint8_t covered) const {
+    const TileLayers& over = layers_[cover];
+    const TileLayers& under = layers_[covered];
+    return (under.layers & ~over.layers) == 0 && (under.mask & ~over.mask) == 0;
 }
 
 }  // namespace plumb::physics

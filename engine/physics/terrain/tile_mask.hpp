@@ -4,15 +4,176 @@
 #include <bit>
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <vector>
 
+#include "core/result.hpp"
 #include "math/tile_grid.hpp"
-#include "physics/terrain/tile_palette.hpp"
+#include "math/vec2.hpp"
 
 namespace plumb::physics {
 
-/// A cell of a terrain: indices in its palette. A TileGrid holds it as a number, which is 0 for an empty
-/// cell.
+/// The side of a cell in units. Terrain has integer coordinates, so that adjacent edges match exactly, areas
+/// are exact sums and a rebuild gives the same bits. The value is 2^8 * 45: all common tile sizes (16, 18,
+/// 20, 24, 32, 48, 64 px …) divide it, so their pixels are whole numbers of units too.
+inline constexpr std::int32_t kCellUnits = 11520;
+
+/// A position in a terrain (units from its top-left corner, y down).
+struct GridPoint {
+    std::int32_t x = 0;
+    std::int32_t y = 0;
+
+    friend constexpr bool operator==(GridPoint, GridPoint) = default;
+};
+
+constexpr GridPoint operator+(GridPoint a, GridPoint b) { return {a.x + b.x, a.y + b.y}; }
+constexpr GridPoint operator-(GridPoint a, GridPoint b) { return {a.x - b.x, a.y - b.y}; }
+constexpr std::int64_t dot(GridPoint a, GridPoint b) {
+    return std::int64_t{a.x} * b.x + std::int64_t{a.y} * b.y;
+}
+constexpr std::int64_t cross(GridPoint a, GridPoint b) {
+    return std::int64_t{a.x} * b.y - std::int64_t{a.y} * b.x;
+}
+
+constexpr GridPoint cornerOfCell(int x, int y) { return {x * kCellUnits, y * kCellUnits}; }
+
+/// @param cellSize  m
+/// @param origin    maps to {0, 0}; the origin of a chunk keeps the numbers small, so that floats stay
+/// accurate
+constexpr Vec2 toMetres(GridPoint point, Vec2 cellSize, GridPoint origin = {}) {
+    const GridPoint from = point - origin;
+    return {static_cast<float>(static_cast<double>(from.x) / kCellUnits * static_cast<double>(cellSize.x)),
+            static_cast<float>(static_cast<double>(from.y) / kCellUnits * static_cast<double>(cellSize.y))};
+}
+
+/// The outline of a cell. Slopes go "Up" or "Down" from left to right; Low and High are the two halves of a
+/// slope that spans two cells. Forms that a palette adds come after `Count`.
+enum class TileForm : std::uint16_t {
+    Empty,
+    Full,
+    OneWay,
+    SlopeUp,
+    SlopeDown,
+    SlopeUpLow,
+    SlopeUpHigh,
+    SlopeDownHigh,
+    SlopeDownLow,
+    HalfTop,
+    HalfBottom,
+    HalfLeft,
+    HalfRight,
+    Count
+};
+
+/// The side on which a one-way form stops bodies; they pass from all others.
+enum class OneWay : std::uint8_t { No, Up, Right, Down, Left };
+
+/// The outward normal of the side that stops bodies, for ShapeDefinition::oneWayDirection. {0, 0} for No.
+constexpr GridPoint directionOf(OneWay side) {
+    constexpr GridPoint kDirections[] = {{0, 0}, {0, -1}, {1, 0}, {0, 1}, {-1, 0}};
+    return kDirections[static_cast<int>(side)];
+}
+
+struct TileMaterial {
+    float friction = 0.6f;      ///< Coulomb coefficient, 0..100
+    float bounciness = 0.0f;    ///< coefficient of restitution, 0..1
+    float surfaceSpeed = 0.0f;  ///< m/s along the surface, in the direction of its segments
+
+    friend constexpr bool operator==(const TileMaterial&, const TileMaterial&) = default;
+};
+
+/// The collision filter of cells, as in a ShapeDefinition.
+struct TileLayers {
+    std::uint32_t layers = 1;          ///< bits: the layers that they are on
+    std::uint32_t mask = 0xffffffffu;  ///< bits: the layers that they collide with
+
+    friend constexpr bool operator==(const TileLayers&, const TileLayers&) = default;
+};
+
+/// The part of a side of a cell that a solid form fills (units, from left to right or from top to bottom).
+/// Empty where only a corner touches the side, and, at a corner of the cell, where nothing does.
+struct FaceSpan {
+    std::int32_t from = 0;
+    std::int32_t to = 0;
+
+    [[nodiscard]] constexpr bool empty() const { return from >= to; }
+    friend constexpr bool operator==(FaceSpan, FaceSpan) = default;
+};
+
+/// The sides of a cell, clockwise on screen, as its outline.
+enum Side : std::int8_t { kTop, kRight, kBottom, kLeft, kInside = -1 };
+
+/// The geometry of a form: convex corners, clockwise on screen, within the cell.
+struct TileOutline {
+    static constexpr int kMaxCorners = 8;
+
+    std::array<GridPoint, kMaxCorners> corners{};
+    std::array<Side, kMaxCorners> sides{};  ///< by edge: the side that the edge from each corner lies on
+    std::array<FaceSpan, 4> spans{};        ///< the part of each side that it fills; empty for a one-way form
+    std::uint8_t count = 0;
+    std::uint8_t stops = 0;  ///< bits: edges that stop bodies; all except for one-way forms
+    OneWay oneWay = OneWay::No;
+
+    [[nodiscard]] bool isSolid() const { return count > 0 && oneWay == OneWay::No; }
+    [[nodiscard]] GridPoint corner(int i) const { return corners[static_cast<std::size_t>(i)]; }
+    [[nodiscard]] GridPoint cornerAfter(int i) const { return corner(i + 1 < count ? i + 1 : 0); }
+
+    friend bool operator==(const TileOutline&, const TileOutline&) = default;
+};
+
+/// The forms, materials and layers that the cells of a terrain refer to by index. Index 0 is the empty form,
+/// the default material and the default layers. A palette only grows, so indices stay valid; adding an
+/// existing entry returns its index.
+class TilePalette {
+public:
+    static constexpr std::size_t kMaxForms = 16384;
+    static constexpr std::size_t kMaxMaterials = 256;
+    static constexpr std::size_t kMaxLayers = 255;
+
+    TilePalette();
+
+    /// Adds a custom form, in fractions of a cell (0..1 from its top-left corner), clockwise or
+    /// counter-clockwise. Corners within 1/256 of a border are moved onto it, so that tiles leave no gaps.
+    /// @error not a convex polygon of 3 to 8 corners inside the cell, or too many forms
+    Result<TileForm> addPolygon(std::span<const Vec2> points, OneWay oneWay = OneWay::No);
+
+    /// The form, flipped like a cell of a TileGrid. A one-way form stays solid on the same side.
+    /// @param flips  bits of kTileFlips
+    /// @error too many forms
+    Result<TileForm> flipped(TileForm form, TileCell flips);
+
+    /// The form, solid on one side only, or (No) on all sides.
+    /// @error too many forms
+    Result<TileForm> withOneWay(TileForm form, OneWay oneWay);
+
+    /// @error a number is out of its range, or too many materials
+    Result<std::uint8_t> addMaterial(const TileMaterial& material);
+    /// @error too many layers
+    Result<std::uint8_t> addLayers(const TileLayers& layers);
+
+    [[nodiscard]] const TileOutline& outline(TileForm form) const {
+        return forms_[static_cast<std::size_t>(form)];
+    }
+    [[nodiscard]] const TileMaterial& material(std::uint8_t number) const { return materials_[number]; }
+    [[nodiscard]] const TileLayers& layers(std::uint8_t number) const { return layers_[number]; }
+
+    [[nodiscard]] bool hasForm(TileForm form) const { return static_cast<std::size_t>(form) < forms_.size(); }
+    [[nodiscard]] bool has(TileForm form, std::uint8_t material, std::uint8_t layers) const {
+        return hasForm(form) && material < materials_.size() && layers < layers_.size();
+    }
+
+    /// True if everything that collides with `covered` also collides with `cover`.
+    [[nodiscard]] bool covers(std::uint8_t cover, std::uint8_t covered) const;
+
+private:
+    Result<TileForm> add(const TileOutline& outline);
+
+    std::vector<TileOutline> forms_;
+    std::vector<TileMaterial> materials_;
+    std::vector<TileLayers> layers_;
+};
+
+/// A cell of a terrain: indices in its palette. A TileGrid holds it as a number, 0 if it is empty.
 struct MaskCell {
     TileForm form = TileForm::Empty;
     std::uint8_t material = 0;
@@ -73,8 +234,7 @@ public:
 
 private:
     [[nodiscard]] bool knows(MaskCell cell) const {
-        return palette.hasForm(cell.form) && palette.hasMaterial(cell.material) &&
-               palette.hasLayers(cell.layers);
+        return palette.has(cell.form, cell.material, cell.layers);
     }
 
     TileGrid cells_;

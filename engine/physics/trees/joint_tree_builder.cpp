@@ -27,8 +27,7 @@ public:
         joints = world_.joints.awake;
         std::sort(joints.begin(), joints.end());
         trees_.reached.assign(world_.bodies.size(), 0);
-        // First trees that hang on a static or kinematic body, with the root there; then floating trees,
-        // whose root may be any body.
+        // First trees that hang on a static or kinematic body, their root, then floating ones from any body.
         for (const bool hanging : {true, false}) {
             for (const std::uint32_t index : joints) {
                 const Joint& joint = world_.joints.hot[index];
@@ -151,8 +150,8 @@ void leave(World& world, JointTrees& trees, const JointTree& tree) {
     });
 }
 
-/// Takes a tree back from the SIMD solver unless that left a joint open: closing it at once would throw
-/// bodies about.
+/// Takes a tree back from the SIMD solver unless that left a joint open: closed at once, it would throw
+/// bodies.
 /// @return true if all joints are closed, as in all trees that were never left to the SIMD solver
 bool comeBack(World& world, JointTrees& trees, const JointTree& tree) {
     bool stretched = false, closed = true;

@@ -1,11 +1,9 @@
 #include "physics/trees/joint_tree_solver.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include "physics/joints/joint_types.hpp"
 #include "physics/trees/tree_joints.hpp"
-#include "physics/tuning.hpp"
 
 namespace plumb::physics {
 
@@ -43,8 +41,6 @@ TreePose parentPose(const Link& link, const TreeBody* parent, double elapsed) {
     const TreePose moved{v.x * elapsed, v.y * elapsed, 0.0, 0.0};
     return v.turn == 0.0 ? moved : turnedBy(moved, v.turn * elapsed);
 }
-
-// Assembly.
 
 double offered(const TreeBody& treeBody, const Triple& row) {
     const double turned = treeBody.turns ? row.turn * row.turn / treeBody.inertia : 0.0;
@@ -86,7 +82,6 @@ void setLink(const Trees& trees, Link& link) {
     strain(treeBody, link, parent);
 }
 
-/// Loads the current motion of a limb.
 void takeMotion(const Trees& trees, TreeBody& treeBody) {
     const auto slot = static_cast<std::size_t>(treeBody.slot);
     const Float4& deltaPosition = trees.work.deltaPosition[slot];
@@ -121,8 +116,6 @@ void setTree(const Trees& trees, const JointTree& tree) {
     }
 }
 
-// Errors.
-
 /// Predicts the pose of a limb at the end of the substep, without joint impulses.
 void lookAhead(const Trees& trees, TreeBody& treeBody) {
     const Float4& ballisticDrift = trees.work.ballisticDrift[static_cast<std::size_t>(treeBody.slot)];
@@ -150,8 +143,6 @@ void findSpeeds(const Trees& trees, Link& link) {
     link.error = seenFromLimb(link, trees.treeBody(link.treeBody).velocity);
     link.error += seenFromParent(link, parent != nullptr ? parent->velocity : link.groundVelocity);
 }
-
-// Solution.
 
 /// Not warm started: the next substep computes tree impulses anew, along the arms of then.
 void addChange(const Trees& trees, const TreeBody& treeBody, const Triple& change) {
@@ -268,8 +259,6 @@ void relaxTree(const Trees& trees, JointTree& tree, bool again) {
         if (link.kind == JointKind::Prismatic) link.force.turn = trees.rate * link.given.y;
     });
 }
-
-// Preparation and results.
 
 void prepareArms(const World& world, Link& link) {
     const JointTiming timing{};

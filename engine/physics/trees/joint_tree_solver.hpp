@@ -16,8 +16,8 @@ namespace plumb::physics {
 // joint_tree_builder.cpp
 
 /// Decides which awake joints are solved directly and in which order: builds trees of bodies, outwards from
-/// the static or kinematic body that they hang on. The trees depend on the joints alone, so a restored world
-/// has the same ones.
+/// the static or kinematic body that they hang on. They depend on the joints alone: a restored world has the
+/// same.
 void growTrees(World& world, Workspace& work);
 
 /// True if some tree is solved directly in this step.

@@ -1,28 +1,17 @@
 #include <cmath>
 
-#include "math/portable.hpp"
+#include "physics/model/geometry.hpp"
 #include "physics/trees/joint_trees.hpp"
 
 namespace plumb::physics {
 
 namespace {
 
-struct Double2 {
-    double x = 0.0;
-    double y = 0.0;
-};
-
-Double2 operator+(Double2 a, Double2 b) { return {a.x + b.x, a.y + b.y}; }
-Double2 operator-(Double2 a, Double2 b) { return {a.x - b.x, a.y - b.y}; }
-double dot(Double2 a, Double2 b) { return a.x * b.x + a.y * b.y; }
-
 /// Change of a direction or arm by a rotation.
 Double2 changeOf(Vec2 arm, const TreePose& pose) {
-    const auto x = static_cast<double>(arm.x), y = static_cast<double>(arm.y);
+    const auto [x, y] = wide(arm);
     return {pose.versine * x - pose.sine * y, pose.sine * x + pose.versine * y};
 }
-
-Double2 wide(Vec2 v) { return {static_cast<double>(v.x), static_cast<double>(v.y)}; }
 
 struct Anchors {
     Double2 treeBodyArm;
@@ -53,9 +42,7 @@ double angleAt(const Link& link, const TreePose& treeBody, const TreePose& paren
            static_cast<double>(arcTangent(static_cast<float>(sine), static_cast<float>(cosine)));
 }
 
-Triple along(Double2 direction, Double2 arm) {
-    return {direction.x, direction.y, arm.x * direction.y - arm.y * direction.x};
-}
+Triple along(Double2 direction, Double2 arm) { return {direction.x, direction.y, cross(arm, direction)}; }
 
 void setLine(Link& link, int row, Double2 direction, Double2 treeBodyArm, Double2 parentArm) {
     link.onTreeBody[row] = along(direction, treeBodyArm);

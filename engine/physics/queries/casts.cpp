@@ -1,13 +1,58 @@
-#include "physics/queries/shape_cast.hpp"
+#include <algorithm>
 
 #include "physics/model/shapes.hpp"
 #include "physics/narrowphase/distance.hpp"
 #include "physics/queries/candidates.hpp"
+#include "physics/queries/ray_cast.hpp"
+#include "physics/queries/shape_cast.hpp"
+#include "physics/shapes/shape_types.hpp"
 #include "physics/tuning.hpp"
 
 namespace plumb::physics {
 
 namespace {
+
+/// The first hit among some shapes; at equal distances that of the lowest index.
+/// @param hitOf  the hit of a shape, if there is one
+template <class HitOf>
+std::optional<CastHit> firstHit(std::span<const std::uint32_t> shapes, HitOf&& hitOf) {
+    std::optional<CastHit> first;
+    for (const std::uint32_t shape : shapes) {
+        const std::optional<CastHit> hit = hitOf(shape);
+        if (hit && (!first || hit->fraction < first->fraction)) first = hit;
+    }
+    return first;
+}
+/// All hits: nearest first; at equal distances the lowest index first.
+template <class HitOf>
+void allHits(std::span<const std::uint32_t> shapes, HitOf&& hitOf, std::vector<CastHit>& hits) {
+    for (const std::uint32_t shape : shapes) {
+        if (const std::optional<CastHit> hit = hitOf(shape)) hits.push_back(*hit);
+    }
+    std::sort(hits.begin(), hits.end(), [](const CastHit& a, const CastHit& b) {
+        return a.fraction != b.fraction ? a.fraction < b.fraction : a.shape.index < b.shape.index;
+    });
+}
+
+std::span<const std::uint32_t> candidatesOf(World& world, WorldPosition from, Vec2 displacement,
+                                            const QueryFilter& filter) {
+    if (!isUsable(from) || !isUsable(displacement)) return {};
+    return candidatesAlong(world, from, displacement, {}, filter);
+}
+
+std::optional<CastHit> hitOf(const World& world, std::uint32_t shape, WorldPosition from, Vec2 displacement) {
+    const BodyPose& pose = poseOf(world, shape);
+    const std::optional<RayHit> hit =
+        castRay(world.shapes.geometry[shape], world.shapes.corners,
+                Ray{localPoint(pose, from), unrotate(pose.rotation, displacement)});
+    if (!hit) return std::nullopt;
+    return CastHit{.shape = idOf(world, shape),
+                   .body = bodyOf(world, idOf(world, shape)),
+                   .point = from + displacement * hit->fraction,
+                   .normal = rotate(pose.rotation, hit->normal),
+                   .fraction = hit->fraction,
+                   .distance = hit->fraction * length(displacement)};
+}
 
 std::span<const std::uint32_t> candidatesOf(World& world, const QueryShape& shape, Vec2 displacement,
                                             const QueryFilter& filter) {
@@ -56,6 +101,27 @@ std::optional<CastHit> castShape(const Convex& a, const Convex& b, const Frame& 
 }
 
 }  // namespace
+
+std::optional<CastHit> castRay(World& world, WorldPosition from, Vec2 displacement,
+                               const QueryFilter& filter) {
+    return firstHit(candidatesOf(world, from, displacement, filter),
+                    [&](std::uint32_t shape) { return hitOf(world, shape, from, displacement); });
+}
+
+bool isRayBlocked(World& world, WorldPosition from, Vec2 displacement, const QueryFilter& filter) {
+    const std::span<const std::uint32_t> candidates = candidatesOf(world, from, displacement, filter);
+    return std::any_of(candidates.begin(), candidates.end(), [&](std::uint32_t shape) {
+        return hitOf(world, shape, from, displacement).has_value();
+    });
+}
+
+void castRayAll(World& world, WorldPosition from, Vec2 displacement, const QueryFilter& filter,
+                std::vector<CastHit>& hits) {
+    hits.clear();
+    allHits(
+        candidatesOf(world, from, displacement, filter),
+        [&](std::uint32_t shape) { return hitOf(world, shape, from, displacement); }, hits);
+}
 
 std::optional<CastHit> meet(const World& world, std::uint32_t shape, const BodyPose& pose,
                             const MovingOutline& moving) {
