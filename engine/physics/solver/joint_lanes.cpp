@@ -317,15 +317,13 @@ void solveJoints(const StepContext& step, const SolverBodies& bodies, const Join
     if ((group.jointColours >> colour & 1) == 0) return;
     const JointKernels& all = solverKernels().joints;
     if (colour == kOverflow) solveTies(step.work, pass, group, kind);
+    // Of those without a color nobody else reads a body meanwhile: both may be written.
+    const bool oneSided = colour >= kFirstFixedColour && colour != kOverflow;
     forKinds(step.work.joints, [&]<class Block>(JointStore<Block>& store, JointBlockKind blocks) {
         const BlockRange range = group.colours[colour].joints[blocks];
         if (range.begin == range.end) return;
         const JointPasses<Block>& kernels = all;
         const auto run = [&](int first, int last) {
-            const std::int32_t joint = store.lanes[static_cast<std::size_t>(first)].joint[0];
-            const PushedBodies pushed =
-                pushedBodies(step.world, step.world.joints.hot[static_cast<std::size_t>(joint)]);
-            const std::size_t oneSided = pushed.a == kNone || pushed.b == kNone ? 1 : 0;
             kernels.passes[static_cast<std::size_t>(kind)][oneSided](bodies, pass, store.lanes.data(),
                                                                      store.blocks.data(), first, last);
         };

@@ -98,8 +98,8 @@ inline void spin(SliderBlock& block, Couple8& couple) {
 }
 
 /// Position across the axis, and the angle if it is held: two rows, solved together.
-inline void keepOnWay(SliderBlock& block, Couple8& couple, const Slider8& slider, const JointPass& pass,
-                      const Grip& grip) {
+[[gnu::always_inline]] inline void keepOnWay(SliderBlock& block, Couple8& couple, const Slider8& slider,
+                                             const JointPass& pass, const Grip& grip) {
     const SlideLine8& across = slider.across;
     const Mask8 held = load(block.holdsAngle) > all(0.5f);
     const Float8 zero = all(0.0f), turnA = couple.a.inverseInertia, turnB = couple.b.inverseInertia;
