@@ -315,17 +315,17 @@ JointPass jointPass(const Settings& settings, float h) {
 void solveJoints(const StepContext& step, const SolverBodies& bodies, const JointPass& pass,
                  const SolveGroup& group, int colour, PassKind kind) {
     if ((group.jointColours >> colour & 1) == 0) return;
-    const JointKernels& all = solverKernels().joints;
+    const JointKernels& joints = solverKernels().joints;
     if (colour == kOverflow) solveTies(step.work, pass, group, kind);
     // Of those without a color nobody else reads a body meanwhile: both may be written.
     const bool oneSided = colour >= kFirstFixedColour && colour != kOverflow;
     forKinds(step.work.joints, [&]<class Block>(JointStore<Block>& store, JointBlockKind blocks) {
         const BlockRange range = group.colours[colour].joints[blocks];
         if (range.begin == range.end) return;
-        const JointPasses<Block>& kernels = all;
-        const auto run = [&](int first, int last) {
-            kernels.passes[static_cast<std::size_t>(kind)][oneSided](bodies, pass, store.lanes.data(),
-                                                                     store.blocks.data(), first, last);
+        const JointPasses<Block>& kernels = joints;
+        const auto run = [&bodies, &pass, kernel = kernels.passes[static_cast<std::size_t>(kind)][oneSided],
+                          lanes = store.lanes.data(), all = store.blocks.data()](int first, int last) {
+            kernel(bodies, pass, lanes, all, first, last);
         };
         if (colour != kOverflow) return forRange(step, range, kJointGrain, run);
         // Joints without a color share bodies, so they are solved one by one, each in a block of its own.
