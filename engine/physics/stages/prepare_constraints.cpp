@@ -27,9 +27,10 @@ struct Cursors {
     /// @param size  places that a contact takes
     /// @return the place after the last
     std::int32_t giveRoom(std::size_t kind, std::int32_t begin, std::int32_t size) const {
-        for (std::size_t strip = kind * strips; strip < (kind + 1) * strips; ++strip) {
-            for (std::size_t piece = 0; piece < pieces; ++piece)
-                begin += size * std::exchange(of(piece)[strip], begin);
+        std::int32_t* const own = of(0) + kind * strips;
+        for (std::size_t strip = 0; strip < strips; ++strip) {
+            for (std::size_t i = strip; i < pieces * kinds * strips; i += kinds * strips)
+                begin += size * std::exchange(own[i], begin);
         }
         return begin;
     }
