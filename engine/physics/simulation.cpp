@@ -4,6 +4,7 @@
 #include <bit>
 #include <cmath>
 #include <iterator>
+#include <optional>
 
 #include "core/profile.hpp"
 #include "physics/islands/sleeping.hpp"
@@ -198,7 +199,8 @@ void step(World& world, float dt, const StepOptions& options) {
     context.work.rootsKnown = false;
     for (const Stage& stage : kStages) {
         if (!isCalledFor(stage, context)) continue;
-        const StageScope scope{own, stage.name};
+        std::optional<StageScope> scope;
+        if (own.profile != nullptr || own.pool != nullptr) scope.emplace(own, stage.name);
         count(context, stage);
         stage.run(context);
     }
