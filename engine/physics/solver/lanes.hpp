@@ -227,11 +227,12 @@ template <class Place>
 #else
     Float8 rows[4] = {in[0], in[1], in[2], in[3]};
     transpose(rows);
-    if (count == kLanes) {
-        for (int i = 0; i < kLanes; ++i) storeFour(&records[index[i]].x, halfOf(rows[i & 3], i / 4));
-        return;
+    // Unrolled, so that the rows stay in registers where few lanes are in use, too.
+#pragma GCC unroll 8
+    for (int i = 0; i < kLanes; ++i) {
+        if (i >= count) return;
+        storeFour(&records[index[i]].x, halfOf(rows[i & 3], i / 4));
     }
-    for (int i = 0; i < count; ++i) storeFour(&records[index[i]].x, halfOf(rows[i & 3], i / 4));
 #endif
 }
 
