@@ -4,7 +4,6 @@
 #include <bit>
 #include <cmath>
 #include <iterator>
-#include <optional>
 
 #include "core/profile.hpp"
 #include "physics/islands/sleeping.hpp"
@@ -199,8 +198,7 @@ void step(World& world, float dt, const StepOptions& options) {
     context.work.rootsKnown = false;
     for (const Stage& stage : kStages) {
         if (!isCalledFor(stage, context)) continue;
-        std::optional<StageScope> scope;
-        if (own.profile != nullptr || own.pool != nullptr) scope.emplace(own, stage.name);
+        const StageScope scope{own, stage.name};
         count(context, stage);
         stage.run(context);
     }

@@ -317,19 +317,25 @@ void solveJoints(const StepContext& step, const SolverBodies& bodies, const Join
     if ((group.jointColours >> colour & 1) == 0) return;
     const JointKernels& joints = solverKernels().joints;
     if (colour == kOverflow) solveTies(step.work, pass, group, kind);
-    // Of those without a color nobody else reads a body meanwhile: both may be written.
-    const bool oneSided = colour >= kFirstFixedColour && colour != kOverflow;
     forKinds(step.work.joints, [&]<class Block>(JointStore<Block>& store, JointBlockKind blocks) {
         const BlockRange range = group.colours[colour].joints[blocks];
         if (range.begin == range.end) return;
         const JointPasses<Block>& kernels = joints;
-        const auto run = [&bodies, &pass, kernel = kernels.passes[static_cast<std::size_t>(kind)][oneSided],
-                          lanes = store.lanes.data(), all = store.blocks.data()](int first, int last) {
-            kernel(bodies, pass, lanes, all, first, last);
+        const auto run = [&bodies, &pass, passes = kernels.passes[static_cast<std::size_t>(kind)],
+                          lanes = store.lanes.data(), all = store.blocks.data()](bool oneSided, int first,
+                                                                                 int last) {
+            passes[oneSided](bodies, pass, lanes, all, first, last);
         };
-        if (colour != kOverflow) return forRange(step, range, kJointGrain, run);
+        if (colour != kOverflow) {
+            const bool oneSided = colour >= kFirstFixedColour;
+            return forRange(step, range, kJointGrain, [=](int first, int last) { run(oneSided, first, last); });
+        }
         // Joints without a color share bodies, so they are solved one by one, each in a block of its own.
-        for (int n = range.begin; n < range.end; ++n) run(n, n + 1);
+        for (int n = range.begin; n < range.end; ++n) {
+            const auto joint = static_cast<std::size_t>(store.lanes[static_cast<std::size_t>(n)].joint[0]);
+            const PushedBodies pushed = pushedBodies(step.world, step.world.joints.hot[joint]);
+            run(pushed.a == kNone || pushed.b == kNone, n, n + 1);
+        }
     });
 }
 
