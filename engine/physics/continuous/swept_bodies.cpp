@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "physics/broadphase/overlap.hpp"
+#include "physics/model/edits.hpp"
 #include "physics/ranges.hpp"
 #include "physics/tuning.hpp"
 
@@ -24,10 +25,10 @@ Vec2 beginOf(const Sweep& sweep) { return toVec2(sweep.start + sweep.displacemen
 Vec2 displacementLeft(const Sweep& sweep) { return sweep.displacement * std::max(1.0f - sweep.begin, 0.0f); }
 
 /// Appends the places of bodies of these layers whose paths may cross that of a box.
-void findPaths(const BoxProxies& paths, Vec2 from, Vec2 displacement, Vec2 half, std::uint32_t layers,
+void findPaths(const Workspace& work, Vec2 from, Vec2 displacement, Vec2 half, std::uint32_t layers,
                std::vector<std::uint32_t>& found) {
-    if (paths.search != nullptr)
-        return paths.search->cast(from, displacement, half, layers, found, Among::All);
+    const BoxProxies& paths = work.sweptProxies;
+    if (!areFewPaths(work)) return paths.search->cast(from, displacement, half, layers, found, Among::All);
     const LineSweep sweep = lineSweep(from, displacement, half);
     for (std::uint32_t i = 0; i < paths.bounds.size(); ++i) {
         if (touch(paths.bounds[i], sweep.bounds) && (paths.filters[i].layers & layers) != 0 &&
@@ -118,11 +119,10 @@ void findNextHit(const StepContext& step, std::size_t place, std::vector<std::ui
         if (shape == swept.passed) return;
         const Sweep path = pathOfMet(step, world.shapes.info[shape].body);
         if (swept.hits == 0 && !isFastBeside(sweep, path, world.bodies.info[swept.body])) return;
-        for (std::uint32_t s = world.bodies.info[swept.body].firstShape; s != kNone;
-             s = world.shapes.info[s].next) {
+        forShapesOf(world, swept.body, [&](std::uint32_t s) {
             ++counts.swept;
             meetOnPath(world, {s, sweep, !swept.isHeld}, {shape, path}, swept.next);
-        }
+        });
     };
     const float reach = reachOf(step, swept);
     const Vec2 from = beginOf(sweep), displacement = displacementLeft(sweep), half{reach, reach};
@@ -140,17 +140,16 @@ void findNextHit(const StepContext& step, std::size_t place, std::vector<std::ui
     const std::uint32_t layers =
         kKinematicLayer | (all || swept.hits > 0 ? kBulletLayer : 0) | (all ? kFastLayer : 0);
     found.clear();
-    findPaths(work.sweptProxies, from, displacement, half, layers, found);
+    findPaths(work, from, displacement, half, layers, found);
     std::sort(found.begin(), found.end());
     const AABB own = pathBounds(step, swept);
     for (const std::uint32_t other : found) {
         if (other == place) continue;
         const SweptBody& met = work.swept[other];
         const AABB near = grown(own, longestPath(world, met));
-        for (std::uint32_t s = world.bodies.info[met.body].firstShape; s != kNone;
-             s = world.shapes.info[s].next) {
+        forShapesOf(world, met.body, [&](std::uint32_t s) {
             if (intersects(world.shapes.bounds[s], near)) meetAll(s);
-        }
+        });
     }
     if (swept.next.met != kNone) swept.next.metHits = hitsOf(work, world.shapes.info[swept.next.met].body);
 }

@@ -18,8 +18,6 @@ namespace {
 
 constexpr int kGrain = 8;        // searches
 constexpr int kFillGrain = 256;  // bodies
-// So few paths are looked at one by one: that takes a fiftieth of a search and of its part in making a tree.
-constexpr std::size_t kFewPaths = 48;
 
 // What happens at a hit.
 
@@ -179,8 +177,7 @@ void lookAgain(StepContext& step, std::uint32_t place) {
     Workspace& work = step.work;
     if (place < work.sweptProxies.bounds.size() && work.sweptProxies.motions[place] != ProxyMotion::Gone) {
         work.sweptProxies.bounds[place] = pathBounds(step, work.swept[place]);
-        if (work.sweptProxies.search != nullptr)
-            work.sweptProxies.search->update(work.sweptProxies.view(), {&place, 1});
+        if (!areFewPaths(work)) work.sweptProxies.search->update(work.sweptProxies.view(), {&place, 1});
     }
     findNextHit(step, place, work.candidates, work.counts);
 }
@@ -287,7 +284,7 @@ void fillSwept(StepContext& step, bool hasKinematics, bool hasBullets) {
         proxies.filters[i].layers = layer;
         proxies.motions[i] = ProxyMotion::Awake;
     });
-    if (searched <= kFewPaths) return proxies.search.reset();
+    if (searched == 0 || areFewPaths(work)) return;
     if (proxies.search == nullptr) proxies.search = makeBroadPhase(BroadPhaseKind::Tree);
     proxies.search->rebuild(proxies.view());
 }
