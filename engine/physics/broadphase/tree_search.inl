@@ -188,7 +188,8 @@ PLUMB_TARGET void findBelow(const Bvh8& tree, const View& view, std::uint32_t ma
             continue;
         }
         for (; near != 0; near &= near - 1) {
-            const TreeLeaf& leaf = tree.leaves()[node * kBranch + static_cast<std::uint32_t>(std::countr_zero(near))];
+            const auto lane = static_cast<std::uint32_t>(std::countr_zero(near));
+            const TreeLeaf& leaf = tree.leaves()[node * kBranch + lane];
             for (std::uint32_t hits = hitsOf(leaf.boxes, view); hits != 0; hits &= hits - 1) {
                 const int i = std::countr_zero(hits);
                 if ((leaf.filters[i].layers & mask) != 0) found.push_back(leaf.ids[i]);

@@ -142,11 +142,10 @@ void findNextHit(const StepContext& step, std::size_t place, std::vector<std::ui
     found.clear();
     findPaths(work, from, displacement, half, layers, found);
     std::sort(found.begin(), found.end());
-    const AABB own = pathBounds(step, swept);
     for (const std::uint32_t other : found) {
         if (other == place) continue;
         const SweptBody& met = work.swept[other];
-        const AABB near = grown(own, longestPath(world, met));
+        const AABB near = grown(pathBounds(step, swept), longestPath(world, met));
         forShapesOf(world, met.body, [&](std::uint32_t s) {
             if (intersects(world.shapes.bounds[s], near)) meetAll(s);
         });

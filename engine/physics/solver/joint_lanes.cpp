@@ -321,14 +321,14 @@ void solveJoints(const StepContext& step, const SolverBodies& bodies, const Join
         const BlockRange range = group.colours[colour].joints[blocks];
         if (range.begin == range.end) return;
         const JointPasses<Block>& kernels = joints;
-        const auto run = [&bodies, &pass, passes = kernels.passes[static_cast<std::size_t>(kind)],
-                          lanes = store.lanes.data(), all = store.blocks.data()](bool oneSided, int first,
-                                                                                 int last) {
+        const auto& passes = kernels.passes[static_cast<std::size_t>(kind)];
+        const auto run = [&, lanes = store.lanes.data(), all = store.blocks.data()](bool oneSided, int first,
+                                                                                    int last) {
             passes[oneSided](bodies, pass, lanes, all, first, last);
         };
         if (colour != kOverflow) {
-            const bool oneSided = colour >= kFirstFixedColour;
-            return forRange(step, range, kJointGrain, [=](int first, int last) { run(oneSided, first, last); });
+            return forRange(step, range, kJointGrain,
+                            [=](int first, int last) { run(colour >= kFirstFixedColour, first, last); });
         }
         // Joints without a color share bodies, so they are solved one by one, each in a block of its own.
         for (int n = range.begin; n < range.end; ++n) {

@@ -118,7 +118,8 @@ template <bool kPush>
     const Mask8 turns = held & (turnA + turnB > zero);
     const Float8 aa = select(turns, turnA + turnB, all(1.0f));
     Float8 turning = soft.take * couple.spin();
-    if constexpr (kPush) turning += closing(soft, load(block.angle) + turnBetween(couple), maxPull(pass, soft));
+    if constexpr (kPush)
+        turning += closing(soft, load(block.angle) + turnBetween(couple), maxPull(pass, soft));
     const Float8 angle = select(turns, turning, zero);
     const Float8 inverse = inverseOrZero(ww * aa - wa * wa);
     const Float8 angleBefore = load(block.angleImpulse);
