@@ -40,6 +40,11 @@ function(add_layer name)
         add_library(${name} STATIC ${sources} ${headers})
         set(kind PUBLIC)
         set_plumb_warnings(${name})
+        # Position-independent code may be of a shared library, where another could replace every function: gcc then
+        # inlines none that other files see, even where it is defined.
+        if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+            target_compile_options(${name} PRIVATE -fno-semantic-interposition)
+        endif()
     else()
         add_library(${name} INTERFACE)
         set(kind INTERFACE)

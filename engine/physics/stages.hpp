@@ -61,7 +61,8 @@ void forPieces(TaskPool* pool, int count, int grain, Act&& act) {
     if (count == 0) return;
     if (pool == nullptr || count <= grain) return act(0, count, 0);
     const int pieces = piecesOf(count, grain);
-    pool->run(pieces, [&](int piece, int) {
+    // Of a copy: one thread alone keeps in registers what no pointer leads to.
+    pool->run(pieces, [=](int piece, int) {
         act(piece * grain, piece + 1 < pieces ? (piece + 1) * grain : count, piece);
     });
 }

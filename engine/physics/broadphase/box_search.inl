@@ -300,16 +300,17 @@ PLUMB_TARGET void findBelow(const Bvh8& tree, const View& view, std::uint32_t ma
                             std::span<const std::uint32_t> nodes, std::vector<std::uint32_t>& found) {
     const TreeNode* all = tree.level(level);
     for (const std::uint32_t node : nodes) {
-        const std::uint32_t layered = bitsOf(haveCommon(all[node].layers, mask));
-        std::uint32_t children[kBranch + kSpare];
-        const std::uint32_t* end =
-            appendBits(hitsOf(all[node].boxes, view) & layered, node * kBranch, children);
+        std::uint32_t near = hitsOf(all[node].boxes, view);
+        if (near != 0) near &= bitsOf(haveCommon(all[node].layers, mask));
         if (level > 0) {
+            std::uint32_t children[kBranch + kSpare];
+            const std::uint32_t* end = appendBits(near, node * kBranch, children);
             findBelow(tree, view, mask, level - 1, {children, end}, found);
             continue;
         }
-        for (const std::uint32_t* child = children; child != end; ++child) {
-            const TreeLeaf& leaf = tree.leaves()[*child];
+        for (; near != 0; near &= near - 1) {
+            const auto lane = static_cast<std::uint32_t>(std::countr_zero(near));
+            const TreeLeaf& leaf = tree.leaves()[node * kBranch + lane];
             for (std::uint32_t hits = hitsOf(leaf.boxes, view); hits != 0; hits &= hits - 1) {
                 const int i = std::countr_zero(hits);
                 if ((leaf.filters[i].layers & mask) != 0) found.push_back(leaf.ids[i]);

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "physics/broadphase/overlap.hpp"
+#include "physics/model/edits.hpp"
 #include "physics/ranges.hpp"
 #include "physics/tuning.hpp"
 
@@ -21,6 +23,19 @@ float reachOf(const StepContext& step, const SweptBody& swept) {
 }
 Vec2 beginOf(const Sweep& sweep) { return toVec2(sweep.start + sweep.displacement * sweep.begin); }
 Vec2 displacementLeft(const Sweep& sweep) { return sweep.displacement * std::max(1.0f - sweep.begin, 0.0f); }
+
+/// Appends the places of bodies of these layers whose paths may cross that of a box.
+void findPaths(const Workspace& work, Vec2 from, Vec2 displacement, Vec2 half, std::uint32_t layers,
+               std::vector<std::uint32_t>& found) {
+    const BoxProxies& paths = work.sweptProxies;
+    if (!areFewPaths(work)) return paths.search->cast(from, displacement, half, layers, found, Among::All);
+    const LineSweep sweep = lineSweep(from, displacement, half);
+    for (std::uint32_t i = 0; i < paths.bounds.size(); ++i) {
+        if (touch(paths.bounds[i], sweep.bounds) && (paths.filters[i].layers & layers) != 0 &&
+            mayCollide(sweep, paths.bounds[i]))
+            found.push_back(i);
+    }
+}
 
 /// m: no point of a body moves further in the step. What was hit and goes another way is longer than its
 /// bounds tell.
@@ -104,16 +119,16 @@ void findNextHit(const StepContext& step, std::size_t place, std::vector<std::ui
         if (shape == swept.passed) return;
         const Sweep path = pathOfMet(step, world.shapes.info[shape].body);
         if (swept.hits == 0 && !isFastBeside(sweep, path, world.bodies.info[swept.body])) return;
-        for (std::uint32_t s = world.bodies.info[swept.body].firstShape; s != kNone;
-             s = world.shapes.info[s].next) {
+        forShapesOf(world, swept.body, [&](std::uint32_t s) {
             ++counts.swept;
             meetOnPath(world, {s, sweep, !swept.isHeld}, {shape, path}, swept.next);
-        }
+        });
     };
     const float reach = reachOf(step, swept);
+    const Vec2 from = beginOf(sweep), displacement = displacementLeft(sweep), half{reach, reach};
     const bool all = isBullet(world, swept.body);
     found.clear();
-    work.broadPhase->cast(beginOf(sweep), displacementLeft(sweep), {reach, reach}, 0xffffffffu, found,
+    work.broadPhase->cast(from, displacement, half, 0xffffffffu, found,
                           all || work.kinematicsAtRest ? Among::All : Among::Static);
     std::sort(found.begin(), found.end());
     for (const std::uint32_t shape : found) {
@@ -125,16 +140,15 @@ void findNextHit(const StepContext& step, std::size_t place, std::vector<std::ui
     const std::uint32_t layers =
         kKinematicLayer | (all || swept.hits > 0 ? kBulletLayer : 0) | (all ? kFastLayer : 0);
     found.clear();
-    work.sweptProxies.search->cast(beginOf(sweep), displacementLeft(sweep), {reach, reach}, layers, found,
-                                   Among::All);
+    findPaths(work, from, displacement, half, layers, found);
     std::sort(found.begin(), found.end());
     for (const std::uint32_t other : found) {
+        if (other == place) continue;
         const SweptBody& met = work.swept[other];
         const AABB near = grown(pathBounds(step, swept), longestPath(world, met));
-        for (std::uint32_t s = world.bodies.info[met.body].firstShape; s != kNone;
-             s = world.shapes.info[s].next) {
+        forShapesOf(world, met.body, [&](std::uint32_t s) {
             if (intersects(world.shapes.bounds[s], near)) meetAll(s);
-        }
+        });
     }
     if (swept.next.met != kNone) swept.next.metHits = hitsOf(work, world.shapes.info[swept.next.met].body);
 }

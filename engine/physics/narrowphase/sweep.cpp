@@ -78,7 +78,8 @@ bool staysBeyondFace(const Convex& core, const Sweep& path, const Convex& theirs
 }  // namespace
 
 BodyPose Sweep::at(float part) const {
-    return {start + displacement * part, normalized(rotFromAngle(turn * part) * rotation), localCentre};
+    const Rot turned = turn == 0.0f ? rotation : rotFromAngle(turn * part) * rotation;
+    return {start + displacement * part, normalized(turned), localCentre};
 }
 
 Sweep sweepThrough(const BodyPose& pose, float part, Vec2 displacement, float turn) {

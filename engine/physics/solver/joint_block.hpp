@@ -28,11 +28,11 @@ struct GripLanes {
 
 /// The two bodies of eight joints of one color.
 struct JointBodies {
-    std::int32_t a[kLanes];  ///< slots
-    std::int32_t b[kLanes];
+    std::uint32_t a[kLanes];  ///< bytes: of their slots, from the first
+    std::uint32_t b[kLanes];
     float inverseInertiaA[kLanes];
     float inverseInertiaB[kLanes];
-    std::int32_t own[kLanes];  ///< slot of the only body that a one-sided joint moves
+    std::uint32_t own[kLanes];  ///< of the only body that a one-sided joint moves
     float ownIsA[kLanes];      ///< 1 if that is A, else 0
 };
 

@@ -13,8 +13,9 @@ float totalOf(const RowLanes& rows, int i) {
 }
 
 /// Rotation of a body since the start of the step.
-Rot turnOf(const StepContext& step, std::int32_t slot) {
-    const Float4& deltaPosition = step.work.deltaPosition[static_cast<std::size_t>(slot)];
+/// @param offset  bytes: as in JointBodies
+Rot turnOf(const StepContext& step, std::uint32_t offset) {
+    const Float4& deltaPosition = step.work.deltaPosition[offset / sizeof(Float4)];
     return {1.0f + deltaPosition.w, deltaPosition.z};
 }
 
@@ -34,9 +35,9 @@ JointForce givenBy(const StepContext& step, const Joint& joint, const HingeBlock
     return {force, totalOf(block.turning, i) * rate + momentOf(step, joint, block, i, force)};
 }
 JointForce givenBy(const StepContext& step, const Joint&, const RodBlock& block, int i, float rate) {
-    const auto arm = [&](const float* x, const float* y, const std::int32_t* slot) {
-        const Float4& moved = step.work.deltaPosition[static_cast<std::size_t>(slot[i])];
-        return Vec2{moved.x, moved.y} + rotate(turnOf(step, slot[i]), {x[i], y[i]}) - Vec2{x[i], y[i]};
+    const auto arm = [&](const float* x, const float* y, const std::uint32_t* offset) {
+        const Float4& moved = step.work.deltaPosition[offset[i] / sizeof(Float4)];
+        return Vec2{moved.x, moved.y} + rotate(turnOf(step, offset[i]), {x[i], y[i]}) - Vec2{x[i], y[i]};
     };
     const Vec2 apart = Vec2{block.anchors.apartX[i], block.anchors.apartY[i]} +
                        (arm(block.anchors.armBX, block.anchors.armBY, block.bodies.b) -

@@ -27,7 +27,8 @@ struct Couple8 {
     }
 };
 
-inline Couple8 coupleOf(const SolverBodies& bodies, const JointBodies& block) {
+// As gather() and scatter(): else sixteen registers would go through memory.
+[[gnu::always_inline]] inline Couple8 coupleOf(const SolverBodies& bodies, const JointBodies& block) {
     Couple8 couple;
     gather(bodies.velocity, block.a, couple.a.lane);
     gather(bodies.velocity, block.b, couple.b.lane);
@@ -40,7 +41,8 @@ inline Couple8 coupleOf(const SolverBodies& bodies, const JointBodies& block) {
 
 /// Does not write the body that the joint leaves alone: other threads may read it.
 template <bool kOneSided>
-inline void write(const SolverBodies& bodies, const JointBodies& block, const Couple8& couple, int count) {
+[[gnu::always_inline]] inline void write(const SolverBodies& bodies, const JointBodies& block,
+                                         const Couple8& couple, int count) {
     if constexpr (kOneSided) {
         const Mask8 ownIsA = load(block.ownIsA) > all(0.5f);
         Float8 own[4];
@@ -215,7 +217,8 @@ inline Float8 limited(const JointPass& pass, Float8 speed, Float8 gap, Float8 ma
 }
 
 template <bool kPush, class Line>
-inline void answerRows(RowLanes& rows, const JointPass& pass, Float8 value, Float8 mass, Line line) {
+[[gnu::always_inline]] inline void answerRows(RowLanes& rows, const JointPass& pass, Float8 value,
+                                              Float8 mass, Line line) {
     if ((rows.uses & kHolds) != 0) hold<kPush>(rows, pass, value, mass, line);
     if ((rows.uses & kLimits) != 0) {
         line.push(limited<kPush>(pass, line.speed(), value - load(rows.lower), mass, rows.lowerImpulse));
@@ -280,7 +283,9 @@ void warmStartJoints(const SolverBodies& bodies, const JointPass&, const JointLa
 
 /// An impulse, limited to a magnitude of `most`.
 inline Two8 shortened(Two8 impulse, Float8 maximum) {
-    const Float8 size = sqrt(dot8(impulse, impulse));
+    const Float8 square = dot8(impulse, impulse);
+    if (!any(square > maximum * maximum)) return impulse;
+    const Float8 size = sqrt(square);
     const Float8 ratio = maximum / max(size, all(1.0e-30f));
     return min(ratio, all(1.0f)) * impulse;
 }
@@ -289,11 +294,13 @@ inline Two8 shortened(Two8 impulse, Float8 maximum) {
 template <bool kPush>
 inline void answerAngle(HingeBlock& block, const JointPass& pass, Couple8& couple, Anchors8& at) {
     if constexpr (kPush) {
-        if (block.turning.uses != 0) store(block.turning.value, load(block.angle) + turnBetween(couple));
+        if ((block.turning.uses & (kHolds | kLimits)) != 0)  // a motor alone turns at any angle
+            store(block.turning.value, load(block.angle) + turnBetween(couple));
         store2(block.apartX, block.apartY, at.apart);
     } else {
         at.apart = load2(block.apartX, block.apartY);  // spring forces are evaluated once per substep
     }
+    if (block.turning.uses == 0) return;
     answerRows<kPush>(block.turning, pass, load(block.turning.value), angleMass(couple), AngleLine8{couple});
 }
 
@@ -312,8 +319,8 @@ void answerJoints(const SolverBodies& bodies, const JointPass& pass, const Joint
             answerAngle<kPush>(blocks[n], pass, couple, at);
             const Grip8 grip = gripOf<kPush>(blocks[n].grip);
             const Two8 pull = closing(grip, at.apart, maxPull(pass, blocks[n].grip, grip));
-            after = shortened(before + answerPoint(couple, at, grip, pull, before),
-                              load(blocks[n].grip.maximum));
+            after =
+                shortened(before + answerPoint(couple, at, grip, pull, before), load(blocks[n].grip.maximum));
             givePoint(couple, at, after - before);
         } else {
             Two8 pull{all(0.0f), all(0.0f)};

@@ -135,14 +135,20 @@ struct Preparation {
     JointTiming timing;
 };
 
+std::uint32_t idleOffset(const Preparation& all, int lane) {
+    return static_cast<std::uint32_t>((all.work.bodyOf.size() + static_cast<std::size_t>(lane)) * sizeof(Float4));
+}
+
 void setBodies(const Preparation& all, const Joint& joint, JointBodies& bodies, int lane) {
-    const auto idle = static_cast<std::int32_t>(all.work.bodyOf.size()) + lane;
+    const auto offsetOf = [&](std::int32_t slot) {
+        return slot < 0 ? idleOffset(all, lane) : static_cast<std::uint32_t>(slot) * std::uint32_t{sizeof(Float4)};
+    };
     const BodyMass& massA = all.world.bodies.mass[joint.bodyA];
     const BodyMass& massB = all.world.bodies.mass[joint.bodyB];
     const std::int32_t a = all.work.slots[joint.bodyA], b = all.work.slots[joint.bodyB];
     const bool pushesA = massA.inverseMass > 0.0f && joint.kind != JointKind::Mouse;
-    bodies.a[lane] = a < 0 || joint.kind == JointKind::Mouse ? idle : a;
-    bodies.b[lane] = b < 0 ? idle : b;
+    bodies.a[lane] = offsetOf(joint.kind == JointKind::Mouse ? -1 : a);
+    bodies.b[lane] = offsetOf(b);
     bodies.inverseInertiaA[lane] = pushesA ? massA.inverseInertia : 0.0f;
     bodies.inverseInertiaB[lane] = massB.inverseInertia;
     bodies.own[lane] = pushesA ? bodies.a[lane] : bodies.b[lane];
@@ -150,8 +156,7 @@ void setBodies(const Preparation& all, const Joint& joint, JointBodies& bodies, 
 }
 
 void clearBodies(const Preparation& all, JointBodies& bodies, int lane) {
-    bodies.a[lane] = bodies.b[lane] = bodies.own[lane] =
-        static_cast<std::int32_t>(all.work.bodyOf.size()) + lane;
+    bodies.a[lane] = bodies.b[lane] = bodies.own[lane] = idleOffset(all, lane);
 }
 
 /// Where the angle is held too, any point of B and what of A coincides with it may stand for the anchors. At
@@ -312,23 +317,27 @@ JointPass jointPass(const Settings& settings, float h) {
 void solveJoints(const StepContext& step, const SolverBodies& bodies, const JointPass& pass,
                  const SolveGroup& group, int colour, PassKind kind) {
     if ((group.jointColours >> colour & 1) == 0) return;
-    const JointKernels& all = solverKernels().joints;
+    const JointKernels& joints = solverKernels().joints;
     if (colour == kOverflow) solveTies(step.work, pass, group, kind);
     forKinds(step.work.joints, [&]<class Block>(JointStore<Block>& store, JointBlockKind blocks) {
         const BlockRange range = group.colours[colour].joints[blocks];
         if (range.begin == range.end) return;
-        const JointPasses<Block>& kernels = all;
-        const auto run = [&](int first, int last) {
-            const std::int32_t joint = store.lanes[static_cast<std::size_t>(first)].joint[0];
-            const PushedBodies pushed =
-                pushedBodies(step.world, step.world.joints.hot[static_cast<std::size_t>(joint)]);
-            const std::size_t oneSided = pushed.a == kNone || pushed.b == kNone ? 1 : 0;
-            kernels.passes[static_cast<std::size_t>(kind)][oneSided](bodies, pass, store.lanes.data(),
-                                                                     store.blocks.data(), first, last);
+        const JointPasses<Block>& kernels = joints;
+        const auto& passes = kernels.passes[static_cast<std::size_t>(kind)];
+        const auto run = [&, lanes = store.lanes.data(), all = store.blocks.data()](bool oneSided, int first,
+                                                                                    int last) {
+            passes[oneSided](bodies, pass, lanes, all, first, last);
         };
-        if (colour != kOverflow) return forRange(step, range, kJointGrain, run);
+        if (colour != kOverflow) {
+            return forRange(step, range, kJointGrain,
+                            [=](int first, int last) { run(colour >= kFirstFixedColour, first, last); });
+        }
         // Joints without a color share bodies, so they are solved one by one, each in a block of its own.
-        for (int n = range.begin; n < range.end; ++n) run(n, n + 1);
+        for (int n = range.begin; n < range.end; ++n) {
+            const auto joint = static_cast<std::size_t>(store.lanes[static_cast<std::size_t>(n)].joint[0]);
+            const PushedBodies pushed = pushedBodies(step.world, step.world.joints.hot[joint]);
+            run(pushed.a == kNone || pushed.b == kNone, n, n + 1);
+        }
     });
 }
 

@@ -164,6 +164,7 @@ inline const float* rowOf(const Float4* records, std::int32_t index) { return &r
 inline const float* rowOf(const Float4* records, std::uint32_t offset) {
     return reinterpret_cast<const float*>(reinterpret_cast<const char*>(records) + offset);
 }
+inline float* rowOf(Float4* records, std::int32_t index) { return &records[index].x; }
 inline float* rowOf(Float4* records, std::uint32_t offset) {
     return reinterpret_cast<float*>(reinterpret_cast<char*>(records) + offset);
 }
@@ -219,19 +220,22 @@ template <class Place>
 }
 
 /// The reverse, for the first `count` lanes.
-[[gnu::always_inline]] inline void scatter(Float4* records, const std::int32_t* index, const Float8 (&in)[4],
+template <class Place>
+[[gnu::always_inline]] inline void scatter(Float4* records, const Place* place, const Float8 (&in)[4],
                                            int count) {
 #if defined(PLUMB_LANES_SCALAR)
-    for (int i = 0; i < count; ++i)
-        records[index[i]] = {in[0].part[i], in[1].part[i], in[2].part[i], in[3].part[i]};
+    for (int i = 0; i < count; ++i) {
+        for (int k = 0; k < 4; ++k) rowOf(records, place[i])[k] = in[k].part[i];
+    }
 #else
     Float8 rows[4] = {in[0], in[1], in[2], in[3]};
     transpose(rows);
-    if (count == kLanes) {
-        for (int i = 0; i < kLanes; ++i) storeFour(&records[index[i]].x, halfOf(rows[i & 3], i / 4));
-        return;
+    // Unrolled, so that the rows stay in registers where few lanes are in use, too.
+#pragma GCC unroll 8
+    for (int i = 0; i < kLanes; ++i) {
+        if (i >= count) return;
+        storeFour(rowOf(records, place[i]), halfOf(rows[i & 3], i / 4));
     }
-    for (int i = 0; i < count; ++i) storeFour(&records[index[i]].x, halfOf(rows[i & 3], i / 4));
 #endif
 }
 

@@ -41,13 +41,13 @@ inline ContactPass contactPass(const Settings& settings, float h) {
 template <class Act>
 void forRange(const StepContext& step, BlockRange range, int grain, Act&& act) {
     forPieces(step.pool, range.end - range.begin, grain,
-              [&](int first, int last, int) { act(range.begin + first, range.begin + last); });
+              [=](int first, int last, int) { act(range.begin + first, range.begin + last); });
 }
 
 /// Runs `act(n)` for the blocks of a range.
 template <class Act>
 void forBlocks(const StepContext& step, BlockRange range, int grain, Act&& act) {
-    forRange(step, range, grain, [&](int first, int last) {
+    forRange(step, range, grain, [=](int first, int last) {
         for (int n = first; n < last; ++n) act(static_cast<std::size_t>(n));
     });
 }

@@ -98,30 +98,34 @@ inline void spin(SliderBlock& block, Couple8& couple) {
 }
 
 /// Position across the axis, and the angle if it is held: two rows, solved together.
-inline void keepOnWay(SliderBlock& block, Couple8& couple, const Slider8& slider, const JointPass& pass,
-                      const Grip& grip) {
+template <bool kPush>
+[[gnu::always_inline]] inline void keepOnWay(SliderBlock& block, Couple8& couple, const Slider8& slider,
+                                             const JointPass& pass) {
     const SlideLine8& across = slider.across;
     const Mask8 held = load(block.holdsAngle) > all(0.5f);
     const Float8 zero = all(0.0f), turnA = couple.a.inverseInertia, turnB = couple.b.inverseInertia;
     const Float8 ww = across.inverseMass();
+    const Grip8 soft = gripOf(kPush ? pass.rigid : kRelaxed);
+    Float8 displacement = soft.take * across.speed();
+    if constexpr (kPush) displacement += closing(soft, slider.offWay, maxPull(pass, soft));
+    const Float8 displacementBefore = load(block.acrossImpulse);
+    const auto give = [&](Float8 change) {
+        store(block.acrossImpulse, displacementBefore + change);
+        couple.push(change * across.axis, change * across.leverA, change * across.leverB);
+    };
+    if (!any(held)) return give(-(inverseOrZero(ww) * displacement + soft.give * displacementBefore));
     const Float8 wa = select(held, turnA * across.leverA + turnB * across.leverB, zero);
     const Mask8 turns = held & (turnA + turnB > zero);
     const Float8 aa = select(turns, turnA + turnB, all(1.0f));
-    const Float8 offAngle = load(block.angle) + turnBetween(couple);
-    const Grip8 soft = gripOf(grip);
-    const Float8 displacement =
-        soft.take * across.speed() + closing(soft, slider.offWay, maxPull(pass, soft));
-    const Float8 turning = soft.take * couple.spin() + closing(soft, offAngle, maxPull(pass, soft));
+    Float8 turning = soft.take * couple.spin();
+    if constexpr (kPush)
+        turning += closing(soft, load(block.angle) + turnBetween(couple), maxPull(pass, soft));
     const Float8 angle = select(turns, turning, zero);
     const Float8 inverse = inverseOrZero(ww * aa - wa * wa);
-    const Float8 displacementBefore = load(block.acrossImpulse), angleBefore = load(block.angleImpulse);
-    const Float8 displacementChange =
-        -(inverse * (aa * displacement - wa * angle) + all(grip.give) * displacementBefore);
-    const Float8 angleChange = -(inverse * (ww * angle - wa * displacement) + all(grip.give) * angleBefore);
-    store(block.acrossImpulse, displacementBefore + displacementChange);
+    const Float8 angleBefore = load(block.angleImpulse);
+    const Float8 angleChange = -(inverse * (ww * angle - wa * displacement) + soft.give * angleBefore);
     store(block.angleImpulse, angleBefore + angleChange);
-    couple.push(displacementChange * across.axis, displacementChange * across.leverA,
-                displacementChange * across.leverB);
+    give(-(inverse * (aa * displacement - wa * angle) + soft.give * displacementBefore));
     couple.turn(angleChange);
 }
 
@@ -158,7 +162,7 @@ void answerJoints(const SolverBodies& bodies, const JointPass& pass, const Joint
         answerRows<kPush>(block.along, pass, load(block.along.value), mass, place.along);
         if constexpr (Block::kSlides) {
             if (block.spins != 0) spin(block, couple);
-            keepOnWay(block, couple, place, pass, kPush ? pass.rigid : kRelaxed);
+            keepOnWay<kPush>(block, couple, place, pass);
         }
         if constexpr (kPush) note(block.carry, carryOf(place, block));
         write<kOneSided>(bodies, block.bodies, couple, lanes[n].count);

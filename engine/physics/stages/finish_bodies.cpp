@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "physics/broadphase/overlap.hpp"
 #include "physics/continuous/swept_bodies.hpp"
 #include "physics/model/bounds.hpp"
 #include "physics/model/edits.hpp"
@@ -32,6 +33,13 @@ Vec2 shortened(Vec2 a, float maximum) {
 bool isRestless(const BodyMotion& motion, const BodyInfo& info) {
     return lengthSquared(motion.velocity) > info.sleepSpeed * info.sleepSpeed ||
            std::fabs(motion.angularVelocity) * info.reach > info.sleepSpeed;
+}
+
+/// Whether there is anything that the filters of some of its shapes let it meet.
+bool meetsSome(const World& world, std::uint32_t body) {
+    FilterUnion filters;
+    forShapesOf(world, body, [&](std::uint32_t s) { filters.add(world.shapes.filter[s]); });
+    return filters.layers != 0 && filters.masks != 0;
 }
 
 bool inside(const AABB& outer, const AABB& inner) {
@@ -124,7 +132,7 @@ void finish(StepContext& step, std::size_t slot, std::uint32_t body, BodyFinding
     const bool isSwept = info.kind == BodyKind::Dynamic
                              ? isFast({deltaPosition.x, deltaPosition.y}, deltaPosition.z, info)
                              : moved;
-    if (isSwept && world.settings.continuous) found.fast.push_back(body);
+    if (isSwept && world.settings.continuous && meetsSome(world, body)) found.fast.push_back(body);
     updateShapes(world, body, found.left);
 }
 

@@ -25,23 +25,23 @@ struct Cursors {
 
     /// Turns the numbers of a kind into places.
     /// @param size  places that a contact takes
-    /// @return how many contacts there are
+    /// @return the place after the last
     std::int32_t giveRoom(std::size_t kind, std::int32_t begin, std::int32_t size) const {
-        std::int32_t next = begin;
-        for (std::size_t strip = kind * strips; strip < (kind + 1) * strips; ++strip) {
-            for (std::size_t piece = 0; piece < pieces; ++piece)
-                next += size * std::exchange(of(piece)[strip], next);
+        std::int32_t* const own = of(0) + kind * strips;
+        for (std::size_t strip = 0; strip < strips; ++strip) {
+            for (std::size_t i = strip; i < pieces * kinds * strips; i += kinds * strips)
+                begin += size * std::exchange(own[i], begin);
         }
-        return (next - begin) / size;
+        return begin;
     }
 };
 
 BlockRange makeRoom(std::vector<BlockLanes>& lanes, const Cursors& cursors, std::size_t kind, int colour) {
     const auto begin = static_cast<std::int32_t>(lanes.size());
-    const int maximum = colour == kOverflow ? 1 : kLanes;
-    const std::int32_t contacts = cursors.giveRoom(kind, begin * kLanes, kLanes / maximum);
-    for (std::int32_t left = contacts; left > 0; left -= maximum)
-        lanes.emplace_back().count = std::min(left, maximum);
+    const bool alone = colour == kOverflow;
+    const std::int32_t end = cursors.giveRoom(kind, begin * kLanes, alone ? kLanes : 1);
+    for (std::int32_t place = begin * kLanes; place < end; place += kLanes)
+        lanes.emplace_back().count = alone ? 1 : std::min(end - place, kLanes);
     return {begin, static_cast<std::int32_t>(lanes.size())};
 }
 

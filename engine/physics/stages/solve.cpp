@@ -62,6 +62,7 @@ void forConstraints(Solver<Bodies>& solver, PassKind kind) {
     forColours(solver.group.contactColours | solver.group.jointColours, [&](int colour, int grain) {
         if constexpr (Bodies::kRotate)
             solveJoints(solver.step, solver.bodies, solver.joints, solver.group, colour, kind);
+        if ((solver.group.contactColours >> colour & 1) == 0) return;
         const ContactRanges& ranges = solver.group.colours[colour].contacts;
         solver.contacts.two.run(solver.step, solver.bodies, ranges.two, grain, kind);
         solver.contacts.fixed.run(solver.step, solver.bodies, ranges.fixed, grain, kind);

@@ -3,6 +3,7 @@
 #include <functional>
 #include <utility>
 
+#include "physics/broadphase/overlap.hpp"
 #include "physics/contacts/contacts.hpp"
 #include "physics/continuous/swept_bodies.hpp"
 #include "physics/model/bounds.hpp"
@@ -176,7 +177,7 @@ void lookAgain(StepContext& step, std::uint32_t place) {
     Workspace& work = step.work;
     if (place < work.sweptProxies.bounds.size() && work.sweptProxies.motions[place] != ProxyMotion::Gone) {
         work.sweptProxies.bounds[place] = pathBounds(step, work.swept[place]);
-        work.sweptProxies.search->update(work.sweptProxies.view(), {&place, 1});
+        if (!areFewPaths(work)) work.sweptProxies.search->update(work.sweptProxies.view(), {&place, 1});
     }
     findNextHit(step, place, work.candidates, work.counts);
 }
@@ -271,7 +272,7 @@ void fillSwept(StepContext& step, bool hasKinematics, bool hasBullets) {
     work.swept.resize(work.fastBodies.size());
     BoxProxies& proxies = work.sweptProxies;
     const std::size_t searched = hasKinematics || hasBullets ? work.swept.size() : 0;
-    proxies.bounds.assign(searched, {});
+    proxies.bounds.assign(searched, kNowhere);
     proxies.filters.assign(searched, {});
     proxies.motions.assign(searched, ProxyMotion::Gone);
     forEach(step.pool, work.swept.size(), kFillGrain, [&](std::size_t i) {
@@ -283,7 +284,7 @@ void fillSwept(StepContext& step, bool hasKinematics, bool hasBullets) {
         proxies.filters[i].layers = layer;
         proxies.motions[i] = ProxyMotion::Awake;
     });
-    if (searched == 0) return;
+    if (searched == 0 || areFewPaths(work)) return;
     if (proxies.search == nullptr) proxies.search = makeBroadPhase(BroadPhaseKind::Tree);
     proxies.search->rebuild(proxies.view());
 }
