@@ -106,7 +106,7 @@ struct AxisLock {
     std::uint8_t flags = 0;  ///< kLockX, kLockY
 };
 
-/// Sum of the normal impulses of a contact over the substeps: step_impulses.cpp.
+/// Sum of the normal impulses of a contact over the substeps: contact_extras.cpp.
 struct ImpulseSum {
     const float* points[2];  ///< N s: current impulses in its block; null without a second point
     float last = 0.0f;       ///< N s: both, when they were last added

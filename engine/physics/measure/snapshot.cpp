@@ -188,8 +188,15 @@ struct Writer {
     }
     template <class... T>
     void lists(const std::vector<T>&... all) {
-        static_assert((std::is_trivially_copyable_v<T> && ...));
-        (append(parts.emplace_back(), all.data(), all.size() * sizeof(T)), ...);
+        (write(all), ...);
+    }
+
+private:
+    template <class T>
+    void write(const std::vector<T>& list) {
+        static_assert(std::is_trivially_copyable_v<T>);
+        values(std::uint64_t{sizeof(T)});  // of another version of the library it may differ
+        append(parts.back(), list.data(), list.size() * sizeof(T));
     }
 };
 
@@ -220,19 +227,22 @@ public:
         (read(all), ...);
     }
 
-private:
     const Bytes& next() {
         static const Bytes kEmpty;
         ok_ = ok_ && next_ < parts_.size();
         return ok_ ? parts_[next_++] : kEmpty;
     }
+
+private:
     template <class T>
     void read(std::vector<T>& list) {
         const auto& part = next();
-        ok_ = ok_ && part.size() % sizeof(T) == 0;
-        if (!ok_ || part.empty()) return list.clear();
-        list.resize(part.size() / sizeof(T));
-        std::memcpy(list.data(), part.data(), part.size());
+        std::uint64_t size = 0;
+        if (part.size() >= sizeof size) std::memcpy(&size, part.data(), sizeof size);
+        const std::size_t bytes = part.size() - sizeof size;
+        ok_ = ok_ && size == sizeof(T) && bytes % sizeof(T) == 0;
+        list.resize(ok_ ? bytes / sizeof(T) : 0);
+        if (!list.empty()) std::memcpy(list.data(), part.data() + sizeof size, bytes);
     }
 
     const Parts& parts_;
@@ -258,41 +268,13 @@ Result<World> worldOf(const Parts& parts) {
     return world;
 }
 
-/// Hashes the sizes of all that is written.
-struct Layout {
-    static constexpr bool kIsExact = true;
-    Hasher hasher;
+constexpr std::uint64_t kFormat = 3;
 
-    template <class... T>
-    void values(const T&...) {
-        (hasher.add(std::uint64_t{sizeof(T)}), ...);
-    }
-    template <class T>
-    void resize(const std::vector<T>&) {}
-    template <class... T>
-    void lists(const std::vector<T>&...) {
-        (hasher.add(std::uint64_t{sizeof(T)}), ...);
-    }
-};
-
-/// Changes with the layout of the state; read on a machine of another byte order, it is another number.
-std::uint64_t versionOf() {
-    static const std::uint64_t kVersion = [] {
-        constexpr std::uint64_t kFormat = 3;
-        World world;
-        world.softBodies.all.resize(1);
-        Layout layout;
-        visit(layout, world);
-        return layout.hasher.value() ^ kFormat;
-    }();
-    return kVersion;
-}
-
-/// Version, the parts with their sizes, and a checksum.
+/// Format, the parts with their sizes, and a checksum.
 Bytes joined(const Parts& parts) {
     Bytes bytes;
     const auto addNumber = [&](std::uint64_t number) { append(bytes, &number, sizeof number); };
-    addNumber(versionOf());
+    addNumber(kFormat);
     for (const auto& part : parts) {
         addNumber(part.size());
         append(bytes, part.data(), part.size());
@@ -316,7 +298,7 @@ Result<Parts> split(std::span<const std::uint8_t> bytes) {
     hasher.addBytes(bytes.data(), bytes.size() - kNumber);
     std::uint64_t checksum = 0;
     std::memcpy(&checksum, bytes.data() + bytes.size() - kNumber, kNumber);
-    if (checksum != hasher.value() || take() != versionOf()) return broken();
+    if (checksum != hasher.value() || take() != kFormat) return broken();
     Parts parts;
     while (bytes.size() >= 2 * kNumber) {
         const std::uint64_t size = take();
@@ -409,14 +391,14 @@ Result<WorldRecording> WorldRecording::from(std::span<const std::uint8_t> bytes)
     Reader reader{*parts};
     std::uint64_t count = 0;
     reader.values(count);
-    for (; count > 0 && reader.good(); --count) reader.lists(recording.start_.emplace_back());
+    for (; count > 0 && reader.good(); --count) recording.start_.push_back(reader.next());
     while (reader.good() && !reader.ok()) {
         Step& step = recording.steps_.emplace_back();
         reader.values(step.hash, step.dt, count);
         for (; count > 0 && reader.good(); --count) {
             auto& [part, content] = step.changes.emplace_back();
             reader.values(part);
-            reader.lists(content);
+            content = reader.next();
         }
     }
     if (!reader.ok()) return broken();

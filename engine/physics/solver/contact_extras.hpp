@@ -8,7 +8,7 @@ namespace plumb::physics {
 
 // What the solver does with contacts beside the passes of passes.hpp. Free where no contact needs it.
 
-// Restitution (restitution.cpp): what arrives fast enough leaves with a fraction of its speed, once the
+// Restitution: what arrives fast enough leaves with a fraction of its speed, once the
 // substeps have stopped it. Source: E. Catto, "Solver2D", 2024 (restitution after the substeps).
 
 /// Records the approach speeds of contacts that bounce. After prepareConstraints, before the substeps.
@@ -29,7 +29,7 @@ inline constexpr float kNoChain = -1.0f;
 /// impacts gets right.
 void runImpactsOn(StepContext& step, const SolveGroup& group);
 
-// Rolling resistance (rolling.cpp): a torque against rotation, at most the resistance (m) times the force.
+// Rolling resistance: a torque against rotation, at most the resistance (m) times the force.
 
 void prepareRolling(StepContext& step);
 void warmStartRolling(StepContext& step, const SolveGroup& group);
@@ -38,7 +38,7 @@ void relaxRolling(StepContext& step, const SolveGroup& group);
 void storeRolling(StepContext& step);
 
 // Blocks keep the impulses of the last substep only. Those of contacts with an event are summed up beside
-// them (step_impulses.cpp): Workspace::stepImpulses.
+// them: Workspace::stepImpulses.
 
 /// Before the first group: forgets the sums of the last step.
 void clearImpulseSums(StepContext& step);
