@@ -47,8 +47,7 @@ void edge(SoftBody& body, int a, int b, float compliance) { link(body, a, b, com
 
 /// Sorts links by color, so that two neighbors in the list have no particle in common. In the order of a
 /// chain, what one link does is passed on to the next: such a ring swings by itself, as what is left of an
-/// error runs around it.
-/// A particle has at most 12 links (in a cloth), so that one of 23 colors is free at both ends of a link.
+/// error runs around it. A particle of a cloth has up to 12 links, so that each link finds one of 23 colors.
 void sortByColor(SoftBody& body) {
     std::vector<std::uint32_t> used(body.particles.size(), 0);  // colors
     std::vector<SoftLink> byColor[32];
