@@ -7,8 +7,8 @@ namespace plumb::physics {
 /// Layers of Workspace::sweptProxies: bullets search for all of them, other bodies for some.
 inline constexpr std::uint32_t kBulletLayer = 1, kFastLayer = 2, kKinematicLayer = 4;
 
-/// So few paths of a step are looked at one by one: that takes a fiftieth of a search in a tree of them and of
-/// its part in making it.
+/// So few paths of a step are looked at one by one: that takes a fiftieth of a search in a tree of them and
+/// of its part in making it.
 inline bool areFewPaths(const Workspace& work) { return work.fastBodies.size() <= 48; }
 
 inline bool isBullet(const World& world, std::uint32_t body) {

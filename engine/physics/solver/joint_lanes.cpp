@@ -135,20 +135,19 @@ struct Preparation {
     JointTiming timing;
 };
 
-std::uint32_t idleOffset(const Preparation& all, int lane) {
-    return static_cast<std::uint32_t>((all.work.bodyOf.size() + static_cast<std::size_t>(lane)) * sizeof(Float4));
+/// bytes: a slot below 0 is the idle one of the lane
+std::uint32_t offsetOf(const Preparation& all, std::int32_t slot, int lane) {
+    const int place = slot < 0 ? static_cast<int>(all.work.bodyOf.size()) + lane : slot;
+    return static_cast<std::uint32_t>(place) * std::uint32_t{sizeof(Float4)};
 }
 
 void setBodies(const Preparation& all, const Joint& joint, JointBodies& bodies, int lane) {
-    const auto offsetOf = [&](std::int32_t slot) {
-        return slot < 0 ? idleOffset(all, lane) : static_cast<std::uint32_t>(slot) * std::uint32_t{sizeof(Float4)};
-    };
     const BodyMass& massA = all.world.bodies.mass[joint.bodyA];
     const BodyMass& massB = all.world.bodies.mass[joint.bodyB];
     const std::int32_t a = all.work.slots[joint.bodyA], b = all.work.slots[joint.bodyB];
     const bool pushesA = massA.inverseMass > 0.0f && joint.kind != JointKind::Mouse;
-    bodies.a[lane] = offsetOf(joint.kind == JointKind::Mouse ? -1 : a);
-    bodies.b[lane] = offsetOf(b);
+    bodies.a[lane] = offsetOf(all, joint.kind == JointKind::Mouse ? -1 : a, lane);
+    bodies.b[lane] = offsetOf(all, b, lane);
     bodies.inverseInertiaA[lane] = pushesA ? massA.inverseInertia : 0.0f;
     bodies.inverseInertiaB[lane] = massB.inverseInertia;
     bodies.own[lane] = pushesA ? bodies.a[lane] : bodies.b[lane];
@@ -156,7 +155,7 @@ void setBodies(const Preparation& all, const Joint& joint, JointBodies& bodies, 
 }
 
 void clearBodies(const Preparation& all, JointBodies& bodies, int lane) {
-    bodies.a[lane] = bodies.b[lane] = bodies.own[lane] = idleOffset(all, lane);
+    bodies.a[lane] = bodies.b[lane] = bodies.own[lane] = offsetOf(all, -1, lane);
 }
 
 /// Where the angle is held too, any point of B and what of A coincides with it may stand for the anchors. At
