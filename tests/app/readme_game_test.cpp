@@ -49,7 +49,7 @@ TEST_P(ReadmeGame, itsPlayerStaysOnTheScreen) {
     int heroes = 0;
     for (auto [entity, hero, transform] : game.world.query<const PlayerController, const Transform>()) {
         ++heroes;
-        EXPECT_EQ(transform.position.x, GetParam() == Key::Left ? 0.0f : 320.0f - 12.0f);
+        EXPECT_NEAR(transform.position.x, GetParam() == Key::Left ? 0.0f : 320.0f - 12.0f, 0.1f);
         EXPECT_NEAR(transform.position.y, 140.0f - 16.0f, 60.0f);
     }
     EXPECT_EQ(heroes, 1);
