@@ -8,8 +8,8 @@
 
 #include "assets/loaders/ldtk_loader.hpp"
 #include "assets/loaders/tmx_loader.hpp"
-#include "core/inflate.hpp"
-#include "core/xml.hpp"
+#include "codec/compression.hpp"
+#include "codec/xml.hpp"
 #include "reflect/json.hpp"
 #include "reflect/json_text.hpp"
 #include "scene/import/import_file.hpp"

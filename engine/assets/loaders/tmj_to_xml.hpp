@@ -3,7 +3,7 @@
 #include <string_view>
 
 #include "core/result.hpp"
-#include "core/xml.hpp"
+#include "codec/xml.hpp"
 
 namespace plumb {
 

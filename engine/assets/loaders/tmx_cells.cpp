@@ -2,11 +2,10 @@
 
 #include <algorithm>
 
-#include "core/base64.hpp"
-#include "core/inflate.hpp"
+#include "codec/base64.hpp"
+#include "codec/compression.hpp"
 #include "core/limits.hpp"
 #include "core/text.hpp"
-#include "core/zstd.hpp"
 
 namespace plumb {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "assets/tiled_map.hpp"
 #include "core/result.hpp"
-#include "core/xml.hpp"
+#include "codec/xml.hpp"
 
 namespace plumb {
 

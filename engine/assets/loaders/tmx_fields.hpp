@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/result.hpp"
-#include "core/xml.hpp"
+#include "codec/xml.hpp"
 #include "math/color.hpp"
 #include "reflect/json.hpp"
 

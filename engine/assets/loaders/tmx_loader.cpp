@@ -6,7 +6,7 @@
 #include "assets/loaders/tmx_cells.hpp"
 #include "assets/loaders/tmx_elements.hpp"
 #include "assets/loaders/tmx_reader.hpp"
-#include "core/inflate.hpp"
+#include "codec/compression.hpp"
 #include "core/text.hpp"
 
 namespace plumb {

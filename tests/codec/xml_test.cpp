@@ -1,4 +1,4 @@
-#include "core/xml.hpp"
+#include "codec/xml.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,10 +1,10 @@
+#include "codec/compression.hpp"
+
 #include <gtest/gtest.h>
 
-#include "core/base64.hpp"
-#include "core/inflate.hpp"
+#include "codec/base64.hpp"
 #include "core/random.hpp"
 #include "core/text.hpp"
-#include "core/zstd.hpp"
 #include "tests/support/damage.hpp"
 
 namespace plumb {
@@ -139,6 +139,27 @@ TEST(UnpackTest, mutatedDataNeverCrashesAndNeverOutgrowsItsRoom) {
         }
     }
 }
+
+TEST(PackTest, whateverIsPackedComesBack) {
+    for (std::uint64_t seed = 0; seed < 60; ++seed) {
+        SCOPED_TRACE(seed);
+        Random random = Random::seeded(seed);
+        const std::uint32_t kinds = 1 + random.below(256);
+        std::string bytes;
+        const std::size_t size = seed == 0 ? 0 : random.below(100'000);
+        while (bytes.size() < size) {
+            const auto letter = static_cast<char>(random.below(kinds));
+            bytes.append(1 + random.below(300), letter);
+        }
+        const std::string packed = packZlib(bytes);
+        const Result<std::string> unpacked = unpackZlib(packed, bytes.size(), "packed");
+        ASSERT_TRUE(unpacked.ok()) << unpacked.error().text();
+        EXPECT_TRUE(*unpacked == bytes);
+        EXPECT_TRUE(bytes.empty() || !unpackZlib(packed, bytes.size() - 1, "packed").ok());
+    }
+}
+
+TEST(PackTest, repeatedBytesTakeLittle) { EXPECT_LT(packZlib(std::string(65'536, 'x')).size(), 200u); }
 
 TEST(Base64Test, everyLengthReadsBackAndSpacesAreSkipped) {
     std::string bytes;
