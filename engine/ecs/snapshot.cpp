@@ -59,6 +59,7 @@ void Storage::restore(const StorageImage& image) {
     PLUMB_ASSERT(iterating_ == 0, "a snapshot is restored between loops, not inside one");
     if (iterating_ != 0) return;
     adoptPoolOrder(image);
+    noteAllLosses();
     const std::byte* from = image.bytes.data();
     const auto read = [&from](void* to, std::size_t bytes) {
         if (bytes > 0) std::memcpy(to, from, bytes);

@@ -42,6 +42,7 @@ void Storage::growRecords(std::uint32_t count) {
     std::uint32_t capacity = std::max(recordCapacity_, kFirstRecords);
     while (capacity < count) capacity *= 4;
     recordCapacity_ = std::min(capacity, maxEntities_);
+    losses_.resize((recordCapacity_ >> kStampShift) + 1);
     if (!recordMemory_.commit(0, recordCapacity_ * sizeof(EntityRecord)) ||
         !recordMemory_.commit(maxEntities_ * sizeof(EntityRecord), recordCapacity_ * sizeof(std::uint32_t))) {
         failAssertion("the memory is used up", __FILE__, __LINE__);
@@ -94,6 +95,7 @@ void Storage::removeCarefully(std::uint32_t index, std::uint64_t mask) {
 void Storage::destroy(EntityId id) {
     EntityRecord& record = records_[id.index];
     const std::uint64_t mask = record.mask;
+    noteLoss(id.index);
     record.mask = 0;
     record.generation = id.generation + 1;
     if (record.generation != kLastGeneration) [[likely]] {
@@ -130,6 +132,7 @@ void Storage::clear() {
         pool->count = 0;
         pool->disorder = 0;
     }
+    noteAllLosses();
     const bool mayBeWorn = endAllLives();
     // Lowest index on top, so that a cleared world gives out the same order as a new one.
     freeCount_ = used_;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <bit>
 #include <cstdint>
 #include <memory>
@@ -92,6 +93,7 @@ public:
     /// @pre pool.has(id)
     [[gnu::always_inline]] void erase(Pool& pool, EntityId id, std::uint32_t bytes) {
         records_[id.index].mask &= ~(pool.bit & ~kOverflowBit);
+        noteLoss(id.index);
         if (iterating_ == 0) [[likely]] {
             pool.erase(id.index, bytes, clock_);
         } else {
@@ -127,6 +129,15 @@ public:
     // changes
 
     [[nodiscard]] std::uint64_t clock() const { return clock_; }
+    /// Calls `f(EntityId)` for the indices near which an entity lost a component since the mark.
+    template <class F>
+    void eachLossSince(std::uint64_t mark, F&& f) const {
+        for (std::uint32_t first = 0; first <= used_; first += 1u << kStampShift) {
+            if (losses_[first >> kStampShift] <= mark) continue;
+            const std::uint32_t end = std::min(used_ + 1, first + (1u << kStampShift));
+            for (std::uint32_t index = std::max(first, 1u); index < end; ++index) f(idAt(index));
+        }
+    }
     std::uint64_t advanceClock() { return clock_++; }
 
     // order
@@ -146,6 +157,8 @@ private:
     bool endAllLives();
     void removeCarefully(std::uint32_t index, std::uint64_t mask);
     void growRecords(std::uint32_t count);
+    void noteLoss(std::uint32_t index) { losses_[index >> kStampShift] = clock_; }
+    void noteAllLosses() { std::fill(losses_.begin(), losses_.end(), clock_); }
     void compact();
     void adoptPoolOrder(const StorageImage& image);
     void findWatched();
@@ -160,6 +173,7 @@ private:
     std::uint64_t clock_ = 1;
     bool holes_ = false;
     std::uint32_t recordCapacity_ = 0;
+    std::vector<std::uint64_t> losses_;  // per block of indices: when one there last lost a component
     std::uint64_t watchedMask_ = 0;
     Pool nobody_;
     std::vector<Pool*> byKey_;  // &nobody_ for types without a pool

@@ -142,6 +142,17 @@ public:
     /// neither adds nor removes a T.
     template <class T, class F>
     void eachChangedSince(std::uint64_t mark, F&& f) const;
+    /// Calls `f(EntityId)` for every entity that may have lost a component or been destroyed since the mark.
+    /// It is handed over as it is now: alive or not.
+    template <class F>
+    void eachLossSince(std::uint64_t mark, F&& f) const {
+        storage_.eachLossSince(mark, std::forward<F>(f));
+    }
+    /// The place of the entity's T in the order in which queries visit T. @pre has<T>(id)
+    template <class T>
+    [[nodiscard]] std::uint32_t positionOf(EntityId id) const {
+        return storage_.knownPool(typeKey<T>()).sparse[id.index].position;
+    }
     /// Grows whenever an entity gets or loses one of these components.
     template <class... T>
     [[nodiscard]] std::uint64_t memberships() const {

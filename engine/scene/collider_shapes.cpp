@@ -126,9 +126,8 @@ struct ColliderRow {
     void (*addTo)(Hasher& hasher, const ColliderSurface& collider);
     Result<Done> (*make)(const ShapeMaker& maker, const ColliderSurface& collider);
     std::uint64_t (*members)(const World& world);
-    bool (*changed)(const World& world, std::uint64_t mark);
     std::size_t (*count)(const World& world);
-    void (*forEach)(const World& world, void (*visit)(void*, EntityId), void* context);
+    std::uint32_t (*position)(const World& world, EntityId entity);
     void (*forEachChanged)(const World& world, std::uint64_t mark, void (*visit)(void*, EntityId),
                            void* context);
 };
@@ -146,12 +145,8 @@ constexpr ColliderRow row() {
         return make(maker, static_cast<const Collider&>(collider));
     };
     row.members = [](const World& world) { return world.memberships<Collider>(); };
-    row.changed = [](const World& world, std::uint64_t mark) { return world.changedSince<Collider>(mark); };
     row.count = [](const World& world) { return world.count<Collider>(); };
-    row.forEach = [](const World& world, void (*visit)(void*, EntityId), void* context) {
-        for (auto [entity, collider] : world.query<const Collider>(with<Transform>))
-            visit(context, entity.id());
-    };
+    row.position = [](const World& world, EntityId entity) { return world.positionOf<Collider>(entity); };
     row.forEachChanged = [](const World& world, std::uint64_t mark, void (*visit)(void*, EntityId),
                             void* context) {
         world.eachChangedSince<Collider>(mark, [&](EntityId entity) { visit(context, entity); });
@@ -252,18 +247,17 @@ std::uint64_t colliderMembers(const World& world) {
     return members;
 }
 
-bool collidersChanged(const World& world, std::uint64_t mark) {
-    return std::any_of(std::begin(kColliders), std::end(kColliders),
-                       [&](const ColliderRow& row) { return row.changed(world, mark); });
-}
-
 bool hasColliders(const World& world) {
     return std::any_of(std::begin(kColliders), std::end(kColliders),
                        [&](const ColliderRow& row) { return row.count(world) > 0; });
 }
 
-void forEachCollider(const World& world, void (*visit)(void*, EntityId), void* context) {
-    for (const ColliderRow& row : kColliders) row.forEach(world, visit, context);
+std::optional<std::uint64_t> colliderOrder(const World& world, EntityId entity) {
+    for (std::size_t kind = 0; kind < std::size(kColliders); ++kind) {
+        if (kColliders[kind].find(world, entity) == nullptr) continue;
+        return std::uint64_t{kind} << 32 | kColliders[kind].position(world, entity);
+    }
+    return std::nullopt;
 }
 
 void forEachChangedCollider(const World& world, std::uint64_t mark, void (*visit)(void*, EntityId),

@@ -242,9 +242,14 @@ private:
 
 }  // namespace
 
-void followJoints(World& world, PhysicsState& state, bool all, std::uint64_t mark) {
+void followJoints(World& world, PhysicsState& state, bool membersChanged, bool bodiesCameOrWent,
+                  std::uint64_t mark) {
     JointSync sync{world, state};
-    if (all) {
+    const auto waits = [&](const JointLinkage& linkage) {
+        return !physics::alive(state.world, linkage.joint);
+    };
+    if (membersChanged ||
+        (bodiesCameOrWent && std::any_of(state.joints.begin(), state.joints.end(), waits))) {
         sync.followAll();
     } else if (!state.joints.empty()) {
         sync.followChanged(mark);
