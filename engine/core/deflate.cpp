@@ -19,7 +19,7 @@ constexpr std::size_t kLetters = 286;    // bytes, the end, and lengths of match
 constexpr std::size_t kDistances = 30;
 constexpr std::size_t kEnd = 256;
 constexpr int kMostBits = 15;       // of a code
-constexpr int kMostLengthBits = 7;  // of the code in which the lengths of the others are told
+constexpr int kMostLengthBits = 7;  // of the code that encodes the lengths of the other codes
 constexpr std::uint32_t kAdlerPrime = 65521;
 constexpr std::size_t kAdlerWords = 1024;  // sums of so many fit into 32 bits
 
@@ -238,12 +238,12 @@ void writeCodes(BitWriter& out, const Codes& letters, const Codes& distances) {
     std::vector<std::uint32_t> counts(19);
     for (const Part& part : parts) ++counts[part.letter];
     const Codes codes = codesOf(counts, kMostLengthBits);
-    std::size_t told = kOrder.size();
-    while (told > 4 && codes.lengths[kOrder[told - 1]] == 0) --told;
+    std::size_t stored = kOrder.size();
+    while (stored > 4 && codes.lengths[kOrder[stored - 1]] == 0) --stored;
     out.put(letters.lengths.size() - 257, 5);
     out.put(distances.lengths.size() - 1, 5);
-    out.put(told - 4, 4);
-    for (std::size_t i = 0; i < told; ++i) out.put(codes.lengths[kOrder[i]], 3);
+    out.put(stored - 4, 4);
+    for (std::size_t i = 0; i < stored; ++i) out.put(codes.lengths[kOrder[i]], 3);
     for (const Part& part : parts) {
         out.put(codes, part.letter);
         out.put(part.rest, part.restBits);

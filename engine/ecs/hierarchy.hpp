@@ -11,8 +11,8 @@ namespace plumb {
 /// Says whose child an entity is, and stands between its siblings. Written by setParent only.
 struct Parent {
     EntityId entity;
-    EntityId previous;  ///< the sibling before; nobody for the first
-    EntityId next;      ///< the sibling after; nobody for the last
+    EntityId previous;  ///< the sibling before; empty for the first
+    EntityId next;      ///< the sibling after; empty for the last
 
     static void describe(TypeBuilder<Parent>& type) {
         type.name("Parent").doc("Moves with another entity, and is destroyed with it.");
@@ -36,7 +36,7 @@ struct Children {
     }
 };
 
-/// Makes `child` the last child of `parent`; nobody as parent sets it free.
+/// Makes `child` the last child of `parent`; an empty `parent` makes it a root.
 /// @return false, and nothing happens, when that would close a circle or one of the two is gone
 bool setParent(World& world, EntityId child, EntityId parent);
 

@@ -11,8 +11,8 @@
 
 namespace plumb {
 
-/// Where a pool keeps the component of one entity. `check` is the inverted generation of the entity, so
-/// that a fresh zero page means "nobody" and one load answers both "is it there" and "is it still the same".
+/// Where a pool keeps the component of one entity. `check` is the inverted generation of the entity:
+/// a fresh page of zeros means "no component", and one load checks both presence and generation.
 struct Slot {
     std::uint32_t check = 0;
     std::uint32_t position = 0;
@@ -24,8 +24,8 @@ inline constexpr std::uint32_t kStampShift = 8;
 /// All components of one type: a sparse array from entity to position, the entities in order of position,
 /// and the components in one column that never moves. Tags have no column.
 ///
-/// A part of Storage, which keeps the invariants: for each position p below `count` that is no hole,
-/// sparse[dense[p]].position == p. Holes (dense == 0) exist only while somebody iterates.
+/// A part of Storage, which keeps the invariants: for each position p below `count` that is not
+/// a hole, sparse[dense[p]].position == p. Holes (dense == 0) exist only while a loop iterates.
 struct Pool {
     /// A pool that holds nothing and never will.
     Pool() = default;
@@ -54,8 +54,8 @@ struct Pool {
     [[nodiscard]] bool holds(std::uint32_t index) const {
         return index < indexCapacity && sparse[index].check != 0;
     }
-    /// Grows with every change of who is where. Adding raises `count` and need not write the version as well;
-    /// whatever lowers `count` raises the version by more.
+    /// Increases with every change of which entity is at which position. Adding raises `count`,
+    /// so it need not write the version too; whatever lowers `count` raises the version by more.
     [[nodiscard]] std::uint64_t changes() const { return version + count; }
     [[nodiscard]] std::uint32_t size() const { return count - static_cast<std::uint32_t>(holes.size()); }
     [[nodiscard]] std::byte* at(std::uint32_t position) const {

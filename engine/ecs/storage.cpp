@@ -25,7 +25,7 @@ std::uint32_t roomOfWorld() {
 }  // namespace
 
 Storage::Storage()
-    : byKey_(kMaxTypes, &nobody_),
+    : byKey_(kMaxTypes, &emptyPool_),
       maxEntities_{roomOfWorld()},
       recordMemory_{maxEntities_ * (sizeof(EntityRecord) + sizeof(std::uint32_t))} {
     if (!recordMemory_.ok())
@@ -33,7 +33,7 @@ Storage::Storage()
     records_ = reinterpret_cast<EntityRecord*>(recordMemory_.start());
     free_ = reinterpret_cast<std::uint32_t*>(recordMemory_.start() + maxEntities_ * sizeof(EntityRecord));
     growRecords(1);
-    records_[0].generation = ~0u;  // so that the empty handle names nobody
+    records_[0].generation = ~0u;  // so that the empty handle matches no entity
 }
 
 void Storage::growRecords(std::uint32_t count) {
@@ -72,7 +72,7 @@ std::uint32_t Storage::appendRange(Pool& pool, EntityId first, std::uint32_t cou
     return start;
 }
 
-/// Takes all components of an entity while somebody iterates, or from more pools than a mask has bits for.
+/// Removes all components of an entity during iteration, or from more pools than a mask has bits for.
 void Storage::removeCarefully(std::uint32_t index, std::uint64_t mask) {
     const auto take = [&](Pool& pool) {
         if (iterating_ == 0) {

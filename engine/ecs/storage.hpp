@@ -52,7 +52,7 @@ public:
     [[nodiscard]] bool watched(EntityId id) const { return (records_[id.index].mask & watchedMask_) != 0; }
     /// Destroying an entity with such a component needs care from the caller.
     void watch(TypeKey key) { watchedKeys_.push_back(key); }
-    /// Whether somebody lives at an index that was used. @pre 0 < index <= usedIndices()
+    /// Whether the entity at a used index is alive. @pre 0 < index <= usedIndices()
     [[nodiscard]] bool livesAt(std::uint32_t index) const { return (records_[index].generation & 1u) != 0; }
     [[nodiscard]] EntityId idAt(std::uint32_t index) const { return {index, records_[index].generation}; }
 
@@ -61,14 +61,14 @@ public:
     template <class T>
     Pool& pool() {
         const TypeKey key = typeKey<T>();
-        if (byKey_[key] != &nobody_) return *byKey_[key];
+        if (byKey_[key] != &emptyPool_) return *byKey_[key];
         return makePool(componentType<std::remove_const_t<T>>());
     }
     /// The pool of a type; an empty one, which nothing fits into, when there is none.
     [[nodiscard]] const Pool& knownPool(TypeKey key) const { return *byKey_[key]; }
     [[nodiscard]] Pool& knownPool(TypeKey key) { return *byKey_[key]; }
     [[nodiscard]] Pool* findPool(TypeKey key) const {
-        return byKey_[key] != &nobody_ ? byKey_[key] : nullptr;
+        return byKey_[key] != &emptyPool_ ? byKey_[key] : nullptr;
     }
     Pool& pool(const TypeInfo& info) {
         Pool* known = findPool(info.key);
@@ -121,7 +121,7 @@ public:
         if (--iterating_ == 0 && holes_) compact();
     }
     [[nodiscard]] bool iterating() const { return iterating_ != 0; }
-    /// Counts the changes of who has what while somebody iterates, for loops that must notice.
+    /// Counts added and removed components during iteration, for loops that must detect them.
     [[nodiscard]] const std::uint64_t& structure() const { return structure_; }
 
     // changes
@@ -161,8 +161,8 @@ private:
     bool holes_ = false;
     std::uint32_t recordCapacity_ = 0;
     std::uint64_t watchedMask_ = 0;
-    Pool nobody_;
-    std::vector<Pool*> byKey_;  // &nobody_ for types without a pool
+    Pool emptyPool_;
+    std::vector<Pool*> byKey_;  // &emptyPool_ for types without a pool
     std::vector<TypeKey> watchedKeys_;
     std::vector<std::unique_ptr<Pool>> pools_;  // by ordinal
     std::vector<std::unique_ptr<QueryCache>> caches_;

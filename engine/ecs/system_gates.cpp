@@ -27,7 +27,7 @@ bool SystemGates::admits(const World& world, std::size_t place, TypeKey system) 
     const bool called = gate.calledFor(world);
     const bool runs = gate.pin == Pin::Auto ? called : gate.pin == Pin::On;
     gate.runs += runs ? 1 : 0;
-    // Whom a pin forbids to run must not, if there is something that it would do.
+    // A system pinned off must not run, not even its first time, if there is something that it would process.
     if (!runs && (gate.begun || called)) return false;
     gate.begun = true;
     return true;

@@ -22,7 +22,7 @@ public:
     TileGrid* edit(TilesId id);
     [[nodiscard]] std::size_t size() const { return entries_.size(); }
 
-    /// To drop what nobody names: forget all marks, mark what is in use, drop the rest.
+    /// Garbage collection: unmark all grids, mark those in use, drop the rest.
     void unmarkAll();
     void mark(TilesId id);
     void dropUnmarked();

@@ -133,9 +133,10 @@ void World::tellMissing(EntityId id, TypeKey key) const {
                                : !storage_.alive(id)
                                    ? "a destroyed entity; its handle is stale: ask alive() or use find()"
                                    : "an entity that has none; ask hasComponent() or use find()";
-    const std::string text = format("{} was asked of entity {} (generation {}), {}",
-                                    type != nullptr ? type->name : std::string{"a component that nobody has"},
-                                    id.index, id.generation, reason);
+    const std::string text =
+        format("{} was asked of entity {} (generation {}), {}",
+               type != nullptr ? type->name : std::string{"a component type without instances"}, id.index,
+               id.generation, reason);
     PLUMB_ASSERT(false, text.c_str());
     logError("World", Error{"entity handle", text, ""});
 }

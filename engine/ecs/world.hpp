@@ -207,8 +207,8 @@ public:
     [[nodiscard]] std::vector<std::string_view> systemNames() const { return schedule_.names(); }
     [[nodiscard]] CommandBuffer& commands() { return commands_; }
 
-    /// Starts a fixed update: counts the tick, forgets the events, drops tile grids that nobody names, tidies
-    /// small worlds that are in disorder.
+    /// Starts a fixed update: counts the tick, clears the events, drops tile
+    /// grids without a reference, sorts small worlds that are out of order.
     void beginTick();
     /// Runs all systems in order; commands are applied after each.
     /// @param dt  s
@@ -232,8 +232,8 @@ private:
     /// Destroys the children of an entity and takes it from its parent.
     void leaveFamily(EntityId id);
 
-    /// A get() that found nothing: told now where asserts are on, else at the next tick, so that the loops
-    /// around get() hold no call that the compiler must expect to change everything.
+    /// A get() that found nothing: reported at once where asserts are on, else at the next tick, so
+    /// that loops around get() contain no call that could change anything from the compiler's view.
     struct Missed {
         std::uint64_t id = 0;
         std::uint64_t count = 0;

@@ -33,7 +33,7 @@ inline constexpr bool kTellAtOnce = true;
 inline constexpr bool kTellAtOnce = false;
 #endif
 
-/// What get() gives when there is nothing to give: a component that belongs to nobody.
+/// What get() returns if the component is missing: a blank one that belongs to no entity.
 template <class T>
 struct Blank {
     alignas(T) inline static std::byte bytes[sizeof(T)] = {};

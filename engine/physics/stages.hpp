@@ -33,7 +33,7 @@ struct StepContext {
     }
 };
 
-/// Calls back the owner of the world, who must not change it meanwhile.
+/// Calls a callback of the world's owner, during which the world must not be changed.
 template <class Call>
 auto ask(World& world, Call&& call) {
     struct Asking {  // ends when the callback throws, too

@@ -16,7 +16,7 @@ namespace plumb {
 namespace {
 
 #if defined(__linux__)
-/// Seconds between the start of the machine and that of this program; below 0 when nobody tells.
+/// Seconds between the start of the machine and that of this process; below 0 if it is unknown.
 double startedAt() {
     std::FILE* file = std::fopen("/proc/self/stat", "r");  // its size says 0, so readFile finds nothing
     if (file == nullptr) return -1.0;

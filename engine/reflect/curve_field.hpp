@@ -6,7 +6,7 @@
 
 namespace plumb {
 
-/// Who knows no curves sees a list of pairs: place and value of each key.
+/// Code that does not know curves sees a list of pairs: position and value of each key.
 template <>
 struct ListTraits<Curve> : std::true_type {
     using Element = Vec2;

@@ -13,7 +13,7 @@ class FieldContext;
 /// 0..1 and the value there.
 Json curveToJson(const Curve& curve);
 
-/// Reads one. A value past the field's range is clamped, and the context is told.
+/// Reads a curve. A value outside the field's range is clamped, with a warning to the context.
 /// @error no curve, another word, no key, too many, out of order, outside 0..1; `value` keeps what it is
 Result<Done> readCurve(const FieldInfo& field, void* value, const Json& json, FieldContext& context);
 

@@ -259,12 +259,12 @@ Result<Done> readEntity(const FieldInfo& field, void* value, const Json& json, c
     const std::optional<std::uint64_t> id = text != nullptr ? parseHex(*text) : std::nullopt;
     if (!id || *id == 0) {
         return expected(field, "the id of an entity", json,
-                        "write its 16 hex digits in quotes, or null for nobody");
+                        "write its 16 hex digits in quotes, or null for no entity");
     }
     const EntityId entity = context.entity(*id);
     if (!entity) {
         return Error{std::string{field.name}, format("no entity has the id {}", foundText(json)),
-                     "write the id of an entity of this file, or null for nobody"};
+                     "write the id of an entity of this file, or null for no entity"};
     }
     store(value, entity);
     return Done{};

@@ -11,7 +11,7 @@ class FieldContext;
 /// The value of a field as files hold it.
 Json fieldToJson(const FieldInfo& field, const void* object, const FieldContext& context);
 
-/// Reads a field from what a file holds. A number past the field's range is clamped, and the context is told.
+/// Reads a field from what a file holds. A number outside the field's range is clamped, with a warning.
 /// @error the kind is wrong, not finite, an unknown name, a path that leaves the project; the field keeps
 ///        its value. The error's place is the field's name.
 Result<Done> fieldFromJson(const FieldInfo& field, void* object, const Json& json, FieldContext& context);

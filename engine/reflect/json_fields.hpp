@@ -25,11 +25,11 @@ struct KeptProperty {
 void writeKept(Json& object, const std::vector<KeptProperty>& properties);
 
 /// Reads the properties of one JSON object of a file. A property that is missing gives its fallback; one that
-/// is wrong gives its fallback too and tells the problem; `warnUnknown` tells those that nobody asked for.
+/// is wrong gives its fallback and reports a problem; `warnUnknown` reports properties that were never read.
 class JsonFields {
 public:
     /// @param where  the place of the object, e.g. "tiles.tileset.json: tiles[3]"
-    /// @param object must outlive this; anything but an object is told as a problem and read as an empty one
+    /// @param object must outlive this; anything but an object is reported and read as an empty one
     JsonFields(const Json& object, std::string where, std::vector<Error>& problems);
 
     [[nodiscard]] const std::string& where() const { return where_; }
@@ -53,12 +53,12 @@ public:
     const Json* array(std::string_view key);
 
     /// The version that the file states in "format".
-    /// @return false, with a problem told, when this program is too old for it
+    /// @return false, after reporting a problem, when this program is too old for it
     bool acceptFormat(int newest);
 
     void warn(std::string_view key, std::string what, std::string remedy);
 
-    /// Tells the properties that nobody asked for, and gives them to be kept.
+    /// Reports the properties that were never read, and returns them so that they can be kept.
     std::vector<KeptProperty> keepUnknown();
     void warnUnknown() { static_cast<void>(keepUnknown()); }
 

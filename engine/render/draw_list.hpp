@@ -79,9 +79,9 @@ public:
     /// A quad that is in the device's form already; its slot holds flags only.
     void instance(const SpriteInstance& instance, TextureHandle texture, int layer);
 
-    /// Room for many quads of one texture and layer, in the device's form, slots with flags only: to be
-    /// filled front to back and then given back by endRun, with nothing added in between. Who fills it leaves
-    /// out what visible() does not touch.
+    /// Reserves room for `most` quads of one texture and layer, in the device's format, with
+    /// only the flags of each slot set. Fill it front to back, then return it with endRun();
+    /// add nothing else in between. The caller leaves out quads that visible() rejects.
     [[nodiscard]] std::span<SpriteInstance> beginRun(std::size_t most);
     /// @param count  how many were filled
     void endRun(std::size_t count, TextureHandle texture, int layer, float sortY = kNoSortY);
@@ -180,7 +180,7 @@ inline std::array<std::uint16_t, 4> sourceCorners(const SpriteQuad& quad) {
     return uv;
 }
 
-// Here, so that who makes a quad and what becomes of it are one piece of code: worlds have 100,000 of them.
+// Inline, so that a quad is made and converted in one piece of code: worlds have 100,000 of them.
 inline void DrawList::sprite(const SpriteQuad& quad) {
     if (!sees(quad.center, quad.half, quad.rotation)) {
         ++culled_;

@@ -6,7 +6,7 @@
 
 namespace plumb {
 
-/// Writes down what it is told to draw. Tests and headless runs need no graphics card.
+/// Records the draw calls it receives. Tests and headless runs need no graphics card.
 class RecordingDevice final : public RenderDevice {
 public:
     struct SpriteDraw {

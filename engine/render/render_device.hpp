@@ -96,8 +96,8 @@ struct Viewport {
     friend bool operator==(const Viewport&, const Viewport&) = default;
 };
 
-/// What a graphics card can do for us, and no more. One implementation draws with OpenGL, one writes down
-/// what it is told so that tests need no card.
+/// The operations that the renderer needs from a graphics card. One implementation
+/// uses OpenGL, another records the calls so that tests need no card.
 class RenderDevice {
 public:
     virtual ~RenderDevice() = default;

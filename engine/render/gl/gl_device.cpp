@@ -324,7 +324,7 @@ GlDevice::FrameBuffer& GlDevice::nextFrameBuffer(std::size_t count) {
 std::span<SpriteInstance> GlDevice::mapInstances(std::size_t count) {
     if (count == 0) return {};
     nextFrameBuffer(count);
-    // Unsynchronized: the fence has said that nobody reads it.
+    // Unsynchronized: the fence guarantees that the GPU no longer reads it.
     void* memory =
         glMapBufferRange(GL_ARRAY_BUFFER, 0, static_cast<GLsizeiptr>(count * sizeof(SpriteInstance)),
                          GL_MAP_WRITE_BIT | GL_MAP_UNSYNCHRONIZED_BIT);
