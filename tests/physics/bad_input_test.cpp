@@ -387,11 +387,11 @@ TEST(BadInput, predictionsAreFiniteWhateverTheTime) {
 TEST(BadInput, kindsThatDoNotExistAreRefused) {
     Patient patient;
     World& world = patient.world;
-    BodyDefinition nobody;
-    nobody.kind = BodyKind::None;
-    EXPECT_FALSE(createBody(world, nobody).ok());
-    nobody.kind = static_cast<BodyKind>(77);
-    EXPECT_FALSE(createBody(world, nobody).ok());
+    BodyDefinition noKind;
+    noKind.kind = BodyKind::None;
+    EXPECT_FALSE(createBody(world, noKind).ok());
+    noKind.kind = static_cast<BodyKind>(77);
+    EXPECT_FALSE(createBody(world, noKind).ok());
     JointDefinition unknown{.a = patient.body, .b = patient.other};
     unknown.kind = JointKind::Count;
     EXPECT_FALSE(createJoint(world, unknown).ok());

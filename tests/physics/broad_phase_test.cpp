@@ -252,7 +252,7 @@ TEST_P(BroadPhases, castsAcrossAWorldLookAtLittleOfIt) {
     EXPECT_LE(found.size(), 1000u);
 }
 
-TEST_P(BroadPhases, boundsThatAreNoneMeetNobody) {
+TEST_P(BroadPhases, emptyBoundsOverlapNothing) {
     constexpr float kInfinity = std::numeric_limits<float>::infinity();
     constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
     ProxyWorld world;
@@ -284,7 +284,7 @@ TEST_P(BroadPhases, boundsThatAreNoneMeetNobody) {
     EXPECT_EQ(pairsOf(*phase, world), expected);
 }
 
-TEST_P(BroadPhases, crowdsAtOneSpotThatMeetNobodyCostLittle) {
+TEST_P(BroadPhases, crowdsAtOneSpotThatCollideWithNothingCostLittle) {
     ProxyWorld world;
     Filter alone;
     alone.mask = 0;

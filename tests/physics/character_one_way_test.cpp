@@ -10,7 +10,7 @@ namespace plumb::physics {
 namespace {
 
 constexpr float kThin = 0.125f;  // m: half of a platform's thickness
-constexpr float kEdge = 0.05f;   // m: nearer to a platform's end nobody says whether something is over it
+constexpr float kEdge = 0.05f;   // m: nearer to a platform's end it is undefined whether something is over it
 
 /// A one-way platform that changes its velocity now and then.
 struct Shelf {
@@ -77,7 +77,7 @@ struct OneWayCourse {
         EXPECT_TRUE(all.back().setVelocity(velocity).ok());
         return all.back();
     }
-    /// Someone whose feet are at a place.
+    /// Adds a character whose feet are at `feet`.
     CharacterController& addOn(WorldPosition feet, Vec2 velocity = {}) {
         const float height = feetOf(outlineOf(figure)) + kGap;
         return add({feet.x, feet.y - static_cast<double>(height)}, velocity);
@@ -109,7 +109,7 @@ void moveShelf(OneWayCourse& run, int way) {
 
 constexpr int kUsual = 80;
 
-TEST(CharacterOneWay, whoFallsOnAPlatformNeverFallsThroughHoweverItMoves) {
+TEST(CharacterOneWay, aCharacterThatLandsNeverFallsThroughHoweverThePlatformMoves) {
     for (int way = 0; way < 5; ++way) {
         int landed = 0;
         for (int i = 0; i < runsToTry(kUsual); ++i) {
@@ -130,7 +130,7 @@ TEST(CharacterOneWay, whoFallsOnAPlatformNeverFallsThroughHoweverItMoves) {
     }
 }
 
-TEST(CharacterOneWay, whoStandsOnAPlatformStaysHoweverItMoves) {
+TEST(CharacterOneWay, aCharacterOnAPlatformStaysHoweverThePlatformMoves) {
     for (int way = 1; way < 5; ++way) {
         for (int i = 0; i < runsToTry(kUsual); ++i) {
             SCOPED_TRACE(std::string{kWays[way]} + " " + std::to_string(i));
@@ -255,7 +255,7 @@ void flyAsIfAlone(OneWayCourse& run, Course& empty, int ticks) {
     }
 }
 
-TEST(CharacterOneWay, whoIsInsideAtTheStartFallsAsIfNothingWereThere) {
+TEST(CharacterOneWay, aCharacterThatStartsInsideFallsThrough) {
     for (int way = 0; way < 5; ++way) {
         if (way == 2) continue;  // a platform that sinks faster is under it soon
         for (int i = 0; i < runsToTry(kUsual); ++i) {
@@ -274,7 +274,7 @@ TEST(CharacterOneWay, whoIsInsideAtTheStartFallsAsIfNothingWereThere) {
     }
 }
 
-TEST(CharacterOneWay, whoComesFromBelowFliesAsIfNothingWereThere) {
+TEST(CharacterOneWay, aCharacterFromBelowPassesThrough) {
     for (int way = 0; way < 5; ++way) {
         int landed = 0;
         for (int i = 0; i < runsToTry(kUsual); ++i) {
@@ -294,7 +294,7 @@ TEST(CharacterOneWay, whoComesFromBelowFliesAsIfNothingWereThere) {
     }
 }
 
-TEST(CharacterOneWay, itsSidesStopNobody) {
+TEST(CharacterOneWay, itsSidesStopNoCharacter) {
     for (int i = 0; i < runsToTry(2 * kUsual); ++i) {
         SCOPED_TRACE(i);
         OneWayCourse run{i};

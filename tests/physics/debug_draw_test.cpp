@@ -301,7 +301,7 @@ TEST(DebugDraw, aPathBendsByDrag) {
     EXPECT_NEAR(length(toVec2(positionOf(world, body)) - end), 0.0f, 1e-3f);
 }
 
-TEST(DebugDraw, aTriggerIsTiedToWhoIsInside) {
+TEST(DebugDraw, aTriggerIsConnectedToTheBodiesInside) {
     World world;
     world.settings.gravity = {};
     const BodyId area = addBody(world, BodyKind::Static, {});
@@ -338,7 +338,7 @@ TEST(DebugDraw, aFastBodyLeavesItsPathAndWhereItHitSomething) {
     EXPECT_EQ(drawn(world, kDrawSweeps).count(), 0u) << "what is slow was not swept";
 }
 
-TEST(DebugDraw, whoRestsFillsUpUntilItSleeps) {
+TEST(DebugDraw, aRestingBodyFillsUpUntilItSleeps) {
     World world;
     const BodyId ground = addBody(world, BodyKind::Static, {});
     static_cast<void>(createShape(world, ground, box({5.0f, 0.5f})));
@@ -383,7 +383,7 @@ TEST(DebugDraw, theRegionsOfEveryBroadPhaseHoldAllBoxesBetweenThem) {
             });
             if (!isHeld) ++homeless;
         }
-        // Grids and rows keep a few apart: who is as large as everything, and who has just strayed.
+        // Grids and rows keep a few apart: proxies as large as everything, and new strays.
         const bool hasStrays = kind == BroadPhaseKind::Grid || kind == BroadPhaseKind::SweepAndPrune;
         EXPECT_LE(homeless, hasStrays ? 30u : 0u);
     }

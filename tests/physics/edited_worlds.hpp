@@ -15,7 +15,7 @@ inline bool sameBytes(const std::vector<T>& a, const std::vector<T>& b) {
     return a.size() == b.size() && (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(T)) == 0);
 }
 
-/// All that moves, but for rounding, and who uses which effects.
+/// All that moves is equal up to rounding, and the same effects are in use.
 inline void expectNear(const World& a, const World& b, double tolerance = 1.0e-6) {
     for (std::size_t i = 0; i < a.bodies.size(); ++i) {
         EXPECT_NEAR(a.bodies.pose[i].centre.x, b.bodies.pose[i].centre.x, tolerance) << i;

@@ -175,7 +175,7 @@ TEST(Edits, sleepersNoticeWhatBecomesOfTheirGround) {
     EXPECT_NEAR(positionOf(kept.world, kept.crate).y, 0.6, 0.01);
 }
 
-TEST(Edits, endedAndBeganTellWhoTouchesAfterAChange) {
+TEST(Edits, endedAndBeganEventsMatchTheTouchingPairsAfterAChange) {
     Shelf s;
     EXPECT_TRUE(setGeometry(s.world, s.board, box({1.2f, 0.1f})).ok());
     run(s.world, 1);

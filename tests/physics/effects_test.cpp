@@ -235,7 +235,7 @@ TEST(ContactHooks, aContactThatMayNotPushIsFallenThrough) {
     EXPECT_EQ(runsOf(world, "filter contacts"), 60u);
 }
 
-// What nobody calls for.
+// Effects that nothing requires.
 
 World makePile() {
     World world = makeWorld();
@@ -247,7 +247,7 @@ World makePile() {
     return world;
 }
 
-TEST(Effects, aStageThatNobodyCallsForIsNotRun) {
+TEST(Effects, aStageThatNothingRequiresIsNotRun) {
     World world = makePile();
     run(world, 10);
     EXPECT_EQ(runsOf(world, "filter contacts"), 0u);

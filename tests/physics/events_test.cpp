@@ -147,7 +147,7 @@ TEST(Events, theImpulsesOfABreakAreTheWholeOnes) {
     EXPECT_NEAR(largest, whole, 0.02f * whole);
 }
 
-TEST(Events, aTriggerTellsWhoEntersAndLeavesAndStopsNobody) {
+TEST(Events, aTriggerReportsBodiesThatEnterAndLeaveAndStopsNone) {
     Playground scene;
     const BodyId door = scene.body(BodyKind::Static, {0.0, 0.0});
     scene.shape(door, box({1.0f, 1.0f}), {.isTrigger = true});
@@ -218,7 +218,7 @@ TEST(Events, aMovingTriggerLeavesWhatSleeps) {
     const Counted events = countEvents(scene);
     EXPECT_EQ(events.began, 1);
     EXPECT_EQ(events.ended, 1);
-    EXPECT_EQ(scene.world.awake.size(), 1u) << "nobody was woken";
+    EXPECT_EQ(scene.world.awake.size(), 1u) << "no body was woken";
 }
 
 TEST(Events, aTriggerLeavesWhatFellAsleepInItWhicheverCameFirst) {
@@ -255,7 +255,7 @@ TEST(Events, destroyingABodyEndsItsContacts) {
     EXPECT_FALSE(alive(scene.world, crate));
 }
 
-TEST(Events, masksAndGroupsDecideWhoMeets) {
+TEST(Events, masksAndGroupsDecideWhichShapesCollide) {
     Playground scene;
     scene.floor({.layers = 1});
     const BodyId ghost = scene.ball({0.0, 2.0}, 0.5f, {.layers = 2, .mask = 4});

@@ -422,7 +422,7 @@ TEST(Fields, refuseWhatMakesNoSense) {
     EXPECT_FALSE(world.manifest.runs(Effect::Wind));
 }
 
-TEST(Fields, aFieldThatActsOnNobodyLeavesEveryBitAsItIs) {
+TEST(Fields, aFieldThatActsOnNoBodyChangesNoBit) {
     World off = makeWorld(), on = makeWorld();
     for (World* world : {&off, &on}) {
         addFloor(*world);

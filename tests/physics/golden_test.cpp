@@ -11,7 +11,7 @@
 #include "tests/physics/golden_scenes.hpp"
 #include "tests/support/places.hpp"
 
-// One number for each scene, whoever works it out: tests/replay/physics.golden.
+// One number for each scene, the same on all machines: tests/replay/physics.golden.
 
 namespace plumb::physics {
 namespace {

@@ -45,7 +45,7 @@ TEST(WeldJoint, withAStiffnessOfItsOwnSwingsWithThatFrequency) {
 }
 
 // The angle between them is what it is, however little that is off: no torque can mend it.
-TEST(WeldJoint, pushesNobodyWhereNeitherEndCanBeTurned) {
+TEST(WeldJoint, appliesNoImpulseWhereNeitherBodyCanRotate) {
     JointWorld scene;
     scene.world.settings.gravity = {};
     const BodyId light = scene.disc({-2.0, 0.0}, 0.0003f), heavy = scene.disc({2.0, 0.0}, 3.0f);

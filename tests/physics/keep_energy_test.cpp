@@ -136,7 +136,7 @@ TEST(KeepEnergy, contactsGiveNone) {
     EXPECT_GT(met, 1500);
 }
 
-TEST(KeepEnergy, isLookedAtWhereNobodyHasJointsAfterABlowAlone) {
+TEST(KeepEnergy, isCheckedInIslandsWithoutJointsOnlyAfterAnImpact) {
     JointWorld scene;
     const auto floor = *createBody(scene.world, {.kind = BodyKind::Static, .position = {0.0, -1.0}});
     (void)*createShape(scene.world, floor, box({50.0f, 1.0f}), {});

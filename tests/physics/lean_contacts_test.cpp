@@ -10,8 +10,8 @@
 #include "physics/workspace.hpp"
 #include "tests/physics/world_of_bodies.hpp"
 
-// Contacts where nobody turns, or rubs, have kernels of their own, and boxes along the axes a narrow
-// phase of their own. Both are short cuts: what is left out would have changed nothing.
+// Contacts without rotation or friction have kernels of their own, and axis-aligned boxes a narrow phase
+// of their own. Both are fast paths: the omitted terms are zero, so the results are the same bits.
 
 namespace plumb::physics {
 namespace {
@@ -20,8 +20,8 @@ constexpr int kSeeds = 60;
 
 Vec2 anyHalf(Random& random) { return {random.between(0.2f, 0.6f), random.between(0.2f, 0.6f)}; }
 
-/// A pit, and who falls into it upright: on bars that move and turn, some pulled, some slow in something
-/// thick.
+/// A pit, and bodies without rotation that fall into it: onto bars that
+/// move and rotate; some are pulled, some are slowed by a viscous region.
 World makeUprightPit(std::uint64_t seed, bool rubs) {
     Random random = Random::seeded(seed);
     World world;
@@ -182,7 +182,7 @@ TEST(LeanContacts, ofUprightBoxesAreTheDeepestPointOfBoxesThatMayTurn) {
     EXPECT_GT(corners, 20);
 }
 
-TEST(LeanContacts, areLeftAsSoonAsSomebodyMayTurnAndTakenUpAgain) {
+TEST(LeanContacts, areReplacedAsSoonAsABodyCanRotateAndUsedAgainAfterwards) {
     World world = makeUprightPit(2, true);
     for (int i = 0; i < 60; ++i) step(world, kTick);
     const BodyId wheel = *createBody(world, {.position = {0.0, 30.0}});

@@ -86,7 +86,8 @@ TEST(Measures, distanceIsThatOfTheBodyThatIsFarthestOff) {
     ASSERT_TRUE(setPosition(other, second, {8.0, 4.0}, 0.0f));
     EXPECT_NEAR(largestDistanceOf(world, other), 5.0, 1e-12);
     addBall(other, {100.0, 0.0});
-    EXPECT_NEAR(largestDistanceOf(world, other), 5.0, 1e-12) << "who is in one of them only does not count";
+    EXPECT_NEAR(largestDistanceOf(world, other), 5.0, 1e-12)
+        << "a body that is in only one of them does not count";
 }
 
 }  // namespace

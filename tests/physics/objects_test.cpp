@@ -132,7 +132,7 @@ TEST(Objects, aJumpKeepsTheAngleUnlessOneIsGiven) {
     EXPECT_EQ(angleOf(body->rotation()), 0.0f);
 }
 
-TEST(Objects, timeThatIsNoTimeMovesNobodyAndCallsNobody) {
+TEST(Objects, anInvalidTimeStepMovesNothingAndCallsNothing) {
     Physics physics;
     Counter* const floor = *physics.create<Counter>(nullptr, Vec2{10.0f, 1.0f});
     RigidBody* const body = *physics.createBody({0.0, -1.5});
@@ -200,7 +200,7 @@ TEST(Objects, whatSleepsIsStillTouchedAndItsEndIsHeardOf) {
     EXPECT_EQ(heard, 0) << "what is destroyed hears nothing more";
 }
 
-/// Wants time to go on while it is told of a collision.
+/// Tries to advance time during a collision callback.
 struct Hasty : BoxCollider {
     Physics& physics;
     int entered = 0;

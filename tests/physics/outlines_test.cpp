@@ -210,7 +210,7 @@ TEST(Outlines, ofOneWayTilesFaceTheirDirection) {
     }
 }
 
-TEST(Outlines, betweenLayersStopWhoDoesNotMeetTheOther) {
+TEST(Outlines, betweenLayersStopBodiesThatDoNotCollideWithTheOtherLayer) {
     TileMask mask{2, 1};
     const std::uint8_t two = *mask.palette.addLayers({2, 0xffffffffu});
     mask.set(0, 0, {TileForm::Full});
@@ -225,12 +225,12 @@ TEST(Outlines, betweenLayersStopWhoDoesNotMeetTheOther) {
     const TerrainSegment right = inner(at(1, 0));  // of the left tile
     EXPECT_EQ(right.b, at(1, 1));
     EXPECT_EQ(right.kind, (EdgeKind{0, 0, OneWay::No, static_cast<std::uint8_t>(two + 1)}));
-    EXPECT_EQ(right.before, at(0, 0));  // whoever meets it sees the left tile alone
+    EXPECT_EQ(right.before, at(0, 0));  // a shape that collides with it sees the left tile alone
     EXPECT_EQ(right.after, at(0, 1));
     const TerrainSegment left = inner(at(1, 1));
     EXPECT_EQ(left.kind, (EdgeKind{0, two, OneWay::No, 1}));
     EXPECT_EQ(left.after, at(2, 0));
-    // The common floor is smooth for whoever meets both.
+    // The common floor is smooth for shapes that collide with both.
     EXPECT_EQ(std::count_if(outline.begin(), outline.end(),
                             [](const TerrainSegment& s) { return s.a == at(0, 0) && s.after == at(2, 0); }),
               1);
@@ -242,7 +242,7 @@ TEST(Outlines, betweenLayersAreNeededOnlyWhereTheOtherMeetsFewer) {
     mask.set(0, 0, {TileForm::Full});
     mask.set(1, 0, {TileForm::Full, 0, both});
     const TerrainOutline outline = outlineOf(mask);
-    EXPECT_EQ(outline.size(), 7u);  // who meets the left tile meets the right one too
+    EXPECT_EQ(outline.size(), 7u);  // shapes that collide with the left tile collide with the right one too
 }
 
 TEST(Outlines, inMetresAreExactNearTheirChunk) {

@@ -178,7 +178,7 @@ TEST(Seams, anEditUnderABodyWakesItAndDropsIt) {
     EXPECT_EQ(heard.ended, 1);
 }
 
-TEST(Seams, aBorderInsideATerrainStopsOnlyWhoDoesNotMeetWhatIsBeforeIt) {
+TEST(Seams, anInnerEdgeOfATerrainStopsOnlyBodiesThatDoNotCollideWithTheTileBeforeIt) {
     // Above, ground that only layer 2 meets; under it, ground that all meet.
     TileMask mask{8, 4};
     const std::uint8_t soft = *mask.palette.addLayers({.layers = 4});

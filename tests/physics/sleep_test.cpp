@@ -116,7 +116,7 @@ TEST(Sleep, aPlatformThatStartsToMoveWakesWhatLiesOnItAndWhatHangsFromIt) {
     EXPECT_NEAR(scene.y(hanging), 0.0, 0.02);
 }
 
-TEST(Sleep, aSlowLiftDoesNotLeaveAnybodyInTheAir) {
+TEST(Sleep, aSlowLiftLeavesNoBodyInTheAir) {
     Sleepy scene;
     const BodyId lift = scene.body(BodyKind::Kinematic, {0.0, 0.0});
     scene.shape(lift, box({2.0f, 0.25f}));

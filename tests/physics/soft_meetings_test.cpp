@@ -166,7 +166,7 @@ TEST(SoftSoftContacts, blowsKeepAllMomentum) {
     }
 }
 
-TEST(SoftSoftContacts, whoIsFarAwayOrOfAnotherLayerIsNotMet) {
+TEST(SoftSoftContacts, bodiesFarAwayOrInAnotherLayerAreIgnored) {
     const auto makeA = [](World& world) {
         world = makeWorld();
         SoftMaterial material = firm(1.0f);

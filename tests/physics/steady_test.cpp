@@ -25,8 +25,7 @@ std::size_t allocationsOfTheSecondTime(const GoldenScene& scene, const StepOptio
         step(world, 1.0f / 60.0f, options);
     };
     World world = scene.build();
-    world.settings.sleeping =
-        false;  // who falls asleep goes from one list to another, which is no steady step
+    world.settings.sleeping = false;  // a body that falls asleep moves between lists, which is no steady step
     for (int i = 0; i < 30; ++i) advance(world, i);
     const World saved = world;
     for (int i = 30; i < 30 + kSteps; ++i) advance(world, i);

@@ -44,7 +44,7 @@ TEST(Step, dragFollowsItsExponential) {
     EXPECT_NEAR(scene.x(*made), 10.0 / 0.7 * (1.0 - std::exp(-0.7)), 1.0e-3);
 }
 
-TEST(Step, dragSlowsNobodyWhomItsOwnerMoves) {
+TEST(Step, dragDoesNotSlowKinematicBodies) {
     Playground scene;
     const BodyId platform = *createBody(scene.world, {.kind = BodyKind::Kinematic,
                                                       .velocity = {1.0f, 0.0f},

@@ -55,7 +55,7 @@ inline World makePit(int bodies, std::uint64_t seed) {
     return world;
 }
 
-/// A world that nobody falls asleep in, and short ways to fill it.
+/// A world in which no body falls asleep, and short ways to fill it.
 struct Playground {
     World world;
 

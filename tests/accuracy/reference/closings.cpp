@@ -7,7 +7,7 @@ namespace plumb::reference {
 namespace {
 
 constexpr double kExact = 1.0e-13;  // m: a hit is found when the gap is as small
-constexpr double kFarOff = 1.0e9;   // m: a gap that is told, however large
+constexpr double kFarOff = 1.0e9;   // m: upper limit of the gaps that are computed
 constexpr int kMostSamples = 2000;
 
 /// The first time at which a gap that is open at `low` and overlaps at `high` closes. `gap` may be endless
@@ -57,8 +57,8 @@ double GroupStep::closingOfPair(std::uint32_t a, std::uint32_t b, double h) {
     const double before = gapAt(a, b, 0.0, h), way = longestWay(a, b, h);
     if (before - way > 0.0 && before < kEndless) return kEndless;
     const auto gap = [&](double time) { return gapAt(a, b, time, h); };
-    // Who is fast may be through at the end of the step: it is looked at as often as it takes to be seen
-    // inside.
+    // A fast shape can pass through the other within the step: sample
+    // the gap often enough to find a time at which they overlap.
     const double width = 0.25 * (scene_.outlines[a].width + scene_.outlines[b].width);
     const int samples = std::clamp(static_cast<int>(way / std::max(width, 1.0e-6)) + 1, 1, kMostSamples);
     double low = 0.0, gapLow = before;

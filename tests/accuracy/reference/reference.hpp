@@ -54,7 +54,7 @@ struct Answer {
     std::vector<ContactAnswer> contacts;
     std::vector<JointAnswer> joints;
     double energy = 0.0;         ///< J: of motion, and of gravity from the origin of the world
-    double error = 0.0;          ///< m: no centre is further off, as far as can be told from the runs
+    double error = 0.0;          ///< m: estimated from the runs; no centre deviates by more
     double angleError = 0.0;     ///< rad
     double velocityError = 0.0;  ///< m/s
     double order = 0.0;  ///< of convergence, as observed; 0 where all runs are the same but for rounding

@@ -9,7 +9,7 @@
 
 namespace plumb::reference {
 
-inline constexpr std::uint32_t kNobody = physics::kNone;
+inline constexpr std::uint32_t kNoGroup = physics::kNone;
 
 /// A body as the reference solver needs it. What does not change in a run.
 struct Body {

@@ -47,7 +47,7 @@ void RowSolver::prepare(RowOutcome& outcome) {
         double resistance = 0.0;
         if (row.a != kNoRow) resistance += dot(row.speedA, scaled(inverse(system.mass[row.a]), row.pushA));
         if (row.b != kNoRow) resistance += dot(row.speedB, scaled(inverse(system.mass[row.b]), row.pushB));
-        // A row that nobody feels is one that does nothing.
+        // A row that can move no body has no effect: give it infinite resistance.
         if (!(resistance > 0.0)) resistance = kEndless, row.impulse = 0.0;
         resistance_.push_back(resistance);
         // What can be had of a target: all of it, or what a spring makes of it.
