@@ -17,7 +17,7 @@ struct StepContext {
     /// Whether work on so many things is shared among threads in pieces of `grain`, or is one piece.
     [[nodiscard]] bool isShared(int count, int grain) const { return pool != nullptr && count > grain; }
     [[nodiscard]] bool runs(Effect effect) const { return (effects & Manifest::bit(effect)) != 0; }
-    /// Called by the part of a stage that implements an effect, before it runs: counts that (runsOf).
+    /// To be called before the code of an effect that is only a part of a stage: counts its run (runsOf).
     [[nodiscard]] bool starts(Effect effect) const {
         if (!runs(effect)) return false;
         work.effectsRun |= Manifest::bit(effect);
@@ -44,7 +44,7 @@ auto ask(World& world, Call&& call) {
     return call();
 }
 
-/// Whether the owner of the world lets these two shapes meet.
+/// True if the owner's filter callback allows these two shapes to collide.
 inline bool mayMeet(const StepContext& step, std::uint32_t a, std::uint32_t b) {
     const std::vector<ShapeInfo>& info = step.world.shapes.info;
     return step.hooks.filter == nullptr || ask(step.world, [&] {
@@ -61,7 +61,7 @@ void forPieces(TaskPool* pool, int count, int grain, Act&& act) {
     if (count == 0) return;
     if (pool == nullptr || count <= grain) return act(0, count, 0);
     const int pieces = piecesOf(count, grain);
-    // Of a copy: one thread alone keeps in registers what no pointer leads to.
+    // Calls a copy: its captures have no address elsewhere, so a single thread keeps them in registers.
     pool->run(pieces, [=](int piece, int) {
         act(piece * grain, piece + 1 < pieces ? (piece + 1) * grain : count, piece);
     });
