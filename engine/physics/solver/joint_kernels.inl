@@ -267,9 +267,7 @@ inline Float8 angleMass(const Couple8& couple) {
 // Joints that constrain a point: hinges, and with an angle those with a limit, motor or spring, and others.
 
 template <class Block>
-concept HasPoint = requires {
-    Block::kHasAngle;
-};
+concept HasPoint = requires { Block::kHasAngle; };
 
 template <bool kOneSided, HasPoint Block>
 void warmStartJoints(const SolverBodies& bodies, const JointPass&, const JointLanes* lanes, Block* blocks,
