@@ -14,8 +14,8 @@ namespace {
 constexpr std::size_t kWordBytes = 4;
 constexpr std::size_t kMostWords = 64;   // of one match: 256 of the 258 bytes that are allowed
 constexpr std::size_t kFarthest = 8192;  // words: 32768 bytes
-constexpr std::size_t kRow = 128;        // words: what lies above in a block of tiles
-constexpr std::size_t kLetters = 286;    // bytes, the end, and lengths of matches
+constexpr std::size_t kRow = 128;        // words: the row above in a block of tiles
+constexpr std::size_t kLetters = 286;    // literals, end of block, and match lengths
 constexpr std::size_t kDistances = 30;
 constexpr std::size_t kEnd = 256;
 constexpr int kMostBits = 15;       // of a code
@@ -23,14 +23,14 @@ constexpr int kMostLengthBits = 7;  // of the code that encodes the lengths of t
 constexpr std::uint32_t kAdlerPrime = 65521;
 constexpr std::size_t kAdlerWords = 1024;  // sums of so many fit into 32 bits
 
-/// Codes of one alphabet, by letter; those of length 0 never come.
+/// Codes of an alphabet, by symbol; symbols with length 0 do not occur.
 struct Codes {
     std::vector<std::uint8_t> lengths;
     std::vector<std::uint16_t> bits;  // first bit lowest, as they are written
 };
 
-/// Depths of a tree in which frequent letters are near the root. Of equally frequent ones the first letter is
-/// deeper, so that the tree depends on nothing else.
+/// Depths of a Huffman tree. Of equally frequent symbols the first
+/// one is deeper, so that the tree depends on the counts only.
 std::vector<std::uint8_t> depthsOf(const std::vector<std::uint32_t>& counts) {
     std::vector<std::size_t> used;
     for (std::size_t i = 0; i < counts.size(); ++i) {
@@ -42,7 +42,7 @@ std::vector<std::uint8_t> depthsOf(const std::vector<std::uint32_t>& counts) {
     std::vector<std::uint64_t> weight(leaves * 2);
     std::vector<std::size_t> above(leaves * 2);
     for (std::size_t i = 0; i < leaves; ++i) weight[i] = counts[used[i]];
-    // Leaves and inner nodes are each in rising order: the two lightest stand at the front of either.
+    // Leaves and inner nodes are each in ascending order: the two lightest are at the front of the two lists.
     std::size_t leaf = 0;
     std::size_t inner = leaves;
     for (std::size_t made = leaves; made + 1 < leaves * 2; ++made) {
@@ -68,7 +68,7 @@ std::uint16_t reversed(std::uint32_t bits, int count) {
 }
 
 Codes codesOf(std::vector<std::uint32_t> counts, int most) {
-    // A code of fewer than two letters is no whole tree, and some readers refuse those.
+    // Some readers refuse codes with fewer than two symbols, because these are incomplete trees.
     for (std::size_t i = 0;
          std::count(counts.begin(), counts.end(), 0u) + 2 > static_cast<std::ptrdiff_t>(counts.size()); ++i) {
         if (counts[i] == 0) counts[i] = 1;
@@ -76,7 +76,7 @@ Codes codesOf(std::vector<std::uint32_t> counts, int most) {
     Codes codes;
     codes.lengths = depthsOf(counts);
     while (*std::max_element(codes.lengths.begin(), codes.lengths.end()) > most) {
-        for (std::uint32_t& count : counts) count = (count + 1) / 2;  // flatter; what is there stays
+        for (std::uint32_t& count : counts) count = (count + 1) / 2;  // flatter; no symbol vanishes
         codes.lengths = depthsOf(counts);
     }
     std::array<std::uint32_t, kMostBits + 2> next{};
@@ -112,7 +112,7 @@ private:
     int held_ = 0;
 };
 
-/// A length or a distance as it is written: a letter, and the bits behind it.
+/// A length or a distance as encoded: a symbol and its extra bits.
 struct Spelling {
     std::size_t letter = 0;
     std::uint32_t rest = 0;
@@ -138,13 +138,13 @@ Spelling spellDistance(std::size_t bytes) {
     return {2u * static_cast<std::uint32_t>(high) + (from >> bits & 1u), from & ((1u << bits) - 1u), bits};
 }
 
-/// What comes next: a word of its own, or words that stood `distance` words before.
+/// A literal word, or a match of words `distance` words before.
 struct Token {
-    std::uint16_t words = 0;  ///< 0: the next word, as it is
+    std::uint16_t words = 0;  ///< 0: a literal word
     std::uint16_t distance = 0;
 };
 
-/// Finds what repeats: where each word stood last, right before, and one row above.
+/// Finds matches: at the last occurrence of each word, right before, and one row above.
 class Matcher {
 public:
     explicit Matcher(std::span<const std::uint32_t> words) : words_{words} { last_.fill(kNowhere); }
@@ -159,7 +159,7 @@ public:
             last = static_cast<std::uint32_t>(at);
             tokens.push_back(best);
             const std::size_t step = std::max<std::size_t>(best.words, 1);
-            // Where a match ends other words begin: that is what the next search wants to find.
+            // New content begins at the end of a match: the next search should find that.
             if (step > 1) last_[slotOf(words_[at + step - 1])] = static_cast<std::uint32_t>(at + step - 1);
             at += step;
         }
@@ -187,7 +187,7 @@ private:
     std::array<std::uint32_t, std::size_t{1} << kSlotBits> last_{};
 };
 
-/// The sum over all bytes that stands at the end.
+/// Adler-32 checksum over all bytes, stored at the end.
 std::uint32_t adlerOf(std::span<const std::uint32_t> words) {
     std::uint32_t a = 1;
     std::uint32_t b = 0;
@@ -206,7 +206,7 @@ std::uint32_t adlerOf(std::span<const std::uint32_t> words) {
 }
 
 void writeCodes(BitWriter& out, const Codes& letters, const Codes& distances) {
-    // In the order of RFC 1951: those that are often not needed come last.
+    // In the order of RFC 1951: lengths that are often 0 come last.
     constexpr std::array<std::uint8_t, 19> kOrder{16, 17, 18, 0, 8,  7, 9,  6, 10, 5,
                                                   11, 4,  12, 3, 13, 2, 14, 1, 15};
     std::vector<std::uint8_t> lengths = letters.lengths;
@@ -277,7 +277,7 @@ std::string packZlib(std::span<const std::uint32_t> words) {
     std::string packed;
     packed.reserve(tokens.size() * 3 + 256);
     packed += '\x78';  // deflate with a window of 32 KiB
-    packed += '\x01';  // packed fast; makes the first two bytes a multiple of 31
+    packed += '\x01';  // fastest compression; makes the first two bytes a multiple of 31
     BitWriter out{packed};
     out.put(1, 1);  // the last block
     out.put(2, 2);  // with codes of its own

@@ -10,8 +10,8 @@ namespace plumb {
 /// to lock it fails. The system releases the lock however the process ends.
 class FileLock {
 public:
-    /// Makes the file, and its folders, where there are none.
-    /// @return  nothing when another program holds it, or it cannot be made
+    /// Creates the file and its folders if necessary.
+    /// @return nothing if another process holds the lock, or the file cannot be created
     static std::optional<FileLock> take(const Path& path);
 
     ~FileLock();

@@ -13,7 +13,7 @@ namespace {
 
 constexpr int kMaxCodeBits = 15;
 
-/// The bits of a deflate stream, lowest first. Past the end they are zero and `overrun` says so.
+/// The bits of a deflate stream, lowest first. Beyond the end they are 0, and `overrun` is set.
 class BitReader {
 public:
     explicit BitReader(std::string_view bytes) : bytes_{bytes} {}
@@ -54,7 +54,7 @@ struct PrefixCode {
     std::array<std::uint16_t, kMaxCodeBits + 1> counts{};
     std::array<std::uint16_t, 288> symbols{};
 
-    /// @return false when the lengths promise more codes than there are
+    /// @return false if the lengths define more codes than exist
     bool build(std::span<const std::uint8_t> lengths) {
         counts.fill(0);
         for (const std::uint8_t length : lengths) ++counts[length];
@@ -73,7 +73,7 @@ struct PrefixCode {
         return true;
     }
 
-    /// @return the next symbol, or -1 when the bits are none
+    /// @return the next symbol, or -1 for an undefined code
     int read(BitReader& bits) const {
         int code = 0;
         int first = 0;
@@ -108,7 +108,7 @@ class Inflater {
 public:
     Inflater(std::string_view packed, std::size_t limit) : bits_{packed}, limit_{limit} {}
 
-    /// @return what is wrong, or nothing
+    /// @return the error, or nothing
     std::optional<std::string> run() {
         for (bool last = false; !last;) {
             last = bits_.take(1) == 1;
@@ -221,7 +221,7 @@ std::uint32_t adler32(std::string_view bytes) {
     std::uint32_t a = 1;
     std::uint32_t b = 0;
     for (std::size_t at = 0; at < bytes.size();) {
-        // 5552 is the most that cannot overflow before the remainder is taken.
+        // 5552 is the maximum number of bytes before a remainder that cannot overflow.
         for (const std::size_t end = std::min(at + 5552, bytes.size()); at < end; ++at) {
             a += static_cast<unsigned char>(bytes[at]);
             b += a;

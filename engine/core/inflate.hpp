@@ -8,14 +8,14 @@
 
 namespace plumb {
 
-/// Unpacks a zlib stream (RFC 1950) and checks its sum.
+/// Decompresses a zlib stream (RFC 1950) and verifies its checksum.
 ///
-/// @param limit  bytes that may come out; more is an error, and nothing beyond is ever allocated
-/// @param where  the name that stands before every error
-/// @error        cut off, damaged, larger than the limit, a preset dictionary
+/// @param limit  maximum output in bytes; more is an error, and never allocated
+/// @param where  prefix of all errors
+/// @error truncated, damaged, larger than the limit, a preset dictionary
 Result<std::string> unpackZlib(std::string_view packed, std::size_t limit, std::string_view where);
 
-/// Unpacks the first member of a gzip file (RFC 1952) and checks its sum and length.
+/// Decompresses the first member of a gzip file (RFC 1952) and verifies its checksum and length.
 Result<std::string> unpackGzip(std::string_view packed, std::size_t limit, std::string_view where);
 
 }  // namespace plumb

@@ -8,11 +8,11 @@
 
 namespace plumb {
 
-/// Unpacks Zstandard frames (RFC 8878), checking the sum where one is given.
+/// Decompresses Zstandard frames (RFC 8878), and verifies the checksum if there is one.
 ///
-/// @param limit  bytes that may come out; more is an error, and nothing beyond is ever allocated
-/// @param where  the name that stands before every error
-/// @error        cut off, damaged, larger than the limit, a frame that needs a dictionary
+/// @param limit  maximum output in bytes; more is an error, and never allocated
+/// @param where  prefix of all errors
+/// @error truncated, damaged, larger than the limit, a frame that needs a dictionary
 Result<std::string> unpackZstd(std::string_view packed, std::size_t limit, std::string_view where);
 
 }  // namespace plumb

@@ -11,10 +11,10 @@ namespace plumb::zstd {
 using Bytes = std::span<const std::uint8_t>;
 
 /// A bit stream that was written forwards and is read backwards: the last bit written comes first.
-/// Before its beginning all bits are zero, and `left` goes below zero. Source: RFC 8878, section 4.1.
+/// Before its beginning all bits are 0, and `left` becomes negative. Source: RFC 8878, section 4.1.
 class BackwardBits {
 public:
-    /// The highest set bit of the last byte marks the end. @return false when there is none
+    /// The highest set bit of the last byte marks the end. @return false if there is none
     bool open(Bytes bytes);
 
     std::uint64_t take(int count) {
@@ -32,7 +32,7 @@ private:
     std::int64_t left_ = 0;
 };
 
-/// A finite state entropy table: every state stands for a symbol and says how the next state is found.
+/// A finite state entropy table: each state stands for a symbol and determines the next state.
 struct FseTable {
     struct State {
         std::uint8_t symbol = 0;
@@ -43,27 +43,27 @@ struct FseTable {
     int log = 0;
     std::array<State, 512> states{};
 
-    /// From counts per symbol; -1 means "less than one". @return false when they do not fill the table
+    /// From counts per symbol; -1 means "less than one". @return false if they do not fill the table
     bool build(std::span<const std::int16_t> counts, int accuracyLog);
-    /// One state that is always the same symbol.
+    /// A single state that always gives the same symbol.
     void buildConstant(std::uint8_t symbol);
-    /// Reads the counts at the front of `bytes` and takes them away. Source: RFC 8878, section 4.1.1.
+    /// Reads the counts at the front of `bytes` and removes them. Source: RFC 8878, section 4.1.1.
     bool read(Bytes& bytes, int maxLog, int maxSymbol);
 
     [[nodiscard]] const State& at(std::uint64_t state) const { return states[state & 511]; }
 };
 
-/// A prefix code for literals, as a table over the next `log` bits. Source: RFC 8878, section 4.2.
+/// A prefix code for literals, as a table indexed by the next `log` bits. Source: RFC 8878, section 4.2.
 struct HuffmanTable {
     struct Entry {
         std::uint8_t symbol = 0;
         std::uint8_t bits = 0;
     };
 
-    int log = 0;  ///< 0 as long as there is none
+    int log = 0;  ///< 0 while there is none
     std::array<Entry, 2048> entries{};
 
-    /// Reads a description at the front of `bytes` and takes it away.
+    /// Reads a description at the front of `bytes` and removes it.
     bool read(Bytes& bytes);
     /// Decodes exactly `out.size()` symbols; the stream must end with them.
     bool decode(Bytes stream, std::span<char> out) const;

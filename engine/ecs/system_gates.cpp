@@ -10,7 +10,7 @@ std::size_t SystemGates::add(TypeKey system, bool (*calledFor)(const World& worl
     return gates_.size() - 1;
 }
 
-/// Rare: when a system was added or the order was changed.
+/// Rare: after a system was added or the order was changed.
 void SystemGates::findGate(std::size_t place, TypeKey system) {
     if (place >= places_.size()) places_.resize(place + 1);
     const auto found =

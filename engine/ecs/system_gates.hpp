@@ -36,13 +36,13 @@ public:
     void setPin(std::size_t gate, Pin pin) { gates_[gate].pin = pin; }
     [[nodiscard]] const Gate& gate(std::size_t number) const { return gates_[number]; }
 
-    /// Whether the system at this place of the schedule runs now. Counts it.
+    /// True if the system at this position of the schedule runs now. Counts the run.
     [[nodiscard]] bool admits(const World& world, std::size_t place, TypeKey system);
 
 private:
     static constexpr std::size_t kNone = static_cast<std::size_t>(-1);
 
-    /// A place of the schedule.
+    /// A position in the schedule.
     struct Place {
         TypeKey system = 0;
         std::size_t gate = kNone;

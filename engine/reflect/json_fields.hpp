@@ -29,7 +29,7 @@ void writeKept(Json& object, const std::vector<KeptProperty>& properties);
 class JsonFields {
 public:
     /// @param where  the place of the object, e.g. "tiles.tileset.json: tiles[3]"
-    /// @param object must outlive this; anything but an object is reported and read as an empty one
+    /// @param object  must outlive this; anything but an object is reported and read as an empty one
     JsonFields(const Json& object, std::string where, std::vector<Error>& problems);
 
     [[nodiscard]] const std::string& where() const { return where_; }

@@ -21,7 +21,7 @@ struct JsonLimits {
 /// Reads JSON text from outside: strict, in UTF-8, without recursion past the limit and without exceptions.
 ///
 /// @param where     the file's name; the error's place is "where:line:column"
-/// @param warnings when given, a repeated key adds a warning and its last value counts; else it is an error
+/// @param warnings  when given, a repeated key adds a warning and its last value counts; else it is an error
 /// @error           what was expected and what was found instead
 Result<Json> parseJson(std::string_view text, std::string_view where, std::vector<Error>* warnings = nullptr,
                        const JsonLimits& limits = {});

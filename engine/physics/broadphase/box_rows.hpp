@@ -52,7 +52,7 @@ public:
     [[nodiscard]] std::uint32_t size() const { return count_ - free_; }
 
 protected:
-    /// @param share all boxes are sorted again if more than one out of `share` of them moves
+    /// @param share  all boxes are sorted again if more than one out of `share` of them moves
     explicit BoxRows(std::uint32_t share) : share_{share} { reset(0, 0); }
 
     /// Clears the list and creates free slots for boxes that are sorted.

@@ -44,7 +44,7 @@ float separationOf(const Encounter& now, const ContactAnchors& anchors, Vec2 nor
 float longest(Vec2 a) { return std::max(std::fabs(a.x), std::fabs(a.y)); }
 
 /// True if the bodies have hardly moved relative to each other since the points were found.
-/// @param normal the contact's normal, in A's current frame
+/// @param normal  the contact's normal, in A's current frame
 bool hardlyMoved(const Contact& contact, const Encounter& now, Vec2 normal, float tolerance) {
     if (std::fabs(cross(contact.normalInA, normal)) > kMaxTurn) return false;
     const float turned = contact.turn.cos * now.turn.sin - contact.turn.sin * now.turn.cos;

@@ -37,7 +37,7 @@ void copyMaterials(const World& world, Contact& contact);
 
 /// Narrow phase: computes the points of contacts, or reuses those of bodies
 /// that hardly moved. Contacts whose bounds no longer overlap get kGone.
-/// @param dt s: length of the step that is about to begin
+/// @param dt  s: length of the step that is about to begin
 void findTouches(const World& world, std::span<Contact> contacts, float dt, DetectionCounts& counts);
 
 /// Computes the points of a new contact at the current poses, with separations up to `distance` (m).

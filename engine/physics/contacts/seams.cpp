@@ -46,8 +46,8 @@ EdgesAt edgesAt(const Convex& outline, Vec2 point, float tolerance) {
 /// one common border: contacts have the normals of that border, not those of the interior edges.
 class FreeSector {
 public:
-    /// @param inside a free direction: towards the middle of the body that touches the outlines there
-    /// @param tolerance m: outlines closer than this to the point cover a part of its surroundings
+    /// @param inside  a free direction: towards the middle of the body that touches the outlines there
+    /// @param tolerance  m: outlines closer than this to the point cover a part of its surroundings
     FreeSector(Vec2 point, Vec2 inside, float tolerance)
         : point_{point}, inside_{inside}, tolerance_{tolerance} {}
 
@@ -148,8 +148,8 @@ bool moveAsOne(const World& world, std::uint32_t a, std::uint32_t b, Vec2 place)
 }
 
 /// Removes the sectors that other static or kinematic shapes cover.
-/// @param point in the frame of A's shapes
-/// @param others calls a function with each of them and with a flag whether it touches B
+/// @param point  in the frame of A's shapes
+/// @param others  calls a function with each of them and with a flag whether it touches B
 template <class Others>
 void coverByOthers(const World& world, const Contact& contact, Vec2 point, const Others& others,
                    FreeSector& sector, Verdict& verdict) {
@@ -312,7 +312,7 @@ const std::vector<std::uint32_t>& fixedNear(StepContext& step, const Contact& co
 }
 
 /// True if a face of A continues in another shape.
-/// @param point the end of the face
+/// @param point  the end of the face
 template <class Others>
 bool goesOn(const World& world, const Contact& contact, const Convex& a, Vec2 point, Vec2 normal,
             const Others& others) {

@@ -41,7 +41,7 @@ void removeAwakeJoint(World& world, std::uint32_t joint);
 // Islands may be larger than necessary until the forest is rebuilt. Source: R. Tarjan,
 // "Efficiency of a good but not linear set union algorithm", 1975 (path halving).
 
-/// @param parent returns a reference to the parent of a member (std::uint32_t&); a root is its own parent
+/// @param parent  returns a reference to the parent of a member (std::uint32_t&); a root is its own parent
 template <class Parent>
 std::uint32_t rootOf(Parent&& parent, std::uint32_t member) {
     using AtomicParent = std::atomic_ref<std::uint32_t>;

@@ -19,7 +19,7 @@ struct Sweep {
 };
 
 /// The path that leads through a pose at a fraction of the step.
-/// @param displacement, turn in a whole step
+/// @param displacement, turn  in a whole step
 Sweep sweepThrough(const BodyPose& pose, float part, Vec2 displacement, float turn);
 inline Sweep resting(const BodyPose& pose, float part = 0.0f) { return sweepThrough(pose, part, {}, 0.0f); }
 

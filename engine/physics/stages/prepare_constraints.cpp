@@ -24,7 +24,7 @@ struct Cursors {
     [[nodiscard]] std::int32_t* of(std::size_t piece) const { return all.data() + piece * kinds * strips; }
 
     /// Turns the numbers of a kind into indices.
-    /// @param size indices per contact
+    /// @param size  indices per contact
     /// @return the index after the last
     std::int32_t giveRoom(std::size_t kind, std::int32_t begin, std::int32_t size) const {
         std::int32_t* const own = of(0) + kind * strips;

@@ -92,7 +92,7 @@ ImpactBody bodyAt(const StepContext& step, std::uint32_t body, const Sweep& swee
 }
 
 /// Continues the motion of a body after a hit.
-/// @param out normal of the static or kinematic surface that it hit, else 0: a body that forces pull onto
+/// @param out  normal of the static or kinematic surface that it hit, else 0: a body that forces pull onto
 /// this surface, and that does not leave it again in this step, stays on it
 void sendOn(StepContext& step, std::uint32_t body, const ImpactBody& after, float left, Vec2 out) {
     if (!isDynamic(step.world, body)) return;

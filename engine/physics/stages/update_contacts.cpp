@@ -23,7 +23,7 @@ bool mayCollide(const World& world, const Contact& contact) {
            !keptApart(world, contact.bodyA, contact.bodyB);
 }
 
-/// @param asked filters have changed: check again whether the shapes may collide
+/// @param asked  filters have changed: check again whether the shapes may collide
 void lookAt(StepContext& step, std::size_t first, std::size_t count, bool asked, ContactFindings& found) {
     World& world = step.world;
     const std::span<Contact> contacts = std::span{world.contacts}.subspan(first, count);
