@@ -104,7 +104,7 @@ private:
         if (depth >= limits_.depth) {
             return fail(format("nested deeper than {} levels", limits_.depth), "flatten the file");
         }
-        // One byte an item at least: a count past the file's end is a lie and must not reserve memory.
+        // Each item takes at least one byte: a larger count is invalid and must not reserve memory.
         return count <= bytes_.size() - at_ || failShort();
     }
 
