@@ -10,7 +10,7 @@ namespace {
 
 constexpr bool isSpace(char c) { return c == ' ' || c == '\n' || c == '\r' || c == '\t'; }
 
-/// Anything that is neither punctuation of XML nor white space; letters of other scripts are bytes >= 128.
+/// Neither punctuation of XML nor white space; letters of other scripts have bytes >= 128.
 constexpr bool isNameCharacter(char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' ||
            c == '-' || c == '.' || c == ':' || static_cast<unsigned char>(c) >= 128;
@@ -30,7 +30,7 @@ void appendUtf8(std::string& text, std::uint32_t code) {
     }
 }
 
-/// The character that `&#...;` names, without the `&#` and the `;`.
+/// The character of a reference `&#...;`, given without `&#` and `;`.
 std::optional<std::uint32_t> numericCharacter(std::string_view digits) {
     const bool hex = startsWith(digits, "x");
     if (hex) digits.remove_prefix(1);
@@ -60,7 +60,7 @@ std::optional<char> namedCharacter(std::string_view name) {
     return {};
 }
 
-/// Reads one document from front to back. The first failure stays and ends everything.
+/// Parses a document from front to back. The first error is kept and ends parsing.
 class XmlReader {
 public:
     XmlReader(std::string_view document, std::string_view where) : rest_{document}, where_{where} {}
@@ -101,7 +101,7 @@ private:
         while (count < rest_.size() && isSpace(rest_[count])) ++count;
         take(count);
     }
-    /// Everything up to `end`, which is skipped too.
+    /// Takes everything up to `end`, which is skipped too.
     bool takeUntil(std::string_view end, std::string_view& taken) {
         const std::size_t at = rest_.find(end);
         if (at == std::string_view::npos) return failCut();
@@ -110,7 +110,7 @@ private:
         return true;
     }
 
-    /// White space, comments, processing instructions and the document type around the root element.
+    /// Skips white space, comments, processing instructions and the document type around the root element.
     bool skipBetweenElements() {
         for (;;) {
             skipSpace();
@@ -159,7 +159,7 @@ private:
         return true;
     }
 
-    /// Characters up to one of `ends`, which stays. In attributes white space becomes spaces.
+    /// Appends characters up to one of `ends`, not consumed. In attributes white space becomes spaces.
     bool appendCharacters(std::string& text, char end, bool attribute) {
         while (!rest_.empty() && rest_[0] != end && rest_[0] != '<') {
             if (rest_[0] == '&') {

@@ -19,7 +19,7 @@ constexpr std::uint32_t kFrameMagic = 0xFD2FB528u;
 constexpr std::uint32_t kSkippableMagic = 0x184D2A50u;  ///< the lowest four bits are free
 constexpr std::size_t kBlockBytes = std::size_t{128} << 10;
 
-/// A kind of code inside sequences: its limits, and the table that is used when none is given.
+/// A kind of code in sequences: its limits, and the default table.
 struct CodeKind {
     int maxLog;
     int maxSymbol;
@@ -39,7 +39,7 @@ constexpr CodeKind kLiteralKind{9, 35, 6, kLiteralCounts};
 constexpr CodeKind kOffsetKind{8, 31, 5, kOffsetCounts};
 constexpr CodeKind kMatchKind{9, 52, 6, kMatchCounts};
 
-// Source: RFC 8878, section 3.1.1.3.2.1.1: what a length code stands for, and how many bits are added to it.
+// Source: RFC 8878, section 3.1.1.3.2.1.1: base value and number of extra bits of each length code.
 constexpr std::uint32_t kLiteralBase[] = {0,  1,  2,   3,   4,   5,    6,    7,    8,    9,     10,    11,
                                           12, 13, 14,  15,  16,  18,   20,   22,   24,   28,    32,    40,
                                           48, 64, 128, 256, 512, 1024, 2048, 4096, 8192, 16384, 32768, 65536};
@@ -59,7 +59,7 @@ std::uint64_t littleNumber(Bytes bytes, std::size_t count) {
     return value;
 }
 
-/// 64-bit sum of a frame. Source: Y. Collet, "xxHash fast digest algorithm", version 0.1.1, section 4.
+/// 64-bit checksum of a frame. Source: Y. Collet, "xxHash fast digest algorithm", version 0.1.1, section 4.
 std::uint64_t xxHash64(std::string_view text) {
     constexpr std::uint64_t kPrimes[] = {0x9E3779B185EBCA87ull, 0xC2B2AE3D27D4EB4Full, 0x165667B19E3779F9ull,
                                          0x85EBCA77C2B2AE63ull, 0x27D4EB2F165667C5ull};
@@ -94,12 +94,12 @@ std::uint64_t xxHash64(std::string_view text) {
     return hash ^ hash >> 32;
 }
 
-/// Unpacks one frame after the other. Source: RFC 8878, section 3.
+/// Decompresses one frame after the other. Source: RFC 8878, section 3.
 class ZstdReader {
 public:
     ZstdReader(Bytes packed, std::size_t limit) : rest_{packed}, limit_{limit} {}
 
-    /// @return what is wrong, or nothing
+    /// @return the error, or nothing
     std::optional<std::string> run() {
         while (!rest_.empty()) {
             if (!readFrame()) {
@@ -320,7 +320,7 @@ private:
         return true;
     }
 
-    /// The last three offsets may be named again. Source: RFC 8878, section 3.1.1.5.
+    /// The last three offsets can be repeated. Source: RFC 8878, section 3.1.1.5.
     std::size_t nextOffset(std::size_t value, std::size_t literalLength) {
         std::size_t distance = value - 3;
         std::size_t index = 2;

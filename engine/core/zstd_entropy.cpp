@@ -9,7 +9,7 @@ namespace {
 constexpr int kMaxHuffmanBits = 11;
 constexpr int kMaxWeightsLog = 6;
 
-/// Bits lowest first, for the descriptions of tables. Past the end they are zero.
+/// Reads bits, lowest first, for the descriptions of tables. Beyond the end they are 0.
 class ForwardBits {
 public:
     explicit ForwardBits(Bytes bytes) : bytes_{bytes} {}
@@ -37,7 +37,7 @@ private:
 
 int highestBit(std::uint32_t value) { return static_cast<int>(std::bit_width(value)) - 1; }
 
-/// The weights of a Huffman table, packed with two interleaved states. Source: RFC 8878, section 4.2.1.2.
+/// The weights of a Huffman table, compressed with two interleaved states. Source: RFC 8878, section 4.2.1.2.
 bool readPackedWeights(Bytes bytes, std::array<std::uint8_t, 256>& weights, std::size_t& count) {
     FseTable table;
     BackwardBits bits;

@@ -28,7 +28,7 @@ bool isSound(const World& world) {
            std::all_of(world.bodies.motion.begin(), world.bodies.motion.end(), calm);
 }
 
-/// A world with one of everything, to be mistreated.
+/// A world with one object of each kind, for invalid input.
 struct Patient {
     World world = makePit(6, 1);
     BodyId body = {1, 1}, other = {2, 1};
@@ -41,7 +41,7 @@ struct Patient {
     }
 };
 
-/// Hands a bad number to one parameter. @return the Error, or nothing when it was taken
+/// Passes an invalid number as one parameter. @return the Error, or nothing if it was accepted
 using Attempt = std::function<std::optional<Error>(Patient&, double bad)>;
 
 template <class T>

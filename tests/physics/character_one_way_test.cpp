@@ -37,7 +37,7 @@ struct Shelf {
     }
 };
 
-/// Where the feet of a character are seen from a platform: along its top, and over it.
+/// Position of a character's feet in the frame of a platform: along its top, and above it.
 struct Seen {
     float along = 0.0f;
     float over = 0.0f;
@@ -54,7 +54,7 @@ struct Seen {
     [[nodiscard]] bool isOn(const Shelf& shelf) const { return std::fabs(along) < shelf.half - kEdge; }
 };
 
-/// A platform and characters; complains when one of them falls through.
+/// A platform and characters; fails if one of them falls through.
 struct OneWayCourse {
     Course course;
     Random random;
@@ -240,7 +240,7 @@ TEST(CharacterOneWay, dropsThroughAPlatformThatMovesEvenly) {
     }
 }
 
-/// Two equal characters, of which one has no platform in its world.
+/// Two equal characters; the world of one of them has no platform.
 void flyAsIfAlone(OneWayCourse& run, Course& empty, int ticks) {
     CharacterController twin = run.all[0];
     for (int t = 0; t < ticks; ++t) {
@@ -248,7 +248,7 @@ void flyAsIfAlone(OneWayCourse& run, Course& empty, int ticks) {
         ASSERT_TRUE(run.tick()) << t;
         empty.tick(twin);
         if (run.stands(0) || run.all[0].position() != twin.position()) {
-            ASSERT_GE(before.over, -1.0e-4f) << t;  // it is felt from above only
+            ASSERT_GE(before.over, -1.0e-4f) << t;  // it is solid from above only
             return;
         }
         ASSERT_EQ(run.all[0].velocity(), twin.velocity()) << t;
@@ -257,7 +257,7 @@ void flyAsIfAlone(OneWayCourse& run, Course& empty, int ticks) {
 
 TEST(CharacterOneWay, aCharacterThatStartsInsideFallsThrough) {
     for (int way = 0; way < 5; ++way) {
-        if (way == 2) continue;  // a platform that sinks faster is under it soon
+        if (way == 2) continue;  // a faster platform is below it soon
         for (int i = 0; i < runsToTry(kUsual); ++i) {
             SCOPED_TRACE(std::string{kWays[way]} + " " + std::to_string(i));
             OneWayCourse run{i};

@@ -8,7 +8,7 @@
 
 namespace plumb::physics {
 
-// Worlds whose bodies, shapes and joints are changed while they run.
+// Worlds whose bodies, shapes and joints are edited while they run.
 
 template <class T>
 inline bool sameBytes(const std::vector<T>& a, const std::vector<T>& b) {
@@ -89,7 +89,7 @@ inline World heap(int count, const std::function<BodyKind(int)>& kindOf,
 
 inline BodyKind dynamic(int) { return BodyKind::Dynamic; }
 
-/// A random change of a random thing.
+/// A random edit of a random object.
 inline void meddle(World& world, Random& random) {
     const auto bodies = static_cast<std::uint32_t>(world.bodies.size());
     const BodyId body = bodyAt(world, random.below(bodies));

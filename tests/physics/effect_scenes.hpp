@@ -38,7 +38,7 @@ inline World makeSceneWithout(Effect left) {
     return world;
 }
 
-/// What may be far away from all the rest.
+/// Objects far away from the rest of the scene.
 struct Remote {
     World& world;
     BodyDefinition body{
@@ -109,7 +109,7 @@ inline void pinOn(World& world, Effect effect) {
     if (effect == Effect::Sleep) world.settings.sleeping = true;
 }
 
-/// Whether the pile moved the same way, bit for bit.
+/// True if the pile moved the same way, bit for bit.
 inline bool samePile(const World& a, const World& b) {
     const std::size_t count = kCrates + 1;
     return std::memcmp(a.bodies.pose.data(), b.bodies.pose.data(), count * sizeof(BodyPose)) == 0 &&

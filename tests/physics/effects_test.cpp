@@ -43,7 +43,7 @@ TEST(OneWay, letsThroughWhatComesFromBelowAndCatchesItOnTheWayBack) {
             step(world, kStep);
             highest = std::max(highest, heightOf(world, thrown));
         }
-        EXPECT_NEAR(highest, start + rise, 0.02 * rise);  // as if nothing were there
+        EXPECT_NEAR(highest, start + rise, 0.02 * rise);  // as if there were no ledge
         EXPECT_NEAR(heightOf(world, thrown), 0.4, 0.02);
     }
 }
@@ -194,7 +194,7 @@ TEST(Locks, keepABodyOnItsLineWhateverPushesIt) {
     }
 }
 
-// The owner's say.
+// Callbacks of the owner.
 
 struct Say {
     ShapeId refused;

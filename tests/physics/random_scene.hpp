@@ -14,7 +14,7 @@ namespace plumb::physics {
 // Unreasonable scenes: sizes over six decades, masses over eight, speeds up to 10 km/s, all on top of
 // each other, connected and edited at random. Whatever happens, numbers stay finite and steps end.
 
-/// A world that is thrown together, and what was accepted of it.
+/// A random world, and counts of what was accepted.
 class RandomScene {
 public:
     explicit RandomScene(std::uint64_t seed) : random_{Random::seeded(seed)} {
@@ -71,7 +71,7 @@ private:
                                             1.0e30f};
 
     bool oneIn(std::uint32_t times) { return random_.below(times) == 0; }
-    /// Even over the decades; now and then no number that one should use.
+    /// Uniform over the decades; now and then an invalid number.
     float number(float low, float high) {
         if (oneIn(200)) return kBadNumbers[random_.below(static_cast<std::uint32_t>(std::size(kBadNumbers)))];
         return low * exponential(random_.unit() * std::log(high / low));
