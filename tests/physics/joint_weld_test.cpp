@@ -44,7 +44,7 @@ TEST(WeldJoint, withAStiffnessOfItsOwnSwingsWithThatFrequency) {
     EXPECT_NEAR(scene.periodOf(0.0f, 10.0f, [&] { return scene.angle(piece); }), 0.5f, 0.003f);
 }
 
-// The angle between them is what it is, however little that is off: no torque can mend it.
+// Their relative angle cannot be changed, however small its error: no torque could correct it.
 TEST(WeldJoint, appliesNoImpulseWhereNeitherBodyCanRotate) {
     JointWorld scene;
     scene.world.settings.gravity = {};

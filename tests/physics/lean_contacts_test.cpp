@@ -85,8 +85,8 @@ TEST(LeanContacts, moveBodiesAsFullOnesDoBitForBit) {
     }
 }
 
-/// Adds what may rotate: balls that roll on a floor of their own, a pendulum, and in some pits something that
-/// falls onto what cannot, so that both kinds are in one island for a while.
+/// Adds bodies that can rotate: balls that roll on a floor of their own, a pendulum, and in some
+/// pits a body that falls onto those that cannot, so that both kinds share an island for a while.
 void addRotating(World& world, std::uint64_t seed) {
     Random random = Random::seeded(seed ^ 77u);
     const BodyId floor = *createBody(world, {.kind = BodyKind::Static, .position = {40.0, -1.0}});
@@ -125,7 +125,7 @@ TEST(LeanContacts, ofIslandsThatCannotRotateAreLeanBesideOthersThatDo) {
             const bool hasLean = std::any_of(groups.begin(), groups.end(),
                                              [](const SolveGroup& group) { return group.withoutRotation; });
             (hasLean ? apart : together) += 1;
-            if (i == 70) lean = World{lean};  // what is kept from step to step changes nothing
+            if (i == 70) lean = World{lean};  // cached data of former steps makes no difference
         }
         ASSERT_EQ(lean.contacts.size(), full.contacts.size());
     }

@@ -13,7 +13,7 @@ namespace {
 
 using namespace test;
 
-/// Fields of every kind and size, over as many bodies, some of which lie exactly on the edges.
+/// Fields of every kind and size, over as many bodies, some of them exactly on the edges.
 World strewnFields(std::uint64_t seed, int fields) {
     Random random = Random::seeded(seed);
     World world = makeSpace();

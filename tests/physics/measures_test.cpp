@@ -59,7 +59,7 @@ TEST(Measures, aFallKeepsItsEnergyAndAnExplicitSpringGainsWhatTheTextbookSays) {
 }
 
 TEST(Measures, overlapIsHowDeepTheDeepestWereWhenTheStepBegan) {
-    World world;  // a heavy ball on a light one on the ground, which hardly hold it at quality 0
+    World world;  // a heavy ball on a light one on the ground: a hard case at quality 0
     world.settings.quality = 0;
     world.settings.sleeping = false;
     addBall(world, {0.0, 0.0}, BodyKind::Static);

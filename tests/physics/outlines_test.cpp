@@ -19,7 +19,7 @@ TerrainOutline outlineOf(const TileMask& mask) {
     return outline;
 }
 
-/// The segment that begins at a place; a failure when there is none, or more.
+/// The segment that begins at a point; fails if there is none, or more than one.
 TerrainSegment from(const TerrainOutline& outline, GridPoint a) {
     const auto begins = [a](const TerrainSegment& segment) { return segment.a == a; };
     EXPECT_EQ(std::count_if(outline.begin(), outline.end(), begins), 1);
@@ -61,7 +61,7 @@ TEST(Outlines, ofAHoleRunTheOtherWayRound) {
     const TerrainOutline outline = outlineOf(drawn({"#####", "#...#", "#.#.#", "#...#", "#####"}));
     ASSERT_EQ(outline.size(), 12u);
     EXPECT_EQ(from(outline, at(1, 1)).b, at(1, 4));  // down: the hole's left wall has its normal to the right
-    EXPECT_EQ(from(outline, at(2, 2)).b, at(3, 2));  // the island in the hole runs as all islands
+    EXPECT_EQ(from(outline, at(2, 2)).b, at(3, 2));  // the same orientation for an island in the hole
 }
 
 TEST(Outlines, ofNarrowCorridorsHaveBothWalls) {
@@ -152,7 +152,7 @@ TEST(Outlines, ofOneWayTilesAreTheirTopsAlone) {
     EXPECT_EQ(top.a, at(0, 1));
     EXPECT_EQ(top.b, at(3, 1));
     EXPECT_EQ(top.kind.oneWay, OneWay::Up);
-    EXPECT_EQ(top.before, at(-3, 1));  // free ends go straight on, so that nothing stops at them
+    EXPECT_EQ(top.before, at(-3, 1));  // free ends continue straight on, so that nothing catches there
     EXPECT_EQ(top.after, at(6, 1));
 }
 

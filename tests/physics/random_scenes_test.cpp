@@ -5,7 +5,7 @@
 
 #include "tests/physics/random_scene.hpp"
 
-// PLUMB_SCENES sets how many.
+// PLUMB_SCENES sets their number.
 
 namespace plumb::physics {
 namespace {

@@ -7,7 +7,7 @@
 #include "physics/measure/snapshot.hpp"
 #include "physics/queries/lists.hpp"
 
-// What a game reads of a world and gives to it from outside: recordings, snapshots, hits, lists, callbacks.
+// Interfaces between a game and a world: recordings, snapshots, hits, lists, callbacks.
 
 namespace plumb::physics {
 namespace {
