@@ -16,7 +16,7 @@ double GroupStep::approachOf(const Touch& touch) const {
     return dot(gradient.a, v0_[a]) + dot(gradient.b, v0_[b]);
 }
 
-/// Changes velocities at once so that joints hold and none of the touches approaches.
+/// Changes velocities instantaneously so that joints hold and no contact approaches.
 void GroupStep::solveBlow(std::span<const Touch> touches, bool bounces) {
     writer_.beginBlow(system_, v0_);
     for (const std::uint32_t index : group_->laws) {

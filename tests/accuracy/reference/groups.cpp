@@ -67,7 +67,7 @@ std::vector<std::pair<std::uint32_t, std::uint32_t>> pairsOf(const Scene& scene,
     return pairs;
 }
 
-/// A forest of bodies, in which each group has one root.
+/// A union-find forest of bodies.
 class Forest {
 public:
     explicit Forest(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0u); }
