@@ -7,8 +7,8 @@
 
 namespace plumb {
 
-/// Bytes of base64 text (RFC 4648, standard alphabet). White space is skipped, padding may be missing.
-/// @error a character that is not of the alphabet, text after the padding, a length that no bytes have
+/// Decodes base64 (RFC 4648, standard alphabet). White space is skipped, padding is optional.
+/// @error a character outside the alphabet, text after the padding, an impossible length
 Result<std::string> bytesFromBase64(std::string_view text, std::string_view where);
 
 /// With padding, without line breaks.

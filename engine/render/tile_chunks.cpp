@@ -15,8 +15,8 @@ constexpr int kHighestLevel = 9;
 
 int chunksFor(int tiles, int side) { return (tiles + side - 1) / side; }
 
-/// Far away, one tile stands for a block of 2^level tiles a side: no more quads than the picture has room
-/// for.
+/// From far away one tile represents a block with sides of 2^level
+/// tiles, so that there are no more quads than the picture has room for.
 int levelFor(Vec2 cellSize, float zoom) {
     const float shown = std::min(cellSize.x, cellSize.y) * zoom;
     int level = 0;
@@ -24,8 +24,8 @@ int levelFor(Vec2 cellSize, float zoom) {
     return level;
 }
 
-/// The quad of one tile, or of a block of `span` tiles a side that it stands for. Diagonal, horizontal,
-/// vertical: with the first, the others turn the other axis of the source.
+/// The quad of one tile, or of a block with sides of `span` tiles that it represents. Flips apply in the
+/// order diagonal, horizontal, vertical: after the first, the others act on the other axis of the source.
 SpriteInstance tileInstance(int x, int y, int span, TileCell cell, const TileLook& look,
                             const TileSheet& sheet) {
     const bool diagonal = (cell & kTileFlipDiagonal) != 0;
@@ -55,7 +55,7 @@ const TileLook* lookOf(TileCell cell, const TileSheet& sheet) {
     return look.source.empty() ? nullptr : &look;
 }
 
-/// The cells of one chunk, cut off at the grid's edge.
+/// The cells of one chunk, clipped to the grid.
 struct CellRange {
     int left, top, right, bottom;
 };
@@ -74,7 +74,7 @@ void eachChunk(const CellRange& range, Visit visit) {
     }
 }
 
-/// The tile that stands for a block: its first that is not empty.
+/// The tile that represents a block: its first one that is not empty.
 TileCell firstTile(const TileGrid& grid, const CellRange& block) {
     for (int row = block.top; row < block.bottom; ++row) {
         for (int column = block.left; column < block.right; ++column) {
@@ -89,7 +89,7 @@ TileCell firstTile(const TileGrid& grid, const CellRange& block) {
     return 0;
 }
 
-/// Another number when a cell of the range may be another one.
+/// Changes if a cell of the range may have changed.
 std::uint64_t stampOf(const TileGrid& grid, const CellRange& range) {
     Hasher hasher;
     eachChunk(range, [&](int column, int row) {
@@ -99,7 +99,7 @@ std::uint64_t stampOf(const TileGrid& grid, const CellRange& range) {
     return hasher.value();
 }
 
-/// The same, of all chunks beside them: quick to ask.
+/// The same for whole rows of chunks: faster to compute.
 std::uint64_t stampOfRows(const TileGrid& grid, const CellRange& range) {
     Hasher hasher;
     for (int row = range.top / TileGrid::kChunkSide; row * TileGrid::kChunkSide < range.bottom; ++row)
@@ -121,7 +121,7 @@ void TileChunks::release(Chunk& chunk) {
     chunk = {};
 }
 
-/// Starts anew when the layer has another size or its tiles look different.
+/// Starts over if the size of the layer or the look of its tiles changed.
 void TileChunks::prepare(const TileGrid& grid, const TileSheet& sheet, int level) {
     const int side = kSide << level;
     const int columns = chunksFor(grid.width(), side);
@@ -183,7 +183,7 @@ void TileChunks::draw(DrawList& list, const TileGrid& grid, const TileSheet& she
     if (kept_ > kMaxKept) dropUnseen();
 }
 
-/// Most changes of a grid touch one chunk: the others find that their own cells are as they were.
+/// Most changes affect one chunk: the others find that their own cells are unchanged.
 void TileChunks::refresh(Chunk& chunk, int chunkX, int chunkY, const TileGrid& grid, const TileSheet& sheet) {
     const CellRange range = cellsOf(grid, chunkX, chunkY, kSide << level_);
     const std::uint64_t rows = stampOfRows(grid, range);
@@ -264,7 +264,7 @@ void TileChunks::drawAnimated(DrawList& list, const Chunk& chunk, const TileGrid
     }
 }
 
-/// Frees what the last frames did not see. Rare: only when very much of a very large layer was seen.
+/// Frees chunks not visible in the last frames. Rare: after much of a very large layer was visible.
 void TileChunks::dropUnseen() {
     for (Chunk& chunk : chunks_) {
         if (chunk.known && chunk.lastSeen + 1 < frame_) release(chunk);

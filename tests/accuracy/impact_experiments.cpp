@@ -29,7 +29,7 @@ void bounceTrain(Trial& trial, double kept, int count, double seconds, double ta
         const double error = height / (wanted * kHeight) - 1.0;
         worst = std::fabs(error) > std::fabs(worst) ? error : worst;
     });
-    // Who never came back up so often lost it all.
+    // A ball that did not come back up that often lost all of its height.
     trial.report("height", bounces < count ? 100.0 : std::fabs(worst) * 100.0, "%", target);
     if (kept == 1.0) trial.report("gained", std::max(worst, 0.0) * 100.0, "%", 0.005);
 }

@@ -40,9 +40,9 @@ public:
                                         progress.experiment->name, progress.method);
         if (isatty(STDERR_FILENO) != 0) {
             std::fprintf(stderr, "\r\033[K%s", what.c_str());
-        } else if (now - told_ > kPause) {
+        } else if (now - shown_ > kPause) {
             std::fprintf(stderr, "%s\n", what.c_str());
-            told_ = now;
+            shown_ = now;
         }
         std::fflush(stderr);
     }
@@ -53,7 +53,7 @@ public:
 private:
     static constexpr double kPause = 10.0;  // s between two lines, where they pile up
     double start_ = wallSeconds();
-    double told_ = start_;
+    double shown_ = start_;
     bool loud_;
 };
 

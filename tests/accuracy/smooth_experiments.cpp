@@ -11,7 +11,7 @@ namespace plumb::accuracy {
 namespace {
 
 constexpr double kMillimetres = 1000.0;
-constexpr Material kAlone{.mask = 0};  // meets nobody
+constexpr Material kAlone{.mask = 0};  // collides with nothing
 
 /// 1 kg, 1 m from a spring's fixed end, with what makes it swing at so many hertz.
 BodyHandle hang(Trial& trial, double hertz, double damping) {

@@ -47,7 +47,7 @@ struct Metrics {
     std::optional<double>
         restTime;  ///< s after which nothing moved faster than kRest; none if it never rested
     double microsPerStep = 0.0;
-    std::optional<double> allocationsPerStep;  ///< of the second half; none where nobody counts
+    std::optional<double> allocationsPerStep;  ///< of the second half; none if allocations are not counted
 
     static constexpr double kRest = 0.05;  ///< m/s
 };
@@ -75,7 +75,7 @@ public:
                    float angle = 0.0f);
     BodyHandle addFixed(const scenes::Outline& outline, Vec2 centre, const Material& material = {},
                         float angle = 0.0f);
-    BodyHandle pin(Vec2 place);  ///< stands still and meets nobody
+    BodyHandle pin(Vec2 place);  ///< static, collides with nothing
     void setMass(BodyHandle body, float kilograms) { scene_->setMass(body, kilograms); }
     void setVelocity(BodyHandle body, Vec2 velocity) { scene_->setVelocity(body, velocity); }
 

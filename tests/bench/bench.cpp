@@ -16,7 +16,7 @@ constexpr double kShortestSample = 100e-6;  // s; below it the clock is felt
 constexpr std::size_t kFewestRounds = 15;
 constexpr std::size_t kFewestLongRounds = 3;
 constexpr std::size_t kMostRounds = 1000000;
-constexpr double kPatience = 3.0;  // s for each contestant; whoever takes longer runs fewer rounds
+constexpr double kPatience = 3.0;  // s for each contestant; a slower one runs fewer rounds
 
 /// What reading the clock costs, in s.
 double clockCost() {

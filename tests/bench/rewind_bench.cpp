@@ -55,7 +55,7 @@ Cost costOf(const Game& game, std::int64_t ticks) {
         const InputFrame hands = editor::runAndJump(tick);
         double plain = 0.0;
         double recorded = 0.0;
-        // In turn, as whoever comes second finds less of his world in the caches.
+        // Alternate, because the second run finds less of its world in the caches.
         for (const bool records : {tick % 2 == 0, tick % 2 != 0}) {
             const double start = threadSeconds();
             records ? play.step(hands) : straight->tick(hands);

@@ -40,7 +40,7 @@ TEST(StabilityEnergy, aSpinHasAnEnd) {
         const float spin = std::fabs(world.bodies.motion[i].angularVelocity);
         EXPECT_LE(spin * world.bodies.info[i].reach, 1.001f * world.settings.maxSpeed) << "body " << i;
     }
-    // Its speed is one that anybody may have.
+    // Its speed is within the limit of the world.
     Lab lab{{.gravity = 0.0}, {.rests = false}};
     const BodyHandle plank = lab.add(scenes::box({1.0f, 0.1f}), {});
     lab.setVelocity(plank, {}, 1000.0);

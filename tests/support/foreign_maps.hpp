@@ -9,8 +9,8 @@
 
 namespace plumb::test {
 
-/// Maps of other editors: small ones of our own, and, where this machine has them, those that nobody of this
-/// project made: beside the repository, and those that Debian's package `tiled` brings.
+/// Maps of other editors: small ones of our own and, where this machine has them, those made
+/// outside of this project: beside the repository, and those of Debian's package `tiled`.
 inline std::vector<Path> foreignMaps(std::initializer_list<std::string_view> endings) {
     std::vector<Path> maps;
     for (const Path& folder :

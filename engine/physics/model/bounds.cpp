@@ -36,7 +36,7 @@ Proxies proxiesOf(const World& world) {
     return {world.shapes.bounds, world.shapes.filter, world.shapes.motion};
 }
 
-/// A contact of a shape that was altered or destroyed ends as what it was.
+/// Updates some contacts from their shapes, except those of altered or destroyed shapes, which will end.
 template <class Is>
 void refreshThose(World& world, Is&& is) {
     const std::vector<ShapeInfo>& info = world.shapes.info;

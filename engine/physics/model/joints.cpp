@@ -101,7 +101,7 @@ void unlink(World& world, std::uint32_t body, std::uint32_t joint, std::uint32_t
     *link = next;
 }
 
-/// The broad phase searches the pairs of both bodies again: whether they may collide has changed.
+/// Searches the pairs of both bodies again, because the joint changed whether they may collide.
 void refreshPairs(World& world, const Joint& joint) {
     for (const std::uint32_t body : {joint.bodyA, joint.bodyB})
         forShapesOf(world, body, [&](std::uint32_t s) { noteMoved(world, s); });
@@ -115,7 +115,7 @@ std::uint8_t flagsOf(const JointDefinition& d) {
                                      (d.collideConnected || d.kind == JointKind::Mouse ? 0 : kKeepsApart));
 }
 
-/// Takes what a new definition says, except the bodies.
+/// Copies a new definition, except its bodies.
 /// @param axis  of unit length
 void take(World& world, std::uint32_t index, const JointDefinition& definition, Vec2 axis) {
     Joint& joint = world.joints.hot[index];
@@ -130,7 +130,7 @@ void take(World& world, std::uint32_t index, const JointDefinition& definition, 
     wake(world, joint.bodyB);
 }
 
-/// A gear is nothing without the joints that it couples.
+/// Destroys the gears that couple this joint.
 void destroyGearsOf(World& world, JointId joint) {
     for (std::uint32_t j = 0; j < world.joints.size(); ++j) {
         const JointDefinition& gear = world.joints.definition[j];
@@ -220,8 +220,8 @@ Result<Done> setDefinition(World& world, JointId id, const JointDefinition& defi
     }
     callFor(world, before, -1);
     take(world, id.index, definition, axis);
-    if (joint.colour != kNoColour) joint.flags |= kDefinitionChanged;  // it was in a step
-    // What was switched on starts without an impulse of old. A gear keeps its error there.
+    if (joint.colour != kNoColour) joint.flags |= kDefinitionChanged;  // it has been solved in a step
+    // A part that was switched on starts without an old impulse. A gear stores its error there.
     if (rearms && joint.kind != JointKind::Gear)
         std::fill(std::begin(joint.rows), std::end(joint.rows), 0.0f);
     return Done{};

@@ -19,15 +19,15 @@ inline Two8 operator+(Two8 a, Two8 b) { return {a.x + b.x, a.y + b.y}; }
 inline Two8 operator-(Two8 a, Two8 b) { return {a.x - b.x, a.y - b.y}; }
 inline Two8 operator*(Float8 s, Two8 a) { return {s * a.x, s * a.y}; }
 
-/// 1/x, or 0 for 0: the effective mass of what cannot move.
+/// 1/x, or 0 for x = 0: the effective mass of a body that cannot move.
 inline Float8 inverseOrZero(Float8 x) {
     const Float8 zero = all(0.0f);
     const Mask8 some = x > zero;
     return select(some, all(1.0f) / select(some, x, all(1.0f)), zero);
 }
 
-#include "physics/solver/contact_preparation.inl"
 #include "physics/solver/contact_kernels.inl"
+#include "physics/solver/contact_preparation.inl"
 #include "physics/solver/joint_kernels.inl"
 
 // Bodies.

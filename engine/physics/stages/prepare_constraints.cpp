@@ -10,11 +10,11 @@ namespace {
 
 constexpr int kGrain = 2048;  // contacts: each piece counts all kinds
 
-/// Keys of contacts without kKeyBegan: those of a group that are alike are solved together.
+/// Contact keys without kKeyBegan: contacts of a group with equal keys are solved together.
 constexpr std::size_t kKinds = kKeyColour + kKeyFixed + 1;
 constexpr std::size_t kOfKind = kKinds - 1;
 
-/// Where each piece of work puts its contacts of each kind: first how many, then the place of the next one.
+/// For each piece of work and kind of contact: first their number, then the index of the next one.
 struct Cursors {
     std::vector<std::int32_t>& all;
     std::size_t kinds;   // of all groups
@@ -23,9 +23,9 @@ struct Cursors {
 
     [[nodiscard]] std::int32_t* of(std::size_t piece) const { return all.data() + piece * kinds * strips; }
 
-    /// Turns the numbers of a kind into places.
-    /// @param size  places that a contact takes
-    /// @return the place after the last
+    /// Turns the numbers of a kind into indices.
+    /// @param size  indices per contact
+    /// @return the index after the last
     std::int32_t giveRoom(std::size_t kind, std::int32_t begin, std::int32_t size) const {
         std::int32_t* const own = of(0) + kind * strips;
         for (std::size_t strip = 0; strip < strips; ++strip) {
@@ -61,7 +61,7 @@ void layOut(Workspace& work, const Cursors& cursors) {
     }
 }
 
-/// Decides which contacts are solved together.
+/// Assigns contacts to blocks.
 void fillLanes(const StepContext& step) {
     const World& world = step.world;
     Workspace& work = step.work;
@@ -82,7 +82,7 @@ void fillLanes(const StepContext& step) {
                 if (colour == kKeyIdle) continue;
                 std::size_t kind = keys[i] & kOfKind;
                 if (many) kind += kKinds * work.groupOf[world.contacts[static_cast<std::size_t>(i)].bodyB];
-                // Those without a color are solved in the order of their numbers.
+                // Contacts without a color are solved in the order of their indices.
                 if (strips != nullptr) kind = kind * Strips::kCount + (colour == kOverflow ? 0 : strips[i]);
                 act(own[kind], keys[i], i);
             }
@@ -102,8 +102,8 @@ bool areAlike(const SolveGroup& a, const SolveGroup& b) {
     return a.begin == b.begin && a.end == b.end && a.bodies == b.bodies;
 }
 
-/// What rests is solved in the same blocks step after step.
-/// @return true if the blocks of the last step are those of this one
+/// A resting scene uses the same blocks in step after step.
+/// @return true if the blocks of the last step are reused
 bool takeLayout(Workspace& work) {
     const ContactLayout& layout = work.layout;
     if (!layout.isCurrent || layout.keys != work.contactKeys || layout.order != work.solveOrder ||

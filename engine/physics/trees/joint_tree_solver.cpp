@@ -116,7 +116,7 @@ void setTree(const Trees& trees, const JointTree& tree) {
     }
 }
 
-/// Predicts the pose of a limb at the end of the substep, without joint impulses.
+/// Predicts the pose of a tree body at the end of the substep, without joint impulses.
 void lookAhead(const Trees& trees, TreeBody& treeBody) {
     const Float4& ballisticDrift = trees.work.ballisticDrift[static_cast<std::size_t>(treeBody.slot)];
     const auto time = static_cast<double>(ballisticDrift.z);
@@ -144,7 +144,7 @@ void findSpeeds(const Trees& trees, Link& link) {
     link.error += seenFromParent(link, parent != nullptr ? parent->velocity : link.groundVelocity);
 }
 
-/// Not warm started: the next substep computes tree impulses anew, along the arms of then.
+/// Not warm started: the next substep computes tree impulses anew, along its own arms.
 void addChange(const Trees& trees, const TreeBody& treeBody, const Triple& change) {
     const auto slot = static_cast<std::size_t>(treeBody.slot);
     for (Float4* velocity : {&trees.work.velocity[slot], &trees.work.velocityBeforeImpulses[slot]}) {
@@ -154,7 +154,7 @@ void addChange(const Trees& trees, const TreeBody& treeBody, const Triple& chang
     }
 }
 
-/// J: change of a limb's kinetic energy by a change of its velocity.
+/// J: change of a tree body's kinetic energy by a change of its velocity.
 double gainOf(const TreeBody& treeBody, const Triple& change) {
     return treeBody.mass * ((treeBody.velocity.x + 0.5 * change.x) * change.x +
                             (treeBody.velocity.y + 0.5 * change.y) * change.y) +

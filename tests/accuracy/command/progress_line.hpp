@@ -8,7 +8,7 @@
 
 namespace plumb::accuracy {
 
-/// ", about 7 s left": what the rest takes when `part` of all took `spent` seconds; empty while nobody knows.
+/// ", about 7 s left": the time for the rest if `part` of all took `spent` seconds; empty if unknown.
 std::string timeLeft(double spent, double part);
 
 /// How much of a run is done: one line of a terminal, written anew with each percent; where a file listens, a
@@ -20,7 +20,7 @@ public:
 
 private:
     std::string what_;
-    std::size_t told_ = 0;  // percent
+    std::size_t shown_ = 0;  // percent
     double start_ = wallSeconds();
 };
 

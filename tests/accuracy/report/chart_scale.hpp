@@ -10,7 +10,7 @@ class LogScale {
 public:
     LogScale(double low, double high, double pixelLow, double pixelHigh);
 
-    /// Within the ends, whatever it is told.
+    /// Position on the axis, clamped to its ends.
     [[nodiscard]] double at(double value) const;
     [[nodiscard]] double low() const { return low_; }
     [[nodiscard]] double high() const { return high_; }

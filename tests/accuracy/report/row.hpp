@@ -31,7 +31,7 @@ struct Row {
     [[nodiscard]] bool fast() const { return usTarget <= 0.0 || metrics.microsPerStep <= usTarget; }
 };
 
-/// What a scene is simulated with unless somebody says otherwise.
+/// Whether a row uses the default settings.
 inline bool isDefault(const Method& method) { return method == Method{}; }
 
 std::string_view integratorName(physics::IntegratorKind kind);

@@ -6,7 +6,7 @@
 
 namespace plumb::accuracy {
 
-/// What a reader is told of a scene.
+/// The description of a scene for readers of the report.
 struct SceneText {
     std::string_view name;
     int number = 0;  ///< in the table of scenes with exact answers; 0 for others

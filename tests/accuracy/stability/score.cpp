@@ -13,11 +13,11 @@ namespace {
 
 constexpr std::array<ScoreInfo, static_cast<std::size_t>(Score::Count)> kScores{{
     {'X', "blows up", "#b2182b", "#ffffff",
-     "a number goes bad, energy grows by more than 1 % without a motor, or something is twice as fast as "
-     "anything explains"},
+     "a number is not finite, energy grows by more than 1 % without a motor, or a body is twice as "
+     "fast as anything explains"},
     {'W', "wrong but bounded", "#fdae61", "#3d1f00",
-     "an error above 10 %: fallen, sunk in or pulled apart, but calm"},
-    {'S', "soft", "#fee9a8", "#3a3000", "an error up to 10 %: it gives visibly, but holds"},
+     "an error above 10 %: fallen, sunk in or pulled apart, but at rest"},
+    {'S', "soft", "#fee9a8", "#3a3000", "an error up to 10 %: visible compliance, but it holds"},
     {'1', "within 1 %", "#abd9e9", "#08304a", "an error up to 1 %"},
     {'E', "exact", "#2c7bb6", "#ffffff", "an error up to 0.1 %"},
 }};

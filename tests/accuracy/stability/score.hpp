@@ -20,7 +20,7 @@ struct Figures {
     double residual = 0.0;  ///< speed in the last half second, to that of a fall by the smallest body's size
     double energyGain = 0.0;  ///< most energy at any time over that at the start, minus 1
     double speeding = 0.0;    ///< highest speed at any time, to the highest that the scene explains
-    bool finite = true;       ///< no number went bad and nobody was quarantined
+    bool finite = true;       ///< all numbers stayed finite and no body was quarantined
 
     friend bool operator==(const Figures&, const Figures&) = default;
 };

@@ -22,7 +22,7 @@ struct Pit {
     bool slows = false;   // drag
     bool sweeps = false;  // against tunnelling
     bool oneWay = false;  // the floor
-    bool sleeps = false;  // looks who might; nobody gets there
+    bool sleeps = false;  // checks which bodies may sleep; none gets there
 };
 
 constexpr int kBare = 6;  // the row that the others are compared with

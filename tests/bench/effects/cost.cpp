@@ -23,7 +23,7 @@ namespace {
 using physics::Effect;
 using physics::World;
 
-/// How an effect is present in a scene that nobody calls for it in.
+/// How an effect is present in a scene where no body requires it.
 enum Variant { kAbsent, kUnused, kPinnedOn, kVariants };
 
 World makeScene(Effect effect, int variant) {

@@ -12,14 +12,15 @@ inline constexpr float kTick = 1.0f / 60.0f;  ///< s
 
 // Each prints its table and gives back an exit code.
 
-/// Instructions of a step without an effect, with it unused, and with it pinned on for nobody, by callgrind.
+/// Instructions of a step without an effect, with it unused, and pinned on but not required, by callgrind.
 /// @return 1 when an unused one costs more than 1 %, 77 when valgrind is not installed
 int measureCost(const char* program, bool quick);
 /// What measureCost() runs under valgrind.
 int runCounted(bool quick);
 /// Boxes that neither turn nor rub against boxes that do; events for contacts that go on.
 int measureContacts(bool quick);
-/// What upright crates cost beside a ragdoll and a jelly, in instructions, as a ratio to what they cost alone.
+/// What upright crates cost beside a ragdoll and a jelly, in instructions, as a ratio to what they cost
+/// alone.
 /// @return 1 when the ratio misses its goal, 77 when valgrind is not installed
 int measureMixed(const char* program, bool quick);
 /// What measureMixed() runs under valgrind.

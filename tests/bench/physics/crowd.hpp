@@ -24,7 +24,7 @@ public:
 
     [[nodiscard]] physics::Proxies proxies() const { return {bounds_, filters_, motions_}; }
     [[nodiscard]] std::uint32_t size() const { return static_cast<std::uint32_t>(boxes_.size()); }
-    /// What a broad phase has to be told of, and who has to look for partners.
+    /// The input of a broad phase: changed proxies, and proxies that must look for partners.
     [[nodiscard]] std::span<const std::uint32_t> changed() const { return changed_; }
     [[nodiscard]] std::span<const std::uint32_t> moved() const { return moved_; }
     [[nodiscard]] std::span<const std::uint8_t> isMoved() const { return isMoved_; }

@@ -46,7 +46,7 @@ struct Measurement {
 struct MeasureOptions {
     int steps = 0;  ///< 0 for what the scene says
     int runs = 3;
-    double patience = 30.0;  ///< s for each contender and scene; who takes longer runs once
+    double patience = 30.0;  ///< s for each contender and scene; a slower one runs once
     bool stages = true;      ///< one run more for each engine that has to be asked for its stages
     bool loud = true;        ///< says on stderr what runs
 };

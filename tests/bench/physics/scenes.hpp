@@ -28,7 +28,7 @@ struct Scene {
     bool sleeping = true;
     int warmUp = 0;  ///< steps before those that are measured
     int batch = 1;   ///< steps between two looks at the clock: a short step is below its grain
-    int size = 0;    ///< what `build` is told; the number of bodies in scenes that scale
+    int size = 0;    ///< the argument of `build`; the number of bodies in scenes that scale
     /// Fills the empty world. What it gives back may be empty.
     BeforeStep (*build)(SceneBuilder& world, int size) = nullptr;
     /// 2^quality substeps for engines that have this knob; the others do what they do by default.
