@@ -65,7 +65,7 @@ std::optional<int> Engine::open() {
         std::fprintf(stderr, "%s: %s\n", title_.c_str(), options.error().text().c_str());
         return 2;
     }
-    options_ = *options;
+    options_ = begunAsRecorded(*options);
     if (options_.help) {
         std::fputs(gameUsage(programOf(words_).string()).c_str(), stdout);
         return 0;
