@@ -12,6 +12,7 @@
 #include "core/text.hpp"
 #include "platform/paths.hpp"
 #include "scene/game_random.hpp"
+#include "scene/systems/camera_system.hpp"
 
 namespace plumb {
 namespace {
@@ -64,7 +65,7 @@ std::optional<int> Engine::open() {
         std::fprintf(stderr, "%s: %s\n", title_.c_str(), options.error().text().c_str());
         return 2;
     }
-    options_ = *options;
+    options_ = begunAsRecorded(*options);
     if (options_.help) {
         std::fputs(gameUsage(programOf(words_).string()).c_str(), stdout);
         return 0;
@@ -92,6 +93,7 @@ std::optional<int> Engine::open() {
 int Engine::loop() {
     game_->assets = AssetStore{codeGameFolder(programOf(words_)), engineAssets()};
     game_->world.resource<GameRandom>().random = Random::seeded(options_.seed);
+    game_->world.resource<PictureSize>().size = {static_cast<float>(width_), static_cast<float>(height_)};
     useSystemOrder(game_->world);
     game_->onCreate();
     if (game_->world.systemNames().empty()) addAllSystems(game_->world);

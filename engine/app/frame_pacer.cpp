@@ -14,4 +14,9 @@ StepClock::Frame FramePacer::next(double seconds) {
     return frame;
 }
 
+double FramePacer::rest(double seconds) const {
+    const double rate = refreshRate_ >= 20.0 && refreshRate_ <= 1000.0 ? 2.0 * refreshRate_ : kUnknownRate;
+    return std::clamp(1.0 / rate - seconds, 0.0, 1.0 / rate);
+}
+
 }  // namespace plumb

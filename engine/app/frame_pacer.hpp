@@ -15,6 +15,12 @@ public:
     /// @param seconds  since the frame before
     StepClock::Frame next(double seconds);
 
+    /// How long to sleep before the next frame (s), for displays and drivers that do not wait: twice the
+    /// display's rate is drawn at most, and kUnknownRate where it is not known.
+    /// @param seconds  since the last frame began
+    [[nodiscard]] double rest(double seconds) const;
+    static constexpr double kUnknownRate = 120.0;  ///< Hz
+
     /// Stops the game's time. The picture stays what it was, between the same two ticks.
     void pause() { paused_ = true; }
     /// Goes on from there: the time between is no time of the game.

@@ -1,6 +1,8 @@
 #include "app/game_loop.hpp"
 
+#include <chrono>
 #include <cstdio>
+#include <thread>
 
 #include "core/clock.hpp"
 #include "core/log.hpp"
@@ -10,9 +12,16 @@
 namespace plumb {
 namespace {
 
-constexpr std::int64_t kDemoTicks = 600;      ///< played where nobody can see it: 10 s
-constexpr double kPausedWait = 0.1;           ///< s until a paused game looks again
-constexpr std::int64_t kHeadlessTicks = 600;  ///< played when nothing says for how long
+constexpr std::int64_t kDemoTicks = 600;        ///< played where nobody can see it: 10 s
+constexpr double kPausedWait = 0.1;             ///< s until a paused game looks again
+constexpr std::int64_t kCheckTicks = 600;       ///< between two hashes of a recording
+constexpr std::int64_t kSaveTicks = 300;        ///< between two times that it is written
+constexpr std::size_t kLongRecording = 50'000;  ///< runs of input, about 1 MB
+constexpr std::int64_t kHeadlessTicks = 600;    ///< played when nothing says for how long
+
+void sleepSeconds(double seconds) {
+    if (seconds > 0.0) std::this_thread::sleep_for(std::chrono::duration<double>{seconds});
+}
 
 bool isFullscreenKey(const Event& event) {
     return event.kind == EventKind::KeyDown && !event.repeated &&
@@ -24,6 +33,15 @@ bool isFullscreenKey(const Event& event) {
 Result<Done> saveScreenshot(Screen& screen, const Path& path) {
     const Result<std::string> png = encodePng(screen.picture());
     return png ? writeFile(path, *png) : png.error();
+}
+
+PlayerOptions begunAsRecorded(PlayerOptions options) {
+    if (options.replay.empty()) return options;
+    const Result<Replay> replay = loadReplay(options.replay);
+    if (!replay) return options;  // the loop says what is wrong
+    options.seed = replay->seed;
+    if (options.scene.empty()) options.scene = replay->scene;
+    return options;
 }
 
 GameLoop::GameLoop(Game& game, Screen* screen, const PlayerOptions& options, std::string projectName)
@@ -94,6 +112,7 @@ void GameLoop::runScreen() {
         }
         sounds_->play();
         drawFrame(ticks_ == 0 ? 1.0f : frame.alpha);
+        if (!lockstep) sleepSeconds(pacer_.rest(wallSeconds() - before));
         reportRate();
     }
 }
@@ -174,7 +193,17 @@ void GameLoop::tick() {
     if (options_.hashEvery > 0 && ticks_ % options_.hashEvery == 0) {
         std::printf("hash %lld: %s\n", static_cast<long long>(ticks_), hexText(game_.world.hash()).c_str());
     }
-    if (!options_.record.empty() && ticks_ % 600 == 0) recorder_.check(game_.world.hash());
+    keepRecording();
+}
+
+/// A program that is killed has lost the last seconds of its recording, no more.
+void GameLoop::keepRecording() {
+    if (options_.record.empty()) return;
+    if (ticks_ % kCheckTicks == 0) recorder_.check(game_.world.hash());
+    const bool isLong = recorder_.replay.runs.size() > kLongRecording;  // writing it takes a while
+    if (ticks_ % (isLong ? kSaveTicks * 12 : kSaveTicks) != 0) return;
+    if (const auto saved = saveReplay(recorder_.replay, options_.record); !saved)
+        logError("Input", saved.error());
 }
 
 PhysicsShown GameLoop::shownPhysics() {

@@ -38,6 +38,7 @@ private:
     void handleEvents();
     void reloadEdited();
     void tick();
+    void keepRecording();
     bool nextInput(InputFrame& frame);
     void drawFrame(float alpha);
     PhysicsShown shownPhysics();
@@ -65,6 +66,9 @@ private:
     bool running_ = true;
     bool failed_ = false;
 };
+
+/// The options with which the game of their replay began: its seed, and its scene where none is named.
+PlayerOptions begunAsRecorded(PlayerOptions options);
 
 /// Files of the outside world that a loop writes: PNG, atomically.
 Result<Done> saveScreenshot(Screen& screen, const Path& path);

@@ -76,8 +76,9 @@ int benchmark(const PlayerOptions& options) {
 
 }  // namespace
 
-int playProject(const PlayerOptions& options) {
-    if (options.benchmark) return benchmark(options);
+int playProject(const PlayerOptions& asked) {
+    if (asked.benchmark) return benchmark(asked);
+    const PlayerOptions options = begunAsRecorded(asked);
     Result<Project> project = loadProject(options.project);
     if (!project) {
         logError("Engine", project.error());

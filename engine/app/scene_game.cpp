@@ -6,6 +6,7 @@
 #include "app/system_order.hpp"
 #include "core/log.hpp"
 #include "gameplay/pause_scene.hpp"
+#include "gameplay/systems/progress_system.hpp"
 #include "platform/paths.hpp"
 #include "reflect/json.hpp"
 #include "reflect/json_text.hpp"
@@ -59,6 +60,7 @@ Result<Done> SceneGame::openScene(std::string_view path) {
     const Result<LoadReport> report = switchScene(world, context(), path);
     if (!report) return report.error();
     tell(*report);
+    beginLevel(world);
     followed_.clear();
     followAssets();
     storePreviousTransforms(world);

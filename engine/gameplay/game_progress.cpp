@@ -6,6 +6,7 @@
 #include "ecs/world.hpp"
 #include "gameplay/components/health.hpp"
 #include "gameplay/components/player_controller.hpp"
+#include "gameplay/label_values.hpp"
 #include "gameplay/physics_counts.hpp"
 
 namespace plumb {
@@ -47,6 +48,8 @@ int healthOfPlayer(const World& world) {
 
 /// @return false when the game knows no such word
 bool appendValue(const World& world, const GameProgress& progress, std::string_view word, std::string& out) {
+    const auto* own = world.findResource<LabelValues>();
+    if (const std::string* text = own != nullptr ? own->find(word) : nullptr) return out.append(*text), true;
     if (word == "time") return appendTime(out, progress.ticks), true;
     if (word == "levelName") return out.append(stemOf(pathOfLevel(world, progress.level))), true;
     const std::pair<std::string_view, int> numbers[] = {

@@ -1,19 +1,30 @@
 #pragma once
 
-// Everything that a game's code needs.
+// Everything that a game's code needs. docs/code-games.md says what is what.
 
 #include "app/engine.hpp"
 #include "app/game.hpp"
 #include "assets/animation.hpp"
 #include "core/log.hpp"
 #include "core/random.hpp"
+#include "core/text.hpp"
 #include "ecs/hierarchy.hpp"
 #include "ecs/world.hpp"
 #include "gameplay/components.hpp"
+#include "gameplay/game_progress.hpp"
+#include "gameplay/label_values.hpp"
 #include "gameplay/systems.hpp"
 #include "math/angle.hpp"
 #include "math/color.hpp"
 #include "math/rect.hpp"
 #include "math/vec2.hpp"
+#include "scene/background.hpp"
 #include "scene/components.hpp"
+#include "scene/contact_events.hpp"
+#include "scene/game_random.hpp"
+#include "scene/physics_queries.hpp"
+#include "scene/play_sound.hpp"
+#include "scene/prefab.hpp"
+#include "scene/scene_requests.hpp"
 #include "scene/systems.hpp"
+#include "scene/world_transform.hpp"

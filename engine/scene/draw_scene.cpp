@@ -7,6 +7,7 @@
 #include "ecs/paused.hpp"
 #include "math/portable.hpp"
 #include "render/camera_motion.hpp"
+#include "scene/background.hpp"
 #include "scene/camera_target.hpp"
 #include "scene/components/camera.hpp"
 #include "scene/components/hidden.hpp"
@@ -262,8 +263,12 @@ void SceneRenderer::collect(const World& world, const SceneView& how, DrawList& 
 void SceneRenderer::collectBackground(const World& world, const SceneView& how, DrawList& list) {
     const auto* loaded = world.findResource<LoadedScenes>();
     const auto place = static_cast<std::size_t>(std::max(how.place, 0));
-    if (loaded == nullptr || place >= loaded->scenes.size()) return;
-    const Color background = loaded->scenes[place].background;
+    Color background{0, 0, 0, 0};
+    if (loaded == nullptr || loaded->scenes.empty()) {
+        if (const auto* own = world.findResource<Background>()) background = own->color;
+    } else if (place < loaded->scenes.size()) {
+        background = loaded->scenes[place].background;
+    }
     if (background.a > 0) list.filledRect(visibleBox(how.view), background, kLowestLayer);
 }
 

@@ -30,6 +30,14 @@ TEST(FramePacer, theGameKeepsToTheClockOnEveryDisplayAlsoOnOneThatSaysAnotherRat
     }
 }
 
+TEST(FramePacer, framesThatNoDisplayWaitsForAreSpacedByTwiceItsRate) {
+    EXPECT_NEAR(FramePacer{60.0}.rest(0.0003), 1.0 / 120.0 - 0.0003, 1e-9);
+    EXPECT_NEAR(FramePacer{144.0}.rest(0.0), 1.0 / 288.0, 1e-9);
+    EXPECT_NEAR(FramePacer{}.rest(0.0), 1.0 / FramePacer::kUnknownRate, 1e-9);
+    EXPECT_EQ(FramePacer{60.0}.rest(1.0 / 60.0), 0.0) << "the display has waited";
+    EXPECT_NEAR(FramePacer{60.0}.rest(-1.0), 1.0 / 120.0, 1e-9) << "a clock that goes back";
+}
+
 TEST(FramePacer, jitterOfTheClockIsNotSeenOnADisplayThatSaysItsRate) {
     FramePacer pacer{144.0};
     Random random = Random::seeded(5);

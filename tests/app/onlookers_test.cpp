@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <array>
 #include <functional>
 #include <memory>
@@ -5,14 +6,13 @@
 #include <vector>
 
 #include "app/event_log.hpp"
+#include "app/scene_game.hpp"
 #include "app/screen.hpp"
 #include "app/sound_output.hpp"
+#include "core/log.hpp"
 #include "core/profile.hpp"
-#include "gameplay/game_progress.hpp"
-#include "input/recorder.hpp"
 #include "scene/physics_times.hpp"
-#include "tests/app/platformer.hpp"
-#include "tests/app/playground.hpp"
+#include "tests/app/project_replays.hpp"
 
 // Looking at a game does not change it. Each game here is played once alone; every other run has an
 // onlooker, and the hash of its state must be the same after each tick.
@@ -27,56 +27,17 @@ struct MadeUp {
     float value = 0.0f;
 };
 
-/// A game that is played without a person.
+/// A recorded game.
 struct Playing {
-    const char* project;
+    const ProjectReplay& row;
     std::vector<InputFrame> input;  ///< one frame a tick
 };
-
-/// From the title through all levels.
-Playing platformerReplay() {
-    Playing playing{"platformer", {}};
-    const Result<Replay> replay = loadReplay(test::sourceFolder() / "tests/replay/platformer.replay");
-    EXPECT_TRUE(replay.ok());
-    ReplayPlayer player{*replay};
-    while (const InputFrame* frame = player.next()) playing.input.push_back(*frame);
-    return playing;
-}
-
-/// From the menu into its first scenes and back, with a hand that drags.
-Playing menuAndScenes(const char* project) {
-    constexpr int kScenes = 6;
-    constexpr int kVisit = 120;  // ticks
-    Playing playing{project, {}};
-    const auto press = [&](Key key) {
-        InputFrame frame;
-        frame.set(key, true);
-        playing.input.insert(playing.input.end(), 2, frame);
-        playing.input.insert(playing.input.end(), 4, InputFrame{});
-    };
-    for (int scene = 0; scene < kScenes; ++scene) {
-        for (int i = 0; i < scene; ++i) press(Key::Down);
-        press(Key::Enter);
-        for (int tick = 0; tick < kVisit; ++tick) {
-            InputFrame frame;
-            frame.set(Key::Right, tick % 60 > 30);
-            frame.set(Key::Space, tick % 45 == 20);
-            if (tick > kVisit / 2) frame.mouseButtons = 1;
-            frame.setMouse({static_cast<float>(320 + tick), 300.0f});
-            playing.input.push_back(frame);
-        }
-        press(Key::Escape);
-    }
-    return playing;
-}
 
 /// What looks at a game between its ticks.
 using Onlooker = std::function<void(Game&, std::size_t tick)>;
 
 std::vector<std::uint64_t> hashesOf(const Playing& playing, const Onlooker& look) {
-    Result<Project> project = loadProject(test::sourceFolder() / "projects" / playing.project);
-    EXPECT_TRUE(project.ok());
-    SceneGame game{std::move(*project)};
+    SceneGame game{projectOf(playing.row)};
     game.assets.logging = false;
     look(game, 0);
     game.onCreate();
@@ -106,9 +67,26 @@ void expectTheSameWith(const Playing& playing, const std::vector<std::uint64_t>&
     EXPECT_EQ(differs, alone.end()) << "the first tick that differs: " << differs - alone.begin() + 1;
 }
 
+/// Log levels that change from tick to tick; the lines go nowhere.
+class LogOfTest {
+public:
+    LogOfTest() : before_{setLogSink([](const LogLine&) {})} {}
+    ~LogOfTest() {
+        setLogLevel(LogLevel::Note);
+        setLogSink(before_);
+    }
+    LogOfTest(const LogOfTest&) = delete;
+    LogOfTest& operator=(const LogOfTest&) = delete;
+
+    static void turn(std::size_t tick) { setLogLevel(static_cast<LogLevel>(tick % 4)); }
+
+private:
+    LogSink before_;
+};
+
 void expectTheSameWithEach(const Playing& playing) {
     constexpr std::size_t kFrame = 8;  // ticks between pictures: a picture in software takes long
-    SCOPED_TRACE(playing.project);
+    SCOPED_TRACE(playing.row.project);
     const std::vector<std::uint64_t> alone = hashesOf(playing, [](Game&, std::size_t) {});
     constexpr auto kAll = std::make_index_sequence<kMadeUpTypes>{};
 
@@ -127,6 +105,15 @@ void expectTheSameWithEach(const Playing& playing) {
     });
     EXPECT_FALSE(profile.zones().empty());
 
+    {
+        const LogOfTest log;
+        expectTheSameWith(playing, alone, "log levels that change", [](Game& game, std::size_t tick) {
+            game.assets.logging = tick % 3 != 0;
+            game.input.logging = tick % 2 != 0;
+            LogOfTest::turn(tick);
+        });
+    }
+
     PhysicsShown all;
     all.layers = *physicsLayersNamed("all");
     PhysicsTimes times;
@@ -144,13 +131,17 @@ void expectTheSameWithEach(const Playing& playing) {
     opened->reset();
 }
 
-TEST(Onlookers, thePlatformerIsTheSameGameWithThem) { expectTheSameWithEach(platformerReplay()); }
+class Onlookers : public testing::TestWithParam<ProjectReplay> {};
 
-TEST(Onlookers, thePlaygroundIsTheSameGameWithThem) {
-    expectTheSameWithEach(menuAndScenes("physics-playground"));
+TEST_P(Onlookers, theGameIsTheSameWithThem) {
+    expectTheSameWithEach({GetParam(), framesOf(replayOf(GetParam()))});
 }
 
-TEST(Onlookers, theLabIsTheSameGameWithThem) { expectTheSameWithEach(menuAndScenes("physics-lab")); }
+INSTANTIATE_TEST_SUITE_P(Each, Onlookers, testing::ValuesIn(kProjectReplays), [](const auto& row) {
+    std::string name = row.param.project;
+    std::replace(name.begin(), name.end(), '-', '_');
+    return name;
+});
 
 }  // namespace
 }  // namespace plumb

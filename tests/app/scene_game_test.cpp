@@ -5,7 +5,9 @@
 
 #include <gtest/gtest.h>
 
+#include "gameplay/game_progress.hpp"
 #include "scene/loaded_scene.hpp"
+#include "scene/scene_requests.hpp"
 #include "scene/scene_stack.hpp"
 #include "tests/app/platformer.hpp"
 
@@ -157,6 +159,31 @@ TEST(SceneGame, thePauseActionOpensTheMenuAndLeadsBackToTheTitle) {
     EXPECT_EQ(scenes(), (std::vector<std::string>{"scenes/title.scene.json"}));
     press(Key::P);
     EXPECT_EQ(scenes().size(), 1u) << "the title is not paused";
+}
+
+TEST(SceneGame, theNumbersOfALevelAreThoseOfItsFirstPicture) {
+    SceneGame game{platformer(), "scenes/level1.scene.json"};
+    game.assets.logging = false;
+    game.onCreate();
+    tickGame(game, {});
+    GameProgress& progress = game.world.resource<GameProgress>();
+    const int first = progress.levelCoinsTotal;
+    progress.coins = progress.levelCoins = 3;
+    progress.levelFinished = true;
+    game.world.resource<SceneRequests>().next = game.world.texts().add("scenes/level2.scene.json");
+    tickGame(game, {});
+    EXPECT_EQ(progress.level, textId("scenes/level2.scene.json"));
+    EXPECT_EQ(progress.levelCoins, 0);
+    EXPECT_EQ(progress.coinsTotal, first + progress.levelCoinsTotal);
+    EXPECT_EQ(progress.coins, 3);
+
+    progress.coins = 5;
+    progress.levelCoins = 2;
+    game.world.resource<SceneRequests>().reload = true;
+    tickGame(game, {});
+    EXPECT_EQ(progress.levelCoins, 0);
+    EXPECT_EQ(progress.coins, 3) << "begun anew, it has its coins again";
+    EXPECT_EQ(progress.levelsReached.size(), 2u);
 }
 
 TEST(SceneGame, aSceneThatIsNotThereIsAnErrorAndTheOldOneGoesOn) {

@@ -1,12 +1,20 @@
 #!/usr/bin/env bash
-# Plays the platformer's replay with the player as every installed compiler builds it, and wants one hash; and the
-# golden scenes of the physics library, one hash each. The physics library, which needs no package, is also built for
-# other processors and systems, where their compilers are, and run in qemu and wine.
+# Plays the projects' replays with the player as every installed compiler builds it, without a window and drawn into
+# memory, and wants one hash of each; and the golden scenes of the physics library, one hash each. The physics library,
+# which needs no package, is also built for other processors and systems, where their compilers are, and run in qemu
+# and wine.
 #   compare_compilers.sh [BUILD-FOLDER]    the folder keeps the builds for the next time
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
 build=${1:-$root/build/compilers}
 replay=$root/tests/replay/platformer.replay
+
+# project, its replay
+replays='
+platformer          platformer.replay
+physics-playground  playground.replay
+physics-lab         lab.replay
+'
 
 # name, compiler, flags
 table='
@@ -27,6 +35,10 @@ export WINEPREFIX=$build/wine WINEDEBUG=-all WINEDLLOVERRIDES='mscoree,mshtml=' 
 
 generator=()
 if command -v ninja >/dev/null; then generator=(-G Ninja); fi
+
+golden_of() { # REPLAY: the hash at its end
+    awk '$1 == "check" { hash = $3 } END { print hash }' "$1"
+}
 
 build_targets() { # NAME TARGETS...
     cmake --build "$build/$1" --parallel "$(getconf _NPROCESSORS_ONLN)" --target "${@:2}"
@@ -57,6 +69,24 @@ play_replay() { # NAME
     "$build/$1/bin/plumb-player" "$root/projects/platformer" --headless --hash --replay "$replay" | sed -n 's/^hash: //p'
 }
 
+# Every project's replay, without a window and drawn into memory with the physics over it: the same hash.
+play_projects() { # NAME
+    local project file wanted hash failed=0
+    while read -r project file; do
+        [ -n "$project" ] || continue
+        wanted=$(golden_of "$root/tests/replay/$file")
+        for way in "--headless" "--window 160x90 --physics-view all"; do
+            # shellcheck disable=SC2086
+            hash=$(SDL_VIDEODRIVER=offscreen SDL_AUDIODRIVER=dummy LIBGL_ALWAYS_SOFTWARE=1 "$build/$1/bin/plumb-player" \
+                "$root/projects/$project" $way --hash --replay "$root/tests/replay/$file" </dev/null | sed -n 's/^hash: //p')
+            [ "$hash" = "$wanted" ] && continue
+            echo "$1: $file with $way is $hash, not $wanted"
+            failed=1
+        done
+    done <<<"$replays"
+    return $failed
+}
+
 compare_physics() { # NAME RUNNER...
     local program hashes
     program=$(find "$build/$1/bin" -name 'plumb-physics-hashes*' 2>/dev/null || true)
@@ -80,7 +110,7 @@ play_gallery() { # NAME: ten seconds of every scene of the playground
 }
 
 if command -v ccache >/dev/null; then export CMAKE_CXX_COMPILER_LAUNCHER=${CMAKE_CXX_COMPILER_LAUNCHER:-ccache}; fi
-golden=$(awk '$1 == "check" { hash = $3 } END { print hash }' "$replay")
+golden=$(golden_of "$replay")
 mkdir -p "$build"
 failed=0
 while read -r name compiler flags; do
@@ -94,6 +124,7 @@ while read -r name compiler flags; do
     elif hash=$(play_replay "$name") && [ "$hash" = "$golden" ]; then
         echo "$name: $hash ($compiler $flags)"
         play_gallery "$name" || failed=1
+        play_projects "$name" || failed=1
     else
         echo "$name: $hash differs from the replay's $golden ($compiler $flags)"
         failed=1

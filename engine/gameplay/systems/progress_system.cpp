@@ -32,15 +32,30 @@ void enterLevel(World& world, GameProgress& progress, TextId level) {
     progress.coinsTotal += progress.levelCoinsTotal;
 }
 
+/// The scene that the player belongs to; empty when there is none.
+TextId levelOfPlayer(World& world) {
+    const Entity player = world.first<const PlayerController>();
+    const auto* scene = player ? std::as_const(world).find<SceneEntity>(player) : nullptr;
+    return scene != nullptr ? scene->scene.path : TextId{};
+}
+
 }  // namespace
+
+void beginLevel(World& world) {
+    const TextId level = levelOfPlayer(world);
+    if (level.empty()) return;
+    GameProgress& progress = world.resource<GameProgress>();
+    if (level == progress.level && !progress.levelFinished)
+        progress.coins = std::max(0, progress.coins - progress.levelCoins);
+    enterLevel(world, progress, level);
+}
 
 void ProgressSystem::update(World& world, float) {
     const Entity player = world.first<const PlayerController>();
     if (!player) return;
     GameProgress& progress = world.resource<GameProgress>();
-    const auto* scene = std::as_const(world).find<SceneEntity>(player);
-    if (scene != nullptr && !(scene->scene.path == progress.level))
-        enterLevel(world, progress, scene->scene.path);
+    const TextId level = levelOfPlayer(world);
+    if (!level.empty() && !(level == progress.level)) enterLevel(world, progress, level);
     if (!progress.levelFinished) ++progress.ticks;
 }
 

@@ -15,4 +15,8 @@ struct ProgressSystem {
     void update(World& world, float dt);
 };
 
+/// After a scene was opened: it is the level that its player is in, and its numbers are shown from the first
+/// picture on. A level that is begun anew before its goal gives back the coins taken in it.
+void beginLevel(World& world);
+
 }  // namespace plumb

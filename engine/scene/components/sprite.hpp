@@ -10,7 +10,7 @@ namespace plumb {
 /// A picture, or a cell of a sheet of equal cells, drawn at the entity's Transform.
 struct Sprite {
     TextureId texture;
-    int width = 32;   ///< px, of the drawn cell
+    int width = 32;   ///< px, of the cell that is drawn; `source` is scaled to it (see Game::wholePicture)
     int height = 32;  ///< px
     int frameX = 0;   ///< column of the cell in the sheet
     int frameY = 0;   ///< row of the cell

@@ -1,0 +1,236 @@
+#include <filesystem>
+#include <fstream>
+#include <plumb.hpp>
+
+#include <gtest/gtest.h>
+
+#include "app/screen.hpp"
+#include "app/system_order.hpp"
+#include "platform/image_file.hpp"
+#include "tests/support/places.hpp"
+
+// The game of docs/code-games.md, word for word, which needs plumb.hpp only; and what code games are
+// promised.
+
+namespace plumb {
+namespace {
+
+// guide begin
+// clang-format off
+struct Coin {};   // a tag: entities are found by their components
+struct Bullet {};
+
+class Shooter : public Game {
+    Entity hero;
+    SoundId shot;
+    TextureId spark;
+    int score = 0;
+
+    void onCreate() override {
+        setBackground({29, 33, 53, 255});
+        shot = assets.loadSound("shot.wav");
+        spark = assets.loadTexture("spark.png");
+
+        hero = world.createEntity();
+        hero.addComponent<Name>(world.texts().add("hero"));
+        hero.addComponent<Transform>(100.0f, 100.0f);
+        hero.addComponent<RigidBody>();
+        hero.addComponent<BoxCollider>(32, 32);
+
+        auto floor = world.createEntity();
+        floor.addComponent<Transform>(0.0f, 160.0f);
+        floor.addComponent<BoxCollider>(2000, 20);
+        floor.addComponent<StaticBody>();
+
+        for (int i = 0; i < 5; ++i) {
+            Entity coin = spawn("coin.prefab.json", {random().between(0.0f, 300.0f), 20.0f});
+            coin.addComponent<Coin>();
+        }
+        auto camera = world.createEntity();
+        camera.addComponent<Transform>(160.0f, 90.0f);
+        camera.addComponent<Camera>();
+
+        auto label = world.createEntity();
+        label.addComponent<Transform>(8.0f, 8.0f);
+        Label& text = label.addComponent<Label>();
+        text.text = world.texts().add("Score {score}");
+        text.screen = true;
+    }
+
+    void onUpdate(float) override {
+        if (input.isPressed(MouseButton::Left)) shoot(mouseInWorld());
+    }
+
+    void onLateUpdate(float) override {  // the systems have run: what happened in this tick is known
+        for (const ContactBegan& contact : world.events<ContactBegan>()) {
+            if (world.has<Bullet>(contact.a)) world.destroy(contact.a);
+            if (world.has<Bullet>(contact.b)) world.destroy(contact.b);
+        }
+        show("score", format("{}", score));
+    }
+
+    void shoot(Vec2 aim) {
+        const Vec2 from = hero.get<Transform>().position;
+        QueryFilter others;
+        others.except = hero.id();
+        const auto hit = castRay(world, from, aim - from, others);
+        if (hit && world.has<Coin>(hit->entity)) ++score;
+        play(shot);
+        auto bullet = world.createEntity();
+        bullet.addComponent<Transform>(from + Vec2{0.0f, -20.0f});
+        bullet.addComponent<Sprite>(wholePicture(spark, 8, 8));
+        bullet.addComponent<CircleCollider>(4.0f).offset = {4.0f, 4.0f};  // in the middle of the sprite
+        bullet.addComponent<RigidBody>().velocity = aim - from;
+        bullet.addComponent<Bullet>();
+    }
+};
+// clang-format on
+// guide end
+
+std::string between(const std::string& text, std::string_view begin, std::string_view end) {
+    const std::size_t from = text.find(begin) + begin.size();
+    return text.substr(from, text.find(end, from) - from);
+}
+
+/// The same game with an open door, and its files.
+class ShownShooter : public testing::Test {
+protected:
+    ShownShooter() {
+        std::filesystem::create_directories(folder_ / "assets");
+        const std::string coin = R"({"format": 1, "entities": [{"id": "0000000000000001", "name": "coin",
+            "components": {"Transform": {}, "StaticBody": {}, "BoxCollider": {"width": 10, "height": 10}}}]})";
+        EXPECT_TRUE(writeFile(folder_ / "assets/coin.prefab.json", coin));
+        Image spark{128, 128, {}};
+        spark.rgba.assign(std::size_t{128} * 128 * 4, 0);
+        for (int y = 32; y < 96; ++y) {  // clear at its borders
+            for (int x = 32; x < 96; ++x) {
+                for (int i = 0; i < 4; ++i)
+                    spark.rgba[static_cast<std::size_t>((y * 128 + x) * 4 + i)] = i == 1 ? 0 : 255;
+            }
+        }
+        EXPECT_TRUE(writeFile(folder_ / "assets/spark.png", *encodePng(spark)));
+        EXPECT_TRUE(writeFile(folder_ / "assets/shot.wav", "RIFF"));
+        game_.assets = AssetStore{folder_, {}};
+        game_.assets.logging = false;
+        game_.world.resource<PictureSize>().size = {320.0f, 180.0f};
+        static_cast<Game&>(game_).onCreate();
+        addAllSystems(game_.world);
+    }
+    ~ShownShooter() override { std::filesystem::remove_all(folder_); }
+
+    void click(Vec2 place) {
+        InputFrame frame;
+        frame.setMouse(place);
+        frame.mouseButtons = 1;
+        tickGame(game_, frame);
+    }
+
+    Path folder_ = std::filesystem::temp_directory_path() / "plumb_code_guide" /
+                   testing::UnitTest::GetInstance()->current_test_info()->name();
+    Shooter game_;
+};
+
+TEST(CodeGameGuide, theGameShownIsThisOne) {
+    const auto guide = readFile(test::sourceFolder() / "docs/code-games.md");
+    const auto self = readFile(test::sourceFolder() / "tests/app/code_game_guide_test.cpp");
+    ASSERT_TRUE(guide && self);
+    EXPECT_EQ(between(*guide, "```cpp\n", "```"),
+              between(*self, "// clang-format off\n", "// clang-format on"));
+}
+
+TEST_F(ShownShooter, itShootsAtWhatTheMouseShowsAndCounts) {
+    World& world = game_.world;
+    EXPECT_EQ(world.count<Coin>(), 5u);
+    const Entity hero = game_.find("hero");
+    ASSERT_TRUE(hero);
+    EXPECT_FALSE(game_.find("nobody"));
+    tickGame(game_, InputFrame{});  // rays see what was there when the physics last ran
+    const Entity coin = world.first<Coin>();
+    click(coin.get<Transform>().position + Vec2{5.0f, 5.0f});
+    EXPECT_EQ(*world.resource<LabelValues>().find("score"), "1");
+    ASSERT_EQ(world.events<PlaySound>().size(), 1u);
+    std::string text;
+    fillPlaceholders(world, "Score {score}, {other}", text);
+    EXPECT_EQ(text, "Score 1, {other}");
+    EXPECT_EQ(world.count<Bullet>(), 1u);
+    for (int tick = 0; tick < 240; ++tick) tickGame(game_, InputFrame{});
+    EXPECT_EQ(world.count<Bullet>(), 0u) << "its contacts were not heard of";
+}
+
+TEST_F(ShownShooter, textsThatChangeDoNotPileUp) {
+    tickGame(game_, InputFrame{});
+    const std::size_t before = game_.world.texts().size();
+    for (int i = 0; i < 1000; ++i) {
+        game_.show("score", format("{} points", i));
+        tickGame(game_, InputFrame{});
+    }
+    EXPECT_EQ(game_.world.texts().size(), before);
+}
+
+TEST_F(ShownShooter, aMissingPrefabIsToldAndNothingIsMade) {
+    const std::size_t before = game_.world.entityCount();
+    std::string told;
+    const LogSink sink = setLogSink([&](const LogLine& line) { told += line.text; });
+    EXPECT_FALSE(game_.spawn("dragon.prefab.json", {}));
+    setLogSink(sink);
+    EXPECT_NE(told.find("dragon.prefab.json"), std::string::npos);
+    EXPECT_EQ(game_.world.entityCount(), before);
+}
+
+/// Looks at the right end of a level of 1000 px, at which its camera's limits stop it.
+class AtTheLimit : public Game {
+public:
+    explicit AtTheLimit(Vec2& seen) : seen_{seen} {}
+
+private:
+    Vec2& seen_;
+    Entity camera_;
+
+    void onCreate() override {
+        auto player = world.createEntity();
+        player.addComponent<Transform>(990.0f, 90.0f);
+        camera_ = world.createEntity();
+        camera_.addComponent<Transform>(160.0f, 90.0f);
+        Camera& camera = camera_.addComponent<Camera>();
+        camera.follow = player.id();
+        camera.limits = {0.0f, 0.0f, 1000.0f, 180.0f};
+    }
+    void onLateUpdate(float) override { seen_ = camera_.get<Transform>().position; }
+};
+
+TEST(CodeGameGuide, camerasKnowTheSizeOfThePicture) {
+    const char* words[] = {"game", "--headless", "--frames", "60"};
+    Engine engine("game", 320, 180, 4, words);
+    Vec2 seen;
+    EXPECT_EQ(engine.run<AtTheLimit>(seen), 0);
+    EXPECT_EQ(seen, (Vec2{1000.0f - 160.0f, 90.0f}));
+}
+
+Color pixelAt(const Image& image, int x, int y) {
+    const std::uint8_t* at = image.rgba.data() + (static_cast<std::size_t>(y * image.width + x)) * 4;
+    return {at[0], at[1], at[2], at[3]};
+}
+
+TEST_F(ShownShooter, theBackgroundIsDrawnAndAWholePictureIsScaled) {
+    game_.world.clear();
+    const auto place = [&](float x, const Sprite& sprite) {
+        Entity entity = game_.world.createEntity();
+        entity.addComponent<Transform>(x, 40.0f);
+        entity.addComponent<Sprite>(sprite);
+    };
+    const TextureId spark = game_.assets.loadTexture("spark.png");
+    place(40.0f, game_.wholePicture(spark, 8, 8));
+    place(80.0f, Sprite{spark, 8, 8});
+    Result<std::unique_ptr<Screen>> screen =
+        Screen::open({"test", 320, 180, false, {320.0f, 180.0f}, WindowScale::Fit});
+    ASSERT_TRUE(screen);
+    (*screen)->draw(game_.world, game_.assets, 1.0f);
+    const Image image = (*screen)->picture();
+    constexpr Color kBackground{29, 33, 53, 255};
+    EXPECT_EQ(pixelAt(image, 200, 100), kBackground);
+    EXPECT_EQ(pixelAt(image, 44, 44), (Color{255, 0, 255, 255})) << "its middle";
+    EXPECT_EQ(pixelAt(image, 84, 44), kBackground) << "the clear corner, as a cell";
+}
+
+}  // namespace
+}  // namespace plumb

@@ -1,0 +1,62 @@
+#include <filesystem>
+
+#include <gtest/gtest.h>
+
+#include "app/game_loop.hpp"
+#include "input/recorder.hpp"
+
+namespace plumb {
+namespace {
+
+/// Looks at its own recording while it is made.
+class Recorded : public Game {
+public:
+    explicit Recorded(Path file) : file_{std::move(file)} {}
+
+    std::uint64_t found = 0;  ///< ticks in the file, as a killed game would leave it
+
+private:
+    void onUpdate(float) override {
+        if (world.tick < 700 || !std::filesystem::exists(file_)) return;
+        const Result<Replay> replay = loadReplay(file_);
+        ASSERT_TRUE(replay);
+        found = replay->ticks();
+    }
+
+    Path file_;
+};
+
+TEST(Recording, aGameThatIsKilledHasLostTheLastSecondsOnly) {
+    const Path file = std::filesystem::temp_directory_path() / "plumb_recording_test.replay";
+    std::filesystem::remove(file);
+    PlayerOptions options;
+    options.headless = true;
+    options.frames = 701;
+    options.record = file.string();
+    Recorded game{file};
+    EXPECT_EQ((GameLoop{game, nullptr, options, "recorded"}.run()), 0);
+    EXPECT_EQ(game.found, 600u);
+    const Result<Replay> whole = loadReplay(file);
+    ASSERT_TRUE(whole);
+    EXPECT_EQ(whole->ticks(), 701u);
+    std::filesystem::remove(file);
+}
+
+TEST(Recording, aReplayBeginsAsItsGameDid) {
+    const Path file = std::filesystem::temp_directory_path() / "plumb_recording_begin_test.replay";
+    Replay replay;
+    replay.scene = "scenes/level2.scene.json";
+    replay.seed = 42;
+    ASSERT_TRUE(saveReplay(replay, file));
+    PlayerOptions options;
+    options.replay = file.string();
+    EXPECT_EQ(begunAsRecorded(options).scene, replay.scene);
+    EXPECT_EQ(begunAsRecorded(options).seed, 42u);
+    options.scene = "level3";
+    EXPECT_EQ(begunAsRecorded(options).scene, "level3") << "asked for by name";
+    std::filesystem::remove(file);
+    EXPECT_EQ(begunAsRecorded(options).seed, options.seed);
+}
+
+}  // namespace
+}  // namespace plumb
