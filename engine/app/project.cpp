@@ -10,6 +10,7 @@
 #include "reflect/json_fields.hpp"
 #include "reflect/json_members.hpp"
 #include "reflect/json_text.hpp"
+#include "scene/import/import_commit.hpp"
 
 namespace plumb {
 namespace {
@@ -142,6 +143,7 @@ Result<Project> loadProject(const Path& path) {
                      "name a folder with a project.json in it, e.g. projects/platformer"};
     }
     const Path root = file.has_parent_path() ? file.parent_path() : Path{"."};
+    finishImport(root);  // one that was killed while its files took their places
     return projectFromText(*text, root, "project.json");
 }
 

@@ -36,6 +36,8 @@ struct Tileset {
     [[nodiscard]] int rows() const;
     /// Where a tile is in the picture (px).
     [[nodiscard]] Rect sourceOf(int tile) const;
+    /// The tile whose upper left corner is there (px); -1 when none is.
+    [[nodiscard]] int tileAt(int x, int y) const;
 };
 
 struct IntGridValue {
@@ -77,6 +79,8 @@ struct Tile {
     int x = 0;  ///< px in the layer, of the top-left corner
     int y = 0;
     int tile = 0;
+    int sourceX = -1;  ///< px in the picture, of its upper left corner; -1 where the file does not say
+    int sourceY = -1;
     std::uint8_t flips = 0;  ///< bit 0: left to right, bit 1: upside down
     float opacity = 1.0f;
 };
@@ -107,9 +111,13 @@ struct Layer {
     double opacity = 1.0;
     bool visible = true;
     int tileset = -1;         ///< uid
-    std::vector<int> values;  ///< of an IntGrid, in rows; 0 is empty
+    std::vector<int> values;  ///< of an IntGrid, in rows; 0 is empty, and so are those missing at the end
     std::vector<Tile> tiles;  ///< drawn by rules, then by hand
     std::vector<Entity> entities;
+
+    [[nodiscard]] std::size_t cellCount() const {
+        return static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows);
+    }
 };
 
 struct Level {

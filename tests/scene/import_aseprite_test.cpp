@@ -114,6 +114,13 @@ TEST_F(ImportAsepriteTest, trimmedFramesAreLaidOutInCellsOfOneSize) {
     EXPECT_EQ(red(8 + 1, 1), 0);
 }
 
+TEST_F(ImportAsepriteTest, framesOutsideThePictureAreTold) {
+    import("{\"frames\": [{" + frameText(0, 0, 100) + "}, {" + frameText(12, 0, 100) + "}], " +
+           R"("meta": {"image": "hero.png"}})");
+    EXPECT_NE(report_.text().find("1 frames reach beyond its 16 x 16 px"), std::string::npos)
+        << report_.text();
+}
+
 TEST_F(ImportAsepriteTest, aMissingPictureOrAnotherFileIsRefused) {
     ASSERT_TRUE(writeFile(folder_.path / "hero.json", "{\"a\": 1}").ok());
     const Result<ImportReport> other = importFile(folder_.path / "hero.json", {}, project_);

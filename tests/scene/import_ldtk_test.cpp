@@ -241,6 +241,58 @@ TEST_F(ImportLdtkTest, aDrawingOfAsepriteIsNamedWithItsRemedyAndItsPngTaken) {
     EXPECT_TRUE(tells("art.aseprite is a drawing of Aseprite"));
 }
 
+/// LDtk counts a tile that the picture's edge cuts off; the place in the picture is what counts.
+TEST_F(ImportLdtkTest, tilesOfAPictureThatIsNoMultipleOfTheGridLookAsInLdtk) {
+    constexpr const char* kTiles = R"("fieldInstances": [], "layerInstances": [
+  {"__identifier": "Far", "__type": "Tiles", "__cWid": 4, "__cHei": 2, "__gridSize": 16, "__opacity": 1,
+   "__pxTotalOffsetX": 0, "__pxTotalOffsetY": 0, "__tilesetDefUid": 10, "iid": "l2", "layerDefUid": 1, "visible": true,
+   "autoLayerTiles": [], "gridTiles": [{"px": [0, 0], "src": [0, 16], "f": 0, "t": 5, "a": 1},
+    {"px": [16, 0], "src": [64, 0], "f": 0, "t": 4, "a": 1}, {"px": [32, 0], "src": [16, 16], "f": 0, "t": 99, "a": 1},
+    {"px": [48, 0], "src": [7, 7], "f": 0, "t": 99, "a": 1}], "entityInstances": []}])";
+    std::string text = format(R"({{}, "worldLayout": "Free", "worlds": [], "levels": [{}]})", kDefinitions,
+                              levelText("Cave", 0, 0, kTiles));
+    text.replace(text.find("\"pxWid\": 64"), 11, "\"pxWid\": 70");
+    import(text);
+    const Json far = entity("Far")["components"]["TileLayer"];
+    EXPECT_EQ(far["cells"]["rows"].dump(), R"(["6 5 7 0","0 0 0 0"])");
+    const Json tileset = read(project_ / far["tileset"].get<std::string>());
+    EXPECT_EQ(tileset["columns"], 5);
+    EXPECT_TRUE(tells("1 tiles have numbers that the tileset Art does not have")) << report_.text();
+}
+
+TEST_F(ImportLdtkTest, pivotsAndTheParallaxOfEntitiesComeAlong) {
+    std::string text = format(R"({{}, "worldLayout": "Free", "worlds": [], "levels": [{}]})", kDefinitions,
+                              levelText("Cave", 0, 0));
+    const std::string_view layer =
+        R"({"uid": 3, "identifier": "Things", "type": "Entities", "gridSize": 16})";
+    text.replace(
+        text.find(layer), layer.size(),
+        R"({"uid": 3, "identifier": "Things", "type": "Entities", "gridSize": 16, "parallaxFactorX": 0.25,
+                     "parallaxFactorY": 0, "parallaxScaling": false})");
+    const std::string_view zone = R"("px": [0, 0], "__pivot": [0, 0])";
+    text.replace(text.find(zone), zone.size(), R"("px": [0, 0], "__pivot": [0.5, 1])");
+    import(text);
+    EXPECT_EQ(entity("Chest")["components"]["ParallaxLayer"]["factor"].dump(), "[0.75,1]");
+    EXPECT_EQ(entity("Zone")["ldtk"]["pivot"].dump(), "[0.5,1]");
+    EXPECT_TRUE(tells("its entities without a picture stay in their place"));
+}
+
+TEST_F(ImportLdtkTest, aWorldThatFailsLeavesNoFileOfTheOthers) {
+    const std::string worlds = format(R"({{}, "levels": [], "worlds": [
+        {"iid": "w1", "identifier": "Over", "worldLayout": "Free", "levels": [{}]},
+        {"iid": "w2", "identifier": "Un/der", "worldLayout": "Free", "levels": [{}]}]})",
+                                      kDefinitions, levelText("High", 0, 0), levelText("Low", 0, 0));
+    std::filesystem::create_directories(project_ / "scenes/level-Un_der.scene.json");
+    put("game.ldtk", worlds);
+    const Result<ImportReport> failed = importFile(folder_.path / "art/game.ldtk", scene_, project_);
+    ASSERT_FALSE(failed.ok());
+    EXPECT_NE(failed.error().text().find("level-Un_der"), std::string::npos) << failed.error().text();
+    EXPECT_EQ(filesBelow(project_, "").size(), 1u) << "project.json";
+    std::filesystem::remove(project_ / "scenes/level-Un_der.scene.json");
+    import(worlds);
+    EXPECT_TRUE(readFile(project_ / "scenes/level-Un_der.scene.json").ok());
+}
+
 TEST_F(ImportLdtkTest, whatIsNoProjectIsRefused) {
     put("bad.ldtk", "{\"levels\": []}");
     EXPECT_FALSE(importLdtk(folder_.path / "art/bad.ldtk", scene_).ok());

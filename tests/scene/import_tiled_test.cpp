@@ -299,6 +299,33 @@ TEST_F(ImportTiledTest, whatNobodyKnowsIsToldOnceAndWhatOnlyTiledNeedsIsNamed) {
     EXPECT_NE(text.find("only inside Tiled: nextlayerid"), std::string::npos);
 }
 
+TEST_F(ImportTiledTest, whatIsWrongWithTilesAndPropertiesIsTold) {
+    ASSERT_TRUE(
+        writeFile(folder_.path / "art/level.tmx",
+                  R"(<map orientation="orthogonal" width="2" height="1" tilewidth="16" tileheight="16">
+ <properties><property name="wet" type="bool" value="maybe"/><property name="depth" type="int" value="deep"/>
+  <property name="twice" value="a"/><property name="twice" value="b"/></properties>
+ <tileset firstgid="1" name="land" tilewidth="16" tileheight="16"><image source="sheet.png"/>
+  <tile id="1"><animation><frame tileid="0" duration="9"/><frame tileid="7" duration="9"/></animation></tile>
+  <tile id="9" type="far"/></tileset>
+ <tileset firstgid="50" name="nothing" tilewidth="16" tileheight="16"><image source=""/></tileset>
+ <layer name="ground" width="2" height="1" visible="perhaps"><data encoding="csv">1,6</data></layer>
+ <objectgroup name="things"><object id="3" gid="12" x="0" y="16" width="16" height="16"/></objectgroup></map>)")
+            .ok());
+    const Result<ImportReport> report = import();
+    ASSERT_TRUE(report.ok()) << report.error().text();
+    const std::string text = report->text();
+    for (const char* line :
+         {"the property wet has the type bool and the value \"maybe\"",
+          "the property depth has the type int and the value \"deep\"",
+          "the property twice stands there twice", "1 frames of its animation are beyond the 4 tiles",
+          "tile 9: it is beyond the 4 tiles", "the picture has no file", "visible is \"perhaps\"",
+          "1 cells name tiles beyond the 4 of the tileset land", "object 3: its tile 11 is beyond the 4"})
+        EXPECT_NE(text.find(line), std::string::npos) << line << " in\n" << text;
+    EXPECT_EQ(read(scene_)["properties"]["wet"], "maybe");
+    EXPECT_EQ(read(scene_)["properties"]["twice"], "b");
+}
+
 TEST_F(ImportTiledTest, aNameThatIsNoSceneIsRefused) {
     EXPECT_FALSE(importTiled(folder_.path / "art/level.tmx", project_ / "level.json").ok());
     EXPECT_FALSE(importTiled(folder_.path / "art/none.tmx", scene_).ok());

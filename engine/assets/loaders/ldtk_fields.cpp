@@ -43,7 +43,10 @@ double LdtkFields::real(std::string_view key, double fallback) const {
 
 bool LdtkFields::flag(std::string_view key, bool fallback) const {
     const Json* json = find(key);
-    return json != nullptr && json->is_boolean() ? json->get<bool>() : fallback;
+    if (json == nullptr) return fallback;
+    if (json->is_boolean()) return json->get<bool>();
+    warn(key, "expected true or false, found " + briefText(*json), "save the project again in LDtk");
+    return fallback;
 }
 
 Color LdtkFields::color(std::string_view key, Color fallback) const {

@@ -65,6 +65,9 @@ void readTiles(const LdtkFields& from, std::string_view key, std::vector<ldtk::T
         tile.x = static_cast<int>(place.x);
         tile.y = static_cast<int>(place.y);
         tile.tile = item.whole("t", 0);
+        const Vec2 source = item.pair("src", {-1.0f, -1.0f});
+        tile.sourceX = static_cast<int>(source.x);
+        tile.sourceY = static_cast<int>(source.y);
         tile.flips = static_cast<std::uint8_t>(item.whole("f", 0) & 3);
         tile.opacity = std::clamp(static_cast<float>(item.real("a", 1.0)), 0.0f, 1.0f);
         if (tile.tile >= 0) tiles.push_back(tile);
@@ -73,24 +76,26 @@ void readTiles(const LdtkFields& from, std::string_view key, std::vector<ldtk::T
 
 /// IntGrids are lists of numbers; before LDtk 0.8 they were lists of cells.
 void readValues(const LdtkFields& from, ldtk::Layer& layer) {
-    const std::size_t count = static_cast<std::size_t>(layer.columns) * static_cast<std::size_t>(layer.rows);
+    const std::size_t count = layer.cellCount();
     if (const Json* csv = from.find("intGridCsv"); csv != nullptr && csv->is_array() && !csv->empty()) {
         for (const Json& value : *csv) layer.values.push_back(wholeOf(value).value_or(0));
         if (layer.values.size() != count)
             from.warn("intGridCsv",
                       format("{} cells are there, the size says {}", layer.values.size(), count),
                       "save the project again in LDtk");
-        layer.values.resize(count);
+        if (layer.values.size() > count) layer.values.resize(count);
     } else if (const Json* cells = from.find("intGrid"); cells != nullptr && !cells->empty()) {
-        layer.values.resize(count);
         for (const LdtkFields& cell : from.objects("intGrid")) {
             const auto place = static_cast<std::size_t>(std::max(cell.whole("coordId", 0), 0));
-            if (place < count) layer.values[place] = cell.whole("v", -1) + 1;
+            if (place >= count) continue;
+            if (layer.values.size() <= place) layer.values.resize(place + 1);
+            layer.values[place] = cell.whole("v", -1) + 1;
         }
     }
 }
 
-std::optional<ldtk::Layer> readLayer(const LdtkFields& from) {
+/// @param room  cells that the layers of this project may still have
+std::optional<ldtk::Layer> readLayer(const LdtkFields& from, std::size_t& room) {
     ldtk::Layer layer;
     layer.name = from.text("__identifier");
     layer.type = from.text("__type");
@@ -102,10 +107,19 @@ std::optional<ldtk::Layer> readLayer(const LdtkFields& from) {
     const bool fits = layer.columns >= 0 && layer.columns <= limits::kTileSide && layer.rows >= 0 &&
                       layer.rows <= limits::kTileSide && layer.grid >= 1 && layer.grid <= limits::kImageSide;
     if (!fits) {
-        from.warn("__cWid", format("the layer has {} x {} cells", layer.columns, layer.rows),
-                  "make it smaller");
+        from.warn("__cWid",
+                  format("the layer has {} x {} cells of {} px", layer.columns, layer.rows, layer.grid),
+                  format("make it no larger than {} cells a side", limits::kTileSide));
         return {};
     }
+    if (layer.cellCount() > room) {
+        from.warn("__cWid",
+                  format("with its {} x {} cells the layers of the project have more than {}", layer.columns,
+                         layer.rows, limits::kTiledCells),
+                  "split the project, or give the layer larger cells");
+        return {};
+    }
+    room -= layer.cellCount();
     layer.offset = {static_cast<float>(from.real("__pxTotalOffsetX", 0.0)),
                     static_cast<float>(from.real("__pxTotalOffsetY", 0.0))};
     layer.opacity = std::clamp(from.real("__opacity", 1.0), 0.0, 1.0);
@@ -186,6 +200,30 @@ void readDefinitions(const LdtkFields& from, ldtk::Project& project) {
     }
 }
 
+/// The place in the picture says what a tile looks like, whatever its number: the picture may have become
+/// wider since the level was saved, or be no multiple of its tiles wide.
+/// @return false when its tileset has no such tile
+bool settleTile(ldtk::Tile& tile, const ldtk::Tileset& tileset) {
+    if (tileset.imageWidth == 0 || tileset.imageHeight == 0) return true;
+    const int there = tileset.tileAt(tile.sourceX, tile.sourceY);
+    if (there >= 0) tile.tile = there;
+    return tile.tile < tileset.columns() * tileset.rows();
+}
+
+void settleTiles(const ldtk::Project& project, const ldtk::Level& level, ldtk::Layer& layer,
+                 std::vector<Error>& warnings) {
+    const ldtk::Tileset* tileset = project.tileset(layer.tileset);
+    if (tileset == nullptr) return;
+    const auto lost = std::remove_if(layer.tiles.begin(), layer.tiles.end(),
+                                     [tileset](ldtk::Tile& tile) { return !settleTile(tile, *tileset); });
+    if (lost == layer.tiles.end()) return;
+    warnings.push_back({format("level {}: layer {}", level.name, layer.name),
+                        format("{} tiles have numbers that the tileset {} does not have, and were left out",
+                               layer.tiles.end() - lost, tileset->name),
+                        "look at the tileset's grid, spacing and padding in LDtk"});
+    layer.tiles.erase(lost, layer.tiles.end());
+}
+
 /// Reads the levels of a project, those in files of their own too.
 class LevelReader {
 public:
@@ -233,7 +271,7 @@ private:
         return readLevel(LdtkFields{*json, file, warnings_});
     }
 
-    static std::optional<ldtk::Level> readLevel(const LdtkFields& from) {
+    std::optional<ldtk::Level> readLevel(const LdtkFields& from) {
         ldtk::Level level;
         level.name = from.text("identifier");
         level.iid = from.text("iid");
@@ -245,7 +283,8 @@ private:
         readBackground(from, level);
         level.fields = readFields(from);
         for (const LdtkFields& item : from.objects("layerInstances")) {
-            if (std::optional<ldtk::Layer> layer = readLayer(item)) level.layers.push_back(std::move(*layer));
+            if (std::optional<ldtk::Layer> layer = readLayer(item, cellsLeft_))
+                level.layers.push_back(std::move(*layer));
         }
         return level;
     }
@@ -253,6 +292,7 @@ private:
     ldtk::Project& project_;
     const FileReader& readFrom_;
     std::vector<Error>& warnings_;
+    std::size_t cellsLeft_ = limits::kTiledCells;
 };
 
 }  // namespace
@@ -277,6 +317,11 @@ Result<ldtk::Project> parseLdtk(std::string_view text, const Path& file, const F
     const Json* levels = from.find("levels");
     if (project.worlds.empty() || (levels != nullptr && !levels->empty()))
         project.worlds.insert(project.worlds.begin(), reader.readWorld(from, file.stem().string()));
+    for (ldtk::World& world : project.worlds) {
+        for (ldtk::Level& level : world.levels) {
+            for (ldtk::Layer& layer : level.layers) settleTiles(project, level, layer, warnings);
+        }
+    }
     return project;
 }
 

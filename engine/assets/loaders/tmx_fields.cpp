@@ -16,14 +16,26 @@ std::optional<double> parseReal(std::string_view text) {
     return whole && std::isfinite(value) ? std::optional{value} : std::nullopt;
 }
 
-Json plainValue(const std::string& type, const std::string& text) {
-    if (type == "bool") return Json(text == "true" || text == "1");
-    if (type == "int" || type == "object") {
+std::optional<bool> parseFlag(std::string_view text) {
+    if (text == "1" || text == "true") return true;
+    if (text == "0" || text == "false") return false;
+    return {};
+}
+
+/// A text that is no value of its type stays a text, and is told.
+Json plainValue(const std::string& type, const std::string& text, const TmxFields& fields) {
+    if (type == "bool") {
+        if (const std::optional<bool> value = parseFlag(text)) return Json(*value);
+    } else if (type == "int" || type == "object") {
         if (const std::optional<std::int64_t> value = parseInt(trimmed(text))) return Json(*value);
-    }
-    if (type == "float") {
+    } else if (type == "float") {
         if (const std::optional<double> value = parseReal(text)) return Json(*value);
+    } else {
+        return Json(text);
     }
+    fields.warn(format("the property {} has the type {} and the value \"{}\"", fields.text("name"), type,
+                       text.substr(0, 40)),
+                "write a value of its type; it was kept as a text");
     return Json(text);
 }
 
@@ -40,7 +52,7 @@ Json propertyValue(const XmlElement& property, std::string_view file, std::vecto
         }
     } else {
         // A text of several lines stands between the tags.
-        value = plainValue(type, fields.has("value") ? *property.find("value") : property.text);
+        value = plainValue(type, fields.has("value") ? *property.find("value") : property.text, fields);
     }
     const bool plain =
         type == "string" || type == "bool" || type == "int" || type == "float" || type == "list";
@@ -89,7 +101,10 @@ double TmxFields::real(std::string_view name, double fallback) const {
 
 bool TmxFields::flag(std::string_view name, bool fallback) const {
     const std::string* found = value(name);
-    return found ? *found == "1" || *found == "true" : fallback;
+    if (!found) return fallback;
+    if (const std::optional<bool> flag = parseFlag(*found)) return *flag;
+    warn(format("{} is \"{}\"", name, found->substr(0, 40)), "write 0 or 1");
+    return fallback;
 }
 
 std::optional<Color> TmxFields::color(std::string_view name) const {
@@ -124,6 +139,10 @@ Json tmxProperties(const XmlElement& element, std::string_view file, std::vector
         if (property.name != "property" || !name || name->empty()) {
             TmxFields{property, file, problems}.warn("a property without a name", "name it in Tiled");
             continue;
+        }
+        if (properties.contains(*name)) {
+            TmxFields{property, file, problems}.warn(format("the property {} stands there twice", *name),
+                                                     "name one of them otherwise; the last one counts");
         }
         properties[*name] = propertyValue(property, file, problems);
     }

@@ -17,6 +17,14 @@ Json attributesJson(const XmlElement& element) {
     return json;
 }
 
+void tellPicture(const XmlElement& image, const TmxFields& from) {
+    if (image.child("data")) {
+        from.warn("the picture lies inside the file", "save it as a file of its own in Tiled");
+    } else if (from.text("source").empty()) {
+        from.warn("the picture has no file", "choose its image in Tiled");
+    }
+}
+
 Json wangColor(const TmxFields& from, Json properties) {
     Json color = Json::object();
     color["name"] = from.text("name");
@@ -114,8 +122,7 @@ void TmxReader::readTilesetFields(const XmlElement& element, const TmxFile& file
             tileset.offsetY = inner.whole("y", 0, -kManyPixels, kManyPixels);
         } else if (child.name == "image") {
             tileset.image = inner.text("source");
-            if (child.child("data"))
-                inner.warn("the picture lies inside the file", "save it as a file of its own in Tiled");
+            tellPicture(child, inner);
             tileset.transparent = inner.color("trans");
             tileset.imageWidth = inner.whole("width", 0, 0, limits::kImageSide);
             tileset.imageHeight = inner.whole("height", 0, 0, limits::kImageSide);
@@ -153,8 +160,7 @@ void TmxReader::readTile(const XmlElement& element, const TmxFile& file, tiled::
     if (const XmlElement* image = element.child("image")) {
         const TmxFields inner = fields(*image, file);
         tile.image = inner.text("source");
-        if (image->child("data"))
-            inner.warn("the picture lies inside the file", "save it as a file of its own in Tiled");
+        tellPicture(*image, inner);
         tile.transparent = inner.color("trans");
         tile.width = inner.whole("width", 0, 0, limits::kImageSide);
         tile.height = inner.whole("height", 0, 0, limits::kImageSide);

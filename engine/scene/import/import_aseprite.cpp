@@ -18,6 +18,7 @@ using aseprite::Frame;
 using aseprite::Sheet;
 
 constexpr std::string_view kEnding = ".anim.json";
+constexpr std::size_t kMaxLaidOutBytes = std::size_t{128} << 20;  // of packed frames that are laid out anew
 
 struct Cells {
     int width = 0;  ///< px
@@ -70,16 +71,19 @@ std::size_t pixelOf(const Frame& frame, const Image& image, int x, int y) {
                   : image.rgba.size();
 }
 
-void copyFrame(const Frame& frame, const Image& from, Image& to, int left, int top) {
+/// A frame in its cell; what lies outside of the cell or of the sheet is left out.
+void copyFrame(const Frame& frame, const Image& from, Image& to, const Cells& cells, int index) {
+    const auto [column, row] = cells.places[static_cast<std::size_t>(index)];
+    const int inX = static_cast<int>(frame.trimmed.x);
+    const int inY = static_cast<int>(frame.trimmed.y);
     const int width = static_cast<int>(frame.rotated ? frame.area.height : frame.area.width);
     const int height = static_cast<int>(frame.rotated ? frame.area.width : frame.area.height);
-    for (int y = 0; y < height; ++y) {
-        for (int x = 0; x < width; ++x) {
-            const int toX = left + static_cast<int>(frame.trimmed.x) + x;
-            const int toY = top + static_cast<int>(frame.trimmed.y) + y;
+    for (int y = std::max(-inY, 0); y < std::min(height, cells.height - inY); ++y) {
+        for (int x = std::max(-inX, 0); x < std::min(width, cells.width - inX); ++x) {
+            const int toX = column * cells.width + inX + x;
+            const int toY = row * cells.height + inY + y;
             const std::size_t source = pixelOf(frame, from, x, y);
-            if (toX < 0 || toY < 0 || toX >= to.width || toY >= to.height || source >= from.rgba.size())
-                continue;
+            if (source >= from.rgba.size()) continue;
             const auto target = (static_cast<std::ptrdiff_t>(toY) * to.width + toX) * 4;
             std::copy_n(from.rgba.begin() + static_cast<std::ptrdiff_t>(source), 4, to.rgba.begin() + target);
         }
@@ -91,13 +95,31 @@ Result<std::string> laidOut(const Sheet& sheet, const Cells& cells, const Image&
     Image to;
     to.width = cells.width * cells.columns;
     to.height = cells.height * ((count + cells.columns - 1) / cells.columns);
-    if (to.width <= 0 || to.height <= 0 || to.width > limits::kImageSide || to.height > limits::kImageSide)
-        return Error{sheet.image, "its frames do not fit into one picture", "export fewer frames"};
-    to.rgba.resize(static_cast<std::size_t>(to.width) * static_cast<std::size_t>(to.height) * 4);
-    for (std::size_t i = 0; i < sheet.frames.size(); ++i)
-        copyFrame(sheet.frames[i], from, to, cells.places[i].first * cells.width,
-                  cells.places[i].second * cells.height);
+    const std::size_t bytes = static_cast<std::size_t>(std::max(to.width, 0)) *
+                              static_cast<std::size_t>(std::max(to.height, 0)) * 4;
+    if (bytes == 0 || to.width > limits::kImageSide || to.height > limits::kImageSide ||
+        bytes > kMaxLaidOutBytes)
+        return Error{sheet.image,
+                     format("its {} frames of {} x {} px do not fit into one picture", count, cells.width,
+                            cells.height),
+                     "export fewer frames, or smaller ones"};
+    to.rgba.resize(bytes);
+    for (int i = 0; i < count; ++i) copyFrame(sheet.frames[static_cast<std::size_t>(i)], from, to, cells, i);
     return encodePng(to);
+}
+
+/// What a frame has outside of the sheet's picture is not there.
+void tellOutside(const Sheet& sheet, ImageSize size, ImportReport& report) {
+    const auto isOutside = [size](const Frame& frame) {
+        return frame.area.x < 0.0f || frame.area.y < 0.0f ||
+               frame.area.x + frame.area.width > static_cast<float>(size.width) ||
+               frame.area.y + frame.area.height > static_cast<float>(size.height);
+    };
+    const auto count = std::count_if(sheet.frames.begin(), sheet.frames.end(), isOutside);
+    if (count == 0) return;
+    report.problems.push_back(
+        {sheet.image, format("{} frames reach beyond its {} x {} px", count, size.width, size.height),
+         "export the sheet and its .json again together; what lies outside is empty"});
 }
 
 Json clipJson(const aseprite::Tag& tag, const Sheet& sheet, const Cells& cells, ImportReport& report) {
@@ -159,7 +181,11 @@ Result<ImportReport> importAseprite(const Path& file, const Path& animation) {
         return Error{file.filename().string(), format("its picture {} is not there", sheet->image),
                      "export the picture beside the .json"};
 
-    ImportStage stage{place->root, Path{place->path}.parent_path().generic_string()};
+    const Result<ImageSize> size = readImageSize(*bytes, sheet->image);
+    if (!size) return size.error();
+    tellOutside(*sheet, *size, report);
+
+    ImportStage stage{Path{place->path}.parent_path().generic_string()};
     const std::optional<Cells> lying = cellsAsTheyLie(*sheet);
     const Cells cells = lying ? *lying : newCells(*sheet);
     std::string image;
@@ -173,15 +199,11 @@ Result<ImportReport> importAseprite(const Path& file, const Path& animation) {
         image = stage.add(place->name, ".png", *png);
         report.note("its frames were packed; they were laid out in cells of one size");
     }
-    const std::string json = writeJson(sheetJson(*sheet, cells, image, report));
-    Result<std::vector<std::string>> written = stage.write();
-    if (!written) return written.error();
-    const Result<Path> target = pathInside(place->root, place->path);
-    if (!target) return target.error();
-    if (const Result<Done> done = writeFile(*target, json); !done) return done.error();
+    std::vector<ImportedFile> files = stage.takeFiles();
+    files.push_back({place->path, writeJson(sheetJson(*sheet, cells, image, report))});
+    if (const Result<Done> done = commitImport(place->root, files); !done) return done.error();
     report.images = 1;
-    report.files = std::move(*written);
-    report.files.push_back(place->path);
+    for (const ImportedFile& written : files) report.files.push_back(written.path);
     return report;
 }
 

@@ -1,7 +1,7 @@
 #include "scene/import/import_entities.hpp"
 
 #include <algorithm>
-#include <limits>
+#include <memory>
 
 #include "core/text.hpp"
 #include "math/tile_grid.hpp"
@@ -68,21 +68,74 @@ std::vector<std::size_t> tilesetsOf(const EntityImport& import, const Layer& lay
     return places.empty() ? someTileset(import) : places;
 }
 
-/// The cells of one tileset; those of the others stay empty.
-TileGrid gridOf(const EntityImport& import, const Layer& layer, std::size_t tileset) {
-    std::vector<TileCell> cells(layer.cells.size());
-    const int count = import.tilesets[tileset].count;
-    for (std::size_t i = 0; i < cells.size(); ++i) {
-        const tiled::TileRef tile = import.map.resolve(layer.cells[i]);
-        if (tile.tileset != static_cast<int>(tileset)) continue;
-        // Numbers behind the end of a set whose picture is missing are kept as they are.
-        if (count > 0 && tile.id >= count) continue;
-        cells[i] = cellOf(tile.id, tile.flags & kTileFlips);
+/// The cells of one tileset, chunk by chunk; those of the others stay empty.
+class GridOfTileset {
+public:
+    GridOfTileset(const EntityImport& import, const Layer& layer, std::size_t tileset)
+        : import_{import}, layer_{layer}, tileset_{tileset}, grid_{layer.width, layer.height} {}
+
+    TileGrid make() {
+        if (!layer_.cells.empty()) {
+            for (int row = 0; row < grid_.chunkRows(); ++row) {
+                for (int column = 0; column < grid_.chunkColumns(); ++column) fill(column, row);
+            }
+        }
+        if (beyond_ > 0) tellBeyond();
+        return std::move(grid_);
     }
-    TileGrid grid;
-    grid.replaceCells(layer.width, layer.height, cells);
-    return grid;
-}
+
+private:
+    void fill(int column, int row) {
+        constexpr int kSide = TileGrid::kChunkSide;
+        std::shared_ptr<TileGrid::Chunk> chunk;
+        for (int y = row * kSide; y < std::min((row + 1) * kSide, layer_.height); ++y) {
+            for (int x = column * kSide; x < std::min((column + 1) * kSide, layer_.width); ++x) {
+                const TileCell cell = cellAt(x, y);
+                if (cell == 0) continue;
+                if (chunk == nullptr) {
+                    chunk = TileGrid::filled(cell);  // none is made of empty cells
+                    chunk->cells = {};
+                }
+                chunk->cells[TileGrid::Chunk::slot(x, y)] = cell;
+            }
+        }
+        if (chunk == nullptr) return;
+        // Huge plains share one chunk.
+        if (last_ != nullptr && last_->cells == chunk->cells) chunk = last_;
+        last_ = chunk;
+        grid_.put(column, row, std::move(chunk));
+    }
+
+    TileCell cellAt(int x, int y) {
+        const tiled::Gid gid =
+            layer_.cells[static_cast<std::size_t>(y) * static_cast<std::size_t>(layer_.width) +
+                         static_cast<std::size_t>(x)];
+        if (gid == 0) return 0;
+        const tiled::TileRef tile = import_.map.resolve(gid);
+        if (tile.tileset != static_cast<int>(tileset_)) return 0;
+        // Numbers behind the end of a set whose picture is missing are kept as they are.
+        const int count = import_.tilesets[tileset_].count;
+        if (count == 0 || tile.id < count) return cellOf(tile.id, tile.flags & kTileFlips);
+        ++beyond_;
+        return 0;
+    }
+
+    void tellBeyond() {
+        const ImportedTileset& tileset = import_.tilesets[tileset_];
+        import_.draft.report.problems.push_back(
+            {format("layer {}", layer_.name),
+             format("{} cells name tiles beyond the {} of the tileset {}, and were left out", beyond_,
+                    tileset.count, tileset.original->name),
+             "look at the tileset's picture, margin and spacing in Tiled"});
+    }
+
+    const EntityImport& import_;
+    const Layer& layer_;
+    std::size_t tileset_;
+    TileGrid grid_;
+    std::shared_ptr<TileGrid::Chunk> last_;
+    int beyond_ = 0;
+};
 
 /// Adds the entities of a map, layer by layer.
 class EntityCollector {
@@ -133,7 +186,7 @@ private:
         components["Transform"] = transformJson(place.offset + scaled(first, tileSize), 0.0f, {1.0f, 1.0f});
         Json tiles = Json::object();
         tiles["tileset"] = tileset.path;
-        tiles["cells"] = tilesToJson(gridOf(import_, layer, index));
+        tiles["cells"] = tilesToJson(GridOfTileset{import_, layer, index}.make());
         tiles["tileSize"] = vec2Json(tileSize);
         tiles["layer"] = place.order;
         tiles["tint"] = colorOf(layer, 1.0);

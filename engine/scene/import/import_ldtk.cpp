@@ -156,6 +156,7 @@ private:
             addEmpty(plan, key, order);
         for (const ldtk::Entity& entity : layer.entities)
             addLdtkEntity(entity, layer, project_, tilesets_, order, draft_, ids_);
+        tellParallax(plan);
         if (layer.type == "Entities" && layer.entities.empty())
             draft_.report.note(format("level {}: its layer {} has no entities", level.name, layer.name));
     }
@@ -171,21 +172,27 @@ private:
         if (!plan.layer->visible || !shown) components["Hidden"] = Json::object();
         const Vec2 parallax = plan.kind == nullptr ? Vec2{} : plan.kind->parallax;
         if (parallax == Vec2{}) return;
-        // LDtk counts from the world (0), the engine from the screen (0).
-        tiled::Layer moving;
-        moving.parallax = Vec2{1.0f, 1.0f} - parallax;
-        components["ParallaxLayer"] = parallaxJson(moving);
+        components["ParallaxLayer"] = ldtkParallax(*plan.kind);
+    }
+
+    void tellParallax(const LayerPlan& plan) {
+        if (plan.kind == nullptr || plan.kind->parallax == Vec2{}) return;
         if (plan.kind->scalesWithParallax) {
             draft_.report.note(format(
                 "layer {}: LDtk also enlarges it by its parallax; here it keeps its size", plan.layer->name));
         }
+        const auto& entities = plan.layer->entities;
+        const bool unseen = std::any_of(entities.begin(), entities.end(),
+                                        [](const ldtk::Entity& entity) { return !entity.tile; });
+        if (unseen)
+            draft_.report.note(format(
+                "layer {}: it moves by its parallax; its entities without a picture stay in their place",
+                plan.layer->name));
     }
 
-    Json tilesJson(const LayerPlan& plan, std::string tileset, std::vector<TileCell> cells, int order,
+    Json tilesJson(const LayerPlan& plan, std::string tileset, const TileGrid& grid, int order,
                    double opacity) {
         const Layer& layer = *plan.layer;
-        TileGrid grid;
-        grid.replaceCells(layer.columns, layer.rows, std::move(cells));
         Json tiles = Json::object();
         tiles["tileset"] = std::move(tileset);
         tiles["cells"] = tilesToJson(grid);
@@ -195,26 +202,25 @@ private:
         return tiles;
     }
 
-    static std::size_t area(const Layer& layer) {
-        return static_cast<std::size_t>(layer.columns) * static_cast<std::size_t>(layer.rows);
-    }
-
     /// The values of an IntGrid as colored tiles, hidden below the tiles that rules drew over them.
     void addValues(const LayerPlan& plan, const std::string& key, int order) {
         const Layer& layer = *plan.layer;
         bool solid = false;
         if (plan.kind == nullptr || plan.kind->values.empty()) return;
         const std::string file = tilesets_.valuesFile(layer, *plan.kind, solid);
-        std::vector<TileCell> cells(area(layer));
+        TileGrid cells{layer.columns, layer.rows};
         int unknown = 0;
-        for (std::size_t i = 0; i < std::min(cells.size(), layer.values.size()); ++i) {
+        for (std::size_t i = 0; i < layer.values.size(); ++i) {
+            if (layer.values[i] == 0) continue;
             const auto& values = plan.kind->values;
             const auto at = std::find_if(values.begin(), values.end(),
                                          [&](const auto& known) { return known.value == layer.values[i]; });
             if (at != values.end()) {
-                cells[i] = cellOf(static_cast<int>(at - values.begin()));
+                const auto place = static_cast<int>(i);
+                cells.set(place % layer.columns, place / layer.columns,
+                          cellOf(static_cast<int>(at - values.begin())));
                 ++draft_.report.tiles;
-            } else if (layer.values[i] != 0) {
+            } else {
                 ++unknown;
             }
         }
@@ -225,7 +231,7 @@ private:
                  "define them in LDtk"});
         }
         Json components = placed(plan);
-        components["TileLayer"] = tilesJson(plan, file, std::move(cells), order, 1.0);
+        components["TileLayer"] = tilesJson(plan, file, cells, order, 1.0);
         if (solid) components["TileCollider"] = Json::object();
         // Without the picture of the tiles over them the values are all there is to see.
         finish(plan, components, layer.tiles.empty() || tilesets_.picture(layer.tileset).width == 0);
@@ -236,7 +242,7 @@ private:
         const Layer& layer = *plan.layer;
         const LdtkStacks::Level& stack = plan.stacks.levels[index];
         const std::string name = index == 0 ? layer.name : format("{} {}", layer.name, index + 1);
-        if (!stack.cells.empty()) {
+        if (stack.count > 0) {
             draft_.report.tiles += stack.count;
             Json components = placed(plan);
             components["TileLayer"] =
@@ -279,7 +285,7 @@ private:
         const Layer& layer = *plan.layer;
         Json components = placed(plan);
         components["TileLayer"] = tilesJson(plan, tilesets_.file(layer.tileset, layer.grid),
-                                            std::vector<TileCell>(area(layer)), order, layer.opacity);
+                                            TileGrid{layer.columns, layer.rows}, order, layer.opacity);
         finish(plan, components, true);
         draft_.add(key + "/tiles 0", layer.name, std::move(components));
     }
@@ -309,6 +315,18 @@ void append(ImportReport& all, ImportReport&& next) {
     all.note(format("another world of the project became {}", next.scene));
 }
 
+/// Where a further world of a project goes: beside the first one.
+ImportPlace placeOf(const ImportPlace& first, const std::string& world, std::set<std::string>& taken) {
+    ImportPlace place = first;
+    const std::string name = format("{}-{}", first.name, plainName(world));
+    place.name = name;
+    for (int number = 2; !taken.insert(place.name).second; ++number)
+        place.name = format("{}-{}", name, number);
+    const std::string folder = Path{first.path}.parent_path().generic_string();
+    place.path = format("{}{}{}{}", folder, folder.empty() ? "" : "/", place.name, kEnding);
+    return place;
+}
+
 }  // namespace
 
 Result<ImportReport> importLdtk(const Path& file, const Path& scene) {
@@ -318,18 +336,14 @@ Result<ImportReport> importLdtk(const Path& file, const Path& scene) {
     const Result<ldtk::Project> project = loadLdtk(file, problems);
     if (!project) return project.error();
     std::optional<ImportReport> all;
+    std::vector<ImportedFile> files;
+    std::set<std::string> taken{place->name};
     for (const ldtk::World& world : project->worlds) {
-        ImportPlace own = *place;
-        if (all) {
-            own.name = format("{}-{}", place->name, world.name);
-            own.path = place->path.substr(0, place->path.size() - kEnding.size()) + "-" + world.name +
-                       std::string{kEnding};
-        }
-        SceneDraft draft{std::move(own)};
+        SceneDraft draft{all ? placeOf(*place, world.name, taken) : *place};
         draft.report.from = "LDtk project";
         if (!all) draft.report.problems = problems;
         WorldImporter{*project, world, draft}.import();
-        Result<ImportReport> report = draft.write();
+        Result<ImportReport> report = draft.finish(files);
         if (!report) return report.error();
         if (all) {
             append(*all, std::move(*report));
@@ -338,6 +352,8 @@ Result<ImportReport> importLdtk(const Path& file, const Path& scene) {
         }
     }
     if (!all) return Error{file.filename().string(), "the project has no world", "make a level in LDtk"};
+    // Only now, so that a world that fails leaves no file of the others.
+    if (const Result<Done> done = commitImport(place->root, files); !done) return done.error();
     return std::move(*all);
 }
 

@@ -59,6 +59,12 @@ void addSprite(Json& components, const EntityImport& import, const tiled::Layer&
     const tiled::Tileset& original = import.map.tilesets[index];
     const TilePicture picture = tileset.pictureOf(shownTile(original, object.tile.id));
     const bool known = !picture.source.empty();
+    if (tileset.count > 0 && object.tile.id >= tileset.count) {
+        import.draft.report.problems.push_back({format("layer {}: object {}", layer.name, object.id),
+                                                format("its tile {} is beyond the {} of the tileset {}",
+                                                       object.tile.id, tileset.count, original.name),
+                                                "choose another tile in Tiled; here it has no picture"});
+    }
     const Vec2 source = known ? Vec2{picture.source.width, picture.source.height}
                               : Vec2{static_cast<float>(std::max(original.tileWidth, 1)),
                                      static_cast<float>(std::max(original.tileHeight, 1))};

@@ -10,16 +10,6 @@ namespace {
 
 constexpr std::size_t kMaxName = 64;
 
-std::string plainName(std::string_view wished) {
-    std::string name;
-    for (const char c : wished.substr(0, kMaxName)) {
-        const bool plain =
-            (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-';
-        name += plain ? c : '_';
-    }
-    return name.empty() ? "unnamed" : name;
-}
-
 std::string lowerCase(std::string text) {
     for (char& c : text) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
     return text;
@@ -49,6 +39,16 @@ Result<std::string> keyedPng(std::string_view bytes, Color keyed, std::string_vi
 }
 
 }  // namespace
+
+std::string plainName(std::string_view wished) {
+    std::string name;
+    for (const char c : wished.substr(0, kMaxName)) {
+        const bool plain =
+            (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-';
+        name += plain ? c : '_';
+    }
+    return name.empty() ? "unnamed" : name;
+}
 
 std::string ImportStage::uniquePath(std::string_view wished, std::string_view ending) {
     const std::string stem = format("{}/{}", folder_, plainName(wished));
@@ -87,24 +87,16 @@ const StagedImage& ImportStage::image(const Path& from, std::optional<Color> key
     return staged;
 }
 
-Image ImportStage::pixels(std::string_view path) const {
-    for (const File& file : files_) {
+const Image& ImportStage::pixels(std::string_view path) {
+    if (path == decodedPath_) return decoded_;
+    decodedPath_ = path;
+    decoded_ = {};
+    for (const ImportedFile& file : files_) {
         if (file.path != path) continue;
         Result<Image> image = decodeImage(file.bytes, file.path);
-        if (image) return std::move(*image);
+        if (image) decoded_ = std::move(*image);
     }
-    return {};
-}
-
-Result<std::vector<std::string>> ImportStage::write() const {
-    std::vector<std::string> written;
-    for (const File& file : files_) {
-        const Result<Path> path = pathInside(root_, file.path);
-        if (!path) return path.error();
-        if (const Result<Done> done = writeFile(*path, file.bytes); !done) return done.error();
-        written.push_back(file.path);
-    }
-    return written;
+    return decoded_;
 }
 
 }  // namespace plumb

@@ -115,6 +115,20 @@ void addCollision(Json& json, const tiled::Tile& tile, Vec2 tileSize, Vec2 cellS
     for (const Vec2 corner : corners) json["collision"].push_back(vec2Json(corner));
 }
 
+/// @param count  tiles of the set; 0 when its picture is missing, so that it is not known
+void tellBeyond(const tiled::Tile& tile, int count, ImportStage& stage, const tiled::Tileset& tileset) {
+    if (count == 0) return;
+    const auto beyond = std::count_if(tile.animation.begin(), tile.animation.end(),
+                                      [count](const tiled::Frame& frame) { return frame.tile >= count; });
+    if (beyond == 0 && tile.id < count) return;
+    stage.problems.push_back(
+        {format("tileset {}: tile {}", tileset.name, tile.id),
+         tile.id >= count
+             ? format("it is beyond the {} tiles of the picture", count)
+             : format("{} frames of its animation are beyond the {} tiles of the picture", beyond, count),
+         "look at the picture, the margin and the spacing of the tileset in Tiled"});
+}
+
 Json tileJson(const tiled::Tile& tile, Vec2 tileSize, Vec2 cellSize, ImportStage& stage,
               const tiled::Tileset& tileset) {
     Json json = Json::object();
@@ -158,10 +172,9 @@ void addPictures(Json& json, const tiled::Tileset& tileset, ImportedTileset& imp
     if (tileset.image.empty()) {
         for (const tiled::Tile& tile : tileset.tiles) imported.count = std::max(imported.count, tile.id + 1);
         imported.count = std::min(imported.count, Tileset::kMaxTiles);
-        imported.pictures.resize(static_cast<std::size_t>(imported.count));
         for (const tiled::Tile& tile : tileset.tiles) {
             if (tile.id >= imported.count || tile.image.empty()) continue;
-            const TilePicture& picture = imported.pictures[static_cast<std::size_t>(tile.id)] =
+            const TilePicture& picture = imported.pictures[tile.id] =
                 pictureOfCollection(tileset, tile, stage);
             json["images"].push_back(imageJson(tile.id, picture));
         }
@@ -175,7 +188,15 @@ void addPictures(Json& json, const tiled::Tileset& tileset, ImportedTileset& imp
             if (tileset.margin > 0) json["margin"] = tileset.margin;
             if (tileset.spacing > 0) json["spacing"] = tileset.spacing;
         }
-        for (int id = 0; loose && id < grid.count; ++id) {
+        if (loose && grid.count > kMaxLooseTiles) {
+            imported.count = kMaxLooseTiles;
+            stage.problems.push_back(
+                {format("tileset {}", tileset.name),
+                 format("its {} tiles have another size than the map's cells; the first {} came along",
+                        grid.count, imported.count),
+                 "give the map cells of the size of its tiles, or split the tileset"});
+        }
+        for (int id = 0; loose && id < imported.count; ++id) {
             json["images"].push_back(imageJson(id, {imported.image.path, cellOfImage(tileset, grid, id)}));
         }
         json["columns"] = grid.columns;
@@ -187,7 +208,10 @@ void addPictures(Json& json, const tiled::Tileset& tileset, ImportedTileset& imp
 
 TilePicture ImportedTileset::pictureOf(int id) const {
     if (id < 0 || id >= count) return {};
-    if (!pictures.empty()) return pictures[static_cast<std::size_t>(id)];
+    if (original->image.empty()) {
+        const auto found = pictures.find(id);
+        return found == pictures.end() ? TilePicture{} : found->second;
+    }
     return {image.path, cellOfImage(*original, gridOf(*original, image), id)};
 }
 
@@ -208,6 +232,7 @@ ImportedTileset importTileset(const tiled::Map& map, const tiled::Tileset& tiles
     const Vec2 cell{static_cast<float>(cellWidth), static_cast<float>(cellHeight)};
     for (const tiled::Tile& tile : tileset.tiles) {
         const TilePicture picture = imported.pictureOf(tile.id);
+        tellBeyond(tile, imported.count, stage, tileset);
         const Vec2 size = picture.source.empty() ? cell : Vec2{picture.source.width, picture.source.height};
         Json item = tileJson(tile, size, cell, stage, tileset);
         imported.collides = imported.collides || item.contains("collision");

@@ -1,7 +1,7 @@
 #pragma once
 
+#include <map>
 #include <string>
-#include <vector>
 
 #include "assets/tiled_map.hpp"
 #include "math/rect.hpp"
@@ -22,8 +22,8 @@ struct ImportedTileset {
     bool collides = false;  ///< some tile has a shape
 
     const tiled::Tileset* original = nullptr;
-    StagedImage image;                  ///< of all tiles; empty for a collection
-    std::vector<TilePicture> pictures;  ///< of a collection, by id
+    StagedImage image;                    ///< of all tiles; empty for a collection
+    std::map<int, TilePicture> pictures;  ///< of a collection, by id
 
     /// The picture of a tile; nothing in it when the set has no such tile.
     [[nodiscard]] TilePicture pictureOf(int id) const;

@@ -1,5 +1,6 @@
 #include "scene/import/isometric.hpp"
 
+#include "core/limits.hpp"
 #include "core/text.hpp"
 #include "math/angle.hpp"
 #include "math/portable.hpp"
@@ -12,6 +13,7 @@ using tiled::Object;
 using tiled::Shape;
 
 constexpr int kEllipseCorners = 24;
+constexpr std::size_t kMaxFlatCells = std::size_t{1} << 25;  // of a map, over all layers
 
 /// Where points of the map's own plane come to lie on the screen.
 class Projection {
@@ -36,9 +38,18 @@ private:
     double originX_;
 };
 
+/// The grid of half cells around a layer: four times as many of a square one, very many of a long one.
+std::size_t flatCells(const Layer& layer) {
+    const auto side = static_cast<std::size_t>(layer.width + layer.height - 1);
+    return layer.cells.empty() ? 0 : side * side;
+}
+
 void flattenCells(Layer& layer, int mapHeight) {
     if (layer.cells.empty()) return;
-    const Layer old = layer;
+    Layer old;
+    old.x = layer.x, old.y = layer.y;
+    old.width = layer.width, old.height = layer.height;
+    old.cells = std::move(layer.cells);
     layer.width = layer.height = old.width + old.height - 1;
     // A tile stands on the lower corner of its diamond: one half cell below the row that it begins in.
     layer.x = old.x - (old.y + old.height - 1) + mapHeight - 1;
@@ -89,7 +100,20 @@ void flattenObject(Object& object, const Projection& projection) {
 tiled::Map flattened(const tiled::Map& map, ImportReport& report) {
     tiled::Map flat = map;
     const Projection projection{map};
+    std::size_t room = kMaxFlatCells;
     for (Layer& layer : flat.layers) {
+        if (const std::size_t cells = flatCells(layer);
+            cells > room || layer.width + layer.height > limits::kTileSide) {
+            report.problems.push_back(
+                {format("layer {}", layer.name),
+                 format("its {} x {} cells need a grid of {} half cells, and were left out", layer.width,
+                        layer.height, cells),
+                 "make the map smaller, or split it"});
+            layer.cells.clear();
+            layer.width = layer.height = 0;
+        } else {
+            room -= cells;
+        }
         flattenCells(layer, map.height);
         for (Object& object : layer.objects) flattenObject(object, projection);
     }

@@ -110,6 +110,13 @@ Json areaJson(const ldtk::Entity& entity) {
 
 }  // namespace
 
+Json ldtkParallax(const ldtk::LayerKind& kind) {
+    // LDtk counts from the world (0), the engine from the screen (0).
+    tiled::Layer moving;
+    moving.parallax = Vec2{1.0f, 1.0f} - kind.parallax;
+    return parallaxJson(moving);
+}
+
 Json ldtkProperties(const std::vector<ldtk::Field>& fields, const ldtk::Project& project, int grid) {
     Json properties = Json::object();
     for (const ldtk::Field& field : fields)
@@ -125,6 +132,9 @@ void addLdtkEntity(const ldtk::Entity& entity, const ldtk::Layer& layer, const l
     if (entity.tile) components["Sprite"] = spriteJson(entity, kind, layer, tilesets, order);
     if (kind != nullptr && kind->resizable) components["BoxCollider"] = areaJson(entity);
     if (!layer.visible) components["Hidden"] = Json::object();
+    const ldtk::LayerKind* layerKind = project.layerKind(layer.kind);
+    if (entity.tile && layerKind != nullptr && layerKind->parallax != Vec2{})
+        components["ParallaxLayer"] = ldtkParallax(*layerKind);
     if (kind != nullptr && entity.tile) tellFill(*kind, draft.report);
     ids[entity.iid] = draft.add(entity.iid, entity.name, std::move(components));
     ++draft.report.objects;
@@ -143,6 +153,7 @@ void addLdtkEntity(const ldtk::Entity& entity, const ldtk::Layer& layer, const l
         notes["tile"]["source"] = Json::array({area.x, area.y, area.width, area.height});
     } else if (kind != nullptr) {
         notes["drawnAs"] = kind->drawnAs;
+        if (entity.pivot != Vec2{}) notes["pivot"] = vec2Json(entity.pivot);
         notes["color"] = colorJson(kind->color);
     }
     Json types = Json::object();

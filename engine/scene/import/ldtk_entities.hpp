@@ -10,6 +10,9 @@ namespace plumb {
 /// Which entity of the scene something of LDtk became, by its iid.
 using LdtkIds = std::map<std::string, std::string>;
 
+/// How what stands in a layer of this kind moves with the view.
+Json ldtkParallax(const ldtk::LayerKind& kind);
+
 /// Fields as properties: texts, numbers and flags as they are, points with the place that they mean, pictures
 /// with their file. Names of entities are put in by `linkEntities`, once all are known.
 Json ldtkProperties(const std::vector<ldtk::Field>& fields, const ldtk::Project& project, int grid);

@@ -7,11 +7,20 @@ namespace plumb {
 namespace {
 
 constexpr int kLoose = -1;
+constexpr std::size_t kCrowded = 1024;  // tiles that one place compares with
 
-/// A tile that lies over some cell.
+/// A tile that lies there already.
 struct Laid {
+    int x = 0;  ///< px
+    int y = 0;
     int level = 0;
     int cell = kLoose;  ///< its own, when it fits the grid
+};
+
+/// A square as large as a tile, so that a tile lies over four of them at the most.
+struct Place {
+    std::vector<Laid> tiles;
+    int highest = 0;  ///< level of all that lie here
 };
 
 int floorDiv(int a, int b) { return a >= 0 ? a / b : -((-a + b - 1) / b); }
@@ -36,6 +45,10 @@ private:
         return fits && x < layer_.columns && y < layer_.rows ? y * layer_.columns + x : kLoose;
     }
 
+    [[nodiscard]] bool overlap(const Laid& a, const Laid& b) const {
+        return std::abs(a.x - b.x) < tileSize_ && std::abs(a.y - b.y) < tileSize_;
+    }
+
     /// Grids are drawn row by row, so of two tiles that lie over each other in one of them the later cell is
     /// above. What the file has above must stay above.
     static int levelAbove(const Laid& below, int cell) {
@@ -43,39 +56,51 @@ private:
         return sameGrid ? below.level : below.level + 1;
     }
 
-    void lay(const ldtk::Tile& tile) {
-        const int cell = cellOf(tile);
-        const int left = floorDiv(tile.x, layer_.grid);
-        const int top = floorDiv(tile.y, layer_.grid);
-        const int right = floorDiv(tile.x + tileSize_ - 1, layer_.grid);
-        const int bottom = floorDiv(tile.y + tileSize_ - 1, layer_.grid);
+    [[nodiscard]] int levelAt(const Place& place, const Laid& tile) const {
+        if (place.tiles.size() >= kCrowded) return place.highest + 1;
         int level = 0;
-        const auto eachCell = [&](auto&& visit) {
-            for (int y = top; y <= bottom; ++y) {
-                for (int x = left; x <= right; ++x) visit(laid_[(static_cast<std::int64_t>(y) << 32) + x]);
-            }
-        };
-        eachCell([&](const std::vector<Laid>& here) {
-            for (const Laid& below : here) level = std::max(level, levelAbove(below, cell));
-        });
-        eachCell([&](std::vector<Laid>& here) { here.push_back({level, cell}); });
-        put(tile, cell, static_cast<std::size_t>(level));
+        for (const Laid& below : place.tiles) {
+            if (overlap(below, tile)) level = std::max(level, levelAbove(below, tile.cell));
+        }
+        return level;
     }
 
-    void put(const ldtk::Tile& tile, int cell, std::size_t level) {
+    void lay(const ldtk::Tile& tile) {
+        Laid laid{tile.x, tile.y, 0, cellOf(tile)};
+        const int left = floorDiv(tile.x, tileSize_);
+        const int top = floorDiv(tile.y, tileSize_);
+        const int right = floorDiv(tile.x + tileSize_ - 1, tileSize_);
+        const int bottom = floorDiv(tile.y + tileSize_ - 1, tileSize_);
+        const auto eachPlace = [&](auto&& visit) {
+            for (int y = top; y <= bottom; ++y) {
+                for (int x = left; x <= right; ++x) visit(places_[{x, y}]);
+            }
+        };
+        eachPlace([&](const Place& place) { laid.level = std::max(laid.level, levelAt(place, laid)); });
+        if (laid.level >= kMaxStackedTiles) {
+            laid.level = kMaxStackedTiles - 1;
+            laid.cell = kLoose;
+        }
+        eachPlace([&](Place& place) {
+            place.highest = std::max(place.highest, laid.level);
+            if (place.tiles.size() < kCrowded) place.tiles.push_back(laid);
+        });
+        put(tile, laid);
+    }
+
+    void put(const ldtk::Tile& tile, const Laid& laid) {
+        const auto level = static_cast<std::size_t>(laid.level);
         if (result_.levels.size() <= level) result_.levels.resize(level + 1);
         LdtkStacks::Level& target = result_.levels[level];
-        if (cell == kLoose) {
+        if (laid.cell == kLoose) {
             target.loose.push_back(&tile);
             return;
         }
-        if (target.cells.empty()) {
-            target.cells.resize(static_cast<std::size_t>(layer_.columns) *
-                                static_cast<std::size_t>(layer_.rows));
-        }
+        if (target.count == 0) target.cells = TileGrid{layer_.columns, layer_.rows};
         const TileCell flips =
             ((tile.flips & 1u) != 0 ? kTileFlipX : 0u) | ((tile.flips & 2u) != 0 ? kTileFlipY : 0u);
-        target.cells[static_cast<std::size_t>(cell)] = plumb::cellOf(tile.tile, flips);
+        target.cells.set(laid.cell % layer_.columns, laid.cell / layer_.columns,
+                         plumb::cellOf(tile.tile, flips));
         ++target.count;
     }
 
@@ -83,7 +108,7 @@ private:
     int tileSize_;
     int tileCount_;
     LdtkStacks result_;
-    std::map<std::int64_t, std::vector<Laid>> laid_;  // by cell
+    std::map<std::pair<int, int>, Place> places_;
 };
 
 }  // namespace

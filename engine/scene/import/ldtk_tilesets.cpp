@@ -150,11 +150,18 @@ std::string LdtkTilesets::file(int uid, int grid) {
     const ldtk::Tileset* tileset = project_.tileset(uid);
     if (!isNew || tileset == nullptr) return at->second;
     const std::string image = picture(uid).path;
-    const int count = std::min(tileset->columns() * tileset->rows(), Tileset::kMaxTiles);
+    const bool loose = tileset->grid != grid;
+    const int all = tileset->columns() * tileset->rows();
+    const int count = std::min(all, loose ? kMaxLooseTiles : Tileset::kMaxTiles);
+    if (count < all) {
+        draft_.report.problems.push_back({format("tileset {}", tileset->name),
+                                          format("the first {} of its {} tiles came along", count, all),
+                                          "split it, or give its tiles the size of the layer's cells"});
+    }
     Json json = Json::object();
     json["format"] = Tileset::kFormat;
     json["tileSize"] = Json::array({grid, grid});
-    if (tileset->grid == grid) {
+    if (!loose) {
         if (!image.empty()) json["image"] = image;
         if (tileset->padding > 0) json["margin"] = tileset->padding;
         if (tileset->spacing > 0) json["spacing"] = tileset->spacing;

@@ -60,8 +60,7 @@ Result<ImportPlace> ImportPlace::of(const Path& file, std::string_view ending) {
     return place;
 }
 
-SceneDraft::SceneDraft(ImportPlace where)
-    : place{std::move(where)}, stage{place.root, "assets/" + place.name} {
+SceneDraft::SceneDraft(ImportPlace where) : place{std::move(where)}, stage{"assets/" + place.name} {
     report.scene = place.path;
 }
 
@@ -118,7 +117,7 @@ Result<std::string> SceneDraft::savedForm(const Json& json) {
     return sceneToJson(world, context, loaded->scene);
 }
 
-Result<ImportReport> SceneDraft::write() {
+Result<ImportReport> SceneDraft::finish(std::vector<ImportedFile>& files) {
     Json json = Json::object();
     json["format"] = kSceneFormat;
     for (const auto& [key, value] : extra.items()) json[key] = value;
@@ -130,18 +129,25 @@ Result<ImportReport> SceneDraft::write() {
         json["layers"].push_back(std::move(layer));
     }
     json["entities"] = std::move(entities_);
-    const Result<std::string> text = savedForm(json);
+    Result<std::string> text = savedForm(json);
     if (!text) return text.error();
-    Result<std::vector<std::string>> written = stage.write();
-    if (!written) return written.error();
-    const Result<Path> file = pathInside(place.root, place.path);
-    if (!file) return file.error();
-    if (const Result<Done> done = writeFile(*file, *text); !done) return done.error();
-    report.files = std::move(*written);
-    report.files.push_back(place.path);
+    std::vector<ImportedFile> own = stage.takeFiles();
+    own.push_back({place.path, *std::move(text)});
+    for (ImportedFile& file : own) {
+        report.files.push_back(file.path);
+        files.push_back(std::move(file));
+    }
     report.images = static_cast<int>(stage.imageCount());
     report.problems.insert(report.problems.end(), stage.problems.begin(), stage.problems.end());
     return std::move(report);
+}
+
+Result<ImportReport> SceneDraft::write() {
+    std::vector<ImportedFile> files;
+    Result<ImportReport> finished = finish(files);
+    if (!finished) return finished;
+    if (const Result<Done> done = commitImport(place.root, files); !done) return done.error();
+    return finished;
 }
 
 }  // namespace plumb

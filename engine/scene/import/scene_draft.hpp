@@ -48,7 +48,9 @@ public:
     /// The name of an order of drawing, for the editor's lists; the first one stays.
     void nameLayer(int order, std::string_view name);
 
-    /// Writes all files, the scene last. @error nothing could be written
+    /// Adds all files of this import to those to be written, the scene last.
+    Result<ImportReport> finish(std::vector<ImportedFile>& files);
+    /// Does that and writes them. @error nothing could be written
     Result<ImportReport> write();
 
     ImportPlace place;

@@ -11,6 +11,8 @@
 namespace plumb {
 namespace {
 
+constexpr std::size_t kMaxStripBytes = std::size_t{64} << 20;  // decoded
+
 /// Copies a part of a picture; what lies outside either picture is left out.
 void copyPixels(const Image& from, const Rect& part, Image& to, int left) {
     const int width = static_cast<int>(part.width);
@@ -37,18 +39,24 @@ Json framesJson(const tiled::Tile& tile) {
     return frames;
 }
 
-Image stripOf(const ImportedTileset& tileset, const tiled::Tile& tile, Rect cell, const ImportStage& stage) {
+/// @return  empty when the frames are no part of a picture, or too many for one
+Image stripOf(const ImportedTileset& tileset, const tiled::Tile& tile, Rect cell, ImportStage& stage) {
+    const Image& first = stage.pixels(tileset.pictureOf(tile.animation.front().tile).texture);
+    const int width = std::min(static_cast<int>(cell.width), first.width);
+    const int height = std::min(static_cast<int>(cell.height), first.height);
+    if (width <= 0 || height <= 0) return {};
+    if (tile.animation.size() > static_cast<std::size_t>(limits::kImageSide / width)) return {};
     Image strip;
-    const int width = static_cast<int>(cell.width);
-    const auto frames = static_cast<int>(std::min<std::size_t>(tile.animation.size(), limits::kImageSide));
-    if (width <= 0 || width > limits::kImageSide / frames) return {};
-    strip.width = width * frames;
-    strip.height = static_cast<int>(cell.height);
-    if (strip.height > limits::kImageSide) return {};
-    strip.rgba.resize(static_cast<std::size_t>(strip.width) * static_cast<std::size_t>(strip.height) * 4);
+    strip.width = width * static_cast<int>(tile.animation.size());
+    strip.height = height;
+    const std::size_t bytes =
+        static_cast<std::size_t>(strip.width) * static_cast<std::size_t>(strip.height) * 4;
+    if (bytes > kMaxStripBytes) return {};
+    strip.rgba.resize(bytes);
     int left = 0;
     for (const tiled::Frame& frame : tile.animation) {
-        const TilePicture picture = tileset.pictureOf(frame.tile);
+        TilePicture picture = tileset.pictureOf(frame.tile);
+        picture.source.width = std::min(picture.source.width, static_cast<float>(width));
         copyPixels(stage.pixels(picture.texture), picture.source, strip, left);
         left += width;
     }
@@ -71,7 +79,8 @@ const TileAnimations::Made* TileAnimations::of(const ImportedTileset& tileset, i
 
     const Rect cell = tileset.pictureOf(tile->animation.front().tile).source;
     const std::string name = format("{}-{}", tileset.original->name, id);
-    const Result<std::string> png = encodePng(stripOf(tileset, *tile, cell, stage));
+    const Image strip = stripOf(tileset, *tile, cell, stage);
+    const Result<std::string> png = encodePng(strip);
     if (!png) {
         stage.problems.push_back(
             {name, "its frames cannot be put into one picture", "check its image and frames"});
@@ -85,7 +94,7 @@ const TileAnimations::Made* TileAnimations::of(const ImportedTileset& tileset, i
     Json json = Json::object();
     json["format"] = 1;
     json["image"] = made.texture;
-    json["frameSize"] = Json::array({static_cast<int>(cell.width), static_cast<int>(cell.height)});
+    json["frameSize"] = Json::array({strip.width / static_cast<int>(tile->animation.size()), strip.height});
     json["clips"] = Json::array();
     json["clips"].push_back(std::move(clip));
     made.file = stage.add(name, ".anim.json", writeJson(json));
