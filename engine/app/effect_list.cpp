@@ -65,7 +65,7 @@ std::string callersText(const EffectRow& row, const EffectLine& line) {
         text += format("{}{} ({})", text.empty() ? "" : ", ", caller.type->name, caller.count);
     if (!text.empty()) return line.calledFor ? text : text + ", none of which calls now";
     if (line.calledFor) return "tiles, or game code";
-    return "nobody: " + missingCallers(row);
+    return "none of: " + missingCallers(row);
 }
 
 std::string lineText(const EffectReport& report, const EffectLine& line) {

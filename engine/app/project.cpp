@@ -137,7 +137,7 @@ Result<Project> loadProject(const Path& path) {
     const Path file = isFolder ? path / "project.json" : path;
     Result<std::string> text = readFile(file);
     if (!text) {
-        // Who means a file says so by its ending.
+        // A path that means a file has the ending of one.
         const bool noFolder = !isFolder && !path.has_extension() && !std::filesystem::exists(path, failed);
         return Error{file.generic_string(), noFolder ? "there is no such folder" : text.error().what,
                      "name a folder with a project.json in it, e.g. projects/platformer"};

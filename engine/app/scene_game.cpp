@@ -21,8 +21,8 @@
 namespace plumb {
 namespace {
 
-/// What a scene leaves behind stays this long: its last sounds are still being heard, and who goes straight
-/// back finds it.
+/// What a scene leaves behind stays this long: its last sounds are still being heard, and a player that goes
+/// straight back finds it.
 constexpr int kUnloadTicks = 60;
 
 }  // namespace

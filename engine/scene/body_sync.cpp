@@ -261,7 +261,7 @@ private:
         link = {};
     }
 
-    /// Somebody put the entity elsewhere: the body goes there without a way. Kinematic ones are led (see
+    /// The entity was moved: the body is set to its place, without a path. Kinematic ones follow (see
     /// kinematics.hpp).
     void followPose(BodyId body) {
         BodyLink& link = linkOf(body);

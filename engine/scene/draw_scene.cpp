@@ -297,7 +297,7 @@ const SceneLayer* SceneRenderer::layerOf(int order) const {
 template <class... T, class Draw>
 void SceneRenderer::forSeen(const Query<const T...>& query, const World& world, const SceneView& how,
                             const Draw& draw) const {
-    // Who they are is asked only where it decides something.
+    // Their ids are looked up only where they decide something.
     if (how.place == kEveryScene && how.hidden.empty() && !anyPaused_)
         return query.each([&](const T&... parts) { draw(how.alpha, parts...); });
     query.each([&](Entity entity, const T&... parts) {

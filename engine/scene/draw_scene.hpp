@@ -37,7 +37,7 @@ struct SceneView {
     int place = kEveryScene;               ///< in the stack of scenes: what is drawn
     LabelText labelText = nullptr;         ///< null shows texts as they are written
     double ahead = 0.0;                    ///< s by which animated tiles are shown ahead of the world's time
-    std::span<const EntityId> hidden;      ///< who is not drawn (sorted), without those below them
+    std::span<const EntityId> hidden;      ///< entities not drawn (sorted), without those below them
     const Particles* particles = nullptr;  ///< drawn in place of the world's own
     float particleBack = 0.0f;             ///< s before the last step of `particles` that is drawn
 };

@@ -98,7 +98,7 @@ std::string valueText(const World& world, const Slider& slider, const NumberFiel
     return format("{}{}{}", roughNumber(value), unit.empty() ? "" : " ", unit);
 }
 
-/// The value that a slider stands on; that of the first who has the component.
+/// The value that a slider stands on; that of the first entity with the component.
 float valueOf(const World& world, const Slider& slider, const NumberField& number) {
     if (slider.target) {
         const auto* lab = world.findResource<Lab>();

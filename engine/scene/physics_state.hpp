@@ -25,7 +25,7 @@ struct PhysicsSettings {
     float pixelsPerMetre = 64.0f;  ///< px
     physics::Settings tolerances;  ///< all but gravity and stayEvents; metres
     bool stayEvents = true;        ///< ContactStayed and TriggerStayed in each tick that a contact goes on
-    std::uint32_t effectsOff = 0;  ///< bits of physics::Manifest that do not run whoever calls for them
+    std::uint32_t effectsOff = 0;  ///< bits of physics::Manifest that never run
 
     void addTo(Hasher& hasher) const {
         hasher.add(gravity.x), hasher.add(gravity.y), hasher.add(pixelsPerMetre);
@@ -116,7 +116,7 @@ struct PhysicsMembers {
 struct PhysicsState {
     physics::World world;
     PixelScale scale;
-    std::vector<BodyLink> links;         ///< by body index; nobody for what is no entity's own
+    std::vector<BodyLink> links;         ///< by body index; empty for bodies that belong to no entity
     std::vector<std::uint32_t> bodyOf;   ///< by entity index: body index + 1, 0 for none
     std::vector<std::uint32_t> carried;  ///< bodies of entities that have a parent
     std::vector<std::uint8_t> stale;     ///< by body: of the sync in hand, what differs from its entity
@@ -130,16 +130,16 @@ struct PhysicsState {
     std::vector<SoftLinkage> softBodies;
     std::vector<physics::CastHit> hits;  ///< of the query in hand
     std::vector<physics::ShapeId> found;
-    physics::BodyId ground;               ///< what joints with nobody are tied to
-    std::vector<EntityId> refused;        ///< whose numbers were bad, so that each is told once
-    std::vector<EntityId> unplaced;       ///< those who have no body for that
+    physics::BodyId ground;               ///< what joints with one entity are tied to
+    std::vector<EntityId> refused;        ///< whose numbers were bad, so that each is reported once
+    std::vector<EntityId> unplaced;       ///< of these, those without a body
     std::vector<BodyArrival> arrived;     ///< of the sync in hand
     std::vector<std::uint32_t> departed;  ///< of the sync in hand: bodies whose entities need none any more
     std::uint64_t syncs = 0;              ///< those for which an entity had got or lost a component
     std::uint64_t visits = 0;       ///< entities compared because components came or went, since the start
     PhysicsMembers members;         ///< at the last sync
     std::uint64_t mark = 0;         ///< what was written before it is known
-    std::uint64_t carriedMark = 0;  ///< the same for what is above somebody: with what the step moved
+    std::uint64_t carriedMark = 0;  ///< the same for bodies with a parent: includes what the step moved
 
     void addTo(Hasher& hasher) const { physics::addTo(hasher, world); }
 };

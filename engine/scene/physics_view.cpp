@@ -35,7 +35,7 @@ constexpr std::array kLayers{
                  Key::Digit9, false, false, true},
     PhysicsLayer{"islands", "Islands", "One colour for all that touch or hold each other and sleep together",
                  kDrawIslands, Key::Digit0, false, false, true},
-    PhysicsLayer{"triggers", "Triggers", "Outlines of triggers, and lines to who is inside", kDrawTriggers,
+    PhysicsLayer{"triggers", "Triggers", "Outlines of triggers, and lines to what is inside", kDrawTriggers,
                  Key::Digit1, true, true, true},
     PhysicsLayer{"fields", "Fields", "Where wind, fluids, gravity and pulls act", kDrawFields,
                  Key::Digit2, true, true, true},

@@ -21,7 +21,7 @@ struct PhysicsLayer {
     unsigned bit;    ///< of a set of layers
     Key key;         ///< with Ctrl: shows or hides it in the player
     bool withShift;  ///< with Ctrl and Shift
-    bool atFirst;    ///< shown until somebody chooses
+    bool atFirst;    ///< shown until the user chooses
     bool ofBodies;   ///< can be shown of some bodies alone
 };
 std::span<const PhysicsLayer> physicsLayers();

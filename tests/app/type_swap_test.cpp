@@ -27,7 +27,7 @@ namespace plumb {
 namespace {
 
 using test::eachTypeSwap;
-using test::expectToldWell;
+using test::expectReportedWell;
 
 constexpr const char* kPath = "scenes/swapped.scene.json";
 constexpr const char* kPostPath = "prefabs/post.prefab.json";
@@ -77,11 +77,11 @@ struct TypeSwap : testing::Test {
     void read(const SceneContext& context, const std::string& text) {
         const Result<LoadReport> report = loadScene(game.world, context, kPath, text);
         if (report) {
-            expectToldWell(report->problems);
+            expectReportedWell(report->problems);
             const Result<Json> saved = parseJson(sceneToJson(game.world, context, sceneId(kPath)), kPath);
             EXPECT_TRUE(saved.ok()) << saved.error().text();
         } else {
-            expectToldWell(report.error());
+            expectReportedWell(report.error());
         }
         unloadScene(game.world, sceneId(kPath));
         game.world.clear();
@@ -122,8 +122,8 @@ TEST_F(TypeSwap, propertyPrefabs) {
     eachTypeSwap(samples, 4000, [&](std::size_t, const std::string& text) {
         library.add(kPostPath, text);
         const Result<const Prefab*> prefab = library.find(kPostPath);
-        if (!prefab) return expectToldWell(prefab.error());
-        expectToldWell((*prefab)->problems);
+        if (!prefab) return expectReportedWell(prefab.error());
+        expectReportedWell((*prefab)->problems);
         static_cast<void>(spawnPrefab(game.world, game.types, **prefab, {}));
         game.world.clear();
         read({game.types, &library}, kScene);
@@ -134,8 +134,8 @@ TEST_F(TypeSwap, propertyTilesets) {
     eachTypeSwap(textsOf(".tileset.json"), 500, [](std::size_t, const std::string& text) {
         std::vector<Error> problems;
         const Result<Tileset> tileset = parseTileset(text, "swapped.tileset.json", problems);
-        expectToldWell(problems);
-        if (!tileset) return expectToldWell(tileset.error());
+        expectReportedWell(problems);
+        if (!tileset) return expectReportedWell(tileset.error());
         EXPECT_TRUE(parseJson(writeTileset(*tileset), "written").ok());
     });
 }
@@ -144,8 +144,8 @@ TEST_F(TypeSwap, propertyAnimations) {
     eachTypeSwap(textsOf(".anim.json"), 1500, [](std::size_t, const std::string& text) {
         std::vector<Error> problems;
         const Result<AnimationSet> set = parseAnimationSet(text, "swapped.anim.json", problems);
-        expectToldWell(problems);
-        if (!set) return expectToldWell(set.error());
+        expectReportedWell(problems);
+        if (!set) return expectReportedWell(set.error());
         EXPECT_TRUE(parseJson(writeAnimationSet(*set), "written").ok());
     });
 }
@@ -153,8 +153,8 @@ TEST_F(TypeSwap, propertyAnimations) {
 TEST_F(TypeSwap, propertyProjects) {
     eachTypeSwap(textsOf("project.json"), 4000, [](std::size_t, const std::string& text) {
         const Result<Project> project = projectFromText(text, "root", "project.json");
-        if (!project) return expectToldWell(project.error());
-        expectToldWell(project->warnings);
+        if (!project) return expectReportedWell(project.error());
+        expectReportedWell(project->warnings);
     });
 }
 
@@ -224,8 +224,8 @@ struct ImportSwap : TypeSwap {
         eachTypeSwap(samples, usual, [&](std::size_t, const std::string& text) {
             ASSERT_TRUE(writeFile(file, text).ok());
             const Result<ImportReport> report = importFile(file, {}, project);
-            if (!report) return expectToldWell(report.error());
-            expectToldWell(report->problems);
+            if (!report) return expectReportedWell(report.error());
+            expectReportedWell(report->problems);
         });
     }
     void importMaps(std::initializer_list<std::string_view> endings, const std::string& name,

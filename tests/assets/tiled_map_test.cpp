@@ -218,7 +218,7 @@ TEST(TiledMapTest, theJsonFormGivesTheSameMap) {
     EXPECT_EQ(map->layers.at(1).objects.at(0).properties["p"], 1.5);
 }
 
-TEST(TiledMapTest, brokenPartsAreToldOnceAndTheRestIsRead) {
+TEST(TiledMapTest, brokenPartsAreReportedOnceAndTheRestIsRead) {
     FakeFiles fake;
     const Result<tiled::Map> map =
         fake.load(mapOf("<tileset firstgid='100' source='missing.tsx'/><wonder/><wonder/>"

@@ -114,7 +114,7 @@ TEST_F(ImportAsepriteTest, trimmedFramesAreLaidOutInCellsOfOneSize) {
     EXPECT_EQ(red(8 + 1, 1), 0);
 }
 
-TEST_F(ImportAsepriteTest, framesOutsideThePictureAreTold) {
+TEST_F(ImportAsepriteTest, framesOutsideThePictureAreReported) {
     import("{\"frames\": [{" + frameText(0, 0, 100) + "}, {" + frameText(12, 0, 100) + "}], " +
            R"("meta": {"image": "hero.png"}})");
     EXPECT_NE(report_.text().find("1 frames reach beyond its 16 x 16 px"), std::string::npos)

@@ -222,7 +222,7 @@ TEST_F(ImportLdtkTest, importingAgainChangesNoByte) {
     EXPECT_EQ(*readFile(scene_), first);
 }
 
-TEST_F(ImportLdtkTest, whatNobodyKnowsIsToldAndWhatOnlyTheEditorNeedsIsNamed) {
+TEST_F(ImportLdtkTest, unknownKeysAreReportedAndWhatOnlyTheEditorNeedsIsNamed) {
     import(
         format(R"({{}, "worldLayout": "Free", "worlds": [], "nextUid": 4, "portals": [1], "levels": [{}]})",
                kDefinitions, levelText("A", 0, 0)));

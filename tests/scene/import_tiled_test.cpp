@@ -212,7 +212,7 @@ TEST_F(ImportTiledTest, aMapOfTiledIsPaintedAgainByItsTerrains) {
     EXPECT_GT(compared, 1000);
 }
 
-TEST_F(ImportTiledTest, aMissingPictureIsToldAndTheMapComesInAllTheSame) {
+TEST_F(ImportTiledTest, aMissingPictureIsReportedAndTheMapComesInAllTheSame) {
     std::filesystem::remove(folder_.path / "art/sheet.png");
 
     const Result<ImportReport> report = import();
@@ -283,7 +283,7 @@ TEST_F(ImportTiledTest, theMapsOfAWorldComeBelowEntitiesAndShareTheirTilesets) {
     EXPECT_EQ(entity("camera")["components"]["Camera"]["limits"].dump(), "[0,-8,176,24]");
 }
 
-TEST_F(ImportTiledTest, whatNobodyKnowsIsToldOnceAndWhatOnlyTiledNeedsIsNamed) {
+TEST_F(ImportTiledTest, unknownNamesAreReportedOnceAndWhatOnlyTiledNeedsIsNamed) {
     ASSERT_TRUE(writeFile(folder_.path / "art/level.tmx",
                           R"(<map orientation="orthogonal" width="1" height="1" tilewidth="16" tileheight="16"
  nextlayerid="3" glow="1"><hologram/><hologram/>
@@ -299,7 +299,7 @@ TEST_F(ImportTiledTest, whatNobodyKnowsIsToldOnceAndWhatOnlyTiledNeedsIsNamed) {
     EXPECT_NE(text.find("only inside Tiled: nextlayerid"), std::string::npos);
 }
 
-TEST_F(ImportTiledTest, whatIsWrongWithTilesAndPropertiesIsTold) {
+TEST_F(ImportTiledTest, whatIsWrongWithTilesAndPropertiesIsReported) {
     ASSERT_TRUE(
         writeFile(folder_.path / "art/level.tmx",
                   R"(<map orientation="orthogonal" width="2" height="1" tilewidth="16" tileheight="16">

@@ -108,7 +108,7 @@ TEST(TilesJson, emptyAndPlainPartsOfAHugeMapTakeAlmostNothing) {
     EXPECT_EQ(read->grid.at(16383, 16383), 7u);
 }
 
-TEST(TilesJson, damagedBlocksAreToldWithTheirPlace) {
+TEST(TilesJson, damagedBlocksAreReportedWithTheirPlace) {
     for (const char* text :
          {"0 0", "9 0 =1", "0 -1 =1", "0 0 =", "0 0 =1 2", "0 0 eNrtnoise", "x 0 =1", ""}) {
         Json json = Json::object();

@@ -40,7 +40,7 @@ struct WrongTypes : testing::Test {
                part + "}}]}";
     }
     /// One problem whose text has these words, and the part is there.
-    void expectTold(const std::vector<Error>& problems, const char* where, const char* what) {
+    void expectReported(const std::vector<Error>& problems, const char* where, const char* what) {
         ASSERT_EQ(problems.size(), 1u);
         EXPECT_NE(problems[0].where.find(where), std::string::npos) << problems[0].text();
         EXPECT_NE(problems[0].what.find(what), std::string::npos) << problems[0].text();
@@ -51,12 +51,12 @@ struct WrongTypes : testing::Test {
 TEST_F(WrongTypes, aPartRemovedByANumberStaysAndTheFileKeepsIt) {
     const Result<LoadReport> report = loadScene(world, context, kPath, instanceWith(R"({"removed": 5})"));
     ASSERT_TRUE(report);
-    expectTold(report->problems, "children.0000000000000002.removed", "found 5");
+    expectReported(report->problems, "children.0000000000000002.removed", "found 5");
     EXPECT_EQ(world.entityCount(), 2u);
     EXPECT_NE(sceneToJson(world, context, sceneId(kPath)).find("\"removed\": 5"), std::string::npos);
 }
 
-TEST_F(WrongTypes, aPartThatIsNotRemovedIsToldNothingAndTheFileKeepsIt) {
+TEST_F(WrongTypes, aPartThatIsNotRemovedIsNoErrorAndTheFileKeepsIt) {
     const Result<LoadReport> report = loadScene(world, context, kPath, instanceWith(R"({"removed": false})"));
     ASSERT_TRUE(report);
     EXPECT_TRUE(report->problems.empty());
@@ -67,7 +67,7 @@ TEST_F(WrongTypes, aPartThatIsNotRemovedIsToldNothingAndTheFileKeepsIt) {
 TEST_F(WrongTypes, anOverrideThatIsNoObjectIsLeftOut) {
     const Result<LoadReport> report = loadScene(world, context, kPath, instanceWith("5"));
     ASSERT_TRUE(report);
-    expectTold(report->problems, "children.0000000000000002", "found 5");
+    expectReported(report->problems, "children.0000000000000002", "found 5");
     EXPECT_EQ(world.entityCount(), 2u);
 }
 
@@ -89,7 +89,7 @@ TEST_F(WrongTypes, aPrefabInsideAPrefabWithAWrongOverrideIsReadInPart) {
         const Result<const Prefab*> prefab = post(children);
         ASSERT_TRUE(prefab);
         EXPECT_EQ((*prefab)->entities.size(), 3u);
-        expectTold((*prefab)->problems, where, what);
+        expectReported((*prefab)->problems, where, what);
     }
 }
 
@@ -142,7 +142,7 @@ TEST_F(WrongTypesInImports, chunksThatAreNoListAreLeftOut) {
     }
 }
 
-TEST_F(WrongTypesInImports, tagsAndDataOfTilesThatAreNoTextAreToldAndLeftOut) {
+TEST_F(WrongTypesInImports, tagsAndDataOfTilesThatAreNoTextAreReportedAndLeftOut) {
     std::string text = *readFile(test::sourceFolder() / "tests/scene/maps/island.ldtk");
     for (const std::string_view value : {"\"hot\"", "\"Lava\""}) {
         const std::size_t at = text.find(value);
@@ -151,13 +151,13 @@ TEST_F(WrongTypesInImports, tagsAndDataOfTilesThatAreNoTextAreToldAndLeftOut) {
     }
     const Result<ImportReport> report = import("island.ldtk", text);
     ASSERT_TRUE(report) << report.error().text();
-    int told = 0;
+    int reported = 0;
     for (const Error& problem : report->problems) {
         const bool tags = problem.where.find("enumTags") != std::string::npos;
         const bool ofTiles = problem.where.find("customData") != std::string::npos;
-        told += tags || ofTiles ? 1 : 0;
+        reported += tags || ofTiles ? 1 : 0;
     }
-    EXPECT_EQ(told, 2);
+    EXPECT_EQ(reported, 2);
 }
 
 TEST(Guarded, anExceptionOfAReaderBecomesAnErrorThatNamesTheFile) {

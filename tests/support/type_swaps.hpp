@@ -104,14 +104,14 @@ void eachTypeSwap(const std::vector<std::string>& samples, std::size_t usual, Re
 }
 
 /// A refusal says where, what and what to do, and none of it was left to the last line of defense.
-inline void expectToldWell(const Error& error) {
+inline void expectReportedWell(const Error& error) {
     EXPECT_FALSE(error.where.empty()) << error.text();
     EXPECT_FALSE(error.what.empty()) << error.text();
     EXPECT_FALSE(error.remedy.empty()) << error.text();
     EXPECT_EQ(error.what.find("the reader of this file failed"), std::string::npos) << error.text();
 }
-inline void expectToldWell(const std::vector<Error>& errors) {
-    for (const Error& error : errors) expectToldWell(error);
+inline void expectReportedWell(const std::vector<Error>& errors) {
+    for (const Error& error : errors) expectReportedWell(error);
 }
 
 }  // namespace plumb::test

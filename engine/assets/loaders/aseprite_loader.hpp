@@ -41,7 +41,7 @@ struct Sheet {
     std::string version;
 };
 
-/// Reads both forms, the hash and the array. What is wrong inside is told in `warnings` and left out.
+/// Reads both forms, the hash and the array. What is wrong inside is listed in `warnings` and left out.
 /// @error  no sheet of Aseprite at all
 Result<Sheet> parseSheet(std::string_view text, std::string_view where, std::vector<Error>& warnings);
 

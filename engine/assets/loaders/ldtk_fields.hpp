@@ -12,7 +12,7 @@
 namespace plumb {
 
 /// Reads the members of one object of LDtk's files. One that is missing or null gives its fallback; one that
-/// is wrong gives its fallback too and tells the problem. Who asks for a key that nobody knows is told by
+/// is wrong gives its fallback too and tells the problem. A key that no reader knows is reported by
 /// `tellUnknownKeys`.
 class LdtkFields {
 public:

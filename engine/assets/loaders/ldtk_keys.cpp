@@ -100,7 +100,7 @@ public:
                 if (const Kind* inner = innerKind(kind, key)) look(value, *inner);
             } else if (hasWord(kind.unneeded, key)) {
                 idle_.insert(key);
-            } else if (told_.insert(format("{}.{}", kind.name, key)).second) {
+            } else if (reported_.insert(format("{}.{}", kind.name, key)).second) {
                 problems_.push_back({format("{}: {}", where_, kind.name),
                                      format("\"{}\" is not known here and was left out", key),
                                      "nothing, if the levels look right without it"});
@@ -112,7 +112,7 @@ private:
     std::string_view where_;
     std::set<std::string>& idle_;
     std::vector<Error>& problems_;
-    std::set<std::string> told_;
+    std::set<std::string> reported_;
 };
 
 }  // namespace

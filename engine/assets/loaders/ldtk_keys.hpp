@@ -10,7 +10,7 @@
 
 namespace plumb {
 
-/// Tells once per name what stands in a project of LDtk and nobody reads, down to the last key.
+/// Reports once per name every key of an LDtk project that no reader asks for.
 /// @param idle  gets the names of what means something only inside LDtk
 void tellUnknownKeys(const Json& project, std::string_view where, std::set<std::string>& idle,
                      std::vector<Error>& problems);

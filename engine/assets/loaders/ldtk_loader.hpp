@@ -9,7 +9,7 @@
 namespace plumb {
 
 /// Reads a project of the LDtk editor, with the levels that it keeps in files of their own.
-/// What is wrong inside is told in `warnings` and left out; the rest is read.
+/// What is wrong inside is listed in `warnings` and left out; the rest is read.
 ///
 /// @param file  where the project lies: names in it are relative to its folder
 /// @error       no project of LDtk at all, or past a limit

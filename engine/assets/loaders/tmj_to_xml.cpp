@@ -219,7 +219,7 @@ void fill(XmlElement& element, const Json& object) {
         } else if (key == "terrain" && value.is_array()) {
             addAttribute(element, key, numberList(value));
         } else {
-            addChild(element, key);  // so that somebody tells that it is not known
+            addChild(element, key);  // so that it is reported as unknown
         }
     }
 }

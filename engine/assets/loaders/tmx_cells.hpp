@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "assets/tiled_map.hpp"
-#include "core/result.hpp"
 #include "codec/xml.hpp"
+#include "core/result.hpp"
 
 namespace plumb {
 
@@ -15,7 +15,7 @@ namespace plumb {
 ///
 /// @param layer  states its size; gets the cells
 /// @param room   cells that may still be read for this map; what was read is taken away
-/// @error        another count of cells than the size says, damaged data, an encoding nobody knows
+/// @error        another count of cells than the size says, damaged data, an unknown encoding
 Result<Done> readTmxCells(const XmlElement& data, tiled::Layer& layer, std::size_t& room,
                           std::string_view where);
 

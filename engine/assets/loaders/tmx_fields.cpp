@@ -22,7 +22,7 @@ std::optional<bool> parseFlag(std::string_view text) {
     return {};
 }
 
-/// A text that is no value of its type stays a text, and is told.
+/// A text that is no value of its type stays a text, and is reported.
 Json plainValue(const std::string& type, const std::string& text, const TmxFields& fields) {
     if (type == "bool") {
         if (const std::optional<bool> value = parseFlag(text)) return Json(*value);

@@ -53,7 +53,7 @@ void TmxReader::tellUnknown(const XmlElement& element, const TmxFile& file) {
     const TmxElement* known = findTmxElement(element.name);
     const TmxFields from = fields(element, file);
     if (known == nullptr) {
-        if (told_.insert(element.name).second)
+        if (reported_.insert(element.name).second)
             from.warn(format("<{}> is not known and was left out", element.name),
                       "nothing, if the map looks right without it");
         return;
@@ -62,7 +62,7 @@ void TmxReader::tellUnknown(const XmlElement& element, const TmxFile& file) {
         if (known->reads(attribute.name)) continue;
         if (known->isIdle(attribute.name)) {
             map_.idle.insert(attribute.name);
-        } else if (told_.insert(format("{}@{}", element.name, attribute.name)).second) {
+        } else if (reported_.insert(format("{}@{}", element.name, attribute.name)).second) {
             from.warn(format("\"{}\" is not known here and was left out", attribute.name),
                       "nothing, if the map looks right without it");
         }

@@ -15,7 +15,7 @@ namespace plumb {
 using FileReader = std::function<Result<std::string>(const Path&)>;
 
 /// Reads a map of the Tiled editor (TMX or JSON), with the tilesets and templates that it names.
-/// What is wrong inside is told in `warnings` and left out; the rest is read.
+/// What is wrong inside is listed in `warnings` and left out; the rest is read.
 ///
 /// @param file  where the map lies: names in it are relative to its folder
 /// @error       no map at all, one of another form than orthogonal, or past a limit

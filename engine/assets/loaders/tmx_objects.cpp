@@ -41,7 +41,8 @@ bool TmxReader::readObject(const XmlElement& element, const TmxFile& file, Objec
                            int templateTileset) {
     const TmxFields from = fields(element, file);
     if (objectsLeft_ == 0) {
-        if (told_.insert("too many objects").second) from.warn("the map has too many objects", "split it");
+        if (reported_.insert("too many objects").second)
+            from.warn("the map has too many objects", "split it");
         return false;
     }
     --objectsLeft_;

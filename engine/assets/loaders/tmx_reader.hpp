@@ -46,7 +46,7 @@ private:
     [[nodiscard]] TmxFields fields(const XmlElement& element, const TmxFile& file) {
         return {element, file.name, *warnings_};
     }
-    /// Tells once per name what stands in the file and nobody reads, down to the last attribute.
+    /// Reports once per name every element and attribute of the file that no reader asks for.
     void tellUnknown(const XmlElement& element, const TmxFile& file);
 
     void readMapFields(const TmxFile& file);
@@ -80,7 +80,7 @@ private:
     const FileReader* readFrom_;
     std::vector<Error>* warnings_;
     tiled::Map map_;
-    std::set<std::string, std::less<>> told_;
+    std::set<std::string, std::less<>> reported_;
     std::map<Path, Template> templates_;
     std::size_t cellsLeft_ = limits::kTiledCells;
     std::size_t objectsLeft_ = limits::kEntities;

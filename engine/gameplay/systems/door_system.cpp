@@ -33,7 +33,7 @@ void press(World& world, EntityId id) {
     playCue(world, id, &SoundCues::activate);
 }
 
-/// What sleeps on a button tells nobody that it stays.
+/// A body that sleeps on a button sends no event that it stays.
 bool isLoaded(World& world, EntityId button) {
     if (!std::as_const(world).has<BoxCollider>(button)) return false;
     std::vector<EntityId> found;

@@ -30,7 +30,7 @@ Vec2 placeOfMouse(World& world, EntityId hand, const Input& input) {
     return toWorld(view, input.mouse());
 }
 
-/// The first body within `reach` of a place; nobody when there is none.
+/// The first body within `reach` of a place, or the empty id.
 EntityId bodyAt(World& world, Vec2 place, float reach, std::uint32_t mask) {
     QueryFilter filter;
     filter.layers = 0xffffffffu;

@@ -17,7 +17,7 @@ ImportKind importKindOf(const Path& file);
 /// Whether a file of this name may be one to import; nothing is read.
 bool mayBeImported(const Path& file);
 
-/// Where an import of this file goes in a project when nobody says: scenes/NAME.scene.json, or for an
+/// Where an import of this file goes in a project by default: scenes/NAME.scene.json, or for an
 /// animation assets/NAME.anim.json.
 Path importTarget(const Path& file, ImportKind kind, const Path& project);
 

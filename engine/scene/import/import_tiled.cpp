@@ -161,7 +161,7 @@ struct WorldMap {
     Vec2 position;
 };
 
-/// The maps that a world names; those that it finds by a pattern are told, since the pattern is for files
+/// The maps that a world names; those that it finds by a pattern are reported, since the pattern is for files
 /// that come later.
 Result<std::vector<WorldMap>> readWorld(const Path& file, std::vector<Error>& problems) {
     const Result<std::string> text = readFile(file);

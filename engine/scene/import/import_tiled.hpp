@@ -17,7 +17,7 @@ namespace plumb {
 Result<ImportReport> importTiled(const Path& map, const Path& scene);
 
 /// The same for a .world: its maps become one scene, each below an entity of its own that stands where the
-/// world puts it. A map that cannot be read is told, and the others come in.
+/// world puts it. A map that cannot be read is reported, and the others come in.
 Result<ImportReport> importTiledWorld(const Path& world, const Path& scene);
 
 }  // namespace plumb

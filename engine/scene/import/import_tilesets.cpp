@@ -78,7 +78,7 @@ std::vector<Vec2> cornersOf(const tiled::Object& object) {
     return doubleArea != 0.0f ? corners : std::vector<Vec2>{};
 }
 
-/// Turns the first shape of a tile into its collision; what one shape cannot hold is told.
+/// Turns the first shape of a tile into its collision; what one shape cannot hold is reported.
 void addCollision(Json& json, const tiled::Tile& tile, Vec2 tileSize, Vec2 cellSize, ImportStage& stage,
                   const tiled::Tileset& tileset) {
     const auto tell = [&](std::string what) {

@@ -37,7 +37,7 @@ std::string collisionByName(const std::string& name) {
     return hasAny(lower, kSolidWords) ? "full" : "";
 }
 
-/// A row of squares, each with a darker edge, so that values can be told apart while one paints.
+/// A row of squares, each with a darker edge, so that values can be distinguished while painting.
 Image valuesPicture(const std::vector<ldtk::IntGridValue>& values, int side) {
     Image image;
     image.width = side * static_cast<int>(values.size());

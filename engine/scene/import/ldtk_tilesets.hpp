@@ -19,7 +19,7 @@ public:
     /// @param grid  px
     std::string file(int uid, int grid);
 
-    /// The picture of a tileset; its path is empty when there is none, which is told once.
+    /// The picture of a tileset; its path is empty when there is none, which is reported once.
     const StagedImage& picture(int uid);
 
     /// A set made of the values of an IntGrid, one colored tile each, solid where its name says so.

@@ -88,7 +88,7 @@ CharacterLinkage* linkageOf(PhysicsState& state, EntityId entity) {
     return known != state.characters.end() ? &*known : nullptr;
 }
 
-/// The character, with its component's numbers and where its Transform was put; nobody when they are bad.
+/// The character, with its component's numbers and where its Transform was put; null when they are bad.
 CharacterLinkage* prepared(const World& world, PhysicsState& state, EntityId entity,
                            const CharacterController& character, const Outline& outline, Vec2 middle) {
     const physics::CharacterDefinition definition = definitionOf(state, entity, character, outline);
