@@ -29,11 +29,11 @@ constexpr float kFlatness = 0.35f;  // px: maximum distance between a curve and 
 
 /// True if the glyph has edges, none of them slanted or curved. One glyph is representative of the font.
 bool hasOnlyStraightEdges(const GlyphOutline& outline) {
-    using Kind = OutlineStep::Kind;
     for (std::size_t i = 1; i < outline.steps.size(); ++i) {
         const OutlineStep& step = outline.steps[i];
         const OutlineStep& last = outline.steps[i - 1];
-        if (step.kind != Kind::Move && (step.kind != Kind::Line || (step.x != last.x && step.y != last.y)))
+        if (step.kind != OutlineStep::Kind::Move &&
+            (step.kind != OutlineStep::Kind::Line || (step.x != last.x && step.y != last.y)))
             return false;
     }
     return !outline.steps.empty();

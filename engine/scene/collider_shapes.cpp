@@ -37,12 +37,8 @@ struct ShapeMaker {
     }
 };
 
-Vec2 sizeOf(float width, float height, Vec2 scale) {
-    return {width * std::abs(scale.x), height * std::abs(scale.y)};
-}
-
 Result<Done> make(const ShapeMaker& maker, const BoxCollider& box) {
-    const Vec2 size = sizeOf(box.width, box.height, maker.scale);
+    const Vec2 size = scaledSize(box.width, box.height, maker.scale);
     const float rounding = std::min(box.rounding, 0.49f * std::min(size.x, size.y));
     const Vec2 half = size * 0.5f - Vec2{rounding, rounding};
     return maker.add(physics::box(maker.point(half), maker.point(box.offset + size * 0.5f), {},
@@ -55,7 +51,7 @@ Result<Done> make(const ShapeMaker& maker, const CircleCollider& circle) {
 }
 
 Result<Done> make(const ShapeMaker& maker, const CapsuleCollider& capsule) {
-    const Vec2 size = sizeOf(capsule.width, capsule.height, maker.scale);
+    const Vec2 size = scaledSize(capsule.width, capsule.height, maker.scale);
     const float radius = 0.5f * std::min(size.x, size.y);
     const Vec2 middle = capsule.offset + size * 0.5f;
     const Vec2 arm = size * 0.5f - Vec2{radius, radius};
@@ -133,7 +129,7 @@ struct ColliderRow {
 };
 
 template <class Collider>
-constexpr ColliderRow row() {
+constexpr ColliderRow colliderRow() {
     ColliderRow row{};
     row.find = [](const World& world, EntityId entity) -> const ColliderSurface* {
         return world.find<Collider>(entity);
@@ -155,8 +151,8 @@ constexpr ColliderRow row() {
 }
 
 constexpr ColliderRow kColliders[] = {
-    row<BoxCollider>(),     row<CircleCollider>(), row<CapsuleCollider>(),
-    row<PolygonCollider>(), row<ChainCollider>(),
+    colliderRow<BoxCollider>(),     colliderRow<CircleCollider>(), colliderRow<CapsuleCollider>(),
+    colliderRow<PolygonCollider>(), colliderRow<ChainCollider>(),
 };
 
 float frictionOf(const ColliderSurface& surface, const RigidBody* rigid) {

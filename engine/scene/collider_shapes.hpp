@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <optional>
 
@@ -15,6 +16,11 @@ struct RigidBody;
 // From collider components to shapes. All colliders of an entity are parts of its body.
 
 inline constexpr float kDefaultFriction = 0.6f;  ///< of colliders without a RigidBody
+
+/// px: a size that an entity is drawn with; mirrored ones are as large.
+[[nodiscard]] inline Vec2 scaledSize(float width, float height, Vec2 scale) {
+    return {width * std::abs(scale.x), height * std::abs(scale.y)};
+}
 
 /// A number for the outlines of an entity's colliders: while it stays, so do their shapes. 0 without
 /// collider.

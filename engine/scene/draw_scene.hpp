@@ -42,6 +42,11 @@ struct SceneView {
     float particleBack = 0.0f;             ///< s before the last step of `particles` that is drawn
 };
 
+inline constexpr double kSecondsPerTick = 1.0 / 60.0;  ///< of the fixed rate
+
+/// Whether a view shows an entity, as far as scenes and hiding go.
+[[nodiscard]] bool isSeen(const World& world, EntityId entity, const SceneView& how);
+
 /// Turns a world into draw lists: sprites, backdrops, tile layers, texts. Keeps what is costly to make
 /// between frames; changes nothing in the world.
 class SceneRenderer {

@@ -7,7 +7,7 @@ namespace plumb {
 namespace {
 
 constexpr int kMaxTileId = (1 << 28) - 1;
-constexpr int kManyPixels = 1 << 20;
+constexpr int kMaxOffset = 1 << 20;
 
 /// What stands in an element, as data.
 Json attributesJson(const XmlElement& element) {
@@ -118,8 +118,8 @@ void TmxReader::readTilesetFields(const XmlElement& element, const TmxFile& file
     for (const XmlElement& child : element.children) {
         const TmxFields inner = fields(child, file);
         if (child.name == "tileoffset") {
-            tileset.offsetX = inner.whole("x", 0, -kManyPixels, kManyPixels);
-            tileset.offsetY = inner.whole("y", 0, -kManyPixels, kManyPixels);
+            tileset.offsetX = inner.whole("x", 0, -kMaxOffset, kMaxOffset);
+            tileset.offsetY = inner.whole("y", 0, -kMaxOffset, kMaxOffset);
         } else if (child.name == "image") {
             tileset.image = inner.text("source");
             tellPicture(child, inner);

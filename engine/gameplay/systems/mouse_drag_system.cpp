@@ -22,7 +22,7 @@ namespace plumb {
 namespace {
 
 constexpr float kHertz = 5.0f;   ///< 1/s: how firmly it pulls
-constexpr float kReach = 10.0f;  ///< px: thin things can be taken a little beside them
+constexpr float kDragReach = 10.0f;  ///< px: thin things can be taken a little beside them
 
 Vec2 placeOfMouse(World& world, EntityId hand, const Input& input) {
     const Vec2 picture = world.resource<PictureSize>().size;
@@ -71,7 +71,7 @@ bool takeBody(World& world, MouseDrag& hand, Vec2 place, float reach) {
 
 /// What is under the mouse goes before what is beside it, and what is solid before what is soft.
 void take(World& world, MouseDrag& hand, Vec2 place) {
-    for (const float reach : {1.0f, kReach}) {
+    for (const float reach : {1.0f, kDragReach}) {
         if (takeBody(world, hand, place, reach) || takeSoftBody(world, hand, place, reach)) return;
     }
 }
