@@ -10,7 +10,7 @@ namespace plumb::physics {
 
 namespace {
 
-constexpr int kGrain = 32;
+constexpr int kSeamGrain = 32;
 
 /// Position of a point relative to an outline, and the normals of the first and last edge at it, in order.
 struct EdgesAt {
@@ -357,7 +357,7 @@ void correctSeams(StepContext& step) {
     const auto contactsOf = [&](std::uint32_t body) {
         return BodyContacts{world, work.fixedPairs, work.firstFixedPair[body]};
     };
-    forEach(step.pool, work.seamBodies.size(), kGrain, [&](std::size_t i) {
+    forEach(step.pool, work.seamBodies.size(), kSeamGrain, [&](std::size_t i) {
         const BodyContacts all = contactsOf(work.seamBodies[i]);
         if (!agree(all)) all.forEach([&](Contact& contact) { correct(all, contact); });
     });

@@ -36,7 +36,7 @@ void addTo(SubstepEstimate& island, const World& world, const Workspace& work, s
 
 /// Kinds of islands that are solved with equal parameters: by quality, and again without rotation.
 constexpr std::size_t kKindsWithRotation = kMaxQuality + 1;
-constexpr std::size_t kKinds = 2 * kKindsWithRotation;
+constexpr std::size_t kContactKinds = 2 * kKindsWithRotation;
 
 void addGroup(Workspace& work, std::size_t kind, int bodies) {
     SolveGroup& group = work.groups.emplace_back();
@@ -142,11 +142,11 @@ void sortByIsland(StepContext& step) {
     if (mixesRotation(step)) setRotationApart(step);
     const std::vector<std::uint32_t>& kinds = work.bodyScratch;
     // Counting sort: count the bodies of each kind, find where each kind begins, then place the bodies.
-    std::array<int, kKinds> counts{}, begins{};
-    std::array<std::uint8_t, kKinds> groups{};
+    std::array<int, kContactKinds> counts{}, begins{};
+    std::array<std::uint8_t, kContactKinds> groups{};
     for (const std::uint32_t body : world.awake) ++counts[kinds[body]];
     int total = 0;
-    for (std::size_t kind = 0; kind < kKinds; ++kind) {
+    for (std::size_t kind = 0; kind < kContactKinds; ++kind) {
         begins[kind] = total;
         total += counts[kind];
         groups[kind] = static_cast<std::uint8_t>(work.groups.size());

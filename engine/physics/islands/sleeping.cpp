@@ -8,7 +8,7 @@ namespace plumb::physics {
 
 namespace {
 
-constexpr int kGrain = 512;
+constexpr int kIslandGrain = 512;
 
 // The free lists have capacity for all entries, so that waking up allocates nothing.
 
@@ -223,7 +223,7 @@ void joinIslands(World& world, std::uint32_t a, std::uint32_t b) {
 void rebuildIslands(World& world, TaskPool* pool) {
     std::vector<BodyInfo>& info = world.bodies.info;
     const auto forAll = [&](const auto& all, auto&& act) {
-        forEach(pool, all.size(), kGrain, [&](std::size_t i) { act(all[i]); });
+        forEach(pool, all.size(), kIslandGrain, [&](std::size_t i) { act(all[i]); });
     };
     const auto join = [&](std::uint32_t a, std::uint32_t b) {
         if (isUp(world, a) && isUp(world, b)) joinIslands(world, a, b);

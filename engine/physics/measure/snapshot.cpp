@@ -228,9 +228,9 @@ public:
     }
 
     const Bytes& next() {
-        static const Bytes kEmpty;
+        static const Bytes kNothing;
         ok_ = ok_ && next_ < parts_.size();
-        return ok_ ? parts_[next_++] : kEmpty;
+        return ok_ ? parts_[next_++] : kNothing;
     }
 
 private:

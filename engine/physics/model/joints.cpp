@@ -15,7 +15,7 @@ namespace plumb::physics {
 
 namespace {
 
-constexpr float kEndless = std::numeric_limits<float>::infinity();
+constexpr float kUnlimited = std::numeric_limits<float>::infinity();
 
 Result<Done> checkNumbers(const JointDefinition& d) {
     return firstOf(checkVector("JointDefinition.anchorA", d.anchorA, kLargest),
@@ -33,16 +33,16 @@ Result<Done> checkNumbers(const JointDefinition& d) {
                    checkNumber("JointDefinition.limit.lower", d.limit.lower, -kLargest, kLargest),
                    checkNumber("JointDefinition.limit.upper", d.limit.upper, d.limit.lower, kLargest),
                    checkNumber("JointDefinition.motor.speed", d.motor.speed, -kFastest, kFastest),
-                   checkNumber("JointDefinition.motor.maxForce", d.motor.maxForce, 0.0, kEndless),
+                   checkNumber("JointDefinition.motor.maxForce", d.motor.maxForce, 0.0, kUnlimited),
                    checkNumber("JointDefinition.spring.hertz", d.spring.hertz, 0.0, 1.0e4),
                    checkNumber("JointDefinition.spring.dampingRatio", d.spring.dampingRatio, 0.0, 1.0e4),
                    checkNumber("JointDefinition.spring.rest", d.spring.rest, -kLargest, kLargest),
-                   checkNumber("JointDefinition.maxForce", d.maxForce, 0.0, kEndless),
-                   checkNumber("JointDefinition.maxTorque", d.maxTorque, 0.0, kEndless),
-                   checkNumber("JointDefinition.breakForce", d.breakForce, 0.0, kEndless),
-                   checkNumber("JointDefinition.breakTorque", d.breakTorque, 0.0, kEndless),
-                   checkNumber("JointDefinition.reportForce", d.reportForce, 0.0, kEndless),
-                   checkNumber("JointDefinition.reportTorque", d.reportTorque, 0.0, kEndless),
+                   checkNumber("JointDefinition.maxForce", d.maxForce, 0.0, kUnlimited),
+                   checkNumber("JointDefinition.maxTorque", d.maxTorque, 0.0, kUnlimited),
+                   checkNumber("JointDefinition.breakForce", d.breakForce, 0.0, kUnlimited),
+                   checkNumber("JointDefinition.breakTorque", d.breakTorque, 0.0, kUnlimited),
+                   checkNumber("JointDefinition.reportForce", d.reportForce, 0.0, kUnlimited),
+                   checkNumber("JointDefinition.reportTorque", d.reportTorque, 0.0, kUnlimited),
                    checkNumber("JointDefinition.hertz", d.hertz, 0.0, 1.0e4),
                    checkNumber("JointDefinition.dampingRatio", d.dampingRatio, 0.0, 1.0e4),
                    checkQuality("JointDefinition.quality", d.quality));
@@ -108,7 +108,7 @@ void refreshPairs(World& world, const Joint& joint) {
 }
 
 std::uint8_t flagsOf(const JointDefinition& d) {
-    const bool breaks = std::min({d.breakForce, d.breakTorque, d.reportForce, d.reportTorque}) < kEndless;
+    const bool breaks = std::min({d.breakForce, d.breakTorque, d.reportForce, d.reportTorque}) < kUnlimited;
     return static_cast<std::uint8_t>((d.limit.on ? kLimited : 0) | (d.motor.on ? kDriven : 0) |
                                      (d.spring.on ? kSprung : 0) | (d.hertz > 0.0f ? kSoft : 0) |
                                      (breaks ? kBreakable : 0) |

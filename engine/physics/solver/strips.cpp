@@ -11,7 +11,7 @@ namespace plumb::physics {
 
 namespace {
 
-constexpr int kGrain = 512;
+constexpr int kStripGrain = 512;
 constexpr std::size_t kWorthStrips = 256;  // bodies: the data of fewer fits into the first-level cache
 
 std::uint8_t stripOf(const Strips& strips, double at) {
@@ -54,7 +54,7 @@ void assign(StepContext& step) {
         }
         sums = own;
     };
-    forPieces(step.pool, world.awake.size(), kGrain, strips.sums, take);
+    forPieces(step.pool, world.awake.size(), kStripGrain, strips.sums, take);
     place(strips, strips.sums, static_cast<double>(world.awake.size()));
 }
 

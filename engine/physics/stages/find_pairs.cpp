@@ -10,7 +10,7 @@ namespace plumb::physics {
 
 namespace {
 
-constexpr int kGrain = 128;
+constexpr int kPairGrain = 128;
 
 void search(StepContext& step) {
     World& world = step.world;
@@ -18,7 +18,7 @@ void search(StepContext& step) {
     for (const std::uint32_t shape : world.moved) work.isMoved[shape] = 1;
     work.broadPhase->arrange(world.moved);
     const std::span<const std::uint32_t> moved{world.moved};
-    collect(step, moved.size(), kGrain, work.foundPairs, work.newPairs,
+    collect(step, moved.size(), kPairGrain, work.foundPairs, work.newPairs,
             [&](std::size_t begin, std::size_t end, std::vector<PairKey>& found) {
                 work.broadPhase->findPairs(moved.subspan(begin, end - begin), work.isMoved, found);
                 std::erase_if(found, [&](PairKey key) { return work.pairs.has(key); });

@@ -12,7 +12,7 @@ namespace plumb::physics {
 
 namespace {
 
-constexpr int kGrain = 256;
+constexpr int kFinishGrain = 256;
 
 /// 0 * NaN and 0 * infinity are NaN, so the sum is 0 only if every component is finite.
 bool isFinite(const Float4& a) { return 0.0f * a.x + 0.0f * a.y + 0.0f * a.z == 0.0f; }
@@ -141,7 +141,7 @@ void finish(StepContext& step, std::size_t slot, std::uint32_t body, BodyFinding
 void finishBodies(StepContext& step) {
     World& world = step.world;
     Workspace& work = step.work;
-    forPieces(step.pool, world.awake.size(), kGrain, work.bodyFindings,
+    forPieces(step.pool, world.awake.size(), kFinishGrain, work.bodyFindings,
               [&](std::size_t begin, std::size_t end, BodyFindings& found) {
                   for (std::size_t i = begin; i < end; ++i)
                       finish(step, static_cast<std::size_t>(work.slots[world.awake[i]]), world.awake[i],

@@ -7,7 +7,7 @@ namespace plumb::physics {
 
 namespace {
 
-constexpr int kGrain = 512;
+constexpr int kGatherGrain = 512;
 
 /// Exact displacement of free flight over h, as the offset to `z * (velocity at the end)`.
 Float4 flightOf(const Float4& drive, const Decay& decay, float drag, float h) {
@@ -102,7 +102,7 @@ void gatherBodies(StepContext& step) {
         const float h = step.dt / static_cast<float>(group.substeps);
         const auto begin = static_cast<std::size_t>(group.begin);
         const auto bodies = static_cast<std::size_t>(group.bodies);
-        forEach(step.pool, static_cast<std::size_t>(group.end) - begin, kGrain, [&](std::size_t i) {
+        forEach(step.pool, static_cast<std::size_t>(group.end) - begin, kGatherGrain, [&](std::size_t i) {
             if (i >= bodies) return clearSlot(work, begin + i);
             gatherBody(world, work, gravity, order[i], begin + i, h);
             if (!work.keep.empty()) applyDrag(world, work, order[i], begin + i, h);

@@ -15,7 +15,7 @@ namespace plumb::physics {
 
 namespace {
 
-constexpr int kGrain = 256;
+constexpr int kEnergyGrain = 256;
 
 bool moves(const World& world, std::uint32_t body) {
     const BodyMotion& motion = world.bodies.motion[body];
@@ -363,8 +363,8 @@ void bookAll(StepContext& step) {
     const World& world = step.world;
     Workspace& work = step.work;
     const auto all = work.bookedBodies.size();
-    work.bookings.resize(step.isShared(static_cast<int>(all), kGrain) ? all : 0);
-    forEach(step.pool, work.bookings.size(), kGrain,
+    work.bookings.resize(step.isShared(static_cast<int>(all), kEnergyGrain) ? all : 0);
+    forEach(step.pool, work.bookings.size(), kEnergyGrain,
             [&](std::size_t i) { work.bookings[i] = sumsOf(world, work, work.bookedBodies[i]); });
     for (std::size_t i = 0; i < all; ++i) {
         const std::uint32_t body = work.bookedBodies[i];
@@ -431,7 +431,7 @@ void keepEnergy(StepContext& step) {
         limit(world, work);
     }
     if (hasJoints || tooMuch) {
-        forEach(step.pool, work.bookedBodies.size(), kGrain, [&](std::size_t i) {
+        forEach(step.pool, work.bookedBodies.size(), kEnergyGrain, [&](std::size_t i) {
             share(step, work.bookedBodies[i], work.accounts[work.roots[work.bookedBodies[i]]]);
         });
     }

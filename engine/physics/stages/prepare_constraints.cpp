@@ -8,11 +8,11 @@ namespace plumb::physics {
 
 namespace {
 
-constexpr int kGrain = 2048;  // contacts: each piece counts all kinds
+constexpr int kCountGrain = 2048;  // contacts: each piece counts all kinds
 
 /// Contact keys without kKeyBegan: contacts of a group with equal keys are solved together.
-constexpr std::size_t kKinds = kKeyColour + kKeyFixed + 1;
-constexpr std::size_t kOfKind = kKinds - 1;
+constexpr std::size_t kSolveKinds = kKeyColour + kKeyFixed + 1;
+constexpr std::size_t kOfKind = kSolveKinds - 1;
 
 /// For each piece of work and kind of contact: first their number, then the index of the next one.
 struct Cursors {
@@ -51,7 +51,7 @@ void layOut(Workspace& work, const Cursors& cursors) {
     for (std::size_t g = 0; g < work.groups.size(); ++g) {
         work.groups[g].contactColours = 0;
         for (int colour = 0; colour <= kColours; ++colour) {
-            const std::size_t kind = g * kKinds + static_cast<std::size_t>(colour);
+            const std::size_t kind = g * kSolveKinds + static_cast<std::size_t>(colour);
             const ContactRanges blocks{makeRoom(work.two.lanes, cursors, kind, colour),
                                        makeRoom(work.fixed.lanes, cursors, kind | kKeyFixed, colour)};
             work.groups[g].colours[colour].contacts = blocks;
@@ -68,20 +68,21 @@ void fillLanes(const StepContext& step) {
     if (work.strips.areUsed) work.strips.ofContact.resize(work.contactKeys.size());
     const std::uint16_t* keys = work.contactKeys.data();
     const auto count = static_cast<int>(work.contactKeys.size());
-    const bool shared = step.isShared(count, kGrain);
+    const bool shared = step.isShared(count, kCountGrain);
     const std::uint8_t* strips = work.strips.areUsed ? work.strips.ofContact.data() : nullptr;
-    const Cursors cursors{work.cursors, work.groups.size() * kKinds, work.strips.count(),
-                          static_cast<std::size_t>(shared ? piecesOf(count, kGrain) : 1)};
+    const Cursors cursors{work.cursors, work.groups.size() * kSolveKinds, work.strips.count(),
+                          static_cast<std::size_t>(shared ? piecesOf(count, kCountGrain) : 1)};
     const bool many = work.groups.size() > 1;
     work.cursors.assign(cursors.pieces * cursors.kinds * cursors.strips, 0);
     const auto forPushing = [&](auto&& act) {
-        forPieces(step.pool, count, kGrain, [&](int begin, int end, int piece) {
+        forPieces(step.pool, count, kCountGrain, [&](int begin, int end, int piece) {
             std::int32_t* own = cursors.of(static_cast<std::size_t>(piece));
             for (std::int32_t i = begin; i < end; ++i) {
                 const int colour = keys[i] & kKeyColour;
                 if (colour == kKeyIdle) continue;
                 std::size_t kind = keys[i] & kOfKind;
-                if (many) kind += kKinds * work.groupOf[world.contacts[static_cast<std::size_t>(i)].bodyB];
+                if (many)
+                    kind += kSolveKinds * work.groupOf[world.contacts[static_cast<std::size_t>(i)].bodyB];
                 // Contacts without a color are solved in the order of their indices.
                 if (strips != nullptr) kind = kind * Strips::kCount + (colour == kOverflow ? 0 : strips[i]);
                 act(own[kind], keys[i], i);

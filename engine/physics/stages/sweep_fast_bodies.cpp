@@ -16,7 +16,7 @@ namespace plumb::physics {
 
 namespace {
 
-constexpr int kGrain = 8;        // searches
+constexpr int kSweepGrain = 8;   // searches
 constexpr int kFillGrain = 256;  // bodies
 
 // Handling of a hit.
@@ -348,7 +348,7 @@ void sweepFastBodies(StepContext& step) {
     const bool hasBullets = some([&](std::uint32_t body) { return layerOf(world, body) == kBulletLayer; });
     if (moving > 0 || hasBullets) updateBroadPhase(world, work);
     fillSwept(step, moving > 0, hasBullets);
-    forPieces(step.pool, work.swept.size(), kGrain, work.sweepFindings,
+    forPieces(step.pool, work.swept.size(), kSweepGrain, work.sweepFindings,
               [&](std::size_t begin, std::size_t end, SweepFindings& found) {
                   for (std::size_t i = begin; i < end; ++i) findNextHit(step, i, found.shapes, found.counts);
               });

@@ -9,7 +9,7 @@ namespace plumb::physics {
 
 namespace {
 
-constexpr int kGrain = 256;
+constexpr int kContactGrain = 256;
 constexpr int kAtOnce = 128;  // contacts: as many as fit into the first-level cache along with their shapes
 
 bool touches(const Contact& contact) {
@@ -53,7 +53,7 @@ void lookAtAll(StepContext& step) {
     work.contactKeys.resize(world.contacts.size());
     if (work.strips.areUsed) work.strips.ofContact.resize(world.contacts.size());
     const bool asked = std::exchange(world.filtersStale, false);
-    forPieces(step.pool, world.contacts.size(), kGrain, work.contactFindings,
+    forPieces(step.pool, world.contacts.size(), kContactGrain, work.contactFindings,
               [&](std::size_t begin, std::size_t end, ContactFindings& found) {
                   for (std::size_t first = begin; first < end; first += kAtOnce)
                       lookAt(step, first, std::min(end - first, std::size_t{kAtOnce}), asked, found);

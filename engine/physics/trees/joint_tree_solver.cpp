@@ -9,7 +9,7 @@ namespace plumb::physics {
 
 namespace {
 
-constexpr int kGrain = 8;  // trees
+constexpr int kTreeGrain = 8;  // trees
 
 /// Compliance of a row with zero effective mass; large enough that its impulse is zero.
 constexpr double kNoAnswer = 1.0e30;
@@ -31,7 +31,7 @@ struct Trees {
     }
 };
 
-Triple wide(const Float4& v) {
+Triple tripleOf(const Float4& v) {
     return {static_cast<double>(v.x), static_cast<double>(v.y), static_cast<double>(v.z)};
 }
 
@@ -87,7 +87,7 @@ void takeMotion(const Trees& trees, TreeBody& treeBody) {
     const Float4& deltaPosition = trees.work.deltaPosition[slot];
     treeBody.pose = {static_cast<double>(deltaPosition.x), static_cast<double>(deltaPosition.y),
                      static_cast<double>(deltaPosition.z), static_cast<double>(deltaPosition.w)};
-    treeBody.velocity = wide(trees.work.velocity[slot]);
+    treeBody.velocity = tripleOf(trees.work.velocity[slot]);
     treeBody.impulse = {};
 }
 
@@ -283,7 +283,7 @@ void prepareLink(const World& world, const Workspace& work, Link& link) {
     prepareArms(world, link);
     if (link.parent >= 0) return;
     const std::int32_t slot = work.slots[link.ground];
-    link.groundVelocity = slot >= 0 ? wide(work.velocity[static_cast<std::size_t>(slot)]) : Triple{};
+    link.groundVelocity = slot >= 0 ? tripleOf(work.velocity[static_cast<std::size_t>(slot)]) : Triple{};
 }
 
 void prepareLimb(const World& world, const Workspace& work, TreeBody& treeBody) {
@@ -327,7 +327,7 @@ void solveTrees(StepContext& step, const SolveGroup& group, PassKind kind, float
     const bool relaxes = kind == PassKind::Relax;
     const double farthest = dt * static_cast<double>(kJointPushing * step.world.settings.pushSpeed);
     const Trees trees{step.work, all, dt, 1.0 / dt, dt * (relaxes ? substep + 1 : substep), farthest};
-    forEach(step.pool, all.trees.size(), kGrain, [&](std::size_t t) {
+    forEach(step.pool, all.trees.size(), kTreeGrain, [&](std::size_t t) {
         JointTree& tree = all.trees[t];
         if (!tree.direct || &step.work.groups[tree.group] != &group) return;
         relaxes ? relaxTree(trees, tree, again) : pushTree(trees, tree, again);
