@@ -11,7 +11,7 @@ namespace plumb::stability {
 
 namespace {
 
-constexpr std::size_t kAtOnce = 256;  // scenes that a thread plays at a time
+constexpr std::size_t kAtOnce = 256;  // scenes that a thread runs at a time
 
 void playWild(std::uint64_t seed, RandomFindings& found) {
     physics::RandomScene scene{seed};

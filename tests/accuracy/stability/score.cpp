@@ -40,7 +40,7 @@ Score scoreOf(char sign) {
 double errorOf(const Figures& figures) {
     double worst = 0.0;
     for (const double error : {figures.penetration, figures.joints, figures.off, figures.residual}) {
-        if (std::isnan(error)) return std::numeric_limits<double>::infinity();  // which std::max would lose
+        if (std::isnan(error)) return std::numeric_limits<double>::infinity();  // std::max would ignore it
         worst = std::max(worst, error);
     }
     return worst;
