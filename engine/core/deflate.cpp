@@ -12,14 +12,14 @@ namespace {
 
 // All numbers are those of RFC 1951.
 constexpr std::size_t kWordBytes = 4;
-constexpr std::size_t kMostWords = 64;   // of one match: 256 of the 258 bytes that are allowed
+constexpr std::size_t kMaxWords = 64;    // of one match: 256 of the 258 bytes that are allowed
 constexpr std::size_t kFarthest = 8192;  // words: 32768 bytes
 constexpr std::size_t kRow = 128;        // words: the row above in a block of tiles
 constexpr std::size_t kLetters = 286;    // literals, end of block, and match lengths
 constexpr std::size_t kDistances = 30;
 constexpr std::size_t kEnd = 256;
-constexpr int kMostBits = 15;       // of a code
-constexpr int kMostLengthBits = 7;  // of the code that encodes the lengths of the other codes
+constexpr int kMaxBits = 15;       // of a code
+constexpr int kMaxLengthBits = 7;  // of the code that encodes the lengths of the other codes
 constexpr std::uint32_t kAdlerPrime = 65521;
 constexpr std::size_t kAdlerWords = 1024;  // sums of so many fit into 32 bits
 
@@ -79,7 +79,7 @@ Codes codesOf(std::vector<std::uint32_t> counts, int most) {
         for (std::uint32_t& count : counts) count = (count + 1) / 2;  // flatter; no symbol vanishes
         codes.lengths = depthsOf(counts);
     }
-    std::array<std::uint32_t, kMostBits + 2> next{};
+    std::array<std::uint32_t, kMaxBits + 2> next{};
     for (const std::uint8_t length : codes.lengths) {
         if (length > 0) ++next[std::size_t{length} + 1];
     }
@@ -154,8 +154,8 @@ public:
             std::uint32_t& last = last_[slotOf(words_[at])];
             Token best;
             consider(at, 1, best);
-            if (best.words < kMostWords) consider(at, kRow, best);
-            if (best.words < kMostWords && last != kNowhere) consider(at, at - last, best);
+            if (best.words < kMaxWords) consider(at, kRow, best);
+            if (best.words < kMaxWords && last != kNowhere) consider(at, at - last, best);
             last = static_cast<std::uint32_t>(at);
             tokens.push_back(best);
             const std::size_t step = std::max<std::size_t>(best.words, 1);
@@ -175,7 +175,7 @@ private:
         if (distance > at || distance > kFarthest) return;
         const std::uint32_t* here = words_.data() + at;
         const std::uint32_t* before = here - distance;
-        const std::size_t most = std::min(words_.size() - at, kMostWords);
+        const std::size_t most = std::min(words_.size() - at, kMaxWords);
         if (best.words > 0 && (best.words >= most || here[best.words] != before[best.words])) return;
         std::size_t count = 0;
         while (count < most && here[count] == before[count]) ++count;
@@ -237,7 +237,7 @@ void writeCodes(BitWriter& out, const Codes& letters, const Codes& distances) {
     }
     std::vector<std::uint32_t> counts(19);
     for (const Part& part : parts) ++counts[part.letter];
-    const Codes codes = codesOf(counts, kMostLengthBits);
+    const Codes codes = codesOf(counts, kMaxLengthBits);
     std::size_t stored = kOrder.size();
     while (stored > 4 && codes.lengths[kOrder[stored - 1]] == 0) --stored;
     out.put(letters.lengths.size() - 257, 5);
@@ -271,8 +271,8 @@ std::string packZlib(std::span<const std::uint32_t> words) {
         }
     }
     letterCounts[kEnd] = 1;
-    const Codes letters = codesOf(std::move(letterCounts), kMostBits);
-    const Codes distances = codesOf(std::move(distanceCounts), kMostBits);
+    const Codes letters = codesOf(std::move(letterCounts), kMaxBits);
+    const Codes distances = codesOf(std::move(distanceCounts), kMaxBits);
 
     std::string packed;
     packed.reserve(tokens.size() * 3 + 256);

@@ -13,9 +13,9 @@ namespace plumb::bench {
 namespace {
 
 constexpr double kShortestSample = 100e-6;  // s; below it the clock is felt
-constexpr std::size_t kFewestRounds = 15;
-constexpr std::size_t kFewestLongRounds = 3;
-constexpr std::size_t kMostRounds = 1000000;
+constexpr std::size_t kMinRounds = 15;
+constexpr std::size_t kMinLongRounds = 3;
+constexpr std::size_t kMaxRounds = 1000000;
 constexpr double kPatience = 3.0;  // s for each contestant; a slower one runs fewer rounds
 
 /// What reading the clock costs, in s.
@@ -64,12 +64,12 @@ std::vector<Timing> race(std::span<const Contestant> contestants, const Options&
     std::vector<Lane> lanes(contestants.begin(), contestants.end());
     const double budget = (options.quick ? 0.02 : options.seconds) * static_cast<double>(lanes.size());  // s
     const double patience = kPatience * static_cast<double>(lanes.size());
-    const std::size_t fewest = options.quick ? kFewestLongRounds : kFewestRounds;
+    const std::size_t fewest = options.quick ? kMinLongRounds : kMinRounds;
     const double start = wallSeconds();
-    for (std::size_t round = 0; round < kMostRounds; ++round) {
+    for (std::size_t round = 0; round < kMaxRounds; ++round) {
         const double spent = wallSeconds() - start;
         if (round >= fewest && spent > budget) break;
-        if (round >= kFewestLongRounds && spent > patience) break;
+        if (round >= kMinLongRounds && spent > patience) break;
         for (Lane& lane : lanes) lane.samples.push_back(lane.sample());
     }
     std::vector<Timing> timings;

@@ -15,7 +15,7 @@ namespace plumb::bench {
 namespace {
 
 constexpr double kFrame = 1.0 / 60.0;                                 // s
-constexpr double kMost = 0.1;                                         // of the time of a frame
+constexpr double kMax = 0.1;                                          // of the time of a frame
 constexpr std::int64_t kWarmUp = editor::PlayRecording::kTicks + 60;  // until old worlds are thrown away
 
 struct Game {
@@ -86,7 +86,7 @@ int runRewind(const Options& options) {
         const Cost cost = costOf(game, ticks);
         const auto count = static_cast<double>(ticks);
         const double more = (cost.recorded - cost.plain) / count;  // s
-        rows.push_back({game.name, 1, more * 1e9, more * 1e9, 0.0, kMost * kFrame * 1e9});
+        rows.push_back({game.name, 1, more * 1e9, more * 1e9, 0.0, kMax * kFrame * 1e9});
         std::printf("%-12s %9.1f %9.1f %9.1f %% %9.2f %% %14.1f %14.1f %7.1f  %s\n", game.name,
                     cost.plain / count * 1e6, cost.recorded / count * 1e6,
                     100.0 * (cost.recorded / cost.plain - 1.0), 100.0 * more / kFrame,

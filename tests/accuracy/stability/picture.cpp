@@ -30,8 +30,8 @@ std::string opening(int width, int height) {
 /// Below the sign: the size of the error, or what blew up.
 std::string shortReason(const Figures& figures) {
     if (!figures.finite || !std::isfinite(errorOf(figures))) return "numbers";
-    if (!(figures.energyGain <= kMostGain)) return "energy";
-    if (!(figures.speeding <= kMostSpeeding)) return "speed";
+    if (!(figures.energyGain <= kMaxEnergyGain)) return "energy";
+    if (!(figures.speeding <= kMaxSpeeding)) return "speed";
     const double percent = errorOf(figures) * 100.0;
     if (percent < 0.001) return "0 %";
     if (percent > 999.5) return "> 999 %";

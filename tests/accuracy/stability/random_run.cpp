@@ -31,7 +31,7 @@ void playFair(std::uint64_t seed, RandomFindings& found) {
         return;
     }
     const double gain = scene.energyGain();
-    if (gain > kMostGain) ++kind.gained;
+    if (gain > kMaxEnergyGain) ++kind.gained;
     if (gain > kind.mostGain) {
         kind.mostGain = gain;
         if (kind.bad == 0) kind.seed = seed;

@@ -27,11 +27,11 @@ struct Figures {
 
 // The rules, for all maps.
 
-inline constexpr double kExact = 1.0e-3;      ///< an error up to this is Exact
-inline constexpr double kClose = 1.0e-2;      ///< up to this Close: "within 1 %"
-inline constexpr double kSoft = 0.1;          ///< up to this Soft: compliant, but it holds
-inline constexpr double kMostGain = 1.0e-2;   ///< an unexplained energy gain above this blows up
-inline constexpr double kMostSpeeding = 2.0;  ///< so does a speed of twice what explains it
+inline constexpr double kExact = 1.0e-3;          ///< an error up to this is Exact
+inline constexpr double kClose = 1.0e-2;          ///< up to this Close: "within 1 %"
+inline constexpr double kSoft = 0.1;              ///< up to this Soft: compliant, but it holds
+inline constexpr double kMaxEnergyGain = 1.0e-2;  ///< an unexplained energy gain above this blows up
+inline constexpr double kMaxSpeeding = 2.0;       ///< so does a speed of twice what explains it
 
 /// Appearance and meaning of each score.
 struct ScoreInfo {

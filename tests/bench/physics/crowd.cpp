@@ -103,7 +103,7 @@ Crowd makeMostlyStill(std::uint32_t boxes) {
 Crowd makeLine(std::uint32_t boxes) { return filled(lineFor(boxes), boxes, kWalk); }
 Crowd makeFastLine(std::uint32_t boxes) { return filled(lineFor(boxes), boxes, kDash); }
 
-/// A heap at rest: nearly everybody stays within its bounds.
+/// A heap at rest: nearly all boxes stay within their bounds.
 Crowd makePile(std::uint32_t boxes) {
     const float side = std::sqrt(static_cast<float>(boxes)) * 1.9f * kHalf;
     Crowd crowd{{side, side}};

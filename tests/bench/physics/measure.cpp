@@ -14,8 +14,8 @@ namespace {
 constexpr int kContactSample = 16;  // steps between two counts of contacts
 constexpr int kErrorSamples = 16;   // of the second half
 constexpr int kLostSample = 8;      // steps between two looks for what no engine could go on with
-constexpr double kLeastTime = 0.3;  // s: small scenes run until they have used it
-constexpr int kMostRuns = 200;
+constexpr double kMinTime = 0.3;    // s: small scenes run until they have used it
+constexpr int kMaxRuns = 200;
 constexpr double kMilliseconds = 1e3;
 
 /// One contender with what it has shown so far.
@@ -178,8 +178,8 @@ void conclude(Lane& lane) {
 bool wantsMore(const Lane& lane, const MeasureOptions& options) {
     if (!lane.measurement.missing.empty()) return false;
     if (lane.runs == 0) return true;
-    if (lane.seconds > options.patience || lane.runs >= kMostRuns) return false;
-    return lane.runs < options.runs || (options.runs > 1 && lane.seconds < kLeastTime);
+    if (lane.seconds > options.patience || lane.runs >= kMaxRuns) return false;
+    return lane.runs < options.runs || (options.runs > 1 && lane.seconds < kMinTime);
 }
 
 void announce(const Scene& scene, const Lane& lane) {

@@ -13,7 +13,7 @@ namespace plumb::scenes {
 
 namespace {
 
-constexpr int kLeastSize = 100;  // smaller worlds cost what every step costs, not what bodies cost
+constexpr int kMinSize = 100;  // smaller worlds cost what every step costs, not what bodies cost
 constexpr double kMillimetres = 1e3;
 
 std::string number(double value, int digits) { return value == 0.0 ? "-" : fixedText(value, digits); }
@@ -151,7 +151,7 @@ void printExponents(std::span<const Measurement> rows) {
         done.push_back(first);
         std::vector<Measurement> line;
         for (const Measurement& row : rows) {
-            if (isScaling(row) && sameLine(row, first) && row.size >= kLeastSize) line.push_back(row);
+            if (isScaling(row) && sameLine(row, first) && row.size >= kMinSize) line.push_back(row);
         }
         if (line.size() < 2) continue;
         std::printf("%s, %s, %d thread(s): cost grows as n^%s from %d to %d bodies\n",
