@@ -16,8 +16,8 @@ constexpr PixelSize kWindow{1280, 720};
 constexpr double kTargetNs = 30.0;  ///< per sprite: 1.5 ms for 50,000
 constexpr std::size_t kMaxDrawCalls = 8;
 
-/// Mesa's no-op driver accepts everything and draws nothing: what is left is what a graphics card would leave
-/// to the processor. Other drivers ignore the word.
+/// Mesa's no-op driver accepts everything and draws nothing: what remains is the CPU
+/// time of an application with a graphics card. Other drivers ignore the variable.
 void askForTheNoopDriver() {
 #if !defined(_WIN32)
     setenv("GALLIUM_NOOP", "true", 0);
@@ -83,7 +83,7 @@ public:
 private:
     Stage() = default;
 
-    // In this order: the device must go before its window, the atlas before the device.
+    // In this order: the device must be destroyed before its window, the atlas before the device.
     std::unique_ptr<Window> window_;
     std::unique_ptr<GlDevice> device_;
     std::unique_ptr<TextureAtlas> atlas_;
