@@ -29,8 +29,8 @@ std::uint32_t little(std::string_view bytes, std::size_t at, std::size_t count) 
 }
 
 std::optional<ImageHeader> headerOf(ImageFormat format, std::uint32_t width, std::uint32_t height) {
-    constexpr std::uint32_t kMost = std::numeric_limits<std::int32_t>::max();
-    if (width == 0 || height == 0 || width > kMost || height > kMost) return std::nullopt;
+    constexpr std::uint32_t kMax = std::numeric_limits<std::int32_t>::max();
+    if (width == 0 || height == 0 || width > kMax || height > kMax) return std::nullopt;
     return ImageHeader{format, static_cast<int>(width), static_cast<int>(height)};
 }
 

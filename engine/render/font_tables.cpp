@@ -10,8 +10,8 @@ namespace {
 
 constexpr std::size_t kHeader = 12;
 constexpr std::size_t kRecord = 16;
-constexpr int kLeastUnits = 16;  // per em, by the OpenType specification
-constexpr int kMostUnits = 16384;
+constexpr int kMinUnits = 16;  // per em, by the OpenType specification
+constexpr int kMaxUnits = 16384;
 
 Error notAFont(std::string_view where, std::string what) {
     return {std::string{where}, "not a TrueType or OpenType font: " + std::move(what),
@@ -257,9 +257,9 @@ Result<FontTables> FontTables::read(std::string_view bytes, std::string_view whe
     tables.lineGap = hhea.i16(8);
     tables.advances = static_cast<int>(hhea.u16(34));
     tables.longOffsets = head.u16(50) != 0;
-    if (tables.unitsPerEm < kLeastUnits || tables.unitsPerEm > kMostUnits) {
-        return notAFont(where, format("its letters have {} units, not {} to {}", tables.unitsPerEm,
-                                      kLeastUnits, kMostUnits));
+    if (tables.unitsPerEm < kMinUnits || tables.unitsPerEm > kMaxUnits) {
+        return notAFont(where, format("its letters have {} units, not {} to {}", tables.unitsPerEm, kMinUnits,
+                                      kMaxUnits));
     }
     if (tables.advances == 0 || tables.hmtx.size() < static_cast<std::size_t>(tables.advances) * 4)
         return notAFont(where, "the widths of its letters are not all there");

@@ -1,4 +1,4 @@
-// How long scenes take to load and save, and a tick in which much is spawned. The targets are seconds on the
+// Loading and saving times of scenes, and a tick in which much is spawned. The goals are seconds on the
 // reference machine.
 
 #include <cstdio>
@@ -61,7 +61,7 @@ void addMap(World& world, SceneId scene, int side) {
     map.addComponent<TileLayer>().cells = world.tiles().add(std::move(grid));
 }
 
-/// What a form of a scene may take (s); 0 for no limit.
+/// Time limit of a scene format (s); 0 for no limit.
 struct Limits {
     double load = 0.0;
     double save = 0.0;

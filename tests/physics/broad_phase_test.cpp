@@ -151,7 +151,7 @@ TEST_P(BroadPhases, letHalfTheWorldFallAsleepAndWakeUp) {
     }
 }
 
-TEST_P(BroadPhases, arrangeKeepsEveryoneOnce) {
+TEST_P(BroadPhases, arrangeKeepsEachProxyOnce) {
     Random random = Random::seeded(1);
     ProxyWorld world = randomWorld(random, BoxStatistics::Sizes, 500);
     for (std::uint32_t id = 0; id < world.size(); id += 7) world.become(id, ProxyMotion::Gone);

@@ -17,10 +17,11 @@ set(left_out "^docs/(editor|tutorial)")
 set(who "it, which, that, the noun (the body, the proxy), or the user if it is a person")
 set(no_one "none, nothing, or the noun (no body, no component)")
 set(some_one "one, something, or the noun (a body, a component)")
+set(every_one "all, each, everything, or the noun (every body, all bodies)")
 set(banned
     "who=${who}" "whom=${who}" "whoever=${who}"
     "nobody=${no_one}" "anybody=${no_one}" "anyone=${no_one}"
-    "somebody=${some_one}" "someone=${some_one}"
+    "somebody=${some_one}" "someone=${some_one}" "everybody=${every_one}" "everyone=${every_one}"
     "told=reported, stored, given or known"
     "whence=from where" "foreseen=predicted" "foresee=predict" "foresight=prediction")
 set(exceptions)

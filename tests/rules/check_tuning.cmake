@@ -12,7 +12,7 @@ set(sizes kMaxCorners kMaxWays kMaxIterations kMaxPushes kLanes kLanesOfPart kPo
 set(pieces_of_work kSequential kAtOnce kAhead)  # and all that end in Grain
 set(no_value kFarAway kEndless kFar kNever kNoAnswer kNoLimit kNoChain)
 set(smallest_divisors kNoDistance kMinInertia)
-set(ranges_of_input kFarthestAhead kLightest kMaxTick kMost)
+set(ranges_of_input kFarthestAhead kLightest kMaxTick kMaxSetting)
 set(mathematics kQuarter kTurn kTurning)
 set(allowed ${sizes} ${pieces_of_work} ${no_value} ${smallest_divisors} ${ranges_of_input} ${mathematics})
 

@@ -77,7 +77,7 @@ TEST(StabilityEnergy, doesNotComeFromNowhereInScenesWhereItDid) {
         FairScene scene{static_cast<std::uint64_t>(seed)};
         scene.run();
         EXPECT_TRUE(scene.isSound()) << seed << ": " << reason;
-        EXPECT_LE(scene.energyGain(), kMostGain) << seed << ": " << reason;
+        EXPECT_LE(scene.energyGain(), kMaxEnergyGain) << seed << ": " << reason;
     }
 }
 
@@ -89,7 +89,7 @@ TEST(StabilityEnergy, doesNotGrowInAThousandRandomScenes) {
         ++(scene.hasJoints() ? jointed : loose);
         scene.run();
         EXPECT_TRUE(scene.isSound()) << seed;
-        EXPECT_LE(scene.energyGain(), kMostGain) << seed;
+        EXPECT_LE(scene.energyGain(), kMaxEnergyGain) << seed;
     }
     EXPECT_GT(jointed, 300);
     EXPECT_GT(loose, 300);

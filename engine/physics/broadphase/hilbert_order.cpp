@@ -14,7 +14,7 @@ constexpr std::size_t kFewEntries = 96;   // fewer entries are sorted by compari
 constexpr std::size_t kManyCells = 4096;  // more entries get a curve with three digits instead of two
 constexpr int kDeepest = 24;  // each level is 256 times finer, and the exponents of floats span 2^277
 constexpr float kFarthestKey = 1e30f;  // coordinates are clamped to this
-constexpr float kLeast = 1e-30f;       // a smaller extent counts as one point
+constexpr float kMinExtent = 1e-30f;   // a smaller extent counts as one point
 
 /// Four levels of the curve at once: from the state and 4 bits of x and y, the 8 bits of the index on the
 /// curve, and above them the next state. Bit 0 of a state: the axes are swapped; bit 1: both are reversed.
@@ -90,7 +90,7 @@ void HilbertOrder::sortRange(std::span<const AABB> bounds, std::span<Entry> entr
     const auto last = static_cast<float>((1 << (4 * digits)) - 1);
     // Square cells: otherwise a long, narrow world would have long, narrow leaves.
     const float extent = std::max(high.x - low.x, high.y - low.y);
-    const float scale = extent > kLeast ? last / extent : 0.0f;
+    const float scale = extent > kMinExtent ? last / extent : 0.0f;
     for (Entry& entry : entries) {
         const Vec2 cell = (centreOf(bounds[idOf(entry)]) - low) * scale;
         const auto x = static_cast<std::uint32_t>(std::min(cell.x, last));

@@ -22,7 +22,7 @@ std::string numberText(double value) {
 
 bool comparesShares(Rule rule) { return rule == Rule::SameOutcome || rule == Rule::NeverWorse; }
 
-/// What a relation found in one family, in a few characters.
+/// The result of a relation in one family, in a few characters.
 std::string cellOf(const Verdict& verdict) {
     if (comparesShares(verdict.relation->rule)) {
         std::string text = format("{} to {}", percent(verdict.baseReached, verdict.members),

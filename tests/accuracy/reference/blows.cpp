@@ -6,7 +6,7 @@ namespace plumb::reference {
 
 namespace {
 
-constexpr int kMostBounces = 4000;
+constexpr int kMaxBounces = 4000;
 
 }  // namespace
 
@@ -75,7 +75,7 @@ void GroupStep::strike() {
     std::vector<Touch> touches;
     findAt(q0_, touches);
     std::erase_if(touches, [&](const Touch& touch) { return view(touch, q0_).gap > kClosed; });
-    for (int i = 0; i < kMostBounces && bounceOnce(touches); ++i) {
+    for (int i = 0; i < kMaxBounces && bounceOnce(touches); ++i) {
     }
     solveBlow(touches, false);
 }

@@ -8,7 +8,7 @@ namespace {
 
 constexpr double kExact = 1.0e-13;  // m: accuracy of the gap at a hit
 constexpr double kFarOff = 1.0e9;   // m: upper limit of the gaps that are computed
-constexpr int kMostSamples = 2000;
+constexpr int kMaxSamples = 2000;
 
 /// The first time at which a gap that is open at `low` and overlaps at `high` closes. `gap` may
 /// be infinite for shapes that are far apart. By bisection, and secants with the Illinois rule.
@@ -60,7 +60,7 @@ double GroupStep::closingOfPair(std::uint32_t a, std::uint32_t b, double h) {
     // A fast shape can pass through the other within the step: sample
     // the gap often enough to find a time at which they overlap.
     const double width = 0.25 * (scene_.outlines[a].width + scene_.outlines[b].width);
-    const int samples = std::clamp(static_cast<int>(way / std::max(width, 1.0e-6)) + 1, 1, kMostSamples);
+    const int samples = std::clamp(static_cast<int>(way / std::max(width, 1.0e-6)) + 1, 1, kMaxSamples);
     double low = 0.0, gapLow = before;
     for (int i = 1; i <= samples; ++i) {
         const double time = h * i / samples, now = gap(time);

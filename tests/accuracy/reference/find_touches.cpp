@@ -9,7 +9,7 @@ namespace {
 // Separating axes and closest corners by brute force: outlines have few corners, and this must be correct.
 // Source: C. Ericson, Real-Time Collision Detection, 2005, 4.4, 5.1, 5.2.
 
-constexpr double kLeast = 1.0e-9;  // m or ratio: below the closeness at which contacts count as closed
+constexpr double kMin = 1.0e-9;  // m or ratio: below the closeness at which contacts count as closed
 
 struct Placed {
     const Outline* outline = nullptr;
@@ -39,12 +39,12 @@ bool isOwnDirection(const Placed& chain, Point direction) {
     const Point own = chain.normals[0];
     const double side = cross(own, direction);
     if (dot(own, direction) < 0.0) return false;
-    if (std::fabs(side) < kLeast) return true;
+    if (std::fabs(side) < kMin) return true;
     const Point along = chain.corners[1] - chain.corners[0];
     const bool toEnd = dot(along, direction) > 0.0;
     const Point last = rotate(turn, toEnd ? chain.outline->after : chain.outline->before);
     // Between its own normal and the neighbour's, at a convex corner.
-    return cross(own, last) * side > 0.0 && std::fabs(cross(own, last)) >= std::fabs(side) - kLeast &&
+    return cross(own, last) * side > 0.0 && std::fabs(cross(own, last)) >= std::fabs(side) - kMin &&
            dot(last, along) * (toEnd ? 1.0 : -1.0) > 0.0;
 }
 
@@ -121,7 +121,7 @@ public:
         // Separated cores with rounding or ends may be nearest at a corner.
         const bool hasEnds = a_.corners.size() < 3 || b_.corners.size() < 3;
         if ((apart > 0.0 || apart == -kEndless) && (round_ > 0.0 || hasEnds)) return findNearest(apart);
-        const bool isOfA = sideA.apart >= sideB.apart - kLeast;
+        const bool isOfA = sideA.apart >= sideB.apart - kMin;
         return findAtSides(sideA, sideB, isOfA);
     }
 
@@ -170,7 +170,7 @@ private:
             if (dot(chain.normals[0], placeOf(other.pose) - chain.corners[0]) < 0.0) return kEndless;
             if (isOfA == chainIsA) continue;
             if (isOwnDirection(chain, -other.normals[theirs.index])) continue;
-            if (theirs.apart > kLeast) return kEndless;
+            if (theirs.apart > kMin) return kEndless;
             isOfA = chainIsA;
             addSide(isOfA, own.index);
             return own.apart - round_;
@@ -201,12 +201,12 @@ private:
         for (int i = 0; i < 2; ++i) parts[i] = dot(other.corners[ends[i]] - start, along) / size;
         const int low = parts[0] <= parts[1] ? 0 : 1;
         const double begin = std::max(parts[low], 0.0), end = std::min(parts[1 - low], 1.0);
-        if (end - begin < kLeast) return addCornerBefore(ofA, index, nearest);
-        if (parts[low] >= -kLeast)
+        if (end - begin < kMin) return addCornerBefore(ofA, index, nearest);
+        if (parts[low] >= -kMin)
             addCornerBefore(ofA, index, ends[low]);
         else
             addCornerBefore(!ofA, facing, first);
-        if (parts[1 - low] <= 1.0 + kLeast)
+        if (parts[1 - low] <= 1.0 + kMin)
             addCornerBefore(ofA, index, ends[1 - low]);
         else
             addCornerBefore(!ofA, facing, mine.next(first));

@@ -8,10 +8,10 @@ namespace plumb::reference {
 
 namespace {
 
-constexpr int kMostPasses = 6;        // of a step, until its end agrees with the prediction
+constexpr int kMaxPasses = 6;         // of a step, until its end agrees with the prediction
 constexpr double kSettled = 1.0e-13;  // m, rad
-constexpr int kMostHits = 12;         // in one step, each of which ends it; later ones are handled together
-constexpr int kMostTries = 6;         // to end at a hit
+constexpr int kMaxHits = 12;          // in one step, each of which ends it; later ones are handled together
+constexpr int kMaxTries = 6;          // to end at a hit
 constexpr double kUnsolved = 1.0e-4;  // ratio to the velocities
 
 const Press* findPress(std::span<const Press> presses, std::uint64_t key) {
@@ -189,7 +189,7 @@ void GroupStep::tryStep(double h, bool takeAll) {
         q1_[i] = q0_[i] + 0.5 * h * (v0_[i] + v1_[i]);
         if (i < group_->pushed) scale = std::max(scale, h * length(writer_.bodyAt(i).acceleration));
     }
-    for (int pass = 0; pass < kMostPasses; ++pass) {
+    for (int pass = 0; pass < kMaxPasses; ++pass) {
         for (std::size_t i = 0; i < count; ++i) middle_[i] = 0.5 * (q0_[i] + q1_[i]);
         collect(takeAll);
         writeRows(h);
@@ -254,7 +254,7 @@ void GroupStep::advance(const Group& group, double duration, std::span<const Pre
     }
     double left = duration;
     for (int hits = 0; left > 0.0 && state_.trouble.empty();) {
-        const bool takeAll = hits >= kMostHits;
+        const bool takeAll = hits >= kMaxHits;
         double h = left;
         const auto start = [&] {
             active_.clear();
@@ -264,7 +264,7 @@ void GroupStep::advance(const Group& group, double duration, std::span<const Pre
         start();
         tryStep(h, takeAll);
         bool isHit = false;
-        for (int i = 0; i < kMostTries && !takeAll; ++i) {
+        for (int i = 0; i < kMaxTries && !takeAll; ++i) {
             const double time = earliestClosing(h);
             if (!(time < h)) break;
             h = std::max(time, 1.0e-9 * duration);

@@ -57,7 +57,7 @@ double leftOf(double difference, double order) {
     return 2.0 * difference / (std::pow(2.0, std::clamp(order, 0.5, 2.0)) - 1.0);
 }
 
-constexpr double kLeastOrder = 0.5;  // slower convergence counts as none
+constexpr double kMinOrder = 0.5;  // slower convergence counts as none
 
 /// All runs so far.
 class Runs {
@@ -103,7 +103,7 @@ public:
         return !spreads_.empty() && spreads_.back().place <= rounding;
     }
     [[nodiscard]] bool comesTogether() const {
-        return isRounding() || (orderOf(&BoxStatistics::place) >= kLeastOrder);
+        return isRounding() || (orderOf(&BoxStatistics::place) >= kMinOrder);
     }
 
 private:

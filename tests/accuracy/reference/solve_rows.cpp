@@ -8,10 +8,10 @@ namespace plumb::reference {
 namespace {
 
 constexpr double kFirstStiffness = 1.0e5;  // ratio to a row's resistance: each round reduces errors to 1/this
-constexpr double kMostStiffness = 1.0e8;   // with more, rounding errors dominate
-constexpr int kMostGuesses = 25;           // in sequence, before sweeps
-constexpr int kMostRounds = 40;
-constexpr int kMostAttempts = 10;
+constexpr double kMaxStiffness = 1.0e8;    // with more, rounding errors dominate
+constexpr int kMaxGuesses = 25;            // in sequence, before sweeps
+constexpr int kMaxRounds = 40;
+constexpr int kMaxAttempts = 10;
 constexpr int kFirstSweeps = 50;  // each attempt doubles it
 
 Triple inverse(Triple mass) { return {1.0 / mass.x, 1.0 / mass.y, 1.0 / mass.turn}; }
@@ -244,9 +244,9 @@ bool RowSolver::newton(RowOutcome& outcome) {
     stiffness_ = kFirstStiffness;
     double before = kEndless;
     guesses_.assign(system_->rows.size(), Guess::Free);
-    for (int round = 0; round < kMostRounds; ++round) {
+    for (int round = 0; round < kMaxRounds; ++round) {
         bool same = takeGuesses(true);
-        for (int i = 0; !same && i < kMostGuesses; ++i) {
+        for (int i = 0; !same && i < kMaxGuesses; ++i) {
             if (!factorGuess()) return false;
             solveGuess();
             same = takeGuesses(false);
@@ -256,8 +256,8 @@ bool RowSolver::newton(RowOutcome& outcome) {
         outcome.residual = worst();
         if (outcome.residual <= tolerance_) return true;
         if (outcome.residual > 0.1 * before) {
-            if (stiffness_ >= kMostStiffness && outcome.residual > 0.5 * before) return false;
-            stiffness_ = std::min(10.0 * stiffness_, kMostStiffness);
+            if (stiffness_ >= kMaxStiffness && outcome.residual > 0.5 * before) return false;
+            stiffness_ = std::min(10.0 * stiffness_, kMaxStiffness);
         }
         before = outcome.residual;
     }
@@ -285,7 +285,7 @@ void RowSolver::solveOrGiveUp(RowOutcome& outcome) {
     trials_.assign(system.rows.size(), 0.0);
     std::vector<double> best;
     double bestResidual = kEndless;
-    for (int attempt = 0; attempt < kMostAttempts; ++attempt) {
+    for (int attempt = 0; attempt < kMaxAttempts; ++attempt) {
         if (newton(outcome)) return;
         velocitiesFromImpulses();
         for (int i = 0; i < kFirstSweeps << attempt; ++i, ++outcome.sweeps) sweep();

@@ -16,7 +16,7 @@ namespace {
 constexpr auto kPlots = std::to_array<std::string_view>(
     {"stack20", "heavy1000", "chain1000", "pendulum", "spring2", "spring10", "orbit", "bullet"});
 
-/// The marks to reach, in this order.
+/// The goals, in this order.
 constexpr auto kMarks =
     std::to_array<std::string_view>({"stack20", "heavy100", "heavy1000", "chain100", "chain1000", "pendulum",
                                      "pyramid465", "bounces", "incline", "freefall"});

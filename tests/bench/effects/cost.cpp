@@ -7,9 +7,9 @@
 
 namespace {
 
-constexpr int kWarmUp = 20;  // steps, until everything has its memory
+constexpr int kWarmUp = 20;  // steps, until all memory is allocated
 
-// What callgrind looks at.
+// The function that callgrind measures.
 extern "C" __attribute__((noinline)) void plumbCountedSteps(plumb::physics::World* world, int steps) {
     for (int i = 0; i < steps; ++i) plumb::physics::step(*world, plumb::bench::kTick);
 }
