@@ -35,8 +35,12 @@ struct TilePlacement {
 
 /// Draws a tile layer by chunks of 32x32 tiles that stay on the graphics card. A chunk is made when it is
 /// first seen and made again when one of its tiles changed; what is not seen costs nothing, whatever the size
-/// of the layer. From far
-/// away, where tiles would be smaller than a pixel, one tile stands for a block of them.
+/// of the layer. From far away, where tiles would be smaller than a pixel, one tile stands for a block of
+/// them.
+///
+/// Tiles lie over each other in the order of rows from the top, each from the left. Where pictures are both
+/// wider and higher than their cells, square chunks would break that order at their borders; such a layer is
+/// drawn by chunks of one row.
 class TileChunks {
 public:
     static constexpr int kSide = 32;               ///< tiles
@@ -63,6 +67,10 @@ private:
         std::array<TextureHandle, kTextureSlots> textures{};
         std::size_t textureCount = 0;
     };
+    struct Animated {
+        std::uint32_t cell = 0;  ///< place in the grid
+        std::size_t parts = 0;   ///< of the chunk, that lie below it
+    };
     struct Chunk {
         bool known = false;
         std::uint64_t rowsStamp = 0;  ///< of the grid's chunks that it shows, and all beside them
@@ -70,7 +78,7 @@ private:
         std::uint64_t lastSeen = 0;
         AABB bounds;
         std::vector<Part> parts;
-        std::vector<std::uint32_t> animated;  ///< cells, by place in the grid
+        std::vector<Animated> animated;
     };
     struct Range {
         int left = 0, top = 0, right = 0, bottom = 0;  ///< chunks, the last two excluded
@@ -84,14 +92,20 @@ private:
     void addBlock(Chunk& chunk, int x, int y, TileCell cell, const TileGrid& grid, const TileSheet& sheet);
     void addTile(Chunk& chunk, const SpriteInstance& instance, TextureHandle texture);
     void closePart(Chunk& chunk);
-    void drawAnimated(DrawList& list, const Chunk& chunk, const TileGrid& grid, const TileSheet& sheet,
-                      const TilePlacement& placement) const;
+    void drawChunk(DrawList& list, const Chunk& chunk, const TileGrid& grid, const TileSheet& sheet,
+                   const TilePlacement& placement) const;
+    static void drawAnimated(DrawList& list, std::uint32_t cell, const TileGrid& grid, const TileSheet& sheet,
+                             const TilePlacement& placement);
     void release(Chunk& chunk);
     void dropUnseen();
 
     RenderDevice& device_;
     std::vector<Chunk> chunks_;
-    int level_ = 0;  ///< one tile stands for 2^level tiles a side
+    int chunkWidth_ = kSide;  ///< tiles of the grid
+    int chunkHeight_ = kSide;
+    bool overlaps_ = false;  ///< some pictures reach out of their cells
+    bool byRows_ = false;    ///< some reach out of them in both directions
+    int level_ = 0;          ///< one tile stands for 2^level tiles a side
     int columns_ = 0;
     int rows_ = 0;
     std::uint32_t sheetVersion_ = 0;
