@@ -37,6 +37,10 @@ struct TilePlacement {
 /// is built when it first becomes visible and rebuilt when one of its tiles changes;
 /// invisible chunks cost nothing, whatever the size of the layer. From far away, where
 /// tiles would be smaller than a pixel, one tile represents a block of them.
+///
+/// Tiles overlap in the order of rows from the top, each row from the left. Where pictures are both
+/// wider and higher than their cells, square chunks would break that order at their borders; such a layer is
+/// drawn by chunks of one row.
 class TileChunks {
 public:
     static constexpr int kSide = 32;               ///< tiles
@@ -63,6 +67,10 @@ private:
         std::array<TextureHandle, kTextureSlots> textures{};
         std::size_t textureCount = 0;
     };
+    struct Animated {
+        std::uint32_t cell = 0;  ///< place in the grid
+        std::size_t parts = 0;   ///< of the chunk, that lie below it
+    };
     struct Chunk {
         bool known = false;
         std::uint64_t rowsStamp = 0;  ///< of the rows of the grid's chunks that it shows
@@ -70,7 +78,7 @@ private:
         std::uint64_t lastSeen = 0;
         AABB bounds;
         std::vector<Part> parts;
-        std::vector<std::uint32_t> animated;  ///< cells, by place in the grid
+        std::vector<Animated> animated;
     };
     struct Range {
         int left = 0, top = 0, right = 0, bottom = 0;  ///< chunks, the last two excluded
@@ -84,14 +92,20 @@ private:
     void addBlock(Chunk& chunk, int x, int y, TileCell cell, const TileGrid& grid, const TileSheet& sheet);
     void addTile(Chunk& chunk, const SpriteInstance& instance, TextureHandle texture);
     void closePart(Chunk& chunk);
-    void drawAnimated(DrawList& list, const Chunk& chunk, const TileGrid& grid, const TileSheet& sheet,
-                      const TilePlacement& placement) const;
+    void drawChunk(DrawList& list, const Chunk& chunk, const TileGrid& grid, const TileSheet& sheet,
+                   const TilePlacement& placement) const;
+    static void drawAnimated(DrawList& list, std::uint32_t cell, const TileGrid& grid, const TileSheet& sheet,
+                             const TilePlacement& placement);
     void release(Chunk& chunk);
     void dropUnseen();
 
     RenderDevice& device_;
     std::vector<Chunk> chunks_;
-    int level_ = 0;  ///< one tile represents a block with sides of 2^level tiles
+    int chunkWidth_ = kSide;  ///< tiles of the grid
+    int chunkHeight_ = kSide;
+    bool overlaps_ = false;  ///< some pictures reach out of their cells
+    bool byRows_ = false;    ///< some reach out of them in both directions
+    int level_ = 0;          ///< one tile represents a block with sides of 2^level tiles
     int columns_ = 0;
     int rows_ = 0;
     std::uint32_t sheetVersion_ = 0;
