@@ -25,7 +25,7 @@ std::uint32_t roomOfWorld() {
 }  // namespace
 
 Storage::Storage()
-    : byKey_(kMaxTypes, &emptyPool_),
+    : byKey_(kMaxTypes, &nobody_),
       maxEntities_{roomOfWorld()},
       recordMemory_{maxEntities_ * (sizeof(EntityRecord) + sizeof(std::uint32_t))} {
     if (!recordMemory_.ok())

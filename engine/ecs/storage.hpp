@@ -61,14 +61,14 @@ public:
     template <class T>
     Pool& pool() {
         const TypeKey key = typeKey<T>();
-        if (byKey_[key] != &emptyPool_) return *byKey_[key];
+        if (byKey_[key] != &nobody_) return *byKey_[key];
         return makePool(componentType<std::remove_const_t<T>>());
     }
     /// The pool of a type, or an empty one without capacity if there is none.
     [[nodiscard]] const Pool& knownPool(TypeKey key) const { return *byKey_[key]; }
     [[nodiscard]] Pool& knownPool(TypeKey key) { return *byKey_[key]; }
     [[nodiscard]] Pool* findPool(TypeKey key) const {
-        return byKey_[key] != &emptyPool_ ? byKey_[key] : nullptr;
+        return byKey_[key] != &nobody_ ? byKey_[key] : nullptr;
     }
     Pool& pool(const TypeInfo& info) {
         Pool* known = findPool(info.key);
@@ -161,8 +161,8 @@ private:
     bool holes_ = false;
     std::uint32_t recordCapacity_ = 0;
     std::uint64_t watchedMask_ = 0;
-    Pool emptyPool_;
-    std::vector<Pool*> byKey_;  // &emptyPool_ for types without a pool
+    Pool nobody_;
+    std::vector<Pool*> byKey_;  // &nobody_ for types without a pool
     std::vector<TypeKey> watchedKeys_;
     std::vector<std::unique_ptr<Pool>> pools_;  // by ordinal
     std::vector<std::unique_ptr<QueryCache>> caches_;
