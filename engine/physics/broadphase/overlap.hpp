@@ -17,10 +17,10 @@ inline constexpr AABB kNowhere{
 
 /// Bounds as all broad phases use them: inverted boxes and NaN become kNowhere, infinity the largest float.
 constexpr AABB usable(const AABB& box) {
-    constexpr float kMax = std::numeric_limits<float>::max();
+    constexpr float kMost = std::numeric_limits<float>::max();
     if (!(box.min.x <= box.max.x && box.min.y <= box.max.y)) return kNowhere;
-    return {{std::clamp(box.min.x, -kMax, kMax), std::clamp(box.min.y, -kMax, kMax)},
-            {std::clamp(box.max.x, -kMax, kMax), std::clamp(box.max.y, -kMax, kMax)}};
+    return {{std::clamp(box.min.x, -kMost, kMost), std::clamp(box.min.y, -kMost, kMost)},
+            {std::clamp(box.max.x, -kMost, kMost), std::clamp(box.max.y, -kMost, kMost)}};
 }
 
 /// Like intersects(), but boxes that only touch overlap too.
