@@ -50,8 +50,7 @@ double offered(const TreeBody& treeBody, const Triple& row) {
 /// Computed at the start of the step only: it hardly changes.
 void soften(const TreeBody& treeBody, Link& link, const TreeBody* parent) {
     const auto softness = [&](int r, Triple onTreeBody, Triple onParent) {
-        // Rows that a joint does not have get no impulse; nor do angle rows between two bodies that cannot
-        // rotate.
+        // Rows that a joint does not have get no impulse, nor do angle rows of two bodies that cannot rotate.
         if (r >= rowsOf(link.kind)) return 1.0;
         const double all =
             offered(treeBody, onTreeBody) + (parent != nullptr ? offered(*parent, onParent) : 0.0);
