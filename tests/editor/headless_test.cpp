@@ -86,7 +86,7 @@ TEST_F(HeadlessTest, aMissingFileIsToldWithTheEntityAndTheFieldThatNameIt) {
         EXPECT_NE(text.find(line), std::string::npos) << line << " in\n" << text;
 }
 
-/// The first bytes of each are good, so that only who reads on finds the damage.
+/// The first bytes of each are good, so that only a reader of the whole file finds the damage.
 TEST_F(HeadlessTest, soundsFontsAndPicturesThatAreGarbageAreTold) {
     const Path sources = test::sourceFolder();
     const std::string picture = *readFile(sources / "tests/scene/maps/meadow.png");
