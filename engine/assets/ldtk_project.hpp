@@ -52,6 +52,7 @@ struct LayerKind {
     Vec2 parallax;  ///< ratio; 0 moves with the world
     bool scalesWithParallax = false;
     int ruleGroups = 0;
+    int source = -1;  ///< uid of the layer of an IntGrid whose values its rules draw; -1 for none
     std::vector<IntGridValue> values;
 };
 

@@ -149,6 +149,25 @@ TEST_F(ImportLdtkTest, valuesOfAnIntGridAreTilesThatAreSolidByTheirName) {
     EXPECT_TRUE(tells("\"walls\" are solid"));
 }
 
+/// LDtk shows the values of an IntGrid where no rule draws them.
+TEST_F(ImportLdtkTest, valuesThatRulesDrawAreHiddenAlsoWhereTheyDrewNothing) {
+    constexpr const char* kValues = R"("fieldInstances": [], "layerInstances": [
+  {"__identifier": "Ground", "__type": "IntGrid", "__cWid": 4, "__cHei": 1, "__gridSize": 16, "__opacity": 1,
+   "__pxTotalOffsetX": 0, "__pxTotalOffsetY": 0, "__tilesetDefUid": {}, "iid": "l1", "layerDefUid": 1, "visible": true,
+   "intGridCsv": [1, 1, 3, 1], "autoLayerTiles": [], "gridTiles": [], "entityInstances": []}])";
+    const auto isHidden = [&](const char* tileset, const char* source) {
+        std::string text = format(R"({{}, "worldLayout": "Free", "worlds": [], "levels": [{}]})",
+                                  kDefinitions, levelText("Cave", 0, 0, format(kValues, tileset).c_str()));
+        const std::string_view far = R"({"uid": 2, "identifier": "Far",)";
+        text.replace(text.find(far), far.size(), std::string{far} + source);
+        import(text);
+        return entity("Ground values")["components"].contains("Hidden");
+    };
+    EXPECT_FALSE(isHidden("null", ""));
+    EXPECT_TRUE(isHidden("10", ""));
+    EXPECT_TRUE(isHidden("null", R"("autoSourceLayerDefUid": 1,)"));
+}
+
 TEST_F(ImportLdtkTest, fieldsOfAllTypesBecomePropertiesAndReferencesFindTheirEntity) {
     importLevels("Free", {levelText("Cave", 0, 0)});
 
@@ -227,7 +246,8 @@ TEST_F(ImportLdtkTest, unknownKeysAreReportedAndWhatOnlyTheEditorNeedsIsNamed) {
         format(R"({{}, "worldLayout": "Free", "worlds": [], "nextUid": 4, "portals": [1], "levels": [{}]})",
                kDefinitions, levelText("A", 0, 0)));
     EXPECT_TRUE(tells("\"portals\" is not known here"));
-    EXPECT_TRUE(tells("nextUid"));
+    EXPECT_EQ(report_.editorKeys.count("nextUid"), 1u);
+    EXPECT_TRUE(tells("1 key that only LDtk needs was left out: nextUid")) << report_.text();
 }
 
 TEST_F(ImportLdtkTest, aDrawingOfAsepriteIsNamedWithItsRemedyAndItsPngTaken) {
@@ -275,6 +295,16 @@ TEST_F(ImportLdtkTest, pivotsAndTheParallaxOfEntitiesComeAlong) {
     EXPECT_EQ(entity("Chest")["components"]["ParallaxLayer"]["factor"].dump(), "[0.75,1]");
     EXPECT_EQ(entity("Zone")["ldtk"]["pivot"].dump(), "[0.5,1]");
     EXPECT_TRUE(tells("its entities without a picture stay in their place"));
+}
+
+TEST_F(ImportLdtkTest, areasThatAreNoPartOfAPictureAreReported) {
+    std::string text = format(R"({{}, "worldLayout": "Free", "worlds": [], "levels": [{}]})", kDefinitions,
+                              levelText("Cave", 0, 0));
+    const std::string_view tile = R"("x": 16, "y": 0, "w": 16, "h": 16})";
+    text.replace(text.find(tile), tile.size(), R"("x": 16, "y": 0, "w": 1e30, "h": 16})");
+    import(text);
+    EXPECT_FALSE(entity("Chest")["components"].contains("Sprite"));
+    EXPECT_TRUE(tells("its area is no part of a picture")) << report_.text();
 }
 
 TEST_F(ImportLdtkTest, aWorldThatFailsLeavesNoFileOfTheOthers) {

@@ -296,7 +296,108 @@ TEST_F(ImportTiledTest, unknownNamesAreReportedOnceAndWhatOnlyTiledNeedsIsNamed)
     EXPECT_NE(text.find("<hologram> is not known"), std::string::npos);
     EXPECT_NE(text.find("\"glow\" is not known"), std::string::npos);
     EXPECT_NE(text.find("blended by \"add\""), std::string::npos);
-    EXPECT_NE(text.find("only inside Tiled: nextlayerid"), std::string::npos);
+    EXPECT_NE(text.find("1 key that only Tiled needs was left out: nextlayerid"), std::string::npos) << text;
+}
+
+TEST_F(ImportTiledTest, everyShapeOfAnObjectBecomesATrigger) {
+    std::string row;
+    for (int i = 0; i < 70; ++i) row += format("{},{} ", i, i % 2);
+    ASSERT_TRUE(
+        writeFile(folder_.path / "art/level.tmx",
+                  R"(<map orientation="orthogonal" width="1" height="1" tilewidth="16" tileheight="16">
+ <objectgroup name="things">
+  <object id="1" name="box" x="8" y="8" width="10" height="4" rotation="90"/>
+  <object id="2" name="oval" x="0" y="0" width="20" height="10"><ellipse/></object>
+  <object id="3" name="pill" x="0" y="0" width="20" height="10"><capsule/></object>
+  <object id="4" name="roof" x="5" y="6"><polygon points="0,0 9,0 9,9"/></object>
+  <object id="5" name="way" x="5" y="6"><polyline points="0,0 9,9"/></object>
+  <object id="6" name="long" x="5" y="6"><polyline points=")" +
+                      row + R"("/></object>
+  <object id="7" name="spot" x="5" y="6"><point/></object></objectgroup></map>)")
+            .ok());
+    const Result<ImportReport> report = import();
+    ASSERT_TRUE(report.ok()) << report.error().text();
+    const auto part = [&](const char* name, const char* component) {
+        const Json components = entity(name)["components"];
+        EXPECT_TRUE(components.contains(component)) << name << " " << components.dump();
+        return components.contains(component) ? components[component] : Json::object();
+    };
+    EXPECT_EQ(part("box", "BoxCollider")["width"], 10);
+    EXPECT_NEAR(entity("box")["components"]["Transform"]["rotation"].get<double>(), 1.5707963, 1e-6);
+    EXPECT_EQ(part("oval", "PolygonCollider")["points"].size(), 24u);
+    EXPECT_EQ(part("pill", "CapsuleCollider")["width"], 20);
+    EXPECT_EQ(part("roof", "PolygonCollider")["points"].dump(), "[[0,0],[9,0],[9,9]]");
+    EXPECT_EQ(part("way", "ChainCollider")["isTrigger"], true);
+    EXPECT_EQ(entity("long")["components"].size(), 1u);
+    EXPECT_EQ(entity("long")["tiled"]["points"].size(), 70u);
+    EXPECT_EQ(entity("spot")["components"].size(), 1u);
+    EXPECT_NE(report->text().find("1 shapes have more than 64 corners"), std::string::npos) << report->text();
+}
+
+TEST_F(ImportTiledTest, whatAClassSaysComesFromTheProjectOfTiled) {
+    ASSERT_TRUE(writeFile(folder_.path / "game.tiled-project", R"({"propertyTypes": [
+        {"name": "Door", "type": "class", "useAs": ["object"], "members": [
+         {"name": "locked", "type": "bool", "value": true}, {"name": "key", "type": "string", "value": "gold"},
+         {"name": "light", "type": "class", "propertyType": "Light", "value": {"far": 9}}]},
+        {"name": "Light", "type": "class", "members": [{"name": "far", "type": "int", "value": 3},
+         {"name": "color", "type": "color", "value": "#ff102030"}]},
+        {"name": "Loop", "type": "class", "members": [
+         {"name": "loop", "type": "class", "propertyType": "Loop", "value": {}}]},
+        {"name": "Way", "type": "enum", "values": ["up", "down"]}, 7]})")
+                    .ok());
+    ASSERT_TRUE(
+        writeFile(
+            folder_.path / "art/level.tmx",
+            R"(<map orientation="orthogonal" width="1" height="1" tilewidth="16" tileheight="16" class="Loop">
+ <objectgroup name="things"><object id="1" name="gate" class="Door" x="5" y="6"><properties>
+  <property name="key" value="iron"/></properties></object></objectgroup></map>)")
+            .ok());
+    const Result<ImportReport> report = import();
+    ASSERT_TRUE(report.ok()) << report.error().text();
+    const Json properties = entity("gate")["properties"];
+    EXPECT_EQ(properties["locked"], true);
+    EXPECT_EQ(properties["key"], "iron");
+    EXPECT_EQ(properties["light"]["value"]["far"], 9);
+    EXPECT_EQ(properties["light"]["value"]["color"]["value"], "#ff102030");
+    EXPECT_TRUE(read(scene_)["properties"].contains("loop"));
+    EXPECT_EQ(report->problems.size(), 1u) << report->text();
+}
+
+TEST_F(ImportTiledTest, theShapesOfATileBecomeOneOutline) {
+    ASSERT_TRUE(
+        writeFile(folder_.path / "art/level.tmx",
+                  R"(<map orientation="orthogonal" width="1" height="1" tilewidth="16" tileheight="16">
+ <tileset firstgid="1" name="land" tilewidth="16" tileheight="16"><image source="sheet.png"/>
+  <tile id="0"><objectgroup><object id="1" x="0" y="8" width="16" height="8"/>
+   <object id="2" x="8" y="0" width="8" height="8"/></objectgroup></tile>
+  <tile id="1"><objectgroup><object id="1" x="0" y="0" width="16" height="6"/>
+   <object id="2" x="0" y="6" width="16" height="10"/></objectgroup></tile>
+  <tile id="2"><objectgroup><object id="1" x="0" y="0" width="4" height="4"/>
+   <object id="2" x="8" y="8"><polygon points="0,0 8,0 8,8"/></object></objectgroup></tile>
+  <tile id="3"><objectgroup><object id="1" x="-4" y="8" width="24" height="12"/></objectgroup></tile>
+ </tileset><layer name="ground" width="1" height="1"><data encoding="csv">1</data></layer></map>)")
+            .ok());
+    const Result<ImportReport> report = import();
+    ASSERT_TRUE(report.ok()) << report.error().text();
+    const Json tiles = read(project_ / "assets/level/land.tileset.json")["tiles"];
+    EXPECT_EQ(tiles[0]["collision"].dump(), "[[0,8],[8,8],[8,0],[16,0],[16,16],[0,16]]");
+    EXPECT_EQ(tiles[1]["collision"], "full");
+    EXPECT_EQ(tiles[2]["collision"].dump(), "[[8,8],[16,8],[16,16]]");
+    EXPECT_EQ(tiles[3]["collision"].dump(), "[[0,8],[16,8],[16,16],[0,16]]");
+    const std::string text = report->text();
+    EXPECT_EQ(report->problems.size(), 2u) << text;
+    EXPECT_NE(text.find("tile 2: it has several collision shapes"), std::string::npos) << text;
+    EXPECT_NE(text.find("tile 3: its collision shape reaches out"), std::string::npos) << text;
+}
+
+TEST_F(ImportTiledTest, whatIsSaidOfManyPlacesIsOneLine) {
+    ImportReport report;
+    for (int i = 0; i < 9; ++i) report.problems.push_back({format("tile {}", i), "it is odd", "mend it"});
+    report.problems.push_back({"map", "it is flat", "mend it"});
+    const std::vector<Error> folded = report.foldedProblems();
+    ASSERT_EQ(folded.size(), 2u);
+    EXPECT_EQ(folded[0].where, "tile 0 and 8 more places");
+    EXPECT_EQ(folded[1].where, "map");
 }
 
 TEST_F(ImportTiledTest, whatIsWrongWithTilesAndPropertiesIsReported) {

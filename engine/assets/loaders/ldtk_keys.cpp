@@ -30,10 +30,10 @@ constexpr Kind kKinds[] = {
      "layers:layerDef entities:entityDef tilesets:tilesetDef"},
     {"layerDef",
      "__type identifier type uid gridSize parallaxFactorX parallaxFactorY parallaxScaling intGridValues "
-     "autoRuleGroups tilesetDefUid",
+     "autoRuleGroups tilesetDefUid autoSourceLayerDefUid",
      "doc uiColor guideGridWid guideGridHei displayOpacity inactiveOpacity hideInList hideFieldsWhenInactive "
      "canSelectWhenInactive renderInWorldView pxOffsetX pxOffsetY requiredTags excludedTags "
-     "autoTilesKilledByOtherLayerUid uiFilterTags useAsyncRender intGridValuesGroups autoSourceLayerDefUid "
+     "autoTilesKilledByOtherLayerUid uiFilterTags useAsyncRender intGridValuesGroups "
      "autoTilesetDefUid tilePivotX tilePivotY biomeFieldUid",
      "intGridValues:intGridValue"},
     {"intGridValue", "value identifier color", "tile groupUid", ""},

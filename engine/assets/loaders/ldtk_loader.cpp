@@ -27,15 +27,26 @@ std::vector<ldtk::Field> readFields(const LdtkFields& owner) {
     return fields;
 }
 
-std::optional<ldtk::TileRect> readTileRect(const Json* json) {
+/// Whether an area can be a part of a picture; what is none would be no whole number of px either.
+bool isPart(const Rect& area) {
+    constexpr auto kSide = static_cast<float>(limits::kImageSide);
+    return area.x >= 0.0f && area.y >= 0.0f && area.width >= 0.0f && area.height >= 0.0f && area.x <= kSide &&
+           area.y <= kSide && area.width <= kSide && area.height <= kSide;
+}
+
+std::optional<ldtk::TileRect> readTileRect(const LdtkFields& from, std::string_view key) {
+    const Json* json = from.find(key);
     if (json == nullptr || !json->is_object()) return {};
-    const auto number = [&](const char* key) {
-        const Json* found = findMember(*json, key);
+    const auto number = [&](const char* name) {
+        const Json* found = findMember(*json, name);
         return found == nullptr ? 0.0f : floatOf(*found).value_or(0.0f);
     };
     const Json* uid = findMember(*json, "tilesetUid");
-    return ldtk::TileRect{uid == nullptr ? 0 : wholeOf(*uid).value_or(0),
-                          {number("x"), number("y"), number("w"), number("h")}};
+    const ldtk::TileRect tile{uid == nullptr ? 0 : wholeOf(*uid).value_or(0),
+                              {number("x"), number("y"), number("w"), number("h")}};
+    if (isPart(tile.area)) return tile;
+    from.warn(key, "its area is no part of a picture", "choose the tile again in LDtk");
+    return {};
 }
 
 ldtk::Entity readEntity(const LdtkFields& from) {
@@ -47,7 +58,7 @@ ldtk::Entity readEntity(const LdtkFields& from) {
     entity.pivot = from.pair("__pivot", {});
     entity.width = from.whole("width", 16);
     entity.height = from.whole("height", 16);
-    entity.tile = readTileRect(from.find("__tile"));
+    entity.tile = readTileRect(from, "__tile");
     entity.color = from.color("__smartColor", Color{});
     if (const Json* tags = from.find("__tags"); tags != nullptr && tags->is_array()) {
         for (const Json& tag : *tags) {
@@ -147,6 +158,9 @@ void readBackground(const LdtkFields& from, ldtk::Level& level) {
         std::array<float, 4> sides{};
         for (std::size_t i = 0; i < 4; ++i) sides[i] = floatOf((*crop)[i]).value_or(0.0f);
         level.imageCrop = {sides[0], sides[1], sides[2], sides[3]};
+        if (isPart(level.imageCrop)) return;
+        from.warn("__bgPos.cropRect", "it is no part of a picture", "save the project again in LDtk");
+        level.imageCrop = {};
     }
 }
 
@@ -173,6 +187,7 @@ void readDefinitions(const LdtkFields& from, ldtk::Project& project) {
         kind.parallax = {static_cast<float>(item.real("parallaxFactorX", 0.0)),
                          static_cast<float>(item.real("parallaxFactorY", 0.0))};
         kind.scalesWithParallax = item.flag("parallaxScaling", true);
+        kind.source = item.whole("autoSourceLayerDefUid", -1);
         kind.ruleGroups = static_cast<int>(item.objects("autoRuleGroups").size());
         for (const LdtkFields& value : item.objects("intGridValues")) {
             kind.values.push_back({value.whole("value", 0), value.text("identifier"),

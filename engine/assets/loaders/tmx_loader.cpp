@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "assets/loaders/tiled_classes.hpp"
 #include "assets/loaders/tmj_to_xml.hpp"
 #include "assets/loaders/tmx_cells.hpp"
 #include "assets/loaders/tmx_elements.hpp"
@@ -233,7 +234,11 @@ Result<tiled::Map> loadTiledMap(const Path& file, std::vector<Error>& warnings) 
     };
     const Result<std::string> text = readFrom(file);
     if (!text) return text.error();
-    return parseTiledMap(*text, file, readFrom, warnings);
+    Result<tiled::Map> map = parseTiledMap(*text, file, readFrom, warnings);
+    if (!map) return map;
+    const TiledClasses classes = tiledClassesAround(file, warnings);
+    if (!classes.empty()) applyClasses(*map, classes);
+    return map;
 }
 
 }  // namespace plumb

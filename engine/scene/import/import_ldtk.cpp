@@ -27,12 +27,6 @@ struct LayerPlan {
     LdtkStacks stacks;
 };
 
-std::string joined(const std::set<std::string>& words) {
-    std::string text;
-    for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word;
-    return text;
-}
-
 /// Brings one world of a project into a scene.
 class WorldImporter {
 public:
@@ -46,8 +40,7 @@ public:
         for (Json& entity : draft_.entities()) {
             if (entity.contains("properties")) linkEntities(entity["properties"], ids_);
         }
-        if (!project_.idle.empty())
-            draft_.report.note("left out, as it means something only inside LDtk: " + joined(project_.idle));
+        draft_.report.leaveOut("LDtk", project_.idle);
         if (bounds_) draft_.addCamera({bounds_->min.x, bounds_->min.y, bounds_->size().x, bounds_->size().y});
     }
 
@@ -233,9 +226,19 @@ private:
         Json components = placed(plan);
         components["TileLayer"] = tilesJson(plan, file, cells, order, 1.0);
         if (solid) components["TileCollider"] = Json::object();
-        // Without the picture of the tiles over them the values are all there is to see.
-        finish(plan, components, layer.tiles.empty() || tilesets_.picture(layer.tileset).width == 0);
+        finish(plan, components, showsValues(layer));
         draft_.add(key + "/values", format("{} values", layer.name), std::move(components));
+    }
+
+    /// LDtk shows values where no rule draws: not those of a layer with a tileset, nor those that another
+    /// layer draws by its rules. Without the picture of the tiles over them they are all there is to see.
+    bool showsValues(const Layer& layer) {
+        const bool drawnByOther =
+            std::any_of(project_.layers.begin(), project_.layers.end(),
+                        [&layer](const ldtk::LayerKind& kind) { return kind.source == layer.kind; });
+        if (layer.opacity == 0.0) return false;
+        if (project_.tileset(layer.tileset) == nullptr) return !drawnByOther;
+        return !layer.tiles.empty() && tilesets_.picture(layer.tileset).width == 0;
     }
 
     void addStack(const LayerPlan& plan, std::size_t index, const std::string& key, int order) {
@@ -311,6 +314,7 @@ void append(ImportReport& all, ImportReport&& next) {
     all.images += next.images;
     all.files.insert(all.files.begin(), next.files.begin(), next.files.end());
     for (std::string& note : next.notes) all.note(std::move(note));
+    all.leaveOut(next.editor, next.editorKeys);
     all.problems.insert(all.problems.end(), next.problems.begin(), next.problems.end());
     all.note(format("another world of the project became {}", next.scene));
 }

@@ -6,6 +6,7 @@
 #include "core/text.hpp"
 #include "math/angle.hpp"
 #include "scene/import/tile_animation.hpp"
+#include "scene/import/tile_shapes.hpp"
 #include "scene/import/tiled_json.hpp"
 
 namespace plumb {
@@ -144,24 +145,67 @@ void addLabel(Json& components, const tiled::Layer& layer, const LayerPlace& pla
     components["Label"] = std::move(label);
 }
 
+Json pointsJson(const std::vector<Vec2>& points) {
+    Json json = Json::array();
+    for (const Vec2 point : points) json.push_back(vec2Json(point));
+    return json;
+}
+
+Json boxJson(const Object& object) {
+    Json json = Json::object();
+    json["width"] = object.width;
+    json["height"] = object.height;
+    return json;
+}
+
+/// The component that holds the outline of an object, and its name; empty when none does.
+std::pair<std::string, Json> colliderOf(const Object& object) {
+    const bool sized = object.width > 0.0 && object.height > 0.0;
+    Json json = Json::object();
+    switch (object.shape) {
+        case Shape::Rectangle:
+            if (sized) return {"BoxCollider", boxJson(object)};
+            break;
+        case Shape::Capsule:
+            if (sized) return {"CapsuleCollider", boxJson(object)};
+            break;
+        case Shape::Ellipse:
+            if (!sized) break;
+            if (object.width == object.height) {
+                json["radius"] = object.width * 0.5;
+                json["offset"] = Json::array({object.width * 0.5, object.height * 0.5});
+                return {"CircleCollider", std::move(json)};
+            }
+            json["points"] = pointsJson(outlineOf(object));
+            return {"PolygonCollider", std::move(json)};
+        case Shape::Polygon:
+            if (object.points.size() < 3 || object.points.size() > kMaxOutlineCorners) break;
+            json["points"] = pointsJson(object.points);
+            return {"PolygonCollider", std::move(json)};
+        case Shape::Polyline:
+            if (object.points.size() < 2 || object.points.size() > kMaxOutlineCorners) break;
+            json["points"] = pointsJson(object.points);
+            return {"ChainCollider", std::move(json)};
+        case Shape::Point:
+        case Shape::Text:
+        case Shape::Tile: break;
+    }
+    return {};
+}
+
 /// Areas of levels are most often places that something happens in.
 void addTrigger(Json& components, const Object& object) {
-    const bool sized = object.width > 0.0 && object.height > 0.0;
-    if (!sized || object.rotation != 0.0) return;
-    if (object.shape == Shape::Rectangle) {
-        Json& box = components["BoxCollider"] = Json::object();
-        box["width"] = object.width;
-        box["height"] = object.height;
-        box["isTrigger"] = true;
-    } else if (object.shape == Shape::Ellipse && object.width == object.height) {
-        Json& circle = components["CircleCollider"] = Json::object();
-        circle["radius"] = object.width * 0.5;
-        circle["offset"] = Json::array({object.width * 0.5, object.height * 0.5});
-        circle["isTrigger"] = true;
-    }
+    auto [name, collider] = colliderOf(object);
+    if (name.empty()) return;
+    collider["isTrigger"] = true;
+    components[name] = std::move(collider);
 }
 
 }  // namespace
+
+bool isOutlineLost(const tiled::Object& object) {
+    return object.points.size() > kMaxOutlineCorners && colliderOf(object).first.empty();
+}
 
 Json objectComponents(const EntityImport& import, const tiled::Layer& layer, const LayerPlace& place,
                       const Object& object) {

@@ -9,7 +9,9 @@
 #include "reflect/json_fields.hpp"
 #include "reflect/json_text.hpp"
 #include "scene/import/import_entities.hpp"
+#include "scene/import/import_objects.hpp"
 #include "scene/import/isometric.hpp"
+#include "scene/import/tile_shapes.hpp"
 #include "scene/import/tiled_json.hpp"
 
 namespace plumb {
@@ -72,31 +74,33 @@ std::string joined(const std::set<std::string>& words) {
     return text;
 }
 
+/// Whether tiles may lie over each other, so that their order is seen.
+bool hasLargeTiles(const tiled::Map& map) {
+    return std::any_of(map.tilesets.begin(), map.tilesets.end(), [&map](const tiled::Tileset& tileset) {
+        const bool larger = tileset.tileWidth > map.tileWidth || tileset.tileHeight > map.tileHeight;
+        return !tileset.fitsGrid && (larger || tileset.image.empty());
+    });
+}
+
 /// What is there, but not as it was in Tiled.
 void tellChanges(const tiled::Map& map, const std::vector<ImportedTileset>& tilesets, ImportReport& report) {
     int shapes = 0;
     std::set<std::string> fonts;
     for (const tiled::Layer& layer : map.layers) {
         for (const tiled::Object& object : layer.objects) {
-            const bool turned = object.rotation != 0.0 || object.width != object.height;
-            const bool isOval = object.shape == tiled::Shape::Ellipse && turned;
-            const bool isTurnedBox = object.shape == tiled::Shape::Rectangle && object.rotation != 0.0;
-            const bool noComponent = object.shape == tiled::Shape::Polygon ||
-                                     object.shape == tiled::Shape::Polyline ||
-                                     object.shape == tiled::Shape::Capsule;
-            shapes += isOval || isTurnedBox || noComponent ? 1 : 0;
+            shapes += isOutlineLost(object) ? 1 : 0;
             if (object.shape == tiled::Shape::Text) fonts.insert(object.text.font);
         }
     }
     if (shapes > 0) {
         report.note(
-            format("{} shapes have a place but no component that holds their outline; it is kept under "
+            format("{} shapes have more than {} corners, which no component holds; they are kept under "
                    "\"tiled\" in the entity",
-                   shapes));
+                   shapes, kMaxOutlineCorners));
     }
     if (!fonts.empty())
         report.note(format("texts are drawn in the engine's own font instead of {}", joined(fonts)));
-    if (map.renderOrder != "right-down") {
+    if (map.renderOrder != "right-down" && hasLargeTiles(map)) {
         report.note(
             format("tiles are drawn from the top left to the lower right, not {}: larger ones may "
                    "cover each other another way",
@@ -111,8 +115,7 @@ void tellChanges(const tiled::Map& map, const std::vector<ImportedTileset>& tile
                        "belongs to the later one",
                        tileset.original->name));
     }
-    if (!map.idle.empty())
-        report.note("left out, as it means something only inside Tiled: " + joined(map.idle));
+    report.leaveOut("Tiled", map.idle);
 }
 
 /// Brings maps into one scene. Tilesets that several maps share are written once.

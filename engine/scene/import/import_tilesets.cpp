@@ -1,21 +1,16 @@
 #include "scene/import/import_tilesets.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include "assets/tileset.hpp"
 #include "core/text.hpp"
-#include "math/angle.hpp"
-#include "math/portable.hpp"
 #include "reflect/json_text.hpp"
 #include "scene/import/import_terrains.hpp"
+#include "scene/import/tile_shapes.hpp"
 #include "scene/import/tiled_json.hpp"
 
 namespace plumb {
 namespace {
-
-constexpr int kEllipseCorners = 16;
-constexpr std::size_t kMaxCorners = 64;
 
 struct Grid {
     int columns = 1;
@@ -54,31 +49,7 @@ TilePicture pictureOfCollection(const tiled::Tileset& tileset, const tiled::Tile
     return {image.path, tile.source.value_or(Rect{0.0f, 0.0f, width, height})};
 }
 
-std::vector<Vec2> cornersOf(const tiled::Object& object) {
-    const auto width = static_cast<float>(object.width);
-    const auto height = static_cast<float>(object.height);
-    std::vector<Vec2> corners;
-    if (object.shape == tiled::Shape::Polygon) corners = object.points;
-    if (object.shape == tiled::Shape::Rectangle) corners = {{0, 0}, {width, 0}, {width, height}, {0, height}};
-    if (object.shape == tiled::Shape::Ellipse || object.shape == tiled::Shape::Capsule) {
-        for (int i = 0; i < kEllipseCorners; ++i) {
-            const float angle = kTau * static_cast<float>(i) / static_cast<float>(kEllipseCorners);
-            corners.push_back({width * 0.5f * (1.0f + cosine(angle)), height * 0.5f * (1.0f + sine(angle))});
-        }
-    }
-    const Vec2 origin{static_cast<float>(object.x), static_cast<float>(object.y)};
-    const float turn = radiansFromDegrees(static_cast<float>(object.rotation));
-    for (Vec2& corner : corners) corner = origin + (turn == 0.0f ? corner : rotated(corner, turn));
-    float doubleArea = 0.0f;
-    for (std::size_t i = 0; i < corners.size(); ++i) {
-        const Vec2 next = corners[(i + 1) % corners.size()];
-        doubleArea += corners[i].x * next.y - next.x * corners[i].y;
-    }
-    if (doubleArea < 0.0f) std::reverse(corners.begin(), corners.end());
-    return doubleArea != 0.0f ? corners : std::vector<Vec2>{};
-}
-
-/// Turns the first shape of a tile into its collision; what one shape cannot hold is reported.
+/// Turns the shapes of a tile into its collision; what one outline cannot hold is reported.
 void addCollision(Json& json, const tiled::Tile& tile, Vec2 tileSize, Vec2 cellSize, ImportStage& stage,
                   const tiled::Tileset& tileset) {
     const auto tell = [&](std::string what) {
@@ -92,27 +63,18 @@ void addCollision(Json& json, const tiled::Tile& tile, Vec2 tileSize, Vec2 cellS
         if (!object.properties.empty()) shapes.back()["properties"] = object.properties;
     }
     json["tiled"]["collision"] = std::move(shapes);
-    if (tile.collision.size() > 1) tell("the tile has several collision shapes; only the first one collides");
 
-    std::vector<Vec2> corners = cornersOf(tile.collision.front());
-    const Vec2 raised{0.0f, cellSize.y - tileSize.y};  // the tile stands on the lower left corner of its cell
-    bool inside = corners.size() >= 3 && corners.size() <= kMaxCorners;
-    for (Vec2& corner : corners) {
-        corner += raised;
-        constexpr float kSlack = 0.01f;
-        inside = inside && corner.x >= -kSlack && corner.y >= -kSlack && corner.x <= cellSize.x + kSlack &&
-                 corner.y <= cellSize.y + kSlack;
-    }
-    if (!inside) {
-        tell("its collision shape is no outline inside the cell");
-        return;
-    }
+    // The tile stands on the lower left corner of its cell.
+    const TileOutline outline = outlineOfTile(tile, cellSize, cellSize.y - tileSize.y);
+    if (outline.corners.empty()) return tell("its collision shape is no area inside the cell");
+    if (outline.partial) tell("it has several collision shapes; only the largest one collides");
+    if (outline.cut) tell("its collision shape reaches out of the cell; it ends at the cell's border");
     const std::vector<Vec2> full{{0, 0}, {cellSize.x, 0}, cellSize, {0, cellSize.y}};
-    if (corners == full) {
+    if (outline.corners == full) {
         json["collision"] = "full";
         return;
     }
-    for (const Vec2 corner : corners) json["collision"].push_back(vec2Json(corner));
+    for (const Vec2 corner : outline.corners) json["collision"].push_back(vec2Json(corner));
 }
 
 /// @param count  tiles of the set; 0 when its picture is missing, so that it is not known

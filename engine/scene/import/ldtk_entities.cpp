@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "core/limits.hpp"
 #include "core/text.hpp"
 #include "reflect/json_members.hpp"
 #include "scene/import/tiled_json.hpp"
@@ -79,8 +80,10 @@ Json spriteJson(const ldtk::Entity& entity, const ldtk::EntityKind* kind, const 
     const ldtk::TileRect& tile = *entity.tile;
     const StagedImage& picture = tilesets.picture(tile.tileset);
     const Vec2 box{static_cast<float>(entity.width), static_cast<float>(entity.height)};
-    const Vec2 size =
+    const Vec2 wanted =
         pictureSize(kind == nullptr ? Fill::Stretch : kind->fill, box, {tile.area.width, tile.area.height});
+    const auto side = static_cast<float>(limits::kImageSide);
+    const Vec2 size{std::clamp(wanted.x, 0.0f, side), std::clamp(wanted.y, 0.0f, side)};
     const double opacity = layer.opacity * (kind == nullptr ? 1.0 : kind->opacity);
     Json sprite = Json::object();
     if (!picture.path.empty()) {

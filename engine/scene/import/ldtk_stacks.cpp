@@ -17,7 +17,7 @@ struct Laid {
     int cell = kLoose;  ///< its own, when it fits the grid
 };
 
-/// A square as large as a tile, so that a tile lies over four of them at the most.
+/// A square as large as a tile, so that no tile lies over more than four of them.
 struct Place {
     std::vector<Laid> tiles;
     int highest = 0;  ///< level of all that lie here
