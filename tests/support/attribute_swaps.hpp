@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/text.hpp"
-#include "core/xml.hpp"
+#include "codec/xml.hpp"
 #include "tests/support/type_swaps.hpp"
 
 namespace plumb::test {
