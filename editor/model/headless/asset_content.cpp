@@ -27,7 +27,7 @@ bool looksLikeMp3(std::string_view bytes) {
     return sync && layer != 0 && rate != 15;
 }
 
-/// Sounds are WAVs; music may be packed as well, and is told from garbage by how it begins.
+/// Sounds are WAVs; music may be packed as well, and is distinguished from garbage by its first bytes.
 Result<Done> checkSound(std::string_view bytes, std::string_view where) {
     if (startsWith(bytes, "RIFF")) return doneOr(readWavHeader(bytes, where));
     const bool isOgg = startsWith(bytes, "OggS") && bytes.size() > 64;

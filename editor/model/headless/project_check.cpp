@@ -73,13 +73,13 @@ void checkAssets(const Path& root, Workspace& workspace, ProjectCheck& check, Pr
     }
     // Also of prefabs that no scene has.
     for (const auto& [path, named] : names.all()) workspace.assets.load(named.kind, path);
-    std::set<std::string> told;
+    std::set<std::string> reported;
     for (const Error& problem : workspace.assets.errors()) {
-        told.insert(problem.where);
+        reported.insert(problem.where);
         problems.add(withNamers(root, names, problem));
     }
     for (const AssetItem& file : catalog.all()) {
-        if (told.count(file.path) != 0) continue;
+        if (reported.count(file.path) != 0) continue;
         if (const Result<Done> good = contentOf(root, file); !good)
             problems.add(withNamers(root, names, good.error()));
     }
