@@ -13,10 +13,10 @@ namespace {
 constexpr int kSteps = 24;
 
 /// Actions that open a dialog or lead to one.
-constexpr std::array kOpening{"file.open",    "file.new",           "file.backups",     "file.import",
-                              "edit.find",    "edit.commands",   "edit.preferences", "edit.keys",
-                              "layout.save",  "entity.prefab",      "entity.makePrefab", "entity.overrides",
-                              "run.play",     "run.playPaused",     "file.quit",        "file.welcome",
+constexpr std::array kOpening{"file.open",     "file.new",       "file.backups",      "file.import",
+                              "edit.find",     "edit.commands",  "edit.preferences",  "edit.keys",
+                              "layout.save",   "entity.prefab",  "entity.makePrefab", "entity.overrides",
+                              "run.play",      "run.playPaused", "file.quit",         "file.welcome",
                               "entity.create", "entity.rename"};
 
 class DialogMonkey : public DialogFixture {
@@ -45,9 +45,9 @@ protected:
         }
         std::vector<std::string> fronts;
         for (const std::string& name : names) {
-            for (const char* dialog : {"Recovery/", "Changed/", "Backups/", "Unsaved/", "Keep/", "Open/", "New/",
-                                       "Prefab/", "MakePrefab/", "Overrides/", "Import/", "Finder/",
-                                       "Preferences/", "Layout/"}) {
+            for (const char* dialog :
+                 {"Recovery/", "Changed/", "Backups/", "Unsaved/", "Keep/", "New/", "MakePrefab/",
+                  "Overrides/", "Import/", "Finder/", "Preferences/", "Layout/"}) {
                 if (name.find(dialog) == 0) fronts.push_back(name);
             }
         }

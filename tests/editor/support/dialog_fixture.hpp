@@ -45,8 +45,8 @@ protected:
         std::string text{kSceneText};
         return text.replace(text.find("[200, 64]"), 9, "[201, 64]");
     }
-    void changeOutside() {
-        putFile(kScene, changedText() + std::string(static_cast<std::size_t>(++edits_), '\n'));
+    void changeOutside(std::string_view scene = kScene) {
+        putFile(scene, changedText() + std::string(static_cast<std::size_t>(++edits_), '\n'));
     }
 
     void open(Session& session, std::string_view dialog) {
@@ -85,14 +85,14 @@ protected:
         session.workspace.notice.clear();
         const std::string mine = session.workspace.text();
         save();
-        if (fileText() != mine) {
+        if (fileText(session.workspace.document.scenePath) != mine) {
             EXPECT_NE(session.workspace.notice, "") << "nothing was written, and nothing was said";
             ASSERT_TRUE(session.shows("Changed/mine")) << "nothing was asked";
             session.hands.click("Changed/mine");
             session.hands.rest(3);
             save();
         }
-        EXPECT_EQ(fileText(), mine);
+        EXPECT_EQ(fileText(session.workspace.document.scenePath), mine);
         EXPECT_FALSE(session.workspace.unsaved());
     }
 
@@ -102,10 +102,10 @@ protected:
             return;
         }
         session.create();
-        if (changedMeanwhile) changeOutside();
+        if (changedMeanwhile) changeOutside(session.workspace.document.scenePath);
         expectSaves(session, [&] { session.save(); });
         session.create();
-        if (changedMeanwhile) changeOutside();
+        if (changedMeanwhile) changeOutside(session.workspace.document.scenePath);
         expectSaves(session, [&] {
             session.quit();
             session.hands.click("Unsaved/Save");
