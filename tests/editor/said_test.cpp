@@ -142,6 +142,7 @@ TEST_F(Said, aNameThatASceneHasAlreadyIsToldBeforeAnythingIsAsked) {
     hands.rest(3);
     EXPECT_FALSE(shows("Unsaved/Save"));
     EXPECT_NE(valueOf("New/problem").find("there is such a scene"), std::string::npos);
+    hands.click("New/name");
     hands.type("2");
     hands.click("New/Create");
     hands.rest(3);

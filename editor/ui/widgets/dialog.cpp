@@ -31,10 +31,10 @@ void dialogFoot(const Ui& ui) {
 }
 
 bool footButton(Ui& ui, const char* label, float width, const std::string& path, ImU32 color) {
-    const float wide = std::max(
-        ui.px(width), ImGui::CalcTextSize(label, nullptr, true).x + 2.0f * ImGui::GetStyle().FramePadding.x);
+    const float least = ImGui::CalcTextSize(label, nullptr, true).x + 2.0f * ImGui::GetStyle().FramePadding.x;
     // The one before left the cursor beside itself.
-    if (ImGui::GetContentRegionAvail().x < wide) ImGui::NewLine();
+    if (ImGui::GetContentRegionAvail().x < least) ImGui::NewLine();
+    const float wide = std::max(std::min(ui.px(width), ImGui::GetContentRegionAvail().x), least);
     if (color != 0) ImGui::PushStyleColor(ImGuiCol_Button, color);
     const bool pressed = ImGui::Button(label, {wide, 0.0f});
     if (color != 0) ImGui::PopStyleColor();
