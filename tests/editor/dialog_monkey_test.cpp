@@ -46,8 +46,8 @@ protected:
         std::vector<std::string> fronts;
         for (const std::string& name : names) {
             for (const char* dialog :
-                 {"Recovery/", "Changed/", "Backups/", "Unsaved/", "Keep/", "Open/", "New/", "Prefab/",
-                  "MakePrefab/", "Overrides/", "Import/", "Finder/", "Preferences/", "Layout/"}) {
+                 {"Recovery/", "Changed/", "Backups/", "Unsaved/", "Keep/", "New/", "MakePrefab/",
+                  "Overrides/", "Import/", "Finder/", "Preferences/", "Layout/"}) {
                 if (name.find(dialog) == 0) fronts.push_back(name);
             }
         }

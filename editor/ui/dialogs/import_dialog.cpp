@@ -7,6 +7,7 @@
 #include "core/text.hpp"
 #include "editor/model/key_words.hpp"
 #include "editor/ui/ui_compat.hpp"
+#include "editor/ui/widgets/dialog.hpp"
 #include "editor/ui/widgets/text_field.hpp"
 
 namespace plumb::editor::ui {
@@ -63,12 +64,7 @@ void ImportDialog::begin(Ui& ui) {
 
 void ImportDialog::draw(Ui& ui) {
     if (ui.workspace.request == WindowRequest::Import) begin(ui);
-    const ImVec2 display = ImGui::GetIO().DisplaySize;
-    const ImVec2 size{std::min(ui.px(640.0f), display.x * 0.96f), std::min(ui.px(460.0f), display.y * 0.9f)};
-    ImGui::SetNextWindowPos({(display.x - size.x) * 0.5f, (display.y - size.y) * 0.4f});
-    ImGui::SetNextWindowSize(size);
-    if (!ImGui::BeginPopupModal("Import", nullptr, ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove))
-        return;
+    if (!beginDialog(ui, "Import", {640.0f, 460.0f})) return;
     if (task_->report()) {
         drawReport(ui, *task_->report());
     } else {
