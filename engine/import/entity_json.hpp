@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "assets/tiled_map.hpp"
+#include "import/tiled_map.hpp"
 #include "math/vec2.hpp"
 #include "reflect/json.hpp"
 

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <optional>
 
-#include "assets/loaders/aseprite_loader.hpp"
 #include "core/limits.hpp"
 #include "core/text.hpp"
+#include "import/loaders/aseprite_loader.hpp"
 #include "import/scene_draft.hpp"
 #include "platform/image_file.hpp"
 #include "reflect/json_text.hpp"

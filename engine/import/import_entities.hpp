@@ -3,10 +3,10 @@
 #include <string>
 #include <vector>
 
-#include "assets/tiled_map.hpp"
 #include "import/import_tilesets.hpp"
 #include "import/scene_draft.hpp"
 #include "import/tile_animation.hpp"
+#include "import/tiled_map.hpp"
 #include "math/rect.hpp"
 
 namespace plumb {

@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <optional>
 
-#include "assets/loaders/ldtk_loader.hpp"
 #include "core/text.hpp"
 #include "import/import_entities.hpp"
 #include "import/ldtk_entities.hpp"
 #include "import/ldtk_stacks.hpp"
 #include "import/ldtk_tilesets.hpp"
+#include "import/loaders/ldtk_loader.hpp"
 #include "import/tiled_json.hpp"
 #include "scene/tiles_json.hpp"
 

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <map>
 
-#include "assets/loaders/tmx_loader.hpp"
 #include "core/text.hpp"
 #include "import/import_entities.hpp"
 #include "import/import_objects.hpp"
 #include "import/isometric.hpp"
+#include "import/loaders/tmx_loader.hpp"
 #include "import/tile_shapes.hpp"
 #include "import/tiled_json.hpp"
 #include "reflect/json.hpp"

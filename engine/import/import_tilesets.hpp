@@ -3,8 +3,8 @@
 #include <map>
 #include <string>
 
-#include "assets/tiled_map.hpp"
 #include "import/import_stage.hpp"
+#include "import/tiled_map.hpp"
 #include "math/rect.hpp"
 
 namespace plumb {

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "assets/tiled_map.hpp"
 #include "import/import_report.hpp"
+#include "import/tiled_map.hpp"
 
 namespace plumb {
 

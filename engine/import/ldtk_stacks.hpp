@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "assets/ldtk_project.hpp"
+#include "import/ldtk_project.hpp"
 #include "math/tile_grid.hpp"
 
 namespace plumb {

@@ -4,7 +4,7 @@
 #include <string>
 #include <utility>
 
-#include "assets/ldtk_project.hpp"
+#include "import/ldtk_project.hpp"
 #include "import/scene_draft.hpp"
 
 namespace plumb {

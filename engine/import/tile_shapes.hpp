@@ -3,7 +3,7 @@
 #include <optional>
 #include <vector>
 
-#include "assets/tiled_map.hpp"
+#include "import/tiled_map.hpp"
 #include "math/vec2.hpp"
 
 namespace plumb {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "assets/tiled_map.hpp"
+#include "import/tiled_map.hpp"
 #include "math/vec2.hpp"
 #include "reflect/json.hpp"
 

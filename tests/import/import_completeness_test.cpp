@@ -6,11 +6,11 @@
 
 #include <gtest/gtest.h>
 
-#include "assets/loaders/ldtk_loader.hpp"
-#include "assets/loaders/tmx_loader.hpp"
 #include "codec/compression.hpp"
 #include "codec/xml.hpp"
 #include "import/import_file.hpp"
+#include "import/loaders/ldtk_loader.hpp"
+#include "import/loaders/tmx_loader.hpp"
 #include "reflect/json.hpp"
 #include "reflect/json_text.hpp"
 #include "scene/tiles_json.hpp"

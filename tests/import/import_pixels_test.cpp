@@ -9,8 +9,8 @@
 
 #include <gtest/gtest.h>
 
-#include "assets/loaders/tmx_loader.hpp"
 #include "import/import_file.hpp"
+#include "import/loaders/tmx_loader.hpp"
 #include "platform/image_file.hpp"
 #include "platform/window.hpp"
 #include "reflect/json.hpp"

@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "assets/loaders/tmx_reader.hpp"
 #include "core/text.hpp"
+#include "import/loaders/tmx_reader.hpp"
 
 namespace plumb {
 namespace {

@@ -1,4 +1,4 @@
-#include "assets/loaders/tmj_to_xml.hpp"
+#include "import/loaders/tmj_to_xml.hpp"
 
 #include "core/text.hpp"
 #include "reflect/json.hpp"

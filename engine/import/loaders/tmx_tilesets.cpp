@@ -1,7 +1,7 @@
 #include <algorithm>
 
-#include "assets/loaders/tmx_reader.hpp"
 #include "core/text.hpp"
+#include "import/loaders/tmx_reader.hpp"
 
 namespace plumb {
 namespace {

@@ -2,8 +2,8 @@
 
 #include <string_view>
 
-#include "core/result.hpp"
 #include "codec/xml.hpp"
+#include "core/result.hpp"
 
 namespace plumb {
 

@@ -1,12 +1,12 @@
-#include "assets/loaders/ldtk_loader.hpp"
+#include "import/loaders/ldtk_loader.hpp"
 
 #include <algorithm>
 #include <array>
 
-#include "assets/loaders/ldtk_fields.hpp"
-#include "assets/loaders/ldtk_keys.hpp"
 #include "core/limits.hpp"
 #include "core/text.hpp"
+#include "import/loaders/ldtk_fields.hpp"
+#include "import/loaders/ldtk_keys.hpp"
 #include "reflect/json_members.hpp"
 #include "reflect/json_text.hpp"
 

@@ -1,4 +1,4 @@
-#include "assets/ldtk_project.hpp"
+#include "import/ldtk_project.hpp"
 
 #include <algorithm>
 

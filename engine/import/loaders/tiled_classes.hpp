@@ -5,9 +5,9 @@
 #include <string_view>
 #include <vector>
 
-#include "assets/tiled_map.hpp"
 #include "core/file.hpp"
 #include "core/result.hpp"
+#include "import/tiled_map.hpp"
 
 namespace plumb {
 

@@ -3,8 +3,8 @@
 #include <string_view>
 #include <vector>
 
-#include "assets/ldtk_project.hpp"
-#include "assets/loaders/tmx_loader.hpp"
+#include "import/ldtk_project.hpp"
+#include "import/loaders/tmx_loader.hpp"
 
 namespace plumb {
 

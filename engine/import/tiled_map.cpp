@@ -1,4 +1,4 @@
-#include "assets/tiled_map.hpp"
+#include "import/tiled_map.hpp"
 
 #include <algorithm>
 

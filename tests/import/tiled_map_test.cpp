@@ -2,9 +2,9 @@
 
 #include <gtest/gtest.h>
 
-#include "assets/loaders/tmx_loader.hpp"
 #include "core/random.hpp"
 #include "core/text.hpp"
+#include "import/loaders/tmx_loader.hpp"
 
 namespace plumb {
 namespace {

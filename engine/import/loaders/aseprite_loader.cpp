@@ -1,4 +1,4 @@
-#include "assets/loaders/aseprite_loader.hpp"
+#include "import/loaders/aseprite_loader.hpp"
 
 #include <algorithm>
 

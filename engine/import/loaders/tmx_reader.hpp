@@ -7,10 +7,10 @@
 #include <string_view>
 #include <vector>
 
-#include "assets/loaders/tmx_fields.hpp"
-#include "assets/loaders/tmx_loader.hpp"
-#include "assets/tiled_map.hpp"
 #include "core/limits.hpp"
+#include "import/loaders/tmx_fields.hpp"
+#include "import/loaders/tmx_loader.hpp"
+#include "import/tiled_map.hpp"
 
 namespace plumb {
 

@@ -1,4 +1,4 @@
-#include "assets/loaders/ldtk_fields.hpp"
+#include "import/loaders/ldtk_fields.hpp"
 
 #include <cmath>
 

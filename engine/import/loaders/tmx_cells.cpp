@@ -1,4 +1,4 @@
-#include "assets/loaders/tmx_cells.hpp"
+#include "import/loaders/tmx_cells.hpp"
 
 #include <algorithm>
 

@@ -1,14 +1,14 @@
-#include "assets/loaders/tmx_loader.hpp"
+#include "import/loaders/tmx_loader.hpp"
 
 #include <algorithm>
 
-#include "assets/loaders/tiled_classes.hpp"
-#include "assets/loaders/tmj_to_xml.hpp"
-#include "assets/loaders/tmx_cells.hpp"
-#include "assets/loaders/tmx_elements.hpp"
-#include "assets/loaders/tmx_reader.hpp"
 #include "codec/compression.hpp"
 #include "core/text.hpp"
+#include "import/loaders/tiled_classes.hpp"
+#include "import/loaders/tmj_to_xml.hpp"
+#include "import/loaders/tmx_cells.hpp"
+#include "import/loaders/tmx_elements.hpp"
+#include "import/loaders/tmx_reader.hpp"
 
 namespace plumb {
 namespace {

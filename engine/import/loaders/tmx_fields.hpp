@@ -5,8 +5,8 @@
 #include <string_view>
 #include <vector>
 
-#include "core/result.hpp"
 #include "codec/xml.hpp"
+#include "core/result.hpp"
 #include "math/color.hpp"
 #include "reflect/json.hpp"
 

@@ -1,6 +1,6 @@
-#include "assets/loaders/tmx_elements.hpp"
+#include "import/loaders/tmx_elements.hpp"
 
-#include "assets/loaders/word_list.hpp"
+#include "import/loaders/word_list.hpp"
 
 namespace plumb {
 namespace {

@@ -1,4 +1,4 @@
-#include "assets/loaders/tmx_fields.hpp"
+#include "import/loaders/tmx_fields.hpp"
 
 #include <charconv>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "assets/loaders/tiled_classes.hpp"
+#include "import/loaders/tiled_classes.hpp"
 
 #include <algorithm>
 

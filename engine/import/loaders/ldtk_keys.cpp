@@ -1,9 +1,9 @@
-#include "assets/loaders/ldtk_keys.hpp"
+#include "import/loaders/ldtk_keys.hpp"
 
 #include <utility>
 
-#include "assets/loaders/word_list.hpp"
 #include "core/text.hpp"
+#include "import/loaders/word_list.hpp"
 #include "reflect/json.hpp"
 
 namespace plumb {
