@@ -14,9 +14,9 @@
 #include "assets/animation.hpp"
 #include "assets/tileset.hpp"
 #include "core/file.hpp"
+#include "import/import_file.hpp"
 #include "input/recorder.hpp"
 #include "platform/image_file.hpp"
-#include "scene/import/import_file.hpp"
 #include "scene/prefab.hpp"
 #include "scene/scene_file.hpp"
 #include "tests/support/attribute_swaps.hpp"
@@ -257,7 +257,7 @@ struct ImportSwap : TypeSwap {
         EXPECT_TRUE(writeFile(project / "project.json", "{}").ok());
         for (const char* name : {"meadow.tmx", "meadow.tsx", "meadow.png", "brook.tmx"})
             EXPECT_TRUE(
-                writeFile(folder.path / name, *readFile(test::sourceFolder() / "tests/scene/maps" / name))
+                writeFile(folder.path / name, *readFile(test::sourceFolder() / "tests/import/maps" / name))
                     .ok());
     }
 

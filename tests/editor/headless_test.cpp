@@ -89,7 +89,7 @@ TEST_F(HeadlessTest, aMissingFileIsToldWithTheEntityAndTheFieldThatNameIt) {
 /// The first bytes of each are good, so that only a reader of the whole file finds the damage.
 TEST_F(HeadlessTest, soundsFontsAndPicturesThatAreGarbageAreTold) {
     const Path sources = test::sourceFolder();
-    const std::string picture = *readFile(sources / "tests/scene/maps/meadow.png");
+    const std::string picture = *readFile(sources / "tests/import/maps/meadow.png");
     const std::string sound = *readFile(sources / "projects/platformer/assets/coin.wav");
     const std::string font = *readFile(engineAssets() / "fonts/tiny5.ttf");
     const auto damagedFrom = [](std::string bytes, std::size_t at) {

@@ -7,7 +7,7 @@ cmake_minimum_required(VERSION 3.22)
 
 # Folders and documents that are checked; the rest of the tree joins as it is rewritten.
 set(folders engine player tests/accuracy tests/accuracy_report tests/app tests/assets tests/audio tests/bench
-    tests/codec tests/core tests/ecs tests/families tests/gameplay tests/input tests/math tests/physics
+    tests/codec tests/core tests/ecs tests/families tests/gameplay tests/import tests/input tests/math tests/physics
     tests/physics_reference tests/physics_scenes tests/platform tests/reflect tests/render tests/replay tests/scene
     tests/seed tests/stability tests/support docs)
 set(endings cpp hpp inl md txt cmake sh)

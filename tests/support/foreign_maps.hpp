@@ -14,7 +14,7 @@ namespace plumb::test {
 inline std::vector<Path> foreignMaps(std::initializer_list<std::string_view> endings) {
     std::vector<Path> maps;
     for (const Path& folder :
-         {test::sourceFolder() / "tests/scene/maps", test::sourceFolder() / "../shared/data/maps",
+         {test::sourceFolder() / "tests/import/maps", test::sourceFolder() / "../shared/data/maps",
           Path{"/usr/share/doc/tiled/examples"}}) {
         for (const std::string_view ending : endings) {
             for (const std::string& file : filesBelow(folder, ending)) maps.push_back(folder / file);
