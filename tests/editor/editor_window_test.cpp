@@ -127,6 +127,8 @@ TEST_F(EditorWindowTest, everyPanelAndOverlayDrawsAnEmptyAndAFullScene) {
 }
 
 TEST_F(EditorWindowTest, layersOfThePhysicsAreTickedWhileEditingAndStayWhilePlaying) {
+    hands.size = {1280, 1200};  // every row of the list is on the screen; a lower window scrolls it
+    hands.rest(3);
     const std::string text = workspace.text();
     hands.click("Overlay/physics");
     hands.rest(2);
