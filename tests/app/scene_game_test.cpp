@@ -186,6 +186,18 @@ TEST(SceneGame, theNumbersOfALevelAreThoseOfItsFirstPicture) {
     EXPECT_EQ(progress.levelsReached.size(), 2u);
 }
 
+TEST(SceneGame, aPlayerWhoWaitsAtTheStartOfALevelIsLeftAlone) {
+    constexpr int kTicks = 40 * 60;
+    for (const std::string& scene : platformerScenes()) {
+        SCOPED_TRACE(scene);
+        SceneGame game{platformer(), scene};
+        game.assets.logging = false;
+        game.onCreate();
+        for (int tick = 0; tick < kTicks; ++tick) tickGame(game, {});
+        EXPECT_EQ(game.world.resource<GameProgress>().deaths, 0);
+    }
+}
+
 TEST(SceneGame, aSceneThatIsNotThereIsAnErrorAndTheOldOneGoesOn) {
     SceneGame game{platformer(), "level1"};
     game.assets.logging = false;

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ecs/hierarchy.hpp"
 #include "gameplay/pause_scene.hpp"
 #include "gameplay/register_components.hpp"
 #include "math/portable.hpp"
@@ -8,6 +9,7 @@
 #include "scene/components/camera.hpp"
 #include "scene/components/hidden.hpp"
 #include "scene/components/label.hpp"
+#include "scene/components/particle_emitter.hpp"
 #include "scene/components/scene_entity.hpp"
 #include "scene/components/sprite.hpp"
 #include "scene/play_sound.hpp"
@@ -151,6 +153,29 @@ TEST(Spring, throwsUpToTheHeightOfItsSpeed) {
     }
     EXPECT_EQ(fastest, -420.0f);
     EXPECT_NEAR(kFloor - 8 - highest, 420.0f * 420.0f / 2.0f / 1800.0f, 6.0f);
+}
+
+TEST(Collectible, letsItsSparksGoWhereItWas) {
+    Level level{kFlat};
+    level.player = level.addPlayer({40, kFloor});
+    Entity coin = level.addBox({80, kFloor - 16}, {8, 8}, true);
+    coin.addComponent<Collectible>();
+    Entity sparks = level.world.createEntity();
+    sparks.addComponent<Transform>(4.0f, -2.0f);
+    auto& emitter = sparks.addComponent<ParticleEmitter>();
+    emitter.playing = false;
+    emitter.duration = 0.1f;
+    emitter.lifetime = 0.5f;
+    emitter.lifetimeSpread = 0.0f;
+    setParent(level.world, sparks, coin);
+    const Vec2 place = worldPose(level.world, sparks).position;
+    level.settle();
+    level.hold(Key::Right);
+    for (int i = 0; i < 120 && level.world.count<Collectible>() > 0; ++i) level.tick();
+    ASSERT_TRUE(level.world.alive(sparks));
+    EXPECT_TRUE(sparks.get<ParticleEmitter>().playing);
+    EXPECT_EQ(sparks.get<Transform>().position, place);
+    EXPECT_FLOAT_EQ(sparks.get<Lifetime>().seconds, 0.6f);
 }
 
 TEST(Collectible, isCountedOnceAndGone) {

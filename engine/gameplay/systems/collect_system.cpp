@@ -1,14 +1,19 @@
 #include "gameplay/systems/collect_system.hpp"
 
 #include <algorithm>
+#include <vector>
 
+#include "ecs/hierarchy.hpp"
 #include "ecs/world.hpp"
 #include "gameplay/components/collectible.hpp"
 #include "gameplay/components/health.hpp"
+#include "gameplay/components/lifetime.hpp"
 #include "gameplay/components/player_controller.hpp"
 #include "gameplay/game_progress.hpp"
 #include "gameplay/sound_cue.hpp"
 #include "gameplay/touches.hpp"
+#include "scene/components/particle_emitter.hpp"
+#include "scene/world_transform.hpp"
 
 namespace plumb {
 
@@ -30,12 +35,31 @@ void count(World& world, const Collectible& collectible, EntityId player) {
     }
 }
 
+/// What sends particles below an item that is taken is let go: it stays where it is, sends its burst, and
+/// ends with the last of them.
+void letGoEmitters(World& world, EntityId item) {
+    std::vector<EntityId> emitters;
+    for (Entity child : childrenOf(world, item)) {
+        if (world.has<ParticleEmitter>(child)) emitters.push_back(child);
+    }
+    for (const EntityId child : emitters) {
+        const Pose pose = worldPose(world, child);
+        setParent(world, child, {});
+        world.add<Transform>(child, Transform{pose.position, pose.rotation, pose.scale});
+        auto& emitter = world.get<ParticleEmitter>(child);
+        emitter.playing = true;
+        world.add<Lifetime>(child).seconds =
+            emitter.duration + emitter.lifetime * (1.0f + emitter.lifetimeSpread);
+    }
+}
+
 }  // namespace
 
 void CollectSystem::update(World& world, float) {
     forEachTouch<TriggerEntered, Collectible, PlayerController>(world, [&](EntityId item, EntityId player) {
         count(world, std::as_const(world).get<Collectible>(item), player);
         playCue(world, item, &SoundCues::collect);
+        letGoEmitters(world, item);
         world.destroy(item);
     });
 }
